@@ -1,0 +1,65 @@
+# Makes the library targets from wend/modules.txt: wend_<module> with the alias wend::<module>, and
+# wend::wend, which is all of them.
+
+# Sets wend_modules to the modules' names and wend_arrows_<module> to what <module> may include.
+macro(wend_read_modules)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS modules.txt)
+  file(STRINGS modules.txt lines REGEX "^[a-z]")
+  set(wend_modules "")
+  foreach(line IN LISTS lines)
+    if(NOT line MATCHES "^([a-z_]+)( core)?:([a-z_ ]*)$")
+      message(FATAL_ERROR "wend/modules.txt: cannot read the line '${line}'")
+    endif()
+    set(module "${CMAKE_MATCH_1}")
+    separate_arguments(wend_arrows_${module} UNIX_COMMAND "${CMAKE_MATCH_3}")
+    list(APPEND wend_modules ${module})
+  endforeach()
+endmacro()
+
+# wend_add_module(<module> <arrow>...): a static library of wend/<module>/*.cpp, or an interface
+# target where there is nothing to compile.
+function(wend_add_module module)
+  file(GLOB sources CONFIGURE_DEPENDS ${module}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  list(TRANSFORM ARGN PREPEND wend_ OUTPUT_VARIABLE arrows)
+
+  if(sources)
+    add_library(wend_${module} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(wend_${module} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(wend::${module} ALIAS wend_${module})
+  set_target_properties(wend_${module} PROPERTIES EXPORT_NAME ${module})
+  target_compile_features(wend_${module} ${scope} cxx_std_20)
+  target_include_directories(wend_${module} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
+  target_link_libraries(wend_${module} ${scope} ${arrows})
+endfunction()
+
+# wend_module_needs(<module> <PUBLIC|PRIVATE> <library>...): libraries from outside. PUBLIC: the
+# module's headers include theirs.
+function(wend_module_needs module scope)
+  get_target_property(type wend_${module} TYPE)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(wend_${module} ${scope} ${ARGN})
+endfunction()
+
+# The registry is made from planners.def; a planner that is listed there has its own source file.
+function(wend_check_planners)
+  set(list planner/planners.def)
+  if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${list}")
+    return()
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} lines REGEX "^WEND_PLANNER\\(")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^WEND_PLANNER\\( *([a-z0-9_]+).*" "\\1" planner "${line}")
+    if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/planner/${planner}.cpp")
+      message(FATAL_ERROR "wend/${list} lists the planner '${planner}', but there is no file "
+                          "wend/planner/${planner}.cpp")
+    endif()
+  endforeach()
+endfunction()
