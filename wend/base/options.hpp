@@ -1,0 +1,199 @@
+#pragma once
+
+// Options: a plain struct with defaults that lists its fields once. The list gives the schema
+// (names, ranges, defaults, help, for flags and parameters) and the parser with its range checks.
+//
+//   struct WalkOptions {
+//     std::int64_t max_steps = 100;
+//     double boldness = 0.5;
+//
+//     template <class Self, class Field>
+//     static void fields(Self& self, Field&& field) {
+//       field({"max_steps", "give up after so many steps"}, self.max_steps, {1, 1e9});
+//       field({"boldness", "how far it strays"}, self.boldness, {0, 1});
+//     }
+//   };
+//
+//   const auto options = wend::parse_options<WalkOptions>({{"max_steps", "50"}});
+//
+// A field is a bool, an integer, a double, or an enum for which `choice_names(Enum)` returns an
+// array of Choice<Enum>.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/parse.hpp"
+
+namespace wend {
+
+/// What a person reads about one option.
+struct OptionText {
+  std::string_view name;
+  std::string_view help;
+  std::string_view alias = {};  // a second name, from a textbook say
+};
+
+/// The closed range of a number.
+struct OptionRange {
+  double least;
+  double greatest;
+};
+
+/// One value of an enum option, and its name.
+template <class Enum>
+struct Choice {
+  std::string_view name;
+  Enum value;
+};
+
+enum class OptionKind { flag, integer, number, choice };
+
+std::string_view to_string(OptionKind kind);
+
+/// One option, as the front ends see it.
+struct OptionInfo {
+  std::string name;
+  std::string alias;
+  OptionKind kind;
+  std::string default_value;
+  std::vector<std::string> choices;  // of a choice
+  double least = 0;                  // of an integer or a number
+  double greatest = 0;
+  std::string help;
+};
+
+/// Options as text, by name: {"weight", "1.5"}.
+using OptionValues = std::vector<std::pair<std::string, std::string>>;
+
+struct OptionError {
+  std::string option;
+  std::string what;
+
+  std::string message() const { return "option '" + option + "': " + what; }
+};
+
+/// Checks and converts the text of one option; each returns what is wrong, empty if nothing is.
+namespace option_text {
+std::string parse(std::string_view text, bool& value);
+std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
+std::string parse(std::string_view text, double& value, OptionRange range);
+std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
+OptionError unknown_option(std::string_view name, const std::vector<std::string>& known);
+std::string format(bool value);
+}  // namespace option_text
+
+/// Collects the schema of an option struct, its defaults read from a default-made one.
+class SchemaBuilder {
+ public:
+  void operator()(const OptionText& text, bool& value) {
+    add(text, OptionKind::flag, option_text::format(value));
+  }
+  void operator()(const OptionText& text, std::int64_t& value, OptionRange range) {
+    add(text, OptionKind::integer, std::to_string(value), range);
+  }
+  void operator()(const OptionText& text, double& value, OptionRange range) {
+    add(text, OptionKind::number, format_number(value), range);
+  }
+  template <class Enum>
+    requires std::is_enum_v<Enum>
+  void operator()(const OptionText& text, Enum& value) {
+    OptionInfo& info = add(text, OptionKind::choice, {});
+    for (const auto& choice : choice_names(Enum{})) {
+      info.choices.emplace_back(choice.name);
+      if (choice.value == value) info.default_value = choice.name;
+    }
+  }
+
+  std::vector<OptionInfo> take() { return std::move(schema_); }
+
+ private:
+  OptionInfo& add(const OptionText& text, OptionKind kind, std::string default_value,
+                  OptionRange range = {0, 0});
+
+  std::vector<OptionInfo> schema_;
+};
+
+/// Sets the fields of an option struct from text.
+class OptionParser {
+ public:
+  explicit OptionParser(const OptionValues& values) : values_(values) {}
+
+  template <class... Range>
+  void operator()(const OptionText& text, auto& value, Range... range) {
+    known_.emplace_back(text.name);
+    for (const auto& [name, given] : values_) {
+      if (name != text.name && (text.alias.empty() || name != text.alias)) continue;
+      if (!text.alias.empty()) known_.emplace_back(text.alias);
+      const std::string wrong = assign(given, value, range...);
+      if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
+    }
+  }
+
+  /// The first thing wrong, if any: a name that no field has, else a bad value.
+  std::optional<OptionError> error() const;
+
+ private:
+  static std::string assign(std::string_view text, bool& value) {
+    return option_text::parse(text, value);
+  }
+  static std::string assign(std::string_view text, std::int64_t& value, OptionRange range) {
+    return option_text::parse(text, value, range);
+  }
+  static std::string assign(std::string_view text, double& value, OptionRange range) {
+    return option_text::parse(text, value, range);
+  }
+  template <class Enum>
+    requires std::is_enum_v<Enum>
+  static std::string assign(std::string_view text, Enum& value) {
+    std::vector<std::string> names;
+    for (const auto& choice : choice_names(Enum{})) {
+      if (choice.name == text) {
+        value = choice.value;
+        return {};
+      }
+      names.emplace_back(choice.name);
+    }
+    return option_text::unknown_choice(text, names);
+  }
+
+  const OptionValues& values_;
+  std::vector<std::string> known_;
+  std::optional<OptionError> bad_value_;
+};
+
+template <class Options>
+std::vector<OptionInfo> option_schema() {
+  Options defaults;
+  SchemaBuilder builder;
+  Options::fields(defaults, builder);
+  return builder.take();
+}
+
+/// The defaults with `values` applied; an error for an unknown name, a text that is no value, or a
+/// number out of range. Where a name is given twice the last one counts.
+template <class Options>
+Expected<Options, OptionError> parse_options(const OptionValues& values) {
+  Options options;
+  OptionParser parser(values);
+  Options::fields(options, parser);
+  if (auto error = parser.error()) return Unexpected<OptionError>(*std::move(error));
+  return options;
+}
+
+/// The name of an enum option's value.
+template <class Enum>
+  requires std::is_enum_v<Enum>
+std::string_view choice_name(Enum value) {
+  for (const auto& choice : choice_names(value)) {
+    if (choice.value == value) return choice.name;
+  }
+  return {};
+}
+
+}  // namespace wend

@@ -1,0 +1,37 @@
+#pragma once
+
+// Random numbers that are the same on every platform for the same seed (the standard library's
+// distributions are not). xoshiro256** by Blackman and Vigna, seeded through splitmix64.
+//
+//   wend::Random random(42);
+//   const int die = 1 + static_cast<int>(random.below(6));
+
+#include <array>
+#include <cstdint>
+
+namespace wend {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed);
+
+  /// The next 64 random bits.
+  std::uint64_t bits();
+
+  /// A whole number in [0, bound), every one equally likely. bound must be positive.
+  std::uint64_t below(std::uint64_t bound);
+
+  /// A whole number in [least, greatest].
+  int between(int least, int greatest);
+
+  /// A number in [0, 1).
+  double uniform();
+
+  /// True with the given probability.
+  bool chance(double probability) { return uniform() < probability; }
+
+ private:
+  std::array<std::uint64_t, 4> state_;
+};
+
+}  // namespace wend

@@ -1,0 +1,48 @@
+#pragma once
+
+// The eight directions of a grid as a picture shows them, in the one fixed order in which wend
+// generates successors: down first, then counter-clockwise as drawn. Even ones are straight, odd
+// ones diagonal.
+//
+// "Down" is +y on maps with y down and -y on maps with y up, so that the same picture gives the
+// same search whatever its file format.
+
+#include <array>
+#include <cstdint>
+
+#include "wend/geometry/cell.hpp"
+
+namespace wend {
+
+enum class Direction : std::uint8_t {
+  down,
+  down_right,
+  right,
+  up_right,
+  up,
+  up_left,
+  left,
+  down_left,
+};
+
+inline constexpr int kDirections = 8;
+
+/// The step of a direction where y grows downwards.
+inline constexpr std::array<Cell, kDirections> kDrawnSteps{
+    {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
+
+constexpr bool is_diagonal(Direction direction) {
+  return (static_cast<unsigned>(direction) & 1U) != 0;
+}
+
+constexpr Direction opposite(Direction direction) {
+  return static_cast<Direction>((static_cast<unsigned>(direction) + 4U) % kDirections);
+}
+
+/// The neighbour of a cell in that direction.
+constexpr Cell step(Cell cell, Direction direction, bool y_up) {
+  const Cell drawn = kDrawnSteps[static_cast<std::size_t>(direction)];
+  return {cell.x + drawn.x, y_up ? cell.y - drawn.y : cell.y + drawn.y};
+}
+
+}  // namespace wend

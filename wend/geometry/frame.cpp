@@ -1,0 +1,54 @@
+#include "wend/geometry/frame.hpp"
+
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kBorderMetres = 1e-9;
+constexpr double kLargestCell = 1e9;
+
+}  // namespace
+
+Point Frame::to_metres(Point grid) const {
+  const double along = resolution * grid.x;
+  const double across = resolution * grid.y;
+  if (origin.heading == 0) return {origin.x + along, origin.y + across};
+  const double cosine = std::cos(origin.heading);
+  const double sine = std::sin(origin.heading);
+  return {origin.x + cosine * along - sine * across, origin.y + sine * along + cosine * across};
+}
+
+Point Frame::to_grid(Point metres) const {
+  const double along = metres.x - origin.x;
+  const double across = metres.y - origin.y;
+  if (origin.heading == 0) return {along / resolution, across / resolution};
+  const double cosine = std::cos(origin.heading);
+  const double sine = std::sin(origin.heading);
+  return {(cosine * along + sine * across) / resolution,
+          (cosine * across - sine * along) / resolution};
+}
+
+Pose Frame::to_metres(Pose grid) const {
+  const Point point = to_metres(grid.point());
+  return {point.x, point.y, normalized_angle(grid.heading + origin.heading)};
+}
+
+Pose Frame::to_grid(Pose metres) const {
+  const Point point = to_grid(metres.point());
+  return {point.x, point.y, normalized_angle(metres.heading - origin.heading)};
+}
+
+std::optional<Cell> Frame::cell_at(Point metres) const {
+  const Point grid = to_grid(metres);
+  const double border = kBorderMetres / resolution;
+  const double x = std::floor(grid.x + border);
+  const double y = std::floor(grid.y + border);
+  // Written so that it also refuses numbers that are not finite.
+  if (!(std::abs(x) <= kLargestCell && std::abs(y) <= kLargestCell)) return std::nullopt;
+  return Cell{static_cast<int>(x), static_cast<int>(y)};
+}
+
+}  // namespace wend

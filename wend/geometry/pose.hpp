@@ -1,0 +1,40 @@
+#pragma once
+
+// Point and Pose: where something is, and which way it faces. Whether the numbers are grid
+// coordinates (cells) or map coordinates (metres) is said wherever they are used.
+
+#include <cmath>
+
+#include "wend/geometry/cell.hpp"
+
+namespace wend {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  friend constexpr bool operator==(const Point&, const Point&) = default;
+};
+
+struct Pose {
+  double x = 0;
+  double y = 0;
+  double heading = 0;  // radians, counter-clockwise from +x
+
+  constexpr Point point() const { return {x, y}; }
+
+  friend constexpr bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// The centre of a cell, in grid coordinates.
+constexpr Point centre_of(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
+
+/// The pose at a cell's centre, in grid coordinates.
+constexpr Pose pose_at(Cell cell, double heading = 0) {
+  return {cell.x + 0.5, cell.y + 0.5, heading};
+}
+
+/// Euclidean distance.
+inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace wend

@@ -1,0 +1,22 @@
+#pragma once
+
+// IoError: what is wrong with a file, and where.
+
+#include <string>
+
+#include "wend/base/expected.hpp"
+
+namespace wend {
+
+struct IoError {
+  std::string file;
+  std::size_t line = 0;  // from 1; 0 where a line makes no sense
+  std::string what;      // "row 3 has 2 columns, the header says 5"
+
+  /// "office.map:7: row 3 has 2 columns, the header says 5"
+  std::string message() const {
+    return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what;
+  }
+};
+
+}  // namespace wend

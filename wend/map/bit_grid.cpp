@@ -1,0 +1,23 @@
+#include "wend/map/bit_grid.hpp"
+
+#include <bit>
+
+namespace wend {
+
+// Loads of a few bytes from the word array read neighbouring bits only on such machines.
+static_assert(std::endian::native == std::endian::little);
+
+BitGrid::BitGrid(int width, int height)
+    : width_(width),
+      height_(height),
+      words_per_row_((static_cast<std::size_t>(width) + 2 + 63) / 64),
+      // One more word, so that a load that begins in the last byte stays inside.
+      words_(words_per_row_ * (static_cast<std::size_t>(height) + 2) + 1) {}
+
+std::size_t BitGrid::count() const {
+  std::size_t count = 0;
+  for (const std::uint64_t word : words_) count += static_cast<std::size_t>(std::popcount(word));
+  return count;
+}
+
+}  // namespace wend

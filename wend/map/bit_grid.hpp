@@ -1,0 +1,79 @@
+#pragma once
+
+// BitGrid: one bit for every cell of a map, inside a border of zeros, so that the hot loops read
+// the neighbours of any cell without checking for the map's edge.
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+
+namespace wend {
+
+class BitGrid {
+ public:
+  BitGrid() = default;
+  BitGrid(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  bool contains(Cell cell) const {
+    return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
+  }
+
+  /// The bit of a cell of the map or of the border around it (which is always false).
+  bool operator[](Cell cell) const {
+    assert(cell.x >= -1 && cell.y >= -1 && cell.x <= width_ && cell.y <= height_);
+    const std::size_t bit = bit_index(cell.x);
+    return ((words_[row_begin(cell.y) + bit / 64] >> (bit % 64)) & 1U) != 0;
+  }
+
+  void set(Cell cell, bool value) {
+    assert(contains(cell));
+    const std::size_t bit = bit_index(cell.x);
+    const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
+    std::uint64_t& word = words_[row_begin(cell.y) + bit / 64];
+    word = value ? word | mask : word & ~mask;
+  }
+
+  /// The bits of cells x-1, x and x+1 of row y, as bits 0, 1 and 2. O(1), one unaligned load.
+  unsigned three(int x, int y) const {
+    assert(x >= 0 && x < width_ && y >= -1 && y <= height_);
+    const auto first = static_cast<std::size_t>(x);  // the bit of x-1: bit 0 is the border
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, bytes(y) + first / 8, sizeof bits);
+    return (static_cast<unsigned>(bits) >> (first % 8)) & 7U;
+  }
+
+  /// The words of a row, -1 and height included. Cell x is bit x+1 of them; all bits outside the
+  /// map are zero.
+  std::span<const std::uint64_t> row_words(int y) const {
+    return {words_.data() + row_begin(y), words_per_row_};
+  }
+  std::span<std::uint64_t> row_words(int y) { return {words_.data() + row_begin(y), words_per_row_}; }
+
+  std::size_t count() const;
+
+  friend bool operator==(const BitGrid&, const BitGrid&) = default;
+
+ private:
+  static std::size_t bit_index(int x) { return static_cast<std::size_t>(x + 1); }
+  std::size_t row_begin(int y) const {
+    return static_cast<std::size_t>(y + 1) * words_per_row_;
+  }
+  const unsigned char* bytes(int y) const {
+    return reinterpret_cast<const unsigned char*>(words_.data() + row_begin(y));
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  std::size_t words_per_row_ = 0;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace wend

@@ -1,0 +1,151 @@
+#include "wend/map/connected_regions.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <numeric>
+
+namespace wend {
+namespace {
+
+/// Disjoint sets with path halving; the smaller root wins, so labels come out in reading order.
+class DisjointSets {
+ public:
+  std::uint32_t add() {
+    parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
+    return parents_.back();
+  }
+
+  std::uint32_t root(std::uint32_t set) {
+    while (parents_[set] != set) {
+      parents_[set] = parents_[parents_[set]];
+      set = parents_[set];
+    }
+    return set;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::size_t size() const { return parents_.size(); }
+
+  /// A number for every set: 0, 1, 2, ... in the order of their roots.
+  std::vector<std::uint32_t> numbered() {
+    std::vector<std::uint32_t> numbers(size());
+    std::uint32_t next = 0;
+    for (std::uint32_t set = 0; set < size(); ++set) {
+      const std::uint32_t its_root = root(set);
+      numbers[set] = its_root == set ? next++ : numbers[its_root];
+    }
+    return numbers;
+  }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+/// Set cells [begin, end) of one row.
+struct Run {
+  int begin;
+  int end;
+  std::uint32_t set;
+};
+
+/// The first cell from x on whose bit is `value`, or width.
+int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value) {
+  const auto first = static_cast<std::size_t>(x) + 1;
+  std::size_t word = first / 64;
+  std::uint64_t bits = (value ? words[word] : ~words[word]) & (~std::uint64_t{0} << (first % 64));
+  while (bits == 0) {
+    if (++word == words.size()) return width;
+    bits = value ? words[word] : ~words[word];
+  }
+  const auto found = static_cast<int>(word * 64) + std::countr_zero(bits) - 1;
+  return std::min(found, width);
+}
+
+std::vector<Run> runs_of_row(const BitGrid& cells, int y) {
+  const auto words = cells.row_words(y);
+  const int width = cells.width();
+  std::vector<Run> runs;
+  for (int x = next_cell(words, 0, width, true); x < width;) {
+    const int end = next_cell(words, x, width, false);
+    runs.push_back({x, end, 0});
+    x = end < width ? next_cell(words, end, width, true) : width;
+  }
+  return runs;
+}
+
+/// Calls join(upper, lower) for every pair of runs of two rows that overlap, once both are
+/// stretched by `slack` cells together.
+template <class Join>
+void for_touching(std::span<const Run> upper, std::span<const Run> lower, int slack, Join&& join) {
+  std::size_t i = 0;
+  for (const Run& run : lower) {
+    while (i < upper.size() && upper[i].end + slack <= run.begin) ++i;
+    for (std::size_t j = i; j < upper.size() && upper[j].begin < run.end + slack; ++j) {
+      join(upper[j], run);
+    }
+  }
+}
+
+/// The runs of all rows, each in its 4-connected set.
+std::vector<std::vector<Run>> linked_runs(const BitGrid& cells, DisjointSets& sets) {
+  std::vector<std::vector<Run>> rows;
+  rows.reserve(static_cast<std::size_t>(cells.height()));
+  for (int y = 0; y < cells.height(); ++y) {
+    rows.push_back(runs_of_row(cells, y));
+    for (Run& run : rows.back()) run.set = sets.add();
+    if (y == 0) continue;
+    for_touching(rows[rows.size() - 2], rows.back(), 0,
+                 [&](const Run& a, const Run& b) { sets.join(a.set, b.set); });
+  }
+  return rows;
+}
+
+}  // namespace
+
+ConnectedRegions::ConnectedRegions(const BitGrid& cells) : labels_(cells.width(), cells.height()) {
+  DisjointSets run_sets;
+  std::vector<std::vector<Run>> rows = linked_runs(cells, run_sets);
+  const std::vector<std::uint32_t> numbers = run_sets.numbered();
+
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const auto labels = labels_.row(static_cast<int>(y));
+    for (Run& run : rows[y]) {
+      run.set = numbers[run.set] + 1;  // 0 is for cells that are not set
+      if (run.set >= sizes_.size()) sizes_.resize(run.set + std::size_t{1});
+      sizes_[run.set] += static_cast<std::size_t>(run.end - run.begin);
+      std::fill(labels.begin() + run.begin, labels.begin() + run.end, run.set);
+    }
+  }
+
+  DisjointSets label_sets;
+  while (label_sets.size() < sizes_.size()) label_sets.add();
+  for (std::size_t y = 1; y < rows.size(); ++y) {
+    for_touching(rows[y - 1], rows[y], 1,
+                 [&](const Run& a, const Run& b) { label_sets.join(a.set, b.set); });
+  }
+  merged_ = label_sets.numbered();
+  merged_sizes_.assign(merged_.size(), 0);
+  for (std::size_t label = 0; label < sizes_.size(); ++label) {
+    merged_sizes_[merged_[label]] += sizes_[label];
+  }
+  merged_sizes_.resize(*std::max_element(merged_.begin(), merged_.end()) + std::size_t{1});
+}
+
+std::size_t ConnectedRegions::count(Adjacency adjacency) const {
+  return (adjacency == Adjacency::edges ? sizes_ : merged_sizes_).size() - 1;
+}
+
+std::vector<std::size_t> ConnectedRegions::sizes(Adjacency adjacency) const {
+  std::vector<std::size_t> sizes = adjacency == Adjacency::edges ? sizes_ : merged_sizes_;
+  sizes.erase(sizes.begin());
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  return sizes;
+}
+
+}  // namespace wend

@@ -1,0 +1,90 @@
+#include "wend/map/free_space.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "wend/map/distance_field.hpp"
+
+namespace wend {
+namespace {
+
+// Metres divided by a resolution are rarely exact.
+constexpr double kRelativeRounding = 1e-9;
+
+BitGrid obstacles_of(const GridMap& map, UnknownPolicy unknown) {
+  BitGrid obstacles = map.occupied();
+  if (unknown == UnknownPolicy::free) return obstacles;
+  for (int y = 0; y < map.height(); ++y) {
+    const auto words = obstacles.row_words(y);
+    const auto unknown_words = map.unknown().row_words(y);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= unknown_words[i];
+  }
+  return obstacles;
+}
+
+/// The cells whose clearance is large enough.
+BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
+  BitGrid passable(clearance.width(), clearance.height());
+  const auto threshold = static_cast<std::uint32_t>(
+      std::fmin(std::ceil(least), static_cast<double>(kNoObstacle)));
+  for (int y = 0; y < clearance.height(); ++y) {
+    const auto row = clearance.row(y);
+    const auto words = passable.row_words(y);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      words[(x + 1) / 64] |= std::uint64_t{row[x] >= threshold} << ((x + 1) % 64);
+    }
+  }
+  return passable;
+}
+
+/// The robot's radius as a squared distance in half-cells; a point must still not be in a square.
+double least_squared_half_cells(double radius_in_cells) {
+  const double exact = 4 * radius_in_cells * radius_in_cells;
+  return std::fmax(1, exact * (1 - kRelativeRounding));
+}
+
+}  // namespace
+
+std::string_view describe(BlockReason reason) {
+  switch (reason) {
+    case BlockReason::outside:
+      return "outside the map";
+    case BlockReason::obstacle:
+      return "an obstacle";
+    case BlockReason::unknown:
+      return "unknown";
+    case BlockReason::too_close:
+      return "closer to an obstacle than the robot's radius";
+  }
+  return {};
+}
+
+FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
+  assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
+  const double least =
+      least_squared_half_cells(options.robot_radius / map.frame().resolution);
+  BitGrid obstacles = obstacles_of(map, options.unknown);
+  Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
+  BitGrid passable = cells_with_clearance(clearance, least);
+  ConnectedRegions regions(passable);
+  data_ = std::make_shared<const Data>(Data{std::move(map), options, least, std::move(obstacles),
+                                            std::move(clearance), std::move(passable),
+                                            std::move(regions)});
+}
+
+std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
+  if (!contains(cell)) return BlockReason::outside;
+  if (data_->passable[cell]) return std::nullopt;
+  if (!data_->obstacles[cell]) return BlockReason::too_close;
+  return data_->map.state(cell) == CellState::unknown ? BlockReason::unknown
+                                                      : BlockReason::obstacle;
+}
+
+double FreeSpace::clearance(Cell cell) const {
+  const std::uint32_t squared = data_->clearance[cell];
+  if (squared == kNoObstacle) return std::numeric_limits<double>::infinity();
+  return std::sqrt(static_cast<double>(squared)) / 2;
+}
+
+}  // namespace wend

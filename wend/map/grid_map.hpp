@@ -1,0 +1,76 @@
+#pragma once
+
+// GridMap: what a map file says. Every cell is free, occupied or unknown and has a terrain
+// multiplier; a frame says how the grid lies in the world. What that means for one robot is a
+// FreeSpace.
+//
+// Immutable and cheap to copy: copies share the cells, also between threads. Two bits a cell, and
+// eight bytes more where the map has terrain.
+//
+//   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
+//   cells[{3, 4}] = wend::CellState::occupied;
+//   const wend::GridMap map(cells);
+
+#include <cstddef>
+#include <memory>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/map/grid.hpp"
+
+namespace wend {
+
+enum class CellState : unsigned char { free, occupied, unknown };
+
+class GridMap {
+ public:
+  /// The most cells a map can have; loaders refuse larger ones.
+  static constexpr std::size_t kMaxCells = std::size_t{1} << 30;
+
+  /// `terrain` is empty for a map that costs the same everywhere, else as large as `cells`, every
+  /// multiplier finite and at least 1. The map has at least one cell.
+  explicit GridMap(const Grid<CellState>& cells, Frame frame = {}, Grid<double> terrain = {});
+
+  int width() const { return data_->occupied.width(); }
+  int height() const { return data_->occupied.height(); }
+  std::size_t size() const {
+    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  }
+  bool contains(Cell cell) const { return data_->occupied.contains(cell); }
+
+  const Frame& frame() const { return data_->frame; }
+
+  CellState state(Cell cell) const {
+    if (data_->occupied[cell]) return CellState::occupied;
+    return data_->unknown[cell] ? CellState::unknown : CellState::free;
+  }
+
+  /// The two bit planes.
+  const BitGrid& occupied() const { return data_->occupied; }
+  const BitGrid& unknown() const { return data_->unknown; }
+
+  /// What a unit of length costs in a cell, at least 1.
+  double terrain(Cell cell) const { return data_->terrain.empty() ? 1 : data_->terrain[cell]; }
+  bool uniform_terrain() const { return data_->terrain.empty(); }
+
+  /// The multipliers, or an empty grid on uniform terrain.
+  const Grid<double>& terrain() const { return data_->terrain; }
+
+  /// The same cells in another frame.
+  GridMap with_frame(Frame frame) const;
+
+ private:
+  struct Data {
+    BitGrid occupied;
+    BitGrid unknown;
+    Grid<double> terrain;
+    Frame frame;
+  };
+
+  explicit GridMap(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace wend

@@ -1,0 +1,64 @@
+#pragma once
+
+// PlannerInfo: what a planner is and what it promises. Front ends list it; the conformance test
+// holds every planner to it.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/status.hpp"
+#include "wend/map/free_space.hpp"
+
+namespace wend {
+
+class Planner;
+
+/// What is true of every answer, whatever the options (where they matter, Plan::bound says what a
+/// single answer is worth).
+enum class Promise {
+  none,          // a valid path, if any; may miss one that exists within its limits
+  complete,      // a path whenever one exists
+  fewest_steps,  // complete, and no path has fewer steps
+  bounded,       // complete, and with consistent options the cost is within a known factor
+  optimal,       // complete, and no path is cheaper
+};
+
+std::string_view to_string(Promise promise);
+
+/// Work that is done for a map before the first query, beyond reading it.
+enum class Preprocessing {
+  none,
+  quick,  // seconds
+  slow,   // minutes
+};
+
+std::string_view to_string(Preprocessing preprocessing);
+
+/// Why a planner could not be made.
+struct PlannerError {
+  Status status;  // invalid_option, unsupported_map, memory_limit, index_missing, index_mismatch
+  std::string what;
+
+  const std::string& message() const { return what; }
+};
+
+using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
+
+struct PlannerInfo {
+  std::string name;
+  std::string summary;   // one line
+  std::string citation;  // the paper or textbook it comes from
+  std::string guarantee;  // the promise in words, with its conditions
+  Promise promise;
+  bool plans_on_terrain;  // takes terrain costs into account
+  Preprocessing preprocessing;
+  bool can_step;  // Planner::begin and step work
+  std::vector<OptionInfo> options;
+  std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
+};
+
+}  // namespace wend

@@ -1,0 +1,20 @@
+#pragma once
+
+// The planners there are. A new one is one file and one line in planners.def.
+
+#include <string_view>
+
+#include "wend/base/options.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planner_info.hpp"
+
+namespace wend {
+
+const Registry<PlannerInfo>& planners();
+
+/// Makes a planner by name; an unknown name or option is Status::invalid_option.
+PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                           const OptionValues& options = {});
+
+}  // namespace wend
