@@ -1,0 +1,37 @@
+#pragma once
+
+// A scene as a picture in the terminal, for maps too large for one character a cell: real pixels
+// where the terminal has them (kitty's or sixel graphics), coloured half blocks elsewhere, plain
+// ASCII where no colour is wanted.
+//
+//   const wend::Terminal terminal = is_terminal ? wend::detect_terminal(environ) :
+//   wend::Terminal{}; std::cout << wend::terminal_picture(scene, 80, 24, terminal);
+
+#include <string>
+
+#include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend {
+
+enum class TerminalGraphics { ascii, half_blocks, sixel, kitty };
+enum class TerminalColours { none, sixteen, palette_256, true_colour };
+
+struct Terminal {
+  TerminalGraphics graphics = TerminalGraphics::ascii;
+  TerminalColours colours = TerminalColours::none;
+  int cell_width = 10;   // pixels a column, for sixel and kitty
+  int cell_height = 20;  // pixels a row
+};
+
+/// What the environment ("NAME=value", then a null pointer) tells about the terminal. ASCII without
+/// colours if NO_COLOR is set to anything, if TERM is missing or "dumb". Whether the output is a
+/// terminal at all is the caller's to know.
+Terminal detect_terminal(const char* const* environment);
+
+/// The whole map in at most that many columns and rows, in proportion, '\n' after every row. Paths
+/// and marks are drawn after scaling and so stay visible however large the map is.
+std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
+                             const Style& style = {});
+
+}  // namespace wend
