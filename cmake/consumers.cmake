@@ -1,0 +1,36 @@
+# Two small projects are built and run against wend: one finds the installed package, one has wend as
+# a subdirectory. They are compiled as wend is: its libraries may need the sanitizers' run time.
+
+set(prefix "${PROJECT_BINARY_DIR}/consumers/prefix")
+
+# wend_add_consumer_test(<name> <folder> <option>...): configures, builds and runs tests/<folder>.
+function(wend_add_consumer_test name folder)
+  set(build_dir "${PROJECT_BINARY_DIR}/consumers/${folder}")
+  add_test(
+    NAME consumer.${name}
+    COMMAND
+      "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}/tests/${folder}"
+      "${build_dir}" --build-generator "${CMAKE_GENERATOR}" #
+      --build-options "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}"
+      "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
+      "-DCMAKE_CXX_FLAGS_DEBUG=${CMAKE_CXX_FLAGS_DEBUG}"
+      "-DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}" ${ARGN} #
+      --test-command "${build_dir}/consumer" "${PROJECT_SOURCE_DIR}/tests/install_consumer/wall.txt")
+  # 5 straight steps and 3 diagonal ones, around the wall's lower end.
+  set_tests_properties(consumer.${name} PROPERTIES TIMEOUT 1200 PASS_REGULAR_EXPRESSION
+                                                   "cost 9\\.24264, 9 cells")
+endfunction()
+
+if(WEND_INSTALL)
+  add_test(NAME consumer.install COMMAND "${CMAKE_COMMAND}" --install "${PROJECT_BINARY_DIR}" --prefix
+                                         "${prefix}")
+  wend_add_consumer_test(find_package install_consumer "-DCMAKE_PREFIX_PATH=${prefix}")
+  set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installed)
+  set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installed)
+endif()
+
+wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}")
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # It compiles the library a second time.
+  set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS long)
+endif()
