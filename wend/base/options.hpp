@@ -124,21 +124,34 @@ class OptionParser {
  public:
   explicit OptionParser(const OptionValues& values) : values_(values) {}
 
-  template <class... Range>
-  void operator()(const OptionText& text, auto& value, Range... range) {
-    known_.emplace_back(text.name);
-    for (const auto& [name, given] : values_) {
-      if (name != text.name && (text.alias.empty() || name != text.alias)) continue;
-      if (!text.alias.empty()) known_.emplace_back(text.alias);
-      const std::string wrong = assign(given, value, range...);
-      if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
-    }
+  void operator()(const OptionText& text, bool& value) { apply(text, value); }
+  void operator()(const OptionText& text, std::int64_t& value, OptionRange range) {
+    apply(text, value, range);
+  }
+  void operator()(const OptionText& text, double& value, OptionRange range) {
+    apply(text, value, range);
+  }
+  template <class Enum>
+    requires std::is_enum_v<Enum>
+  void operator()(const OptionText& text, Enum& value) {
+    apply(text, value);
   }
 
   /// The first thing wrong, if any: a name that no field has, else a bad value.
   std::optional<OptionError> error() const;
 
  private:
+  template <class Value, class... Range>
+  void apply(const OptionText& text, Value& value, Range... range) {
+    known_.emplace_back(text.name);
+    if (!text.alias.empty()) known_.emplace_back(text.alias);
+    for (const auto& [name, given] : values_) {
+      if (name != text.name && (text.alias.empty() || name != text.alias)) continue;
+      const std::string wrong = assign(given, value, range...);
+      if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
+    }
+  }
+
   static std::string assign(std::string_view text, bool& value) {
     return option_text::parse(text, value);
   }

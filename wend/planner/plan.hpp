@@ -2,24 +2,15 @@
 
 // Plan: what a planner found. PlanFailure: why it found nothing.
 
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "wend/base/status.hpp"
 #include "wend/path/path.hpp"
+#include "wend/search/search_metrics.hpp"
 
 namespace wend {
-
-/// The work of one search.
-struct SearchMetrics {
-  std::uint64_t expanded = 0;      // states whose successors were made; the goal counts
-  std::uint64_t generated = 0;     // states that were reached for the first time; the start counts
-  std::uint64_t max_frontier = 0;  // the most states that were generated and not yet expanded
-
-  friend bool operator==(const SearchMetrics&, const SearchMetrics&) = default;
-};
 
 struct Plan {
   /// What `bound` says where nothing is promised about the cost.

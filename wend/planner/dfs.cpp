@@ -1,0 +1,46 @@
+// Depth-first search: the cell reached last first. C. P. Trémaux, 1882 (in E. Lucas, "Récréations
+// mathématiques").
+
+#include "wend/planner/grid_planner.hpp"
+#include "wend/planner/grid_priorities.hpp"
+#include "wend/search/list_frontiers.hpp"
+
+namespace wend {
+namespace {
+
+struct DfsOptions {
+  GridMoves moves;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+  }
+};
+
+using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
+
+GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const DfsOptions& options) {
+  const auto make = [options](const FreeSpace& space) {
+    return std::make_unique<DfsEngine>(ExactGrid(space, options.moves), ByArrival());
+  };
+  return {options.moves, make, Plan::kNoBound};
+}
+
+}  // namespace
+
+PlannerInfo dfs_planner() {
+  return {.name = "dfs",
+          .summary = "Depth-first: the cell that was reached last",
+          .citation = "Trémaux 1882",
+          .guarantee = "complete; the path is rarely short",
+          .promise = Promise::complete,
+          .plans_on_terrain = false,
+          .preprocessing = Preprocessing::none,
+          .can_step = true,
+          .options = option_schema<DfsOptions>(),
+          .make = [](const FreeSpace& space, const OptionValues& values) {
+            return make_grid_planner<DfsOptions>(space, values, choose_parts);
+          }};
+}
+
+}  // namespace wend

@@ -1,0 +1,43 @@
+// Dijkstra's algorithm: the cheapest g first. E. W. Dijkstra, "A Note on Two Problems in Connexion
+// with Graphs", 1959.
+
+#include "wend/planner/best_first.hpp"
+#include "wend/planner/grid_planner.hpp"
+
+namespace wend {
+namespace {
+
+struct DijkstraOptions {
+  GridMoves moves;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+  }
+};
+
+GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const DijkstraOptions& options) {
+  const BestFirst parts{options.moves, HeuristicKind::zero, 0, 0};
+  return {options.moves,
+          [parts](const FreeSpace& space) { return make_best_first_engine(space, parts); },
+          parts.bound()};
+}
+
+}  // namespace
+
+PlannerInfo dijkstra_planner() {
+  return {.name = "dijkstra",
+          .summary = "Dijkstra: what the path costs so far, cheapest first",
+          .citation = "Dijkstra 1959",
+          .guarantee = "optimal",
+          .promise = Promise::optimal,
+          .plans_on_terrain = true,
+          .preprocessing = Preprocessing::none,
+          .can_step = true,
+          .options = option_schema<DijkstraOptions>(),
+          .make = [](const FreeSpace& space, const OptionValues& values) {
+            return make_grid_planner<DijkstraOptions>(space, values, choose_parts);
+          }};
+}
+
+}  // namespace wend

@@ -1,0 +1,40 @@
+#pragma once
+
+// GoalCells: the goals of a query as the loop of a grid search asks for them.
+
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+
+namespace wend {
+
+class GoalCells {
+ public:
+  /// At least one. Keeps its memory from query to query.
+  void assign(std::span<const Cell> goals) {
+    first_ = goals.front();
+    others_.assign(goals.begin() + 1, goals.end());
+  }
+
+  bool contains(Cell cell) const {
+    if (cell == first_) return true;
+    return !others_.empty() && std::find(others_.begin(), others_.end(), cell) != others_.end();
+  }
+
+  /// The least value(goal) over all goals. O(goals).
+  template <class Value>
+  auto least(Value&& value) const {
+    auto least = value(first_);
+    for (const Cell goal : others_) least = std::min(least, value(goal));
+    return least;
+  }
+
+ private:
+  Cell first_;
+  std::vector<Cell> others_;
+};
+
+}  // namespace wend

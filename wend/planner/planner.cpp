@@ -1,0 +1,48 @@
+#include "wend/planner/planner.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace wend {
+
+Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
+  Plan out;
+  const Status status = plan(query, out);
+  if (status != Status::found) return Unexpected<PlanFailure>({status, out.metrics});
+  return out;
+}
+
+Status Planner::plan(const Query& query, Plan& out) {
+  if (const auto failed = check(query, out)) return *failed;
+  return do_plan(query, out);
+}
+
+std::optional<Status> Planner::begin(const Query& query, Plan& out) {
+  if (const auto failed = check(query, out)) return failed;
+  return do_begin(query, out);
+}
+
+std::optional<Status> Planner::step(Plan& out) { return do_step(out); }
+
+void Planner::update(FreeSpace free_space, std::span<const Cell> changed) {
+  free_space_ = std::move(free_space);
+  do_update(changed);
+}
+
+std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
+  return Status::unsupported_query;
+}
+
+std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
+
+std::optional<Status> Planner::check(const Query& query, Plan& out) {
+  out.path.clear();
+  out.cost = std::numeric_limits<double>::infinity();
+  out.bound = Plan::kNoBound;
+  out.moves.clear();
+  out.metrics = {};
+  if (query.goals.empty()) return Status::unsupported_query;
+  return do_check(query);
+}
+
+}  // namespace wend

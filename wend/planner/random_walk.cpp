@@ -1,0 +1,194 @@
+// A random walk with a short memory: orthogonal steps, and no cell that was visited a moment ago
+// unless it is the only way. The planner to be better than.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "wend/base/random.hpp"
+#include "wend/planner/grid_planner.hpp"
+#include "wend/search/node_table.hpp"
+#include "wend/space/grid_path.hpp"
+#include "wend/space/grid_space.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kMostSteps = 1e8;  // a walk keeps 8 bytes a step
+
+struct RandomWalkOptions {
+  std::int64_t max_steps = 1'000'000;
+  std::int64_t seed = 1;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"max_steps", "give up after so many steps; the walk avoids the cells of its last "
+                        "floor(sqrt(max_steps)) steps"},
+          self.max_steps, OptionRange{0, kMostSteps});
+    field({"seed", "another seed, another walk"}, self.seed, OptionRange{0, 9e15});
+  }
+};
+
+constexpr GridMoves kOrthogonal{Connectivity::four, CornerRule::none};
+
+/// When each cell was visited last, as far as this walk remembers.
+class ShortMemory {
+ public:
+  ShortMemory(std::size_t cells, std::uint32_t length)
+      : length_(length), visits_(static_cast<StateId>(cells)) {}
+
+  bool allocated() const { return visits_.allocated(); }
+  void clear() { visits_.begin_search(); }
+  void add(StateId cell, std::uint32_t step) { visits_.open(visits_[cell], step, kNoMove); }
+
+  /// Was the cell visited in the last steps before `now`?
+  bool holds(StateId cell, std::uint32_t now) const {
+    const auto& visit = visits_[cell];
+    return visits_.reached(visit) && now - visit.g < length_;
+  }
+
+ private:
+  std::uint32_t length_;
+  NodeTable<std::uint32_t> visits_;  // g is the step
+};
+
+class RandomWalkPlanner final : public Planner {
+ public:
+  RandomWalkPlanner(FreeSpace space, RandomWalkOptions options)
+      : Planner(std::move(space)),
+        options_(options),
+        grid_(free_space(), kOrthogonal),
+        memory_(free_space().map().size(), memory_length()) {}
+
+  bool allocated() const { return memory_.allocated(); }
+
+ private:
+  std::optional<Status> do_check(const Query& query) override {
+    return cells_.assign(free_space(), kOrthogonal.adjacency(), query);
+  }
+
+  Status do_plan(const Query& query, Plan& out) override {
+    begin_walk(query, out);
+    for (;;) {
+      if (const auto outcome = walk_on(query, out)) {
+        if (*outcome != Status::found) {
+          out.path.clear();
+          return *outcome;
+        }
+        out.cost = grid_path_cost(free_space(), out.path.cells());
+        return Status::found;
+      }
+    }
+  }
+
+  void do_update(std::span<const Cell> /*changed*/) override {
+    grid_ = ExactGrid(free_space(), kOrthogonal);
+    memory_ = ShortMemory(free_space().map().size(), memory_length());
+  }
+
+  std::uint32_t memory_length() const {
+    return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options_.max_steps)));
+  }
+
+  void begin_walk(const Query& query, Plan& out) {
+    random_ = Random(static_cast<std::uint64_t>(options_.seed));
+    memory_.clear();
+    steps_ = 0;
+    deadline_ = query.limits.clock ? query.limits.clock() + query.limits.seconds : 0;
+    here_ = grid_.state(cells_.start);
+    arrive(query, out, std::nullopt);
+  }
+
+  void arrive(const Query& query, Plan& out, std::optional<Cell> from) {
+    out.path.append(here_.cell);
+    memory_.add(here_.number, steps_);
+    ++out.metrics.generated;
+    out.metrics.max_frontier = 1;
+    if (query.observer != nullptr) query.observer->on_generate(event(from));
+    last_ = from;
+  }
+
+  SearchEvent event(std::optional<Cell> from) const {
+    const double steps = steps_;
+    return {here_.cell, from, steps, 0, steps};
+  }
+
+  /// One step; an outcome if the walk is over.
+  std::optional<Status> walk_on(const Query& query, Plan& out) {
+    if (const auto stop = stopped_by(query.limits, out.metrics.expanded)) return stop;
+    ++out.metrics.expanded;
+    if (query.observer != nullptr) query.observer->on_expand(event(last_));
+    if (std::find(cells_.goals.begin(), cells_.goals.end(), here_.cell) != cells_.goals.end()) {
+      return Status::found;
+    }
+    if (steps_ == options_.max_steps) return Status::step_limit;
+    const Cell from = here_.cell;
+    here_ = random_neighbour();
+    ++steps_;
+    arrive(query, out, from);
+    return std::nullopt;
+  }
+
+  std::optional<Status> stopped_by(const Limits& limits, std::uint64_t expanded) const {
+    if (expanded >= limits.expansions) return Status::expansion_limit;
+    if (expanded % Limits::kExpansionsBetweenClockReads != 0) return std::nullopt;
+    if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {
+      return Status::cancelled;
+    }
+    if (limits.clock && limits.clock() > deadline_) return Status::time_limit;
+    return std::nullopt;
+  }
+
+  /// One of the neighbours that are not remembered, or, if there is none, one of all. There is one:
+  /// the goal is another cell of the same region.
+  GridState random_neighbour() {
+    std::array<GridState, 4> fresh;
+    std::array<GridState, 4> all;
+    std::size_t fresh_count = 0;
+    std::size_t count = 0;
+    grid_.for_each_successor(here_, kNoMove, [&](const GridState& next, Move, std::uint64_t) {
+      all[count++] = next;
+      if (!memory_.holds(next.number, steps_)) fresh[fresh_count++] = next;
+    });
+    return fresh_count > 0 ? fresh[random_.below(fresh_count)] : all[random_.below(count)];
+  }
+
+  RandomWalkOptions options_;
+  ExactGrid grid_;
+  ShortMemory memory_;
+  GridQuery cells_;
+  Random random_{0};
+  GridState here_;
+  std::optional<Cell> last_;
+  std::uint32_t steps_ = 0;
+  double deadline_ = 0;
+};
+
+PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+  const auto options = parse_options<RandomWalkOptions>(values);
+  if (!options) {
+    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+  }
+  auto planner = std::make_unique<RandomWalkPlanner>(space, *options);
+  if (!planner->allocated()) {
+    return Unexpected<PlannerError>({Status::memory_limit, "no memory for the walk's memory"});
+  }
+  return planner;
+}
+
+}  // namespace
+
+PlannerInfo random_walk_planner() {
+  return {.name = "random_walk",
+          .summary = "A random walk with a short memory, on 4 neighbours",
+          .citation = "Pearson 1905",
+          .guarantee = "none: it may run out of steps",
+          .promise = Promise::none,
+          .plans_on_terrain = false,
+          .preprocessing = Preprocessing::none,
+          .can_step = false,
+          .options = option_schema<RandomWalkOptions>(),
+          .make = make};
+}
+
+}  // namespace wend

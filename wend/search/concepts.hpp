@@ -1,0 +1,63 @@
+#pragma once
+
+// What a forward search asks of its parts. concepts_test.cpp holds a minimal type for each.
+
+#include <concepts>
+
+#include "wend/base/state_id.hpp"
+
+namespace wend {
+
+/// A state space. Its State is whatever makes expanding cheap (coordinates, say) and can be made
+/// from the id. Moves can be undone: parent(s, m) is the state that move m leads to s from.
+///
+/// for_each_successor(state, arrival, sink) calls sink(next, move, step_cost) for every successor,
+/// always in the same order. `arrival` is the move that reached the state, so that a space can
+/// leave out successors that are reached as cheaply around it.
+template <class S>
+concept SearchSpace =
+    requires(const S& space, StateId id, Move move, const typename S::State& state) {
+      typename S::Cost;
+      { space.state_count() } -> std::convertible_to<StateId>;
+      { space.state(id) } -> std::convertible_to<typename S::State>;
+      { space.id(state) } -> std::convertible_to<StateId>;
+      { space.parent(state, move) } -> std::convertible_to<typename S::State>;
+      space.for_each_successor(
+          state, move, [](const typename S::State&, Move, typename S::Cost) {});
+    };
+
+/// Gives a state the key by which the frontier orders it, and says which states are goals.
+template <class P, class Space>
+concept SearchPriority = requires(const P& priority, const typename Space::State& state,
+                                  typename Space::Cost g, typename P::Key key) {
+  { priority.key(state, g) } -> std::same_as<typename P::Key>;
+  { priority.is_goal(state) } -> std::convertible_to<bool>;
+  { priority.near_overflow(key) } -> std::convertible_to<bool>;
+};
+
+/// Open states. The same pushes always come out in the same order, on every platform.
+template <class F>
+concept SearchFrontier = requires(F frontier, typename F::Key key, StateId id) {
+  frontier.clear();
+  { frontier.empty() } -> std::convertible_to<bool>;
+  frontier.push(key, id);
+  { frontier.pop().id } -> std::convertible_to<StateId>;
+  { frontier.pop().key } -> std::convertible_to<typename F::Key>;
+};
+
+/// Watches a search. A template parameter of the loop: watching with NoObserver costs nothing.
+template <class O, class Space>
+concept SearchWatcher = requires(O& observer, const typename Space::State& state, Move arrival,
+                                 typename Space::Cost g) {
+  observer.on_generate(state, arrival, g);
+  observer.on_expand(state, arrival, g);
+  observer.on_relax(state, arrival, g);
+};
+
+struct NoObserver {
+  void on_generate(const auto&, Move, auto) const {}
+  void on_expand(const auto&, Move, auto) const {}
+  void on_relax(const auto&, Move, auto) const {}
+};
+
+}  // namespace wend

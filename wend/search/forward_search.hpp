@@ -1,0 +1,189 @@
+#pragma once
+
+// ForwardSearch: LaValle's general forward search ("Planning Algorithms", 2006, section 2.2). Take
+// a state from the frontier, expand it, resolve duplicates, repeat. Every classic planner is a
+// choice of its parts.
+//
+//   ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first> breadth_first(...);
+//   breadth_first.begin(starts, limits);
+//   while (breadth_first.outcome() == SearchOutcome::running) breadth_first.step();
+//
+// A goal is recognised when it is expanded. Closed states are never opened again: with
+// keep_cheaper the answer is optimal if keys never fall along a path (a consistent heuristic).
+// Nothing is allocated once the frontier is as large as it gets. O(states) memory, touched only
+// where the search goes.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "wend/base/limits.hpp"
+#include "wend/search/concepts.hpp"
+#include "wend/search/node_table.hpp"
+#include "wend/search/search_metrics.hpp"
+
+namespace wend {
+
+/// What to do with a state that is reached again before it is expanded.
+enum class DuplicateRule { keep_first, keep_cheaper };
+
+enum class SearchOutcome {
+  running,
+  found,
+  exhausted,  // every state that can be reached was expanded
+  expansion_limit,
+  time_limit,
+  cancelled,
+  cost_overflow,  // costs outgrew their type: search again with a larger one
+  out_of_memory,  // there was none for the nodes
+};
+
+template <SearchSpace Space, SearchFrontier Frontier, SearchPriority<Space> Priority,
+          DuplicateRule kDuplicates>
+class ForwardSearch {
+ public:
+  using SpaceType = Space;
+  using State = typename Space::State;
+  using Cost = typename Space::Cost;
+
+  ForwardSearch(Space space, Priority priority)
+      : space_(std::move(space)),
+        priority_(std::move(priority)),
+        nodes_(space_.state_count()) {}
+
+  /// False if there was no memory for the nodes: every search ends as out_of_memory.
+  bool allocated() const { return nodes_.allocated(); }
+
+  const Space& space() const { return space_; }
+  Priority& priority() { return priority_; }
+  const Priority& priority() const { return priority_; }
+  const SearchMetrics& metrics() const { return metrics_; }
+  SearchOutcome outcome() const { return outcome_; }
+
+  /// Forgets the last search and opens the starts. `limits` must live as long as the search.
+  template <class Observer = NoObserver>
+  void begin(std::span<const State> starts, const Limits& limits, Observer&& observer = {}) {
+    limits_ = &limits;
+    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
+    next_check_ = 0;
+    metrics_ = {};
+    outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
+    if (!allocated()) return;
+    nodes_.begin_search();
+    frontier_.clear();
+    for (const State& start : starts) reach(start, Cost{0}, kNoMove, observer);
+    metrics_.max_frontier = metrics_.generated;
+  }
+
+  /// Goes on until there is an outcome.
+  template <class Observer = NoObserver>
+  SearchOutcome run(Observer&& observer = {}) {
+    while (outcome_ == SearchOutcome::running) step(observer);
+    return outcome_;
+  }
+
+  /// Expands one state.
+  template <class Observer = NoObserver>
+  void step(Observer&& observer = {}) {
+    for (;;) {
+      if (frontier_.empty()) {
+        outcome_ = SearchOutcome::exhausted;
+        return;
+      }
+      const auto entry = frontier_.pop();
+      auto& node = nodes_[entry.id];
+      if (node.closed()) continue;  // was expanded with a smaller key
+      if (metrics_.expanded == next_check_ && !within_limits(entry.key)) return;
+      node.close();
+      expand(space_.state(entry.id), node, observer);
+      return;
+    }
+  }
+
+  /// The state whose expansion ended the search as found.
+  const State& goal() const { return goal_; }
+
+  /// Was the state reached, and how? g is final once it is closed.
+  bool reached(StateId id) const { return nodes_.reached(nodes_[id]); }
+  bool closed(StateId id) const { return reached(id) && nodes_[id].closed(); }
+  Cost g(StateId id) const { return nodes_[id].g; }
+  Move arrival(StateId id) const { return nodes_[id].arrival(); }
+
+  /// Calls visit(state) for every state from `last` back to the start.
+  template <class Visit>
+  void for_each_back_from(State last, Visit&& visit) const {
+    visit(last);
+    for (Move move = arrival(space_.id(last)); move != kNoMove; move = arrival(space_.id(last))) {
+      last = space_.parent(last, move);
+      visit(last);
+    }
+  }
+
+ private:
+  using Node = typename NodeTable<Cost>::Node;
+
+  template <class Observer>
+  void expand(const State& state, const Node& node, Observer&& observer) {
+    ++metrics_.expanded;
+    const Cost g = node.g;
+    const Move arrival = node.arrival();
+    observer.on_expand(state, arrival, g);
+    if (priority_.is_goal(state)) {
+      goal_ = state;
+      outcome_ = SearchOutcome::found;
+      return;
+    }
+    space_.for_each_successor(state, arrival, [&](const State& next, Move move, Cost step_cost) {
+      reach(next, static_cast<Cost>(g + step_cost), move, observer);
+    });
+    metrics_.max_frontier =
+        std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
+  }
+
+  template <class Observer>
+  void reach(const State& next, Cost g, Move move, Observer&& observer) {
+    Node& node = nodes_[space_.id(next)];
+    if (!nodes_.reached(node)) {
+      ++metrics_.generated;
+      nodes_.open(node, g, move);
+      observer.on_generate(next, move, g);
+    } else {
+      if constexpr (kDuplicates == DuplicateRule::keep_first) return;
+      if (node.closed() || !(g < node.g)) return;
+      nodes_.open(node, g, move);
+      observer.on_relax(next, move, g);
+    }
+    frontier_.push(priority_.key(next, g), space_.id(next));
+  }
+
+  /// Looks at everything that may end the search early, and says when to look again.
+  bool within_limits(const typename Priority::Key& key) {
+    const std::uint64_t expanded = metrics_.expanded;
+    if (expanded >= limits_->expansions) {
+      outcome_ = SearchOutcome::expansion_limit;
+    } else if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
+      outcome_ = SearchOutcome::cancelled;
+    } else if (limits_->clock && limits_->clock() > deadline_) {
+      outcome_ = SearchOutcome::time_limit;
+    } else if (priority_.near_overflow(key)) {
+      outcome_ = SearchOutcome::cost_overflow;
+    }
+    next_check_ =
+        std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
+    return outcome_ == SearchOutcome::running;
+  }
+
+  Space space_;
+  Priority priority_;
+  NodeTable<Cost> nodes_;
+  Frontier frontier_;
+  SearchMetrics metrics_;
+  SearchOutcome outcome_ = SearchOutcome::exhausted;
+  State goal_{};
+  const Limits* limits_ = nullptr;
+  double deadline_ = 0;
+  std::uint64_t next_check_ = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,77 @@
+#pragma once
+
+// NodeTable: what a search knows of every state: its g, how it was reached, whether it is closed.
+//
+// Starting a search takes no time: a node counts only if its generation is the current one. When
+// the generations run out the table is cleared once and they start again. Memory comes zeroed from
+// the system, which on most systems gives pages only to states that are touched.
+
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+
+#include "wend/base/state_id.hpp"
+
+namespace wend {
+
+template <class Cost, unsigned kGenerationBits = 32 - kMoveBits - 1>
+class NodeTable {
+ public:
+  /// 8 bytes with a 32-bit cost, 16 with a 64-bit one.
+  class Node {
+   public:
+    Cost g;
+
+    Move arrival() const { return static_cast<Move>(tag_ & kMoveMask); }
+    bool closed() const { return (tag_ & kClosed) != 0; }
+    void close() { tag_ |= kClosed; }
+
+   private:
+    friend class NodeTable;
+    // From bit 0: the arrival, closed, the generation. 0 is a node of no generation.
+    std::uint32_t tag_;
+  };
+
+  explicit NodeTable(StateId count)
+      : count_(count), nodes_(static_cast<Node*>(std::calloc(count, sizeof(Node)))) {}
+
+  /// False if the system had no memory for it.
+  bool allocated() const { return nodes_ != nullptr; }
+
+  /// Forgets all nodes.
+  void begin_search() {
+    generation_ += kGenerationUnit;
+    if (generation_ < kGenerationEnd) return;
+    for (StateId id = 0; id < count_; ++id) nodes_[id].tag_ = 0;
+    generation_ = kGenerationUnit;
+  }
+
+  Node& operator[](StateId id) { return nodes_[id]; }
+  const Node& operator[](StateId id) const { return nodes_[id]; }
+
+  /// Has this search reached the node?
+  bool reached(const Node& node) const { return (node.tag_ & ~kFlags) == generation_; }
+
+  /// Opens a node, for the first time or anew.
+  void open(Node& node, Cost g, Move arrival) {
+    node.g = g;
+    node.tag_ = static_cast<std::uint32_t>(generation_) | arrival;
+  }
+
+ private:
+  struct Free {
+    void operator()(Node* nodes) const { std::free(nodes); }
+  };
+
+  static constexpr std::uint32_t kMoveMask = (1U << kMoveBits) - 1;
+  static constexpr std::uint32_t kClosed = 1U << kMoveBits;
+  static constexpr std::uint32_t kFlags = kMoveMask | kClosed;
+  static constexpr std::uint64_t kGenerationUnit = kFlags + 1;
+  static constexpr std::uint64_t kGenerationEnd = kGenerationUnit << kGenerationBits;
+
+  StateId count_;
+  std::uint64_t generation_ = 0;
+  std::unique_ptr<Node[], Free> nodes_;
+};
+
+}  // namespace wend
