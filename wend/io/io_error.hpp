@@ -2,7 +2,9 @@
 
 // IoError: what is wrong with a file, and where.
 
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "wend/base/expected.hpp"
 
@@ -18,5 +20,10 @@ struct IoError {
     return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what;
   }
 };
+
+/// For `return`, from every function that returns an Expected<..., IoError>.
+inline Unexpected<IoError> io_failure(std::string file, std::size_t line, std::string what) {
+  return Unexpected<IoError>(IoError{std::move(file), line, std::move(what)});
+}
 
 }  // namespace wend

@@ -1,0 +1,53 @@
+#pragma once
+
+// GreyImage: a picture as map loaders see it. Row 0 is the top row; every pixel is a grey value
+// from 0 (black) to `maximum` (white) and may be transparent.
+//
+// Colours become grey by their luma, 0.299 R + 0.587 G + 0.114 B (Rec. 601), rounded. Nav2's map
+// server, through GraphicsMagick, does the same; ROS 1 took the mean of the channels.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+
+namespace wend {
+
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  int maximum = 255;                       // the value of white, 1..65535
+  std::vector<std::uint16_t> values;       // row by row
+  std::vector<unsigned char> transparent;  // 1 where alpha is not full; empty: opaque everywhere
+  std::vector<std::string> notes;          // what was odd in the file, and how it was read
+
+  std::span<const std::uint16_t> row(int y) const {
+    return std::span(values).subspan(index(y), static_cast<std::size_t>(width));
+  }
+  std::span<const unsigned char> transparent_row(int y) const {
+    return std::span(transparent).subspan(index(y), static_cast<std::size_t>(width));
+  }
+
+ private:
+  std::size_t index(int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  }
+};
+
+/// The luma of a colour, on the scale of its channels.
+inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
+  return static_cast<std::uint16_t>((299 * red + 587 * green + 114 * blue + 500) / 1000);
+}
+
+/// Whether the bytes begin like an image, of a format that we read or one that we refuse by name.
+bool looks_like_image(std::string_view bytes);
+
+/// Decodes a PNG or PNM file, told apart by how it begins; an error says what is wrong, and names
+/// formats that are known but not supported (JPEG, BMP, ...).
+Expected<GreyImage, std::string> decode_image(std::string_view bytes);
+
+}  // namespace wend

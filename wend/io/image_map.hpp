@@ -1,0 +1,40 @@
+#pragma once
+
+// From grey values to a map, as ROS map servers do it; where ROS 1 and Nav2 differ, as Nav2 does.
+//
+// A pixel's occupancy p is 1 for black and 0 for white, or the other way round with `negate`.
+//
+//   mode      p <= free threshold   p >= occupied threshold   between the two
+//   trinary   free                  occupied                  unknown
+//   scale     free                  occupied                  free, v = 1..100 by p, rounded
+//
+//   raw: the grey value itself (0..255) is v: 100 is occupied, above it unknown, below it free.
+//   Thresholds, negate and alpha do not matter.
+//
+// A free cell with the value v has the terrain multiplier 1 + scale_factor v / 100. In trinary and
+// scale mode a pixel that is not fully opaque is unknown.
+
+#include "wend/geometry/frame.hpp"
+#include "wend/io/grey_image.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+
+enum class ImageMode { trinary, scale, raw };
+
+/// The defaults are those of bare images and of most map savers.
+struct ImageMeaning {
+  ImageMode mode = ImageMode::trinary;
+  bool negate = false;
+  double occupied_threshold = 0.65;  // in 0..1
+  double free_threshold = 0.196;     // in 0..1, below the occupied one
+  double scale_factor = 4;           // finite, >= 0
+};
+
+/// What a unit of length costs in a cell of the value v, 0..100.
+inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_factor * v / 100; }
+
+/// The map of an image. With a frame that has y up, row 0 is the image's bottom row.
+GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);
+
+}  // namespace wend

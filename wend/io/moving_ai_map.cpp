@@ -1,0 +1,185 @@
+#include "wend/io/moving_ai_map.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "wend/base/parse.hpp"
+#include "wend/io/line_reader.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::string_view kFree = ".GSE";
+constexpr std::string_view kOccupied = "@OTW";
+
+struct Letter {
+  bool known = false;
+  CellState state = CellState::free;
+};
+
+constexpr char lower_case(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+constexpr std::size_t code_of(char letter) { return static_cast<unsigned char>(letter); }
+
+constexpr std::array<Letter, 256> make_letters() {
+  std::array<Letter, 256> letters{};
+  for (const char letter : kFree) {
+    letters[code_of(letter)] = letters[code_of(lower_case(letter))] = {true, CellState::free};
+  }
+  for (const char letter : kOccupied) {
+    letters[code_of(letter)] = letters[code_of(lower_case(letter))] = {true, CellState::occupied};
+  }
+  return letters;
+}
+
+constexpr std::array<Letter, 256> kLetters = make_letters();
+
+struct Size {
+  int height = 0;
+  int width = 0;
+};
+
+class MovingAiParser {
+ public:
+  MovingAiParser(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+
+  Expected<LoadedMap, IoError> parse() {
+    if (auto good = read_type(); !good) return Unexpected<IoError>(good.error());
+    const auto size = read_size();
+    if (!size) return Unexpected<IoError>(size.error());
+    LineReader rows = lines_;
+    if (auto good = check_rows(*size); !good) return Unexpected<IoError>(good.error());
+    auto cells = read_cells(*size, rows);
+    if (!cells) return Unexpected<IoError>(cells.error());
+    return LoadedMap{GridMap(*cells), MapFormat::moving_ai, notes()};
+  }
+
+ private:
+  Unexpected<IoError> failure(std::string what) const {
+    return io_failure(file_, lines_.number(), std::move(what));
+  }
+
+  Expected<void, IoError> read_type() {
+    const std::string_view line = lines_.next().value_or("");
+    const auto words = words_of(line);
+    if (words.size() != 2 || words[0] != "type") {
+      return failure(fmt::format("the first line must be 'type octile', not {}", quote(line)));
+    }
+    if (words[1] != "octile") {
+      return failure(
+          fmt::format("map type {} is not supported, only 'octile' is", quote(words[1])));
+    }
+    return {};
+  }
+
+  /// Reads up to the line `map`.
+  Expected<Size, IoError> read_size() {
+    std::optional<int> height;
+    std::optional<int> width;
+    while (const auto line = lines_.next()) {
+      const auto words = words_of(*line);
+      if (words.size() == 1 && words[0] == "map") {
+        if (!height || !width) return missing(height);
+        if (static_cast<std::size_t>(*height) * static_cast<std::size_t>(*width) >
+            GridMap::kMaxCells) {
+          return failure(fmt::format("{} x {} cells are too many", *width, *height));
+        }
+        return Size{*height, *width};
+      }
+      if (words.size() != 2 || (words[0] != "height" && words[0] != "width")) {
+        return failure(fmt::format(
+            "unexpected header line {}: 'height', 'width' or 'map' belongs here", quote(*line)));
+      }
+      std::optional<int>& value = words[0] == "height" ? height : width;
+      if (value) return failure(fmt::format("duplicate '{}'", words[0]));
+      const auto number = read_extent(words[0], words[1]);
+      if (!number) return Unexpected<IoError>(number.error());
+      value = *number;
+    }
+    if (height && width) return failure("the header has no line 'map'");
+    return missing(height);
+  }
+
+  Unexpected<IoError> missing(std::optional<int> height) const {
+    return failure(fmt::format("'{}' is missing in the header", height ? "width" : "height"));
+  }
+
+  Expected<int, IoError> read_extent(std::string_view name, std::string_view text) const {
+    const bool digits = text.find_first_not_of("0123456789") == std::string_view::npos;
+    const auto value = parse_integer<int>(text);
+    if (digits && !value) return failure(fmt::format("{} {} is out of range", name, quote(text)));
+    if (!value) return failure(fmt::format("{} {} is not a whole number", name, quote(text)));
+    if (*value <= 0) return failure(fmt::format("{} must be positive, not {}", name, *value));
+    return *value;
+  }
+
+  Expected<void, IoError> check_rows(Size size) {
+    for (int y = 0; y < size.height; ++y) {
+      const auto row = lines_.next();
+      if (!row) return failure(fmt::format("{} rows, the header says {}", y, size.height));
+      if (row->size() != static_cast<std::size_t>(size.width)) {
+        return failure(
+            fmt::format("row {} has {} columns, the header says {}", y, row->size(), size.width));
+      }
+    }
+    while (const auto line = lines_.next()) {
+      if (!is_blank(*line)) {
+        return failure(fmt::format("a row too many, the header says {}", size.height));
+      }
+    }
+    return {};
+  }
+
+  Expected<Grid<CellState>, IoError> read_cells(Size size, LineReader& rows) {
+    Grid<CellState> cells(size.width, size.height);
+    for (int y = 0; y < size.height; ++y) {
+      const std::string_view letters = *rows.next();
+      const auto row = cells.row(y);
+      for (std::size_t x = 0; x < letters.size(); ++x) {
+        const Letter letter = kLetters[code_of(letters[x])];
+        if (!letter.known) {
+          return io_failure(file_, rows.number(),
+                            fmt::format("unknown terrain letter {} at row {} column {}",
+                                        quote(letters[x]), y, x));
+        }
+        row[x] = letter.state;
+        seen_[code_of(letters[x])] = true;
+      }
+    }
+    return cells;
+  }
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (seen_[code_of('E')] || seen_[code_of('e')]) {
+      notes.emplace_back("terrain E (emitter) is read as free");
+    }
+    for (char letter = 'a'; letter <= 'z'; ++letter) {
+      if (seen_[code_of(letter)]) {
+        notes.emplace_back("lower-case letters are read as upper-case ones");
+        break;
+      }
+    }
+    return notes;
+  }
+
+  LineReader lines_;
+  const std::string& file_;
+  std::array<bool, 256> seen_{};
+};
+
+}  // namespace
+
+Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text, const std::string& file) {
+  return MovingAiParser(text, file).parse();
+}
+
+}  // namespace wend

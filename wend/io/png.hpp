@@ -1,0 +1,21 @@
+#pragma once
+
+// PNG images, through libpng: grey, colour and palette, 1 to 16 bits, with and without alpha or a
+// transparent colour, interlaced or not. Strict: a checksum that is wrong, a palette index without
+// an entry or image data of the wrong length is an error.
+
+#include <string>
+#include <string_view>
+
+#include "wend/base/expected.hpp"
+#include "wend/io/grey_image.hpp"
+
+namespace wend {
+
+/// Whether the bytes begin with the PNG signature.
+bool looks_like_png(std::string_view bytes);
+
+/// Sizes that the file is too short for are refused before anything is allocated.
+Expected<GreyImage, std::string> decode_png(std::string_view bytes);
+
+}  // namespace wend

@@ -1,0 +1,26 @@
+#pragma once
+
+// Text grids: a map as people type it.
+//
+//   . . # .        0 .    free
+//   . 3 # ?        1 # @  blocked
+//   ~ . . .        ?      unknown
+//                  ~      rough: free, a step costs twice its length
+//                  2..9   free, a step costs that many times its length
+//
+// One line a row, row 0 on top; blanks or tabs between the cells are allowed. LF or CRLF; blank
+// lines after the last row are skipped. Beware: 1 is a blocked cell, not a cost.
+
+#include <string>
+#include <string_view>
+
+#include "wend/base/expected.hpp"
+#include "wend/io/io_error.hpp"
+#include "wend/io/loaded_map.hpp"
+
+namespace wend {
+
+/// `file` is the name for errors. Linear time.
+Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file);
+
+}  // namespace wend

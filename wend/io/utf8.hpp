@@ -1,0 +1,15 @@
+#pragma once
+
+// Whether bytes are text.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace wend {
+
+/// Where a text first breaks the rules: a byte that is not valid UTF-8, or a control character
+/// other than tab and line ends. Nothing if it is text throughout. O(n).
+std::optional<std::size_t> first_non_text(std::string_view bytes);
+
+}  // namespace wend
