@@ -7,8 +7,8 @@
 // come out exactly as from a HeapFrontier, in O(1) for most of them. (R. Dial, "Algorithm 360:
 // Shortest-path forest with topological ordering", 1969, with a heap in the bucket.)
 //
-// Key has `f()`, a whole number, and `<`. Keys pushed lie less than a turn of the ring above the
-// key popped last.
+// Key has `f()`, a whole number, and `<`. No key may be smaller than the one popped last (before
+// that, than the first one pushed), nor a turn of the ring or more above it.
 
 #include <array>
 #include <bit>
@@ -35,6 +35,7 @@ class BucketFrontier {
       }
       occupied_[word] = 0;
     }
+    current_ = kNoBucket;
     size_ = 0;
     age_rank_ = UINT32_MAX;
   }
@@ -43,7 +44,7 @@ class BucketFrontier {
 
   void push(Key key, StateId id) {
     const std::uint64_t bucket = static_cast<std::uint64_t>(key.f()) >> kBucketBits;
-    if (size_ == 0) current_ = bucket;
+    if (current_ == kNoBucket) current_ = bucket;
     assert(bucket >= current_ && bucket - current_ < kBuckets);
     const Entry entry{key, age_rank_--, id};
     const std::size_t slot = bucket % kBuckets;
@@ -68,6 +69,7 @@ class BucketFrontier {
  private:
   static constexpr std::size_t kBuckets = 256;
   static constexpr std::size_t kWords = kBuckets / 64;
+  static constexpr std::uint64_t kNoBucket = UINT64_MAX;
 
   /// Goes on to the next bucket that is not empty, and orders it.
   std::size_t advance() {
@@ -86,7 +88,7 @@ class BucketFrontier {
 
   std::array<std::vector<Entry>, kBuckets> ring_;
   std::array<std::uint64_t, kWords> occupied_{};
-  std::uint64_t current_ = 0;  // the bucket in hand, counted from key 0
+  std::uint64_t current_ = kNoBucket;  // the bucket in hand, counted from key 0
   std::size_t size_ = 0;
   std::uint32_t age_rank_ = UINT32_MAX;
 };
