@@ -1,0 +1,59 @@
+#pragma once
+
+// Generators: maps made from a seed, for demos, tests and lessons. The same kind, size, options and
+// seed give the same map on every platform.
+//
+//   const wend::GeneratorInfo* maze = wend::generators().find("maze");
+//   const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
+//   if (!map) report(map.error().message());
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+
+/// The most columns or rows that a generated map can have.
+inline constexpr int kMostGeneratedCells = 16384;
+
+/// Why a map could not be made: a wrong option, or a size that is too small or too large.
+struct GeneratorError {
+  std::string what;
+
+  const std::string& message() const { return what; }
+};
+
+using GeneratorResult = Expected<GridMap, GeneratorError>;
+
+struct GeneratorInfo {
+  std::string name;
+  std::string summary;  // one line
+  int least_width;      // in cells, with default options
+  int least_height;
+
+  /// All free cells are connected by their edges.
+  bool connected;
+
+  /// A start and a goal for demos: the cells (free_corner, free_corner) and, counted from the
+  /// opposite corner, (width-1-free_corner, height-1-free_corner) are free where the map has them.
+  /// In the office and the warehouse, which are in metres, a robot with a radius of 0.3 m gets from
+  /// one (1 m, 1 m) to the other.
+  int free_corner;
+
+  std::vector<OptionInfo> options;
+  std::function<GeneratorResult(int width, int height, std::uint64_t seed, const OptionValues&)>
+      make;
+};
+
+/// random, maze, rooms, office, warehouse, rough. The office and the warehouse are in metres, 0.1 m
+/// a cell, y up, the lower left corner at (0, 0) and unknown cells around and inside what stands
+/// there; the others have a plain frame.
+const Registry<GeneratorInfo>& generators();
+
+}  // namespace wend
