@@ -1,9 +1,16 @@
 #include "wend/io/image_map.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include "wend/io/drawn_row.hpp"
 
 namespace wend {
 namespace {
@@ -45,6 +52,31 @@ std::vector<PixelMeaning> make_table(int maximum, const ImageMeaning& meaning) {
   return table;
 }
 
+/// An image of the map's size, each value as `value_of(cell)` says.
+template <class ValueOf>
+GreyImage image_of(const GridMap& map, const ValueOf& value_of) {
+  GreyImage image;
+  image.width = map.width();
+  image.height = map.height();
+  image.values.reserve(map.size());
+  for (int from_top = 0; from_top < map.height(); ++from_top) {
+    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
+    for (int x = 0; x < map.width(); ++x) image.values.push_back(value_of(Cell{x, y}));
+  }
+  return image;
+}
+
+/// The grey value that kScaleMeaning reads as this terrain; nothing if there is none.
+std::optional<std::uint16_t> scale_value(double terrain) {
+  const double v = std::round((terrain - 1) * 100 / kScaleMeaning.scale_factor);
+  if (!(v >= 0 && v <= 100)) return std::nullopt;
+  if (scaled_terrain(kScaleMeaning.scale_factor, static_cast<int>(v)) != terrain) {
+    return std::nullopt;
+  }
+  // 0 is occupied by its threshold; 1 is the darkest free value, and rounds to v = 100.
+  return static_cast<std::uint16_t>(std::max(1.0, 255 - std::round(2.55 * v)));
+}
+
 }  // namespace
 
 GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame) {
@@ -54,7 +86,7 @@ GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, cons
   Grid<CellState> cells(image.width, image.height);
   Grid<double> terrain = has_terrain ? Grid<double>(image.width, image.height, 1) : Grid<double>();
   for (int y = 0; y < image.height; ++y) {
-    const int image_y = frame.y_up ? image.height - 1 - y : y;
+    const int image_y = drawn_row(y, image.height, frame.y_up);
     const auto values = image.row(image_y);
     const auto states = cells.row(y);
     for (std::size_t x = 0; x < values.size(); ++x) states[x] = table[values[x]].state;
@@ -72,6 +104,40 @@ GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, cons
     }
   }
   return GridMap(cells, frame, std::move(terrain));
+}
+
+Expected<GreyImage, std::string> trinary_image(const GridMap& map) {
+  if (!map.uniform_terrain()) {
+    return Unexpected<std::string>("a picture of free and occupied cells cannot hold terrain");
+  }
+  return image_of(map, [&](Cell cell) -> std::uint16_t {
+    if (map.occupied()[cell]) return 0;
+    return map.unknown()[cell] ? 205 : 254;
+  });
+}
+
+Expected<GreyImage, std::string> scale_image(const GridMap& map) {
+  std::string wrong;
+  bool any_transparent = false;
+  std::vector<unsigned char> transparent;
+  transparent.reserve(map.size());
+  GreyImage image = image_of(map, [&](Cell cell) -> std::uint16_t {
+    const CellState state = map.state(cell);
+    transparent.push_back(state == CellState::unknown ? 1 : 0);
+    any_transparent = any_transparent || state == CellState::unknown;
+    if (state == CellState::occupied) return 0;
+    const auto value = scale_value(map.terrain(cell));
+    if (!value || (state == CellState::unknown && map.terrain(cell) != 1)) {
+      wrong = fmt::format(
+          "a scale map cannot hold the terrain {} of cell ({},{}), only 1 + 4 v/100 of free "
+          "cells, v = 0..100",
+          map.terrain(cell), cell.x, cell.y);
+    }
+    return value.value_or(0);
+  });
+  if (!wrong.empty()) return Unexpected<std::string>(wrong);
+  if (any_transparent) image.transparent = std::move(transparent);
+  return image;
 }
 
 }  // namespace wend

@@ -1,6 +1,7 @@
 #pragma once
 
-// From grey values to a map, as ROS map servers do it; where ROS 1 and Nav2 differ, as Nav2 does.
+// From grey values to a map and back, as ROS map servers do it; where ROS 1 and Nav2 differ, as
+// Nav2 does.
 //
 // A pixel's occupancy p is 1 for black and 0 for white, or the other way round with `negate`.
 //
@@ -14,6 +15,9 @@
 // A free cell with the value v has the terrain multiplier 1 + scale_factor v / 100. In trinary and
 // scale mode a pixel that is not fully opaque is unknown.
 
+#include <string>
+
+#include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/grey_image.hpp"
 #include "wend/map/grid_map.hpp"
@@ -36,5 +40,16 @@ inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_fact
 
 /// The map of an image. With a frame that has y up, row 0 is the image's bottom row.
 GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);
+
+/// The image that map savers write, drawn as the map is: 0 occupied, 254 free, 205 unknown. It
+/// reads back with the defaults of ImageMeaning. An error for a map with terrain.
+Expected<GreyImage, std::string> trinary_image(const GridMap& map);
+
+/// What scale_image() is written for.
+inline constexpr ImageMeaning kScaleMeaning = {ImageMode::scale, false, 1, 0, 4};
+
+/// An image that reads back with kScaleMeaning: 0 occupied, transparent unknown, from 255 to 1 the
+/// terrain. An error says which terrain is none of scaled_terrain(4, 0..100).
+Expected<GreyImage, std::string> scale_image(const GridMap& map);
 
 }  // namespace wend

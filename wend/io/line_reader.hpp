@@ -29,6 +29,9 @@ class LineReader {
   std::size_t number_ = 0;
 };
 
+/// Without the blanks and tabs around it.
+std::string_view trimmed(std::string_view text);
+
 /// Nothing but blanks and tabs.
 bool is_blank(std::string_view line);
 

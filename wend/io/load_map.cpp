@@ -10,6 +10,7 @@
 
 #include "wend/io/grey_image.hpp"
 #include "wend/io/image_map.hpp"
+#include "wend/io/lower_case.hpp"
 #include "wend/io/map_yaml.hpp"
 #include "wend/io/moving_ai_map.hpp"
 #include "wend/io/read_file.hpp"
@@ -22,16 +23,8 @@ constexpr std::string_view kSupported =
     "ROS map.yaml (.yaml .yml), MovingAI (.map), text grids (.txt .grid) and images "
     "(.png .pgm .pbm .ppm .pnm) are";
 
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& letter : extension) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return extension;
-}
-
 std::optional<MapFormat> format_of_name(const std::filesystem::path& file) {
-  const std::string extension = lower_case_extension(file);
+  const std::string extension = lower_case(file.extension().string());
   if (extension == ".yaml" || extension == ".yml") return MapFormat::ros_yaml;
   if (extension == ".map") return MapFormat::moving_ai;
   if (extension == ".txt" || extension == ".grid") return MapFormat::text_grid;

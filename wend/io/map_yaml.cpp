@@ -26,6 +26,20 @@ constexpr std::size_t kLargestYaml = std::size_t{64} << 10;
 constexpr std::array<std::string_view, 7> kKeys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
 
+constexpr std::array<ImageMode, 3> kModes = {ImageMode::trinary, ImageMode::scale, ImageMode::raw};
+
+std::string_view name_of(ImageMode mode) {
+  switch (mode) {
+    case ImageMode::trinary:
+      return "trinary";
+    case ImageMode::scale:
+      return "scale";
+    case ImageMode::raw:
+      break;
+  }
+  return "raw";
+}
+
 /// Plain, quoted, and YAML's own types; any other tag asks for something that we do not do.
 bool is_known_tag(const std::string& tag) {
   constexpr std::string_view kStandard = "tag:yaml.org,2002:";
@@ -190,10 +204,8 @@ class MapYamlReader {
     const auto node = value_of("mode");
     if (!node) return Unexpected<IoError>(node.error());
     const std::string text = node->IsScalar() ? node->Scalar() : "";
-    for (const auto& [name, mode] :
-         {std::pair{"trinary", ImageMode::trinary}, std::pair{"scale", ImageMode::scale},
-          std::pair{"raw", ImageMode::raw}}) {
-      if (text != name) continue;
+    for (const ImageMode mode : kModes) {
+      if (text != name_of(mode)) continue;
       yaml.meaning.mode = mode;
       return {};
     }
@@ -233,6 +245,19 @@ Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::st
         error.mark.is_null() ? 0 : static_cast<std::size_t>(error.mark.line) + 1;
     return io_failure(file, line, "YAML: " + error.msg);
   }
+}
+
+std::string format_map_yaml(const MapYaml& yaml) {
+  const Pose& origin = yaml.frame.origin;
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << yaml.image.string();
+  return fmt::format(
+      "image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\nnegate: {}\n"
+      "occupied_thresh: {}\nfree_thresh: {}\n",
+      emitter.c_str(), name_of(yaml.meaning.mode), format_number(yaml.frame.resolution),
+      format_number(origin.x), format_number(origin.y), format_number(origin.heading),
+      yaml.meaning.negate ? 1 : 0, format_number(yaml.meaning.occupied_threshold),
+      format_number(yaml.meaning.free_threshold));
 }
 
 Expected<LoadedMap, IoError> load_map_yaml(const std::string& text,

@@ -46,4 +46,7 @@ Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::st
 Expected<LoadedMap, IoError> load_map_yaml(const std::string& text,
                                            const std::filesystem::path& file, double scale_factor);
 
+/// The text of a map.yaml.
+std::string format_map_yaml(const MapYaml& yaml);
+
 }  // namespace wend

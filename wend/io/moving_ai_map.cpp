@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "wend/base/parse.hpp"
+#include "wend/io/drawn_row.hpp"
 #include "wend/io/line_reader.hpp"
+#include "wend/io/lower_case.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend {
@@ -22,10 +24,6 @@ struct Letter {
   bool known = false;
   CellState state = CellState::free;
 };
-
-constexpr char lower_case(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
 
 constexpr std::size_t code_of(char letter) { return static_cast<unsigned char>(letter); }
 
@@ -180,6 +178,25 @@ class MovingAiParser {
 
 Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text, const std::string& file) {
   return MovingAiParser(text, file).parse();
+}
+
+Expected<std::string, std::string> format_moving_ai_map(const GridMap& map) {
+  if (const std::size_t unknown = map.unknown().count(); unknown > 0) {
+    return Unexpected<std::string>(
+        fmt::format("a MovingAI map cannot hold {} unknown cells", unknown));
+  }
+  if (!map.uniform_terrain()) {
+    return Unexpected<std::string>("a MovingAI map cannot hold terrain");
+  }
+  std::string text =
+      fmt::format("type octile\nheight {}\nwidth {}\nmap\n", map.height(), map.width());
+  text.reserve(text.size() + map.size() + static_cast<std::size_t>(map.height()));
+  for (int from_top = 0; from_top < map.height(); ++from_top) {
+    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
+    for (int x = 0; x < map.width(); ++x) text += map.occupied()[{x, y}] ? '@' : '.';
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace wend

@@ -28,4 +28,7 @@ namespace wend {
 /// be there.
 Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text, const std::string& file);
 
+/// The file for a map, drawn as the map is; an error says what the format cannot hold.
+Expected<std::string, std::string> format_moving_ai_map(const GridMap& map);
+
 }  // namespace wend

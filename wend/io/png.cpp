@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <csetjmp>
 #include <cstddef>
 #include <cstdint>
@@ -255,6 +256,29 @@ bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignatur
 
 Expected<GreyImage, std::string> decode_png(std::string_view bytes) {
   return PngDecoder(bytes).decode();
+}
+
+Expected<std::string, std::string> encode_png(const GreyImage& image) {
+  assert(image.maximum == 255);
+  const bool alpha = !image.transparent.empty();
+  std::vector<unsigned char> samples;
+  samples.reserve(image.values.size() * (alpha ? 2 : 1));
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    samples.push_back(static_cast<unsigned char>(image.values[i]));
+    if (alpha) samples.push_back(image.transparent[i] != 0 ? 0 : 255);
+  }
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = alpha ? PNG_FORMAT_GA : PNG_FORMAT_GRAY;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, samples.data(), 0, nullptr) == 0) {
+    return Unexpected<std::string>(fmt::format("PNG: {}", png.message));
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace wend

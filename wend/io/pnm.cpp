@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -222,6 +223,14 @@ bool looks_like_pnm(std::string_view bytes) {
 
 Expected<GreyImage, std::string> decode_pnm(std::string_view bytes) {
   return PnmDecoder(bytes).decode();
+}
+
+std::string encode_pgm(const GreyImage& image) {
+  assert(image.maximum == 255);
+  std::string bytes = fmt::format("P5\n{} {}\n255\n", image.width, image.height);
+  bytes.reserve(bytes.size() + image.values.size());
+  for (const std::uint16_t value : image.values) bytes += static_cast<char>(value);
+  return bytes;
 }
 
 }  // namespace wend

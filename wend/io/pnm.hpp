@@ -20,4 +20,7 @@ bool looks_like_pnm(std::string_view bytes);
 /// sample are ignored, with a note.
 Expected<GreyImage, std::string> decode_pnm(std::string_view bytes);
 
+/// A binary PGM (P5) of an image with a maximum of 255, its transparency left out.
+std::string encode_pgm(const GreyImage& image);
+
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "wend/io/drawn_row.hpp"
 #include "wend/io/line_reader.hpp"
 #include "wend/io/quote.hpp"
 
@@ -82,6 +83,17 @@ Grid<T> grid_of(const Rows& rows, const std::vector<T>& values) {
   return grid;
 }
 
+/// The letter of a cell; nothing for terrain that has none.
+std::optional<char> letter_of(CellState state, double terrain) {
+  if (state == CellState::occupied) return '#';
+  if (state == CellState::unknown) return terrain == 1 ? std::optional('?') : std::nullopt;
+  if (terrain == 1) return '.';
+  for (char digit = '2'; digit <= '9'; ++digit) {
+    if (terrain == digit - '0') return digit;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file) {
@@ -101,6 +113,26 @@ Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::s
   return LoadedMap{GridMap(grid_of(rows, rows.states), {}, grid_of(rows, rows.terrain)),
                    MapFormat::text_grid,
                    {}};
+}
+
+Expected<std::string, std::string> format_text_grid(const GridMap& map) {
+  std::string text;
+  text.reserve(map.size() + static_cast<std::size_t>(map.height()));
+  for (int from_top = 0; from_top < map.height(); ++from_top) {
+    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
+    for (int x = 0; x < map.width(); ++x) {
+      const auto letter = letter_of(map.state({x, y}), map.terrain({x, y}));
+      if (!letter) {
+        return Unexpected<std::string>(
+            fmt::format("a text grid cannot hold the terrain {} of cell ({},{}), only whole "
+                        "multipliers up to 9 of free cells",
+                        map.terrain({x, y}), x, y));
+      }
+      text += *letter;
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace wend

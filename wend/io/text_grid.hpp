@@ -23,4 +23,7 @@ namespace wend {
 /// `file` is the name for errors. Linear time.
 Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file);
 
+/// The file for a map, drawn as the map is; an error says what the format cannot hold.
+Expected<std::string, std::string> format_text_grid(const GridMap& map);
+
 }  // namespace wend

@@ -1,0 +1,64 @@
+#pragma once
+
+// MovingAI `.scen` files: queries on a map, with the length of a shortest path for each.
+//
+//   version 1
+//   0  maps/dao/arena.map  49  49  1  11  1  12  1
+//
+// A line holds bucket, map, the map's width and height, start x y, goal x y and the optimal length,
+// between tabs (blanks in some sets). Cells count from the upper-left one, x first. Lengths are for
+// 8 neighbours without corner cutting and are printed with 2 or 8 decimals or 6 significant digits.
+//
+// The map column is a label with a stale folder: scenario_map_path() says which file is meant.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/io/io_error.hpp"
+
+namespace wend {
+
+struct ScenarioQuery {
+  std::size_t line;  // in the file, from 1
+  int bucket;        // a label: about a quarter of the length
+  std::string map;   // the map column as it stands
+  int map_width;
+  int map_height;
+  Cell start;
+  Cell goal;
+  double length;  // of a shortest path
+  int decimals;   // how many the file prints of the length
+
+  /// Length 0 between different cells: the file says that there is no path.
+  bool says_no_path() const { return length == 0 && start != goal; }
+};
+
+struct Scenario {
+  std::string file;
+  std::vector<ScenarioQuery> queries;
+};
+
+/// Start and goal lie inside the map size that their line gives; lengths are finite and >= 0.
+Expected<Scenario, IoError> load_scenario(const std::filesystem::path& file);
+
+/// The same from a text. `file` is the name for errors.
+Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file);
+
+/// An error, with its line, if a query is for a map of another size. (The format says to scale the
+/// map then; no set that we know needs it, and we refuse.)
+Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height);
+
+/// The map that a scenario is for. `X.map.scen` means `X.map` where that file exists; else it is
+/// the last part of the map column. Either way a file in the scenario's own folder, else an error.
+Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
+
+/// Whether a path of the length `found` is as long as the query says: off by no more than 1e-5 of
+/// it or, where the file prints 2 or 8 decimals, half a unit of the last one.
+bool length_matches(const ScenarioQuery& query, double found);
+
+}  // namespace wend
