@@ -35,9 +35,9 @@ struct Style {
   Colour unknown = colour_from(0xC6C9CE);
   Colour too_close = colour_from(0xE4DDEF);       // free, but nearer to an obstacle than the radius
   Colour slightly_rough = colour_from(0xFBF3D3);  // a terrain multiplier just above 1
-  Colour very_rough = colour_from(0xA6752B);      // a large one
+  Colour very_rough = colour_from(0xAD7F3C);      // a large one
   Colour visited = colour_from(0xBFE0F4);
-  Colour grid_lines = colour_from(0xD9DBDF);
+  Colour grid_lines = colour_from(0x2B2D33);
 
   // Marks.
   Colour path = colour_from(0x0072B2);

@@ -1,0 +1,124 @@
+#include "wend/render/ascii_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wend/map/grid.hpp"
+
+namespace wend {
+namespace {
+
+/// How many cells of a block are what.
+struct Block {
+  int cells = 0;
+  int obstacles = 0;
+  int unknown = 0;
+  int too_close = 0;
+
+  char character(double columns_of_cells) const {
+    // A thin wall through half of the block shows; a speck in a large block does not.
+    if (obstacles > 0 && obstacles >= columns_of_cells / 2) return '#';
+    if (2 * unknown > cells) return '?';
+    if (2 * too_close > cells) return ':';
+    return '.';
+  }
+};
+
+/// A character covers `size` columns and 2 `size` rows of cells.
+class AsciiCanvas {
+ public:
+  AsciiCanvas(const FreeSpace& space, double size)
+      : space_(space),
+        size_(size),
+        columns_(blocks(space.width(), size)),
+        rows_(blocks(space.height(), 2 * size)),
+        characters_(columns_, rows_, '.') {}
+
+  void draw_map() {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        characters_[{column, row}] = block(column, row).character(size_);
+      }
+    }
+  }
+
+  void put(Point grid, char character) {
+    const double y = space_.map().frame().y_up ? space_.height() - grid.y : grid.y;
+    const double column = std::floor(grid.x / size_);
+    const double row = std::floor(y / (2 * size_));
+    if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return;
+    characters_[{static_cast<int>(column), static_cast<int>(row)}] = character;
+  }
+
+  void draw_line(Point from, Point to, char character) {
+    const int pieces = 1 + static_cast<int>(2 * distance(from, to) / size_);
+    for (int i = 0; i <= pieces; ++i) {
+      const double share = static_cast<double>(i) / pieces;
+      put({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}, character);
+    }
+  }
+
+  std::string text() const {
+    std::string text;
+    for (int row = 0; row < rows_; ++row) {
+      const auto characters = characters_.row(row);
+      text.append(characters.begin(), characters.end());
+      text += '\n';
+    }
+    return text;
+  }
+
+ private:
+  static int blocks(int cells, double size) {
+    return std::max(1, static_cast<int>(std::ceil(cells / size - 1e-9)));
+  }
+
+  /// Blocks of fewer than one cell have one all the same.
+  Block block(int column, int row) const {
+    Block block;
+    const int left = static_cast<int>(column * size_);
+    const int right = std::clamp(static_cast<int>((column + 1) * size_), left + 1, space_.width());
+    const int top = static_cast<int>(row * 2 * size_);
+    const int bottom =
+        std::clamp(static_cast<int>((row + 1) * 2 * size_), top + 1, space_.height());
+    for (int drawn_y = top; drawn_y < bottom; ++drawn_y) {
+      const int y = space_.map().frame().y_up ? space_.height() - 1 - drawn_y : drawn_y;
+      for (int x = left; x < right; ++x) count({x, y}, block);
+    }
+    return block;
+  }
+
+  void count(Cell cell, Block& block) const {
+    const CellState state = space_.map().state(cell);
+    ++block.cells;
+    block.obstacles += state == CellState::occupied;
+    block.unknown += state == CellState::unknown;
+    block.too_close += state == CellState::free && !space_.passable()[cell];
+  }
+
+  const FreeSpace& space_;
+  double size_;
+  int columns_;
+  int rows_;
+  Grid<char> characters_;
+};
+
+}  // namespace
+
+std::string ascii_picture(const Scene& scene, int columns, int rows) {
+  const FreeSpace& space = scene.space;
+  const double size = std::max({0.5, static_cast<double>(space.width()) / std::max(1, columns),
+                                static_cast<double>(space.height()) / std::max(1, rows) / 2});
+  AsciiCanvas canvas(space, size);
+  canvas.draw_map();
+  for (const Cell cell : scene.visited) canvas.put(centre_of(cell), '*');
+  const auto cells = scene.path.cells();
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    canvas.draw_line(centre_of(cells[i - 1]), centre_of(cells[i]), 'o');
+  }
+  for (const Point goal : scene.goals) canvas.put(goal, 'G');
+  if (scene.start) canvas.put(*scene.start, 'S');
+  return canvas.text();
+}
+
+}  // namespace wend

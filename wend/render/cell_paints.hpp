@@ -1,0 +1,42 @@
+#pragma once
+
+// CellPaints: the colour of every cell of a scene, and how much it counts where many cells share a
+// pixel.
+
+#include <span>
+#include <vector>
+
+#include "wend/map/bit_grid.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend {
+
+struct Paint {
+  Colour colour;
+  double weight = 1;
+
+  friend constexpr bool operator==(const Paint&, const Paint&) = default;
+};
+
+class CellPaints {
+ public:
+  /// Both must outlive this.
+  CellPaints(const Scene& scene, const Style& style);
+
+  int width() const { return scene_.space.width(); }
+  int height() const { return scene_.space.height(); }
+
+  Paint operator[](Cell cell) const;
+
+ private:
+  const Scene& scene_;
+  const Style& style_;
+  BitGrid visited_;  // without cells if nothing is to be marked
+};
+
+/// How rough terrain looks: from 0 for a multiplier of 1 to 1 for one of 10 or more, by its
+/// logarithm.
+double roughness(double multiplier);
+
+}  // namespace wend

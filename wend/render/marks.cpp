@@ -1,0 +1,165 @@
+#include "wend/render/marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kLeastDistance = 1;  // pixels; points nearer to each other are one
+constexpr double kLeastBend = 4;      // pixels
+constexpr double kLeastRound = 3;     // pixels; marks of a smaller radius are squares
+
+void circle(cairo_t* context, Point centre, double radius) {
+  cairo_new_path(context);
+  cairo_arc(context, centre.x, centre.y, radius, 0, 2 * kPi);
+}
+
+/// Whole pixels around the one that holds the centre.
+void fill_square(cairo_t* context, Point centre, double radius, const Colour& colour) {
+  const double reach = std::floor(radius);
+  cairo_rectangle(context, std::floor(centre.x) - reach, std::floor(centre.y) - reach,
+                  2 * reach + 1, 2 * reach + 1);
+  set_source(context, colour);
+  cairo_fill(context);
+}
+
+bool goes_straight_on(Point a, Point b, Point c) {
+  const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+  const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+  return std::abs(cross) < 1e-6 && dot > 0;
+}
+
+/// The path's bends in picture coordinates.
+std::vector<Point> bends_of(const Path& path, const MapView& view) {
+  std::vector<Point> bends;
+  const auto cells = path.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Point point = view.to_picture(centre_of(cells[i]));
+    const bool last = i + 1 == cells.size();
+    if (!last && !bends.empty() && distance(point, bends.back()) < kLeastDistance) continue;
+    const std::size_t count = bends.size();
+    if (count >= 2 && goes_straight_on(bends[count - 2], bends[count - 1], point)) bends.pop_back();
+    bends.push_back(point);
+  }
+  return bends;
+}
+
+Point towards(Point from, Point to, double length) {
+  const double share = length / distance(from, to);
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
+/// A quarter-circle-like bend that leaves the polyline at most `radius` before and after a point.
+void bend(cairo_t* context, Point before, Point point, Point after, double radius) {
+  const Point in = towards(point, before, std::min(radius, distance(point, before) / 2));
+  const Point out = towards(point, after, std::min(radius, distance(point, after) / 2));
+  cairo_line_to(context, in.x, in.y);
+  cairo_curve_to(context, (in.x + 2 * point.x) / 3, (in.y + 2 * point.y) / 3,
+                 (out.x + 2 * point.x) / 3, (out.y + 2 * point.y) / 3, out.x, out.y);
+}
+
+void trace(cairo_t* context, const std::vector<Point>& bends, double scale) {
+  cairo_new_path(context);
+  cairo_move_to(context, bends.front().x, bends.front().y);
+  for (std::size_t i = 1; i + 1 < bends.size(); ++i) {
+    if (scale >= 1) {
+      bend(context, bends[i - 1], bends[i], bends[i + 1], std::max(kLeastBend, scale / 2));
+    } else {
+      cairo_line_to(context, bends[i].x, bends[i].y);
+    }
+  }
+  cairo_line_to(context, bends.back().x, bends.back().y);
+}
+
+void draw_path(cairo_t* context, const Path& path, const MapView& view, const MarkSizes& sizes,
+               const Style& style) {
+  const std::vector<Point> bends = bends_of(path, view);
+  if (bends.size() < 2) return;
+  trace(context, bends, view.scale());
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+  if (sizes.halo > 0) {
+    set_source(context, style.halo);
+    cairo_set_line_width(context, sizes.line + 2 * sizes.halo);
+    cairo_stroke_preserve(context);
+  }
+  set_source(context, style.path);
+  cairo_set_line_width(context, sizes.line);
+  cairo_stroke(context);
+}
+
+/// The robot to scale, where it is larger than the mark at its centre.
+void draw_robot(cairo_t* context, Point centre, double radius, const MarkSizes& sizes,
+                const Style& style) {
+  if (radius < 1.2 * (sizes.mark + sizes.halo)) return;
+  circle(context, centre, radius);
+  set_source(context, style.start, 0.2);
+  cairo_fill_preserve(context);
+  set_source(context, style.start, 0.8);
+  cairo_set_line_width(context, sizes.line / 2);
+  cairo_stroke(context);
+}
+
+bool on_map(const Scene& scene, Point point) {
+  return point.x >= 0 && point.y >= 0 && point.x <= scene.space.width() &&
+         point.y <= scene.space.height();
+}
+
+}  // namespace
+
+MarkSizes mark_sizes(double scale) {
+  const double line = std::clamp(0.2 * scale, 4.0, 9.0);
+  return {.line = line,
+          .halo = std::clamp(0.35 * line, 1.5, 3.0),
+          .mark = std::clamp(0.3 * scale, 9.0, 18.0)};
+}
+
+void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style) {
+  if (sizes.mark < kLeastRound) return fill_square(context, centre, sizes.mark, style.start);
+  circle(context, centre, sizes.mark + sizes.halo);
+  set_source(context, style.halo);
+  cairo_fill(context);
+  circle(context, centre, sizes.mark);
+  set_source(context, style.start);
+  cairo_fill(context);
+}
+
+void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style) {
+  if (sizes.mark < kLeastRound) return fill_square(context, centre, sizes.mark, style.goal);
+  circle(context, centre, sizes.mark + sizes.halo);
+  set_source(context, style.halo);
+  cairo_fill(context);
+  set_source(context, style.goal);
+  const double ring = 0.35 * sizes.mark;
+  circle(context, centre, sizes.mark - ring / 2);
+  cairo_set_line_width(context, ring);
+  cairo_stroke(context);
+  circle(context, centre, 0.35 * sizes.mark);
+  cairo_fill(context);
+}
+
+void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
+                const Style& style) {
+  cairo_save(context);
+  cairo_rectangle(context, view.left, view.top, view.width, view.height);
+  cairo_clip(context);
+  if (scene.start && on_map(scene, *scene.start)) {
+    draw_robot(context, view.to_picture(*scene.start), scene.space.radius_in_cells() * view.scale(),
+               sizes, style);
+  }
+  if (!scene.path.empty()) draw_path(context, scene.path, view, sizes, style);
+  cairo_restore(context);
+
+  for (const Point goal : scene.goals) {
+    if (on_map(scene, goal)) draw_goal_mark(context, view.to_picture(goal), sizes, style);
+  }
+  if (scene.start && on_map(scene, *scene.start)) {
+    draw_start_mark(context, view.to_picture(*scene.start), sizes, style);
+  }
+}
+
+}  // namespace wend

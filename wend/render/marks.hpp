@@ -1,0 +1,28 @@
+#pragma once
+
+// Marks: what lies on the map in a picture: the path, the start with the robot to scale, the goals.
+// Their size is in pixels, so that they stay visible however small the cells are.
+
+#include "wend/render/cairo_objects.hpp"
+#include "wend/render/map_view.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend {
+
+struct MarkSizes {
+  double line = 3;    // width of the path
+  double halo = 1.5;  // width of the rim around path and marks
+  double mark = 8;    // radius of start and goal
+};
+
+/// Sizes for a picture with so many pixels a cell.
+MarkSizes mark_sizes(double scale);
+
+void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
+void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
+
+void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
+                const Style& style);
+
+}  // namespace wend

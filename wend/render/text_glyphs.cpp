@@ -1,0 +1,75 @@
+#include "wend/render/text_glyphs.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+Glyph glyph_of_terrain(double multiplier) {
+  static constexpr std::array<std::string_view, 7> kDigits{"3", "4", "5", "6", "7", "8", "9"};
+  if (multiplier == 1) return {".", Meaning::free};
+  for (std::size_t i = 0; i < kDigits.size(); ++i) {
+    if (multiplier == static_cast<double>(i + 3)) return {kDigits[i], Meaning::rough};
+  }
+  return {"~", Meaning::rough};
+}
+
+}  // namespace
+
+Glyph glyph_of(const FreeSpace& space, Cell cell) {
+  switch (space.map().state(cell)) {
+    case CellState::occupied:
+      return {"#", Meaning::obstacle};
+    case CellState::unknown:
+      return {"?", Meaning::unknown};
+    case CellState::free:
+      break;
+  }
+  if (!space.passable(cell)) return {":", Meaning::too_close};
+  return glyph_of_terrain(space.terrain(cell));
+}
+
+Glyph arrow(Direction direction) {
+  static constexpr std::array<std::string_view, kDirections> kArrows{"↓", "↘", "→", "↗",
+                                                                     "↑", "↖", "←", "↙"};
+  return {kArrows[static_cast<std::size_t>(direction)], Meaning::path};
+}
+
+Direction drawn_direction(Cell from, Cell to, bool y_up) {
+  const double right = static_cast<double>(to.x) - from.x;
+  const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
+  const double eighths = std::round(std::atan2(right, down) / (kPi / 4));  // in -4..4
+  return static_cast<Direction>((static_cast<int>(eighths) + kDirections) % kDirections);
+}
+
+std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
+  // Written so that it also refuses numbers that are not finite.
+  if (!(point.x >= 0 && point.y >= 0 && point.x < space.width() && point.y < space.height())) {
+    return std::nullopt;
+  }
+  return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+}
+
+void put_start_and_goals(const Scene& scene, Grid<Glyph>& glyphs) {
+  if (scene.start) {
+    if (const auto cell = cell_under(scene.space, *scene.start)) {
+      glyphs[*cell] = {"S", Meaning::start};
+    }
+  }
+  for (const Point goal : scene.goals) {
+    if (const auto cell = cell_under(scene.space, goal)) glyphs[*cell] = {"G", Meaning::goal};
+  }
+}
+
+Grid<Glyph> glyphs_of(const FreeSpace& space) {
+  Grid<Glyph> glyphs(space.width(), space.height());
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) glyphs[{x, y}] = glyph_of(space, {x, y});
+  }
+  return glyphs;
+}
+
+}  // namespace wend

@@ -1,0 +1,56 @@
+#pragma once
+
+// The characters of text pictures: what stands for a cell, an arrow, a start. text_picture() and
+// text_layers() share them.
+
+#include <optional>
+#include <string_view>
+
+#include "wend/geometry/direction.hpp"
+#include "wend/map/grid.hpp"
+#include "wend/render/scene.hpp"
+
+namespace wend {
+
+/// What a character in a picture means.
+enum class Meaning : unsigned char {
+  free,
+  obstacle,
+  unknown,
+  too_close,
+  rough,
+  visited,
+  path,
+  start,
+  goal,
+};
+inline constexpr int kMeanings = 9;
+
+struct Glyph {
+  std::string_view text;  // one column wide, UTF-8
+  Meaning meaning = Meaning::free;
+};
+
+/// What the map and the robot make of a cell.
+Glyph glyph_of(const FreeSpace& space, Cell cell);
+
+Glyph arrow(Direction direction);
+
+/// The nearest of the eight directions as drawn; the cells differ.
+Direction drawn_direction(Cell from, Cell to, bool y_up);
+
+/// The cell that a point in grid coordinates lies in, if it is one of the map.
+std::optional<Cell> cell_under(const FreeSpace& space, Point point);
+
+/// Writes S and G over what is there.
+void put_start_and_goals(const Scene& scene, Grid<Glyph>& glyphs);
+
+/// A glyph for every cell of the map, without anything that lies on it.
+Grid<Glyph> glyphs_of(const FreeSpace& space);
+
+/// The map's row that is drawn as the n-th from the top.
+inline int drawn_row(const FreeSpace& space, int n) {
+  return space.map().frame().y_up ? space.height() - 1 - n : n;
+}
+
+}  // namespace wend

@@ -1,0 +1,127 @@
+#include "wend/render/text_picture.hpp"
+
+#include <array>
+#include <bitset>
+#include <string_view>
+
+#include "wend/render/text_glyphs.hpp"
+
+namespace wend {
+namespace {
+
+using Meanings = std::bitset<kMeanings>;
+
+struct LegendEntry {
+  Meaning meaning;
+  std::string_view text;
+};
+
+// In the order of the legend, most interesting first.
+constexpr std::array<LegendEntry, kMeanings> kLegend{{
+    {Meaning::start, "S start"},
+    {Meaning::goal, "G goal"},
+    {Meaning::path, "→ path"},
+    {Meaning::visited, "* visited"},
+    {Meaning::obstacle, "# obstacle"},
+    {Meaning::too_close, ": too close for the robot"},
+    {Meaning::unknown, "? unknown"},
+    {Meaning::rough, "~ 3-9 rough"},
+    {Meaning::free, ". free"},
+}};
+
+constexpr std::size_t index_of(Meaning meaning) { return static_cast<std::size_t>(meaning); }
+
+/// The ANSI sequence of a meaning: colours of the terminal's own palette, so that they suit light
+/// and dark ones.
+constexpr std::string_view ansi_of(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::obstacle:
+      return "";
+    case Meaning::free:
+    case Meaning::unknown:
+      return "\x1b[90m";
+    case Meaning::too_close:
+      return "\x1b[35m";
+    case Meaning::rough:
+      return "\x1b[33m";
+    case Meaning::visited:
+      return "\x1b[36m";
+    case Meaning::path:
+      return "\x1b[1;34m";
+    case Meaning::start:
+      return "\x1b[1;32m";
+    case Meaning::goal:
+      return "\x1b[1;31m";
+  }
+  return "";
+}
+
+constexpr std::string_view kReset = "\x1b[0m";
+
+void put_visited(const Scene& scene, Grid<Glyph>& glyphs) {
+  for (const Cell cell : scene.visited) {
+    if (glyphs.contains(cell)) glyphs[cell] = {"*", Meaning::visited};
+  }
+}
+
+void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
+  const auto cells = scene.path.cells();
+  const bool y_up = scene.space.map().frame().y_up;
+  for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
+    if (!glyphs.contains(cells[i]) || cells[i] == cells[i + 1]) continue;
+    glyphs[cells[i]] = arrow(drawn_direction(cells[i], cells[i + 1], y_up));
+  }
+}
+
+void append_row(std::string& text, std::span<const Glyph> row, bool colours) {
+  std::string_view colour;
+  for (const Glyph& glyph : row) {
+    const std::string_view wanted = colours ? ansi_of(glyph.meaning) : "";
+    if (wanted != colour) {
+      if (!colour.empty()) text += kReset;
+      text += wanted;
+      colour = wanted;
+    }
+    text += glyph.text;
+  }
+  if (!colour.empty()) text += kReset;
+  text += '\n';
+}
+
+void append_legend(std::string& text, const Grid<Glyph>& glyphs, bool colours) {
+  Meanings seen;
+  for (const Glyph& glyph : glyphs.values()) seen.set(index_of(glyph.meaning));
+  std::string_view gap;
+  for (const LegendEntry& entry : kLegend) {
+    if (!seen.test(index_of(entry.meaning))) continue;
+    const std::string_view colour = colours ? ansi_of(entry.meaning) : "";
+    text += gap;
+    text += colour;
+    text += entry.text;
+    if (!colour.empty()) text += kReset;
+    gap = "   ";
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+std::string text_picture(const Scene& scene, const TextStyle& style) {
+  Grid<Glyph> glyphs = glyphs_of(scene.space);
+  put_visited(scene, glyphs);
+  put_path(scene, glyphs);
+  put_start_and_goals(scene, glyphs);
+
+  std::string text;
+  for (int n = 0; n < glyphs.height(); ++n) {
+    append_row(text, std::as_const(glyphs).row(drawn_row(scene.space, n)), style.colours);
+  }
+  if (style.legend) append_legend(text, glyphs, style.colours);
+  return text;
+}
+
+bool fits_as_text(const GridMap& map, int columns, int rows) {
+  return map.width() <= columns && map.height() <= rows;
+}
+
+}  // namespace wend
