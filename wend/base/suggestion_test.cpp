@@ -1,0 +1,61 @@
+#include "wend/base/suggestion.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace wend {
+namespace {
+
+const std::vector<std::string> kPlanners{"bfs",      "dfs",   "greedy",
+                                         "dijkstra", "astar", "random_walk"};
+
+/// The edit distance as it is defined, by recursion.
+std::size_t edits(std::string_view a, std::string_view b) {
+  if (a.empty() || b.empty()) return std::max(a.size(), b.size());
+  if (a.front() == b.front()) return edits(a.substr(1), b.substr(1));
+  return 1 +
+         std::min({edits(a.substr(1), b), edits(a, b.substr(1)), edits(a.substr(1), b.substr(1))});
+}
+
+TEST(ClosestName, FindsMisspeltNames) {
+  EXPECT_EQ(closest_name("astr", kPlanners), "astar");
+  EXPECT_EQ(closest_name("a-star", kPlanners), "astar");
+  EXPECT_EQ(closest_name("djikstra", kPlanners), "dijkstra");
+  EXPECT_EQ(closest_name("randomwalk", kPlanners), "random_walk");
+  EXPECT_EQ(closest_name("bsf", std::vector<std::string>{"bfs"}), std::nullopt);  // two of three
+}
+
+TEST(ClosestName, FindsNothingWhereMoreThanAThirdDiffers) {
+  EXPECT_EQ(closest_name("theta", kPlanners), std::nullopt);
+  EXPECT_EQ(closest_name("", kPlanners), std::nullopt);
+  EXPECT_EQ(closest_name("astar", {}), std::nullopt);
+}
+
+TEST(ClosestName, TakesTheFirstOfEquallyNearNames) {
+  EXPECT_EQ(closest_name("mapx", std::vector<std::string>{"mapa", "mapb"}), "mapa");
+}
+
+RC_GTEST_PROP(ClosestName, HasTheLeastEditDistance, ()) {
+  const auto word = rc::gen::resize(6, rc::gen::container<std::string>(rc::gen::inRange('a', 'd')));
+  const auto typed = *word;
+  const auto names = *rc::gen::container<std::vector<std::string>>(word);
+  const auto near_enough = [&](const std::string& name) {
+    return 3 * edits(typed, name) <= std::max(typed.size(), name.size());
+  };
+  const auto closest = closest_name(typed, names);
+  if (!closest) {
+    RC_ASSERT(std::none_of(names.begin(), names.end(), near_enough));
+    return;
+  }
+  RC_ASSERT(std::count(names.begin(), names.end(), *closest) > 0);
+  RC_ASSERT(near_enough(*closest));
+  for (const std::string& name : names) {
+    if (near_enough(name)) RC_ASSERT(edits(typed, *closest) <= edits(typed, name));
+  }
+}
+
+}  // namespace
+}  // namespace wend
