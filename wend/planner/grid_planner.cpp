@@ -61,9 +61,10 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   return std::nullopt;
 }
 
-GridPlanner::GridPlanner(FreeSpace space, Parts parts)
+GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
     : Planner(std::move(space)),
-      parts_(std::move(parts)),
+      choose_parts_(std::move(choose_parts)),
+      parts_(choose_parts_(free_space())),
       engine_(parts_.make_engine(free_space())) {}
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
@@ -99,6 +100,7 @@ Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
 }
 
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
+  parts_ = choose_parts_(free_space());
   engine_ = parts_.make_engine(free_space());
 }
 

@@ -30,11 +30,14 @@ class GridPlanner final : public Planner {
 
   struct Parts {
     GridMoves moves;
-    EngineMaker make_engine;  // made anew for another FreeSpace
-    double bound;             // what Plan::bound says of every answer
+    EngineMaker make_engine;
+    double bound;  // what Plan::bound says of every answer
   };
 
-  GridPlanner(FreeSpace space, Parts parts);
+  /// Chosen anew for another FreeSpace.
+  using PartsChooser = std::function<Parts(const FreeSpace&)>;
+
+  GridPlanner(FreeSpace space, PartsChooser choose_parts);
 
   bool allocated() const { return engine_->allocated(); }
 
@@ -47,6 +50,7 @@ class GridPlanner final : public Planner {
 
   Status finish(SearchOutcome outcome, Plan& out) const;
 
+  PartsChooser choose_parts_;
   Parts parts_;
   std::unique_ptr<GridEngine> engine_;
   GridQuery cells_;
@@ -56,12 +60,13 @@ class GridPlanner final : public Planner {
 /// Makes a GridPlanner from options as text: `parts(space, options)` chooses its parts.
 template <class Options, class ChooseParts>
 PlannerResult make_grid_planner(const FreeSpace& space, const OptionValues& values,
-                                ChooseParts&& parts) {
+                                ChooseParts parts) {
   const auto options = parse_options<Options>(values);
   if (!options) {
     return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
   }
-  auto planner = std::make_unique<GridPlanner>(space, parts(space, *options));
+  auto planner = std::make_unique<GridPlanner>(
+      space, [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
   if (!planner->allocated()) {
     return Unexpected<PlannerError>(
         {Status::memory_limit, "no memory for the nodes of " +
