@@ -1,0 +1,289 @@
+// Holds every planner of the registry to what it promises, on thousands of random maps, against a
+// textbook Dijkstra that shares no code with wend. A new planner is tested by being listed.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/testing/trial.hpp"
+#include "wend/planner/observer.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr double kRelative = 1e-9;
+constexpr int kMaps = 3000;  // for each planner and test that walks random maps
+
+/// Checks a path by itself: valid step by step, with the cost that it claims.
+void expect_honest(const Plan& plan, const Textbook& textbook, const Errand& errand) {
+  const auto cells = plan.path.cells();
+  ASSERT_FALSE(cells.empty());
+  EXPECT_THAT(errand.goals, ::testing::Contains(cells.back()));
+  EXPECT_EQ(textbook.fault(cells, errand.start, cells.back()), "");
+  EXPECT_NEAR(plan.cost, textbook.cost_of(cells), kRelative * std::max(1.0, plan.cost));
+  EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
+  EXPECT_GE(plan.metrics.expanded, cells.size()) << "every cell of a path was expanded";
+}
+
+/// Checks a plan against what its planner promises.
+void expect_as_promised(const Plan& plan, const PlannerInfo& info, const Truth& truth) {
+  EXPECT_GE(plan.cost, truth.cost * (1 - kRelative)) << "cheaper than possible";
+  EXPECT_GE(plan.bound, 1);
+  if (plan.bound < Plan::kNoBound) {
+    EXPECT_LE(plan.cost, plan.bound * truth.cost * (1 + kRelative)) << "bound " << plan.bound;
+  }
+  if (info.promise == Promise::fewest_steps) {
+    EXPECT_EQ(static_cast<double>(plan.path.size() - 1), truth.steps);
+  }
+  if (info.promise == Promise::optimal) {
+    EXPECT_TRUE(plan.optimal());
+  }
+}
+
+void expect_true_answer(const PlannerInfo& info, Status status, const Plan& plan,
+                        const Textbook& textbook, const Truth& truth, const Errand& errand) {
+  if (status == Status::found) {
+    EXPECT_THAT(truth.failures, ::testing::IsEmpty()) << "found, though there is no path";
+    expect_honest(plan, textbook, errand);
+    expect_as_promised(plan, info, truth);
+    return;
+  }
+  EXPECT_TRUE(plan.path.empty());
+  EXPECT_EQ(plan.cost, kInfinite);
+  if (info.promise == Promise::none && status == Status::step_limit) return;
+  EXPECT_THAT(truth.failures, ::testing::Contains(status)) << to_string(status);
+}
+
+class Conformance : public ::testing::TestWithParam<std::string> {
+ protected:
+  const PlannerInfo& info() const { return *planners().find(GetParam()); }
+
+  /// A planner for a trial, or none where it says that it does not plan on terrain.
+  std::unique_ptr<Planner> make(const Trial& trial) const {
+    auto made = info().make(FreeSpace(trial.map, trial.robot), trial.options);
+    if (made) return *std::move(made);
+    const bool may_refuse = !trial.map.uniform_terrain() && !info().plans_on_terrain &&
+                            made.error().status == Status::unsupported_map;
+    EXPECT_TRUE(may_refuse) << made.error().message();
+    return nullptr;
+  }
+};
+
+TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= kMaps && !HasFailure(); ++seed) {
+    const Trial trial = random_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    const Textbook textbook = textbook_for(trial, info());
+    Random random(seed);
+    for (int i = 0; i < 4 && !HasFailure(); ++i) {
+      const Errand errand = random_errand(random, trial.map);
+      SCOPED_TRACE(text_of(errand));
+      Plan plan;
+      const Status status = planner->plan(errand.query(), plan);
+      found += status == Status::found ? 1 : 0;
+      expect_true_answer(info(), status, plan, textbook, truth_of(textbook, trial.map, errand),
+                         errand);
+    }
+  }
+  EXPECT_GT(found, kMaps / 2) << "too few paths to say anything";
+}
+
+/// All 512 maps of 3 x 3 cells, from the middle and from a corner to everywhere.
+TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
+  for (unsigned bits = 0; bits < 512 && !HasFailure(); ++bits) {
+    Grid<CellState> states(3, 3, CellState::free);
+    for (int i = 0; i < 9; ++i) {
+      if (((bits >> i) & 1U) != 0) states[{i % 3, i / 3}] = CellState::occupied;
+    }
+    Random random(bits);
+    const Trial trial{GridMap(states), {}, random_options(random, info().options)};
+    SCOPED_TRACE(text_of(trial, bits));
+    const auto planner = make(trial);
+    const Textbook textbook = textbook_for(trial, info());
+    for (int i = 0; i < 18; ++i) {
+      const Errand errand{i < 9 ? Cell{1, 1} : Cell{0, 0}, {{i % 3, i / 3 % 3}}};
+      SCOPED_TRACE(text_of(errand));
+      Plan plan;
+      const Status status = planner->plan(errand.query(), plan);
+      expect_true_answer(info(), status, plan, textbook, truth_of(textbook, trial.map, errand),
+                         errand);
+    }
+  }
+}
+
+/// Everything about an answer.
+struct Answer {
+  Status status = Status::found;
+  Plan plan;
+
+  friend bool operator==(const Answer& a, const Answer& b) {
+    return a.status == b.status && a.plan.path == b.plan.path && a.plan.cost == b.plan.cost &&
+           a.plan.bound == b.plan.bound && a.plan.metrics == b.plan.metrics;
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Answer& answer) {
+    return out << to_string(answer.status) << ", " << answer.plan.path.size() << " cells, cost "
+               << answer.plan.cost << ", bound " << answer.plan.bound << ", expanded "
+               << answer.plan.metrics.expanded << ", generated " << answer.plan.metrics.generated
+               << ", frontier " << answer.plan.metrics.max_frontier;
+  }
+};
+
+Answer answer_of(Planner& planner, const Query& query) {
+  Answer answer;
+  answer.status = planner.plan(query, answer.plan);
+  return answer;
+}
+
+TEST_P(Conformance, AReusedPlannerAnswersLikeAFreshOne) {
+  for (std::uint64_t seed = 1; seed <= 6 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const Trial trial{random_map(random, 20, 15), {}, random_options(random, info().options)};
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto reused = make(trial);
+    if (reused == nullptr) continue;
+    for (int i = 0; i < 50 && !HasFailure(); ++i) {
+      const Errand errand = random_errand(random, trial.map);
+      SCOPED_TRACE(text_of(errand));
+      const Answer fresh_answer = answer_of(*make(trial), errand.query());
+      EXPECT_EQ(answer_of(*reused, errand.query()), fresh_answer);
+    }
+  }
+}
+
+TEST_P(Conformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
+  std::unique_ptr<Planner> updated;
+  OptionValues options;
+  for (std::uint64_t seed = 1; seed <= 100 && !HasFailure(); ++seed) {
+    Trial trial = random_trial(seed, info());
+    if (updated == nullptr) options = trial.options;
+    trial.options = options;
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto fresh = make(trial);
+    if (fresh == nullptr) continue;
+    if (updated == nullptr) {
+      updated = make(trial);
+    } else {
+      updated->update(fresh->free_space());
+    }
+    Random random(seed);
+    for (int i = 0; i < 3; ++i) {
+      const Query query = random_errand(random, trial.map).query();
+      EXPECT_EQ(answer_of(*updated, query), answer_of(*fresh, query));
+    }
+    if (seed % 25 == 0) updated.reset();  // other options from here on
+  }
+}
+
+TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
+  class Watcher final : public SearchObserver {
+   public:
+    void on_generate(const SearchEvent&) override { ++generated; }
+    void on_expand(const SearchEvent&) override { ++expanded; }
+    void on_relax(const SearchEvent& event) override { EXPECT_TRUE(event.parent); }
+    std::uint64_t generated = 0;
+    std::uint64_t expanded = 0;
+  };
+  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+    const Trial trial = random_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    Random random(seed);
+    Query query = random_errand(random, trial.map).query();
+    const Answer answer = answer_of(*planner, query);
+
+    Watcher watcher;
+    query.observer = &watcher;
+    EXPECT_EQ(answer_of(*planner, query), answer);
+    EXPECT_EQ(watcher.generated, answer.plan.metrics.generated);
+    EXPECT_EQ(watcher.expanded, answer.plan.metrics.expanded);
+
+    query.observer = nullptr;
+    Answer stepped;
+    auto outcome = planner->begin(query, stepped.plan);
+    if (!info().can_step) {
+      EXPECT_TRUE(outcome.has_value() && *outcome != Status::found);
+      continue;
+    }
+    while (!outcome) outcome = planner->step(stepped.plan);
+    stepped.status = *outcome;
+    EXPECT_EQ(stepped, answer);
+  }
+}
+
+TEST_P(Conformance, AStartThatIsTheGoalIsAPathOfOneCell) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Trial trial = random_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    Random random(seed);
+    const Cell cell = random_cell(random, trial.map.width(), trial.map.height());
+    Plan plan;
+    const Status status = planner->plan(Query::between(cell, cell), plan);
+    if (!planner->free_space().passable(cell)) {
+      EXPECT_EQ(to_string(status), to_string(Status::start_blocked));
+      continue;
+    }
+    ASSERT_EQ(to_string(status), to_string(Status::found));
+    EXPECT_THAT(plan.path.cells(), ::testing::ElementsAre(cell));
+    EXPECT_EQ(plan.cost, 0);
+    EXPECT_EQ(plan.metrics, (SearchMetrics{1, 1, 1}));
+  }
+}
+
+TEST_P(Conformance, TakesItsDefaultsAndRefusesWhatIsOutOfRange) {
+  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
+  std::set<std::string> names;
+  for (const OptionInfo& option : info().options) {
+    SCOPED_TRACE(option.name);
+    EXPECT_NE(option.help, "");
+    EXPECT_TRUE(names.insert(option.name).second) << "two options of one name";
+    const auto made = make_planner(GetParam(), space, {{option.name, option.default_value}});
+    EXPECT_TRUE(made) << made.error().message();
+    for (const std::string& bad : bad_values(option)) {
+      const auto refused = make_planner(GetParam(), space, {{option.name, bad}});
+      ASSERT_FALSE(refused) << "it takes '" << bad << "'";
+      EXPECT_EQ(to_string(refused.error().status), to_string(Status::invalid_option));
+      EXPECT_THAT(refused.error().message(), ::testing::HasSubstr(option.name));
+    }
+  }
+  const auto unknown = make_planner(GetParam(), space, {{"no_such_option", "1"}});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(to_string(unknown.error().status), to_string(Status::invalid_option));
+}
+
+TEST_P(Conformance, SaysWhatItIs) {
+  EXPECT_NE(info().summary, "");
+  EXPECT_NE(info().citation, "");
+  EXPECT_NE(info().guarantee, "");
+  EXPECT_EQ(info().summary.find('\n'), std::string::npos);
+}
+
+/// A bound that is promised with consistent options is there with the defaults.
+TEST_P(Conformance, IsBoundedByDefaultIfItPromisesABound) {
+  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
+  const auto planner = make_planner(GetParam(), space);
+  ASSERT_TRUE(planner);
+  const auto plan = (*planner)->plan(Query::between({0, 0}, {0, 0}));
+  ASSERT_TRUE(plan);
+  const bool promised = info().promise >= Promise::bounded;
+  EXPECT_TRUE(!promised || plan->bound < Plan::kNoBound);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planners().names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend::test

@@ -1,0 +1,206 @@
+#pragma once
+
+// Textbook: what the rules of a grid say, by brute force, to check planners against. It shares no
+// code with what it checks: of wend it reads the states and terrain of a GridMap and nothing else.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <span>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/map/grid_map.hpp"
+
+namespace wend::test {
+
+struct Robot {
+  double radius = 0;  // cells
+  bool enters_unknown = false;
+};
+
+struct Rules {
+  bool diagonals = true;
+  int corners_cut = 0;  // how many of the two cells beside a diagonal step may be blocked
+};
+
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Distance between a closed interval [low, high] and a number.
+inline double distance_to_interval(double low, double high, double value) {
+  return std::max({low - value, value - high, 0.0});
+}
+
+/// Distance from a point to the closed unit square of a cell.
+inline double distance_to_square(double x, double y, Cell square) {
+  return std::hypot(distance_to_interval(square.x, square.x + 1, x),
+                    distance_to_interval(square.y, square.y + 1, y));
+}
+
+/// Distance from the segment between the centres of two neighbouring cells to the closed square of
+/// a third: the least over t of a convex function, by ternary search.
+inline double distance_to_square(Cell from, Cell to, Cell square) {
+  const auto at = [&](double t) {
+    return distance_to_square(from.x + 0.5 + t * (to.x - from.x),
+                              from.y + 0.5 + t * (to.y - from.y), square);
+  };
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double third = (high - low) / 3;
+    if (at(low + third) <= at(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return std::min({at(0), at(1), at((low + high) / 2)});
+}
+
+class Textbook {
+ public:
+  Textbook(const GridMap& map, Robot robot, Rules rules)
+      : map_(map), robot_(robot), rules_(rules), passable_(map.size()), edges_(map.size()) {
+    for_all_cells([&](Cell cell) { passable_[number(cell)] = far_from_obstacles(cell); });
+    for_all_cells([&](Cell cell) { find_edges(cell); });
+  }
+
+  bool passable(Cell cell) const { return map_.contains(cell) && passable_[number(cell)]; }
+
+  bool is_step(Cell from, Cell to) const {
+    if (!map_.contains(from) || !map_.contains(to)) return false;
+    const auto& edges = edges_[number(from)];
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](const Edge& edge) { return edge.to == number(to); });
+  }
+
+  /// Length times the mean of the two terrain multipliers.
+  double step_cost(Cell from, Cell to) const {
+    return std::hypot(from.x - to.x, from.y - to.y) * (map_.terrain(from) + map_.terrain(to)) / 2;
+  }
+
+  double cost_of(std::span<const Cell> path) const {
+    double cost = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) cost += step_cost(path[i - 1], path[i]);
+    return cost;
+  }
+
+  /// What is wrong with a path from one cell to another; empty if nothing is.
+  std::string fault(std::span<const Cell> path, Cell from, Cell to) const {
+    std::ostringstream what;
+    if (path.empty() || path.front() != from || path.back() != to) {
+      what << "the path does not join start and goal";
+    }
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (!passable(path[i])) what << "; (" << path[i].x << "," << path[i].y << ") is blocked";
+      if (i > 0 && !is_step(path[i - 1], path[i])) what << "; step " << i << " is not legal";
+    }
+    return what.str();
+  }
+
+  /// The cheapest cost from one cell to every cell (Dijkstra).
+  std::vector<double> costs_from(Cell start) const {
+    return spread(start, [](const Edge& edge) { return edge.cost; });
+  }
+
+  /// The fewest steps from one cell to every cell.
+  std::vector<double> steps_from(Cell start) const {
+    return spread(start, [](const Edge&) { return 1.0; });
+  }
+
+  std::size_t number(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(map_.width()) +
+           static_cast<std::size_t>(cell.x);
+  }
+
+ private:
+  struct Edge {
+    std::size_t to;
+    double cost;
+  };
+
+  template <class Visit>
+  void for_all_cells(Visit&& visit) const {
+    for (int y = 0; y < map_.height(); ++y) {
+      for (int x = 0; x < map_.width(); ++x) visit(Cell{x, y});
+    }
+  }
+
+  bool is_obstacle(Cell cell) const {
+    if (!map_.contains(cell)) return false;  // the outside keeps nobody away
+    const CellState state = map_.state(cell);
+    return state == CellState::occupied || (state == CellState::unknown && !robot_.enters_unknown);
+  }
+
+  /// Do all obstacles near `around` keep the robot's radius from what `distance` measures?
+  template <class Distance>
+  bool kept_clear(Cell around, Distance&& distance) const {
+    const int reach = static_cast<int>(std::ceil(robot_.radius)) + 2;
+    for (int y = around.y - reach; y <= around.y + reach; ++y) {
+      for (int x = around.x - reach; x <= around.x + reach; ++x) {
+        if (is_obstacle({x, y}) && distance(Cell{x, y}) < robot_.radius - 1e-7) return false;
+      }
+    }
+    return true;
+  }
+
+  bool far_from_obstacles(Cell cell) const {
+    return !is_obstacle(cell) && kept_clear(cell, [&](Cell square) {
+      return distance_to_square(cell.x + 0.5, cell.y + 0.5, square);
+    });
+  }
+
+  bool step_allowed(Cell from, Cell to) const {
+    if (!passable(from) || !passable(to)) return false;
+    if (from.x == to.x || from.y == to.y) return true;
+    if (!rules_.diagonals) return false;
+    const int blocked = (passable({from.x, to.y}) ? 0 : 1) + (passable({to.x, from.y}) ? 0 : 1);
+    if (blocked > rules_.corners_cut) return false;
+    return blocked == 0 || robot_.radius == 0 ||
+           kept_clear(from, [&](Cell square) { return distance_to_square(from, to, square); });
+  }
+
+  void find_edges(Cell from) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Cell to{from.x + dx, from.y + dy};
+        if (to == from || !step_allowed(from, to)) continue;
+        edges_[number(from)].push_back({number(to), step_cost(from, to)});
+      }
+    }
+  }
+
+  template <class Cost>
+  std::vector<double> spread(Cell start, Cost&& cost_of_edge) const {
+    std::vector<double> costs(map_.size(), kInfinite);
+    if (!passable(start)) return costs;
+    using Open = std::pair<double, std::size_t>;
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+    costs[number(start)] = 0;
+    open.emplace(0, number(start));
+    while (!open.empty()) {
+      const auto [cost, cell] = open.top();
+      open.pop();
+      if (cost > costs[cell]) continue;
+      for (const Edge& edge : edges_[cell]) {
+        const double other = cost + cost_of_edge(edge);
+        if (other >= costs[edge.to]) continue;
+        costs[edge.to] = other;
+        open.emplace(other, edge.to);
+      }
+    }
+    return costs;
+  }
+
+  GridMap map_;
+  Robot robot_;
+  Rules rules_;
+  std::vector<bool> passable_;
+  std::vector<std::vector<Edge>> edges_;
+};
+
+}  // namespace wend::test

@@ -1,0 +1,108 @@
+#pragma once
+
+// What the tests of planners are made of: trials (a map, a robot, options), errands (from where to
+// where) and the truth about them, which a textbook knows.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/random_options.hpp"
+#include "tests/testing/textbook.hpp"
+#include "wend/planner/planner_info.hpp"
+#include "wend/planner/query.hpp"
+
+namespace wend::test {
+
+/// A map, a robot and options for a planner, all from one seed.
+struct Trial {
+  GridMap map;
+  FreeSpaceOptions robot;
+  OptionValues options;
+};
+
+inline Trial random_trial(std::uint64_t seed, const PlannerInfo& info) {
+  Random random(seed);
+  GridMap map = random_map(random);
+  const FreeSpaceOptions robot = random_robot(random, map.frame().resolution);
+  return {map, robot, random_options(random, info.options)};
+}
+
+inline std::string text_of(const Trial& trial, std::uint64_t seed) {
+  std::ostringstream text;
+  text << "seed " << seed << ", radius " << trial.robot.robot_radius << " m, resolution "
+       << trial.map.frame().resolution << (trial.map.uniform_terrain() ? "" : ", terrain")
+       << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "")
+       << ", options: " << test::text_of(trial.options) << '\n'
+       << drawing_of(trial.map);
+  return text.str();
+}
+
+/// The rules that a planner with these options moves by; 8 neighbours where it has no such option.
+inline Textbook textbook_for(const Trial& trial, const PlannerInfo& info) {
+  const std::string corners = value_of("corner_rule", trial.options, info.options);
+  const Rules rules{.diagonals = value_of("connectivity", trial.options, info.options) != "4",
+                    .corners_cut = corners == "both"  ? 2
+                                   : corners == "one" ? 1
+                                                      : 0};
+  const Robot robot{.radius = trial.robot.robot_radius / trial.map.frame().resolution,
+                    .enters_unknown = trial.robot.unknown == UnknownPolicy::free};
+  return Textbook(trial.map, robot, rules);
+}
+
+/// Where a planner goes from and to in a test: cells that are mostly passable.
+struct Errand {
+  Cell start;
+  std::vector<Cell> goals;
+
+  Query query() const {
+    Query query{pose_at(start), {}};
+    for (const Cell goal : goals) query.goals.push_back(pose_at(goal));
+    return query;
+  }
+};
+
+inline std::string text_of(const Errand& errand) {
+  std::ostringstream text;
+  text << "(" << errand.start.x << "," << errand.start.y << ") to";
+  for (const Cell goal : errand.goals) text << " (" << goal.x << "," << goal.y << ")";
+  return text.str();
+}
+
+inline Errand random_errand(Random& random, const GridMap& map) {
+  Errand errand{random_cell_or_outside(random, map.width(), map.height()), {}};
+  for (int count = random.chance(0.8) ? 1 : random.between(2, 4); count > 0; --count) {
+    errand.goals.push_back(random_cell_or_outside(random, map.width(), map.height()));
+  }
+  return errand;
+}
+
+/// What the textbook says of an errand.
+struct Truth {
+  std::vector<Status> failures;  // if there is no path: the reason, one for each goal
+  double cost = kInfinite;       // of the cheapest path to any goal
+  double steps = kInfinite;      // of the shortest one
+};
+
+inline Truth truth_of(const Textbook& textbook, const GridMap& map, const Errand& errand) {
+  if (!map.contains(errand.start)) return {{Status::start_outside}};
+  if (!textbook.passable(errand.start)) return {{Status::start_blocked}};
+  const std::vector<double> costs = textbook.costs_from(errand.start);
+  const std::vector<double> steps = textbook.steps_from(errand.start);
+  Truth truth;
+  for (const Cell goal : errand.goals) {
+    if (!map.contains(goal)) {
+      truth.failures.push_back(Status::goal_outside);
+      continue;
+    }
+    truth.failures.push_back(textbook.passable(goal) ? Status::unreachable : Status::goal_blocked);
+    truth.cost = std::min(truth.cost, costs[textbook.number(goal)]);
+    truth.steps = std::min(truth.steps, steps[textbook.number(goal)]);
+  }
+  if (truth.cost < kInfinite) truth.failures.clear();
+  return truth;
+}
+
+}  // namespace wend::test
