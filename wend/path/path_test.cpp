@@ -1,0 +1,114 @@
+#include "wend/path/path.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/direction.hpp"
+
+namespace wend {
+namespace {
+
+/// A walk to neighbouring cells.
+std::vector<Cell> any_walk(int steps) {
+  std::vector<Cell> cells{{*rc::gen::inRange(-50, 50), *rc::gen::inRange(-50, 50)}};
+  for (int i = 0; i < steps; ++i) {
+    const auto direction = static_cast<Direction>(*rc::gen::inRange(0, kDirections));
+    cells.push_back(step(cells.back(), direction, false));
+  }
+  return cells;
+}
+
+RC_GTEST_PROP(Path, LengthIsTheSumOfItsSteps, ()) {
+  const std::vector<Cell> cells = any_walk(*rc::gen::inRange(0, 60));
+  double sum = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    sum += std::hypot(cells[i].x - cells[i - 1].x, cells[i].y - cells[i - 1].y);
+  }
+  RC_ASSERT(std::abs(Path(cells).length() - sum) < 1e-12 * (1 + sum));
+}
+
+RC_GTEST_PROP(Path, LengthIsTheSameBackwards, ()) {
+  Path path(any_walk(*rc::gen::inRange(0, 60)));
+  const double forwards = path.length();
+  path.reverse();
+  RC_ASSERT(path.length() == forwards);
+}
+
+TEST(Path, LengthCountsStepsExactly) {
+  // Added up one by one these would differ in the last digits from what is expected here.
+  std::vector<Cell> cells{{0, 0}};
+  for (int i = 1; i <= 1000; ++i) cells.push_back({i, i});
+  for (int i = 1; i <= 10; ++i) cells.push_back({1000 + i, 1000});
+  EXPECT_EQ(Path(cells).length(), 10 + 1000 * std::numbers::sqrt2);
+}
+
+TEST(Path, LengthOfFartherCellsIsTheirDistance) {
+  EXPECT_DOUBLE_EQ(Path({{0, 0}, {3, 4}, {3, 4}, {3, 5}}).length(), 6);
+  EXPECT_EQ(Path({{7, 7}}).length(), 0);
+  EXPECT_EQ(Path().length(), 0);
+}
+
+RC_GTEST_PROP(Path, PosesAreCellCentresThatHeadForTheNextOne, ()) {
+  const std::vector<Cell> cells = any_walk(*rc::gen::inRange(1, 40));
+  const std::vector<Pose> poses = Path(cells).poses();
+  RC_ASSERT(poses.size() == cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    RC_ASSERT(poses[i].point() == (Point{cells[i].x + 0.5, cells[i].y + 0.5}));
+    if (i + 1 == cells.size()) continue;
+    const double far = distance(poses[i].point(), poses[i + 1].point());
+    RC_ASSERT(std::abs(poses[i].x + far * std::cos(poses[i].heading) - poses[i + 1].x) < 1e-12);
+    RC_ASSERT(std::abs(poses[i].y + far * std::sin(poses[i].heading) - poses[i + 1].y) < 1e-12);
+  }
+  RC_ASSERT(poses.back().heading == poses[poses.size() - 2].heading);
+}
+
+TEST(Path, ASinglePoseHeadsAlongX) {
+  EXPECT_EQ(Path({{3, 4}}).poses(), (std::vector<Pose>{{3.5, 4.5, 0}}));
+  EXPECT_TRUE(Path().poses().empty());
+}
+
+TEST(Path, StandingStillKeepsTheHeading) {
+  const auto poses = Path({{0, 0}, {0, 1}, {0, 1}, {1, 1}}).poses();
+  EXPECT_DOUBLE_EQ(poses[0].heading, kPi / 2);
+  EXPECT_DOUBLE_EQ(poses[1].heading, kPi / 2);
+  EXPECT_DOUBLE_EQ(poses[2].heading, 0);
+}
+
+TEST(Path, PointsInMetresAreCellCentresInTheMapsFrame) {
+  const Path path({{0, 0}, {1, 1}, {2, 1}});
+  // Where y is drawn makes no difference to metres: the frame's origin is a corner of cell (0, 0).
+  for (const bool y_up : {false, true}) {
+    const Frame frame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = y_up, .metric = true};
+    EXPECT_EQ(path.points_in_metres(frame),
+              (std::vector<Point>{{-0.75, 2.25}, {-0.25, 2.75}, {0.25, 2.75}}));
+  }
+}
+
+TEST(Path, PointsInMetresTurnByTheYaw) {
+  const Frame frame{.resolution = 2, .origin = {10, 0, kPi / 2}, .y_up = true, .metric = true};
+  const auto points = Path({{0, 0}, {1, 0}}).points_in_metres(frame);
+  EXPECT_NEAR(points[0].x, 9, 1e-12);
+  EXPECT_NEAR(points[0].y, 1, 1e-12);
+  EXPECT_NEAR(points[1].x, 9, 1e-12);
+  EXPECT_NEAR(points[1].y, 3, 1e-12);
+}
+
+TEST(Path, IsWrittenCellByCell) {
+  Path path;
+  EXPECT_TRUE(path.empty());
+  path.append({1, 1});
+  path.append({2, 1});
+  path.reverse();
+  EXPECT_EQ(path, Path({{2, 1}, {1, 1}}));
+  EXPECT_EQ(path.size(), 2U);
+  EXPECT_EQ(path.cells().front(), (Cell{2, 1}));
+  path.clear();
+  EXPECT_TRUE(path.empty());
+}
+
+}  // namespace
+}  // namespace wend
