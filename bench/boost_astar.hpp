@@ -1,0 +1,33 @@
+#pragma once
+
+// BoostAStar: Boost.Graph's astar_search as its users write it, the yardstick of our benchmark.
+//
+// The grid is a compressed sparse row graph with one vertex a cell and no corner cutting, the
+// heuristic is octile, the search ends at the goal. Boost initialises every vertex at every query.
+
+#include <memory>
+
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
+
+namespace wend::bench {
+
+class BoostAStar {
+ public:
+  explicit BoostAStar(const FreeSpace& space);
+  ~BoostAStar();
+
+  struct Answer {
+    double cost;  // infinite if there is no path
+    std::uint64_t expanded;
+  };
+
+  /// Writes the path, if there is one.
+  Answer plan(Cell start, Cell goal, Path& path);
+
+ private:
+  struct Search;
+  std::unique_ptr<Search> search_;
+};
+
+}  // namespace wend::bench
