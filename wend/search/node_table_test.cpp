@@ -1,0 +1,104 @@
+#include "wend/search/node_table.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+namespace wend {
+namespace {
+
+constexpr StateId kStates = 20;
+
+static_assert(sizeof(NodeTable<std::uint32_t>::Node) == 8);
+static_assert(sizeof(NodeTable<std::uint64_t>::Node) == 16);
+static_assert(sizeof(NodeTable<double>::Node) == 16);
+
+TEST(NodeTable, HasReachedNothingAtFirst) {
+  NodeTable<int> table(kStates);
+  ASSERT_TRUE(table.allocated());
+  table.begin_search();
+  for (StateId id = 0; id < kStates; ++id) EXPECT_FALSE(table.reached(table[id]));
+}
+
+TEST(NodeTable, OpensClosesAndOpensAnew) {
+  NodeTable<int> table(kStates);
+  table.begin_search();
+  auto& node = table[3];
+  table.open(node, 42, 7);
+  EXPECT_TRUE(table.reached(node));
+  EXPECT_FALSE(node.closed());
+  EXPECT_EQ(node.g, 42);
+  EXPECT_EQ(node.arrival(), 7);
+  node.close();
+  EXPECT_TRUE(node.closed());
+  EXPECT_TRUE(table.reached(node));
+  EXPECT_EQ(node.arrival(), 7);
+  table.open(node, 41, kNoMove);
+  EXPECT_FALSE(node.closed());
+  EXPECT_EQ(node.g, 41);
+  EXPECT_EQ(node.arrival(), kNoMove);
+}
+
+TEST(NodeTable, EveryArrivalFits) {
+  NodeTable<int> table(kNoMove + 1U);
+  table.begin_search();
+  for (unsigned move = 0; move <= kNoMove; ++move) {
+    table.open(table[move], 0, static_cast<Move>(move));
+    EXPECT_EQ(table[move].arrival(), move);
+  }
+}
+
+/// A node that was reached when generation 1 came round first must not count when it comes again.
+TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
+  constexpr unsigned kBits = 2;
+  NodeTable<int, kBits> table(kStates);
+  for (StateId search = 0; search < 3U << kBits; ++search) {
+    table.begin_search();
+    for (StateId id = 0; id < kStates; ++id) {
+      ASSERT_FALSE(table.reached(table[id])) << "search " << search << ", state " << id;
+    }
+    table.open(table[search % kStates], 1, 0);
+    ASSERT_TRUE(table.reached(table[search % kStates]));
+  }
+}
+
+/// Any sequence of searches over any number of wraps, against a map that is emptied.
+template <unsigned kGenerationBits>
+void behaves_like_a_map() {
+  struct Known {
+    int g;
+    Move arrival;
+    bool closed;
+  };
+  NodeTable<int, kGenerationBits> table(kStates);
+  const auto searches = *rc::gen::inRange(1, 40);
+  for (int search = 0; search < searches; ++search) {
+    table.begin_search();
+    std::map<StateId, Known> model;
+    const auto ids =
+        *rc::gen::container<std::vector<StateId>>(rc::gen::inRange(StateId{0}, kStates));
+    for (const StateId id : ids) {
+      const auto g = *rc::gen::arbitrary<int>();
+      const auto arrival = *rc::gen::inRange<Move>(0, kNoMove + 1);
+      table.open(table[id], g, arrival);
+      model[id] = {g, arrival, *rc::gen::arbitrary<bool>()};
+      if (model[id].closed) table[id].close();
+    }
+    for (StateId id = 0; id < kStates; ++id) {
+      const auto known = model.find(id);
+      RC_ASSERT(table.reached(table[id]) == (known != model.end()));
+      if (known == model.end()) continue;
+      RC_ASSERT(table[id].g == known->second.g);
+      RC_ASSERT(table[id].arrival() == known->second.arrival);
+      RC_ASSERT(table[id].closed() == known->second.closed);
+    }
+  }
+}
+
+RC_GTEST_PROP(NodeTable, BehavesLikeAMap, ()) { behaves_like_a_map<27>(); }
+RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithTwoGenerations, ()) { behaves_like_a_map<1>(); }
+RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithEightGenerations, ()) { behaves_like_a_map<3>(); }
+
+}  // namespace
+}  // namespace wend
