@@ -5,8 +5,10 @@
 
 #include <cairo.h>
 
+#include <cstdint>
 #include <memory>
 
+#include "wend/map/grid.hpp"
 #include "wend/render/style.hpp"
 
 namespace wend {
@@ -18,6 +20,10 @@ struct CairoDeleter {
 
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDeleter>;
 using CairoContext = std::unique_ptr<cairo_t, CairoDeleter>;
+
+/// An RGB24 image of pixels of 0xRRGGBB. Cairo keeps sources longer than their users do, so it has
+/// its own copy.
+CairoSurface image_of(const Grid<std::uint32_t>& pixels);
 
 inline void set_source(cairo_t* context, const Colour& colour, double opacity = 1) {
   cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, opacity);

@@ -23,7 +23,7 @@ constexpr std::size_t kMostRectangles = 4000;  // about 50 bytes each in an SVG
 enum class MapForm { image, rectangles_if_few };
 
 void draw_map_image(cairo_t* context, const CellPaints& paints, const MapView& view) {
-  const CairoSurface image = map_image(paints, view.width, view.height, view.y_up);
+  const CairoSurface image = image_of(map_image(paints, view.width, view.height, view.y_up));
   cairo_set_source_surface(context, image.get(), view.left, view.top);
   cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_NEAREST);
   cairo_rectangle(context, view.left, view.top, view.width, view.height);

@@ -1,7 +1,5 @@
 #include "wend/render/footer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,7 +7,9 @@
 #include <vector>
 
 #include "wend/render/cell_paints.hpp"
+#include "wend/render/label_font.hpp"
 #include "wend/render/marks.hpp"
+#include "wend/render/scale_bar.hpp"
 
 namespace wend {
 namespace {
@@ -126,33 +126,18 @@ double draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const S
 
 }  // namespace
 
-ScaleBar scale_bar(const Frame& frame, double pixels_a_cell, double most) {
-  const double unit = frame.metric ? frame.resolution : 1;  // of a cell
-  const double pixels_a_unit = pixels_a_cell / unit;
-  const double longest = most / pixels_a_unit;
-  double length = std::pow(10, std::floor(std::log10(longest)));
-  for (const double factor : {5, 2}) {
-    if (length * factor <= longest) {
-      length *= factor;
-      break;
-    }
-  }
-  if (frame.metric) return {length, length * pixels_a_unit, fmt::format("{:g} m", length)};
-  length = std::max(1.0, length);
-  return {length, length * pixels_a_unit,
-          fmt::format("{:g} {}", length, length == 1 ? "cell" : "cells")};
-}
-
 void draw_footer(cairo_t* context, const Scene& scene, const PictureLayout& layout,
                  const Style& style) {
-  cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(context, kFontSize);
+  select_label_font(context, kFontSize);
   constexpr double kLeft = PictureLayout::kMargin;
   const double right = layout.width - PictureLayout::kMargin;
   const double middle =
       layout.view.top + layout.view.height + (PictureLayout::kMargin + PictureLayout::kFooter) / 2;
   const ScaleBar bar = scale_bar(scene.space.map().frame(), layout.view.scale(), kLongestBar);
-  const double used = draw_scale_bar(context, bar, {kLeft, middle}, style);
+  double used = 0;
+  if (bar.pixels < layout.width / 2.0) {  // a map of one cell needs none
+    used = draw_scale_bar(context, bar, {kLeft, middle}, style);
+  }
   draw_legend(context, items_of(scene, style), {right, middle}, right - kLeft - used - 2 * kItemGap,
               style);
 }

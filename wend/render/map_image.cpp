@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace wend {
@@ -50,18 +48,14 @@ void for_pixels_of(int index, int cells, int pixels, Visit&& visit) {
   }
 }
 
+/// Rows of cells come in, from the top; rows of pixels come out.
 class RowWriter {
  public:
-  RowWriter(cairo_surface_t* image, int width, int height)
-      : bytes_(cairo_image_surface_get_data(image)),
-        stride_(static_cast<std::size_t>(cairo_image_surface_get_stride(image))),
-        height_(height),
-        pixels_(static_cast<std::size_t>(width)),
-        sums_(static_cast<std::size_t>(width)) {}
+  explicit RowWriter(Grid<std::uint32_t>& image)
+      : image_(image), sums_(static_cast<std::size_t>(image.width())) {}
 
-  /// Rows of cells come in order, from the top.
   void add(const std::vector<Sum>& cells, int index, int count) {
-    for_pixels_of(index, count, height_, [&](int row, double area) {
+    for_pixels_of(index, count, image_.height(), [&](int row, double area) {
       if (row != row_) finish_row();
       row_ = row;
       for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i].add(cells[i], area);
@@ -69,19 +63,14 @@ class RowWriter {
   }
 
   void finish_row() {
-    std::transform(sums_.begin(), sums_.end(), pixels_.begin(),
+    std::transform(sums_.begin(), sums_.end(), image_.row(row_).begin(),
                    [](const Sum& sum) { return sum.pixel(); });
-    std::memcpy(bytes_ + static_cast<std::size_t>(row_) * stride_, pixels_.data(),
-                pixels_.size() * sizeof(std::uint32_t));
     std::fill(sums_.begin(), sums_.end(), Sum{});
   }
 
  private:
-  unsigned char* bytes_;
-  std::size_t stride_;
-  int height_;
+  Grid<std::uint32_t>& image_;
   int row_ = 0;
-  std::vector<std::uint32_t> pixels_;
   std::vector<Sum> sums_;
 };
 
@@ -98,18 +87,15 @@ void squeeze_row(const CellPaints& paints, int y, std::vector<Sum>& sums) {
 
 }  // namespace
 
-CairoSurface map_image(const CellPaints& paints, int width, int height, bool y_up) {
-  CairoSurface image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  if (cairo_surface_status(image.get()) != CAIRO_STATUS_SUCCESS) return image;
-  cairo_surface_flush(image.get());
-  RowWriter writer(image.get(), width, height);
+Grid<std::uint32_t> map_image(const CellPaints& paints, int width, int height, bool y_up) {
+  Grid<std::uint32_t> image(width, height);
+  RowWriter writer(image);
   std::vector<Sum> row(static_cast<std::size_t>(width));
   for (int n = 0; n < paints.height(); ++n) {
     squeeze_row(paints, y_up ? paints.height() - 1 - n : n, row);
     writer.add(row, n, paints.height());
   }
   writer.finish_row();
-  cairo_surface_mark_dirty(image.get());
   return image;
 }
 

@@ -4,13 +4,15 @@
 // pixel is the weighted mean of the cells under it by the area they share, so enlarging by a whole
 // number gives crisp squares.
 
-#include "wend/render/cairo_objects.hpp"
+#include <cstdint>
+
+#include "wend/map/grid.hpp"
 #include "wend/render/cell_paints.hpp"
 
 namespace wend {
 
-/// An RGB24 image, drawn as the source file looks; check its cairo status. O(cells + pixels), one
-/// row of pixels more than the image in memory.
-CairoSurface map_image(const CellPaints& paints, int width, int height, bool y_up);
+/// Pixels as 0xRRGGBB, drawn as the source file looks. O(cells + pixels), in the memory of the
+/// image and one more row.
+Grid<std::uint32_t> map_image(const CellPaints& paints, int width, int height, bool y_up);
 
 }  // namespace wend

@@ -112,9 +112,9 @@ bool on_map(const Scene& scene, Point point) {
 }  // namespace
 
 MarkSizes mark_sizes(double scale) {
-  const double line = std::clamp(0.2 * scale, 4.0, 9.0);
+  const double line = std::clamp(0.2 * scale, 3.5, 9.0);
   return {.line = line,
-          .halo = std::clamp(0.35 * line, 1.5, 3.0),
+          .halo = std::clamp(0.35 * line, 1.25, 3.0),
           .mark = std::clamp(0.3 * scale, 9.0, 18.0)};
 }
 

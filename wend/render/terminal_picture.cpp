@@ -30,6 +30,10 @@ using Owned = std::unique_ptr<T, ChafaDeleter>;
 // Chafa matches symbols on 8 x 8 pixels a character; an image of that size is not scaled again.
 constexpr int kSymbolPixels = 8;
 
+// More than any terminal has; less than what cairo refuses.
+constexpr int kMostCharacters = 400;  // across, and down
+constexpr int kMostPixels = 64;       // a character
+
 std::string_view variable(const char* const* environment, std::string_view name) {
   for (; *environment != nullptr; ++environment) {
     const std::string_view entry = *environment;
@@ -66,7 +70,8 @@ struct CharacterSize {
 
 CharacterSize character_size(const Terminal& terminal) {
   if (terminal.graphics == TerminalGraphics::half_blocks) return {1, 2};
-  return {std::max(1, terminal.cell_width), std::max(1, terminal.cell_height)};
+  return {std::clamp(terminal.cell_width, 1, kMostPixels),
+          std::clamp(terminal.cell_height, 1, kMostPixels)};
 }
 
 /// The map as large as fits; from that many pixels a cell on, in whole pixels.
@@ -93,7 +98,8 @@ CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int
   const CairoContext context(cairo_create(surface.get()));
   cairo_rectangle(context.get(), view.left, view.top, view.width, view.height);
   cairo_clip(context.get());
-  const CairoSurface map = map_image(CellPaints(scene, style), view.width, view.height, view.y_up);
+  const CairoSurface map =
+      image_of(map_image(CellPaints(scene, style), view.width, view.height, view.y_up));
   cairo_set_source_surface(context.get(), map.get(), view.left, view.top);
   cairo_paint(context.get());
   draw_marks(context.get(), scene, view, sizes, style);
@@ -125,10 +131,13 @@ Style suited(Style style, TerminalColours colours) {
   return style;
 }
 
-ChafaCanvasMode canvas_mode(TerminalColours colours) {
-  switch (colours) {
+ChafaCanvasMode canvas_mode(const Terminal& terminal) {
+  if (terminal.graphics == TerminalGraphics::kitty) return CHAFA_CANVAS_MODE_TRUECOLOR;
+  // A palette made for the picture would leave out the colours of small marks.
+  if (terminal.graphics == TerminalGraphics::sixel) return CHAFA_CANVAS_MODE_INDEXED_240;
+  switch (terminal.colours) {
     case TerminalColours::none:
-      return CHAFA_CANVAS_MODE_FGBG;
+      break;
     case TerminalColours::sixteen:
       return CHAFA_CANVAS_MODE_INDEXED_16;
     case TerminalColours::palette_256:
@@ -151,24 +160,18 @@ Owned<ChafaCanvasConfig> canvas_config(int columns, int rows, const Terminal& te
   chafa_canvas_config_set_geometry(config.get(), columns, rows);
   chafa_canvas_config_set_pixel_mode(config.get(), pixel_mode(terminal.graphics));
   chafa_canvas_config_set_preprocessing_enabled(config.get(), FALSE);
+  chafa_canvas_config_set_work_factor(config.get(), 1);
+  chafa_canvas_config_set_canvas_mode(config.get(), canvas_mode(terminal));
   if (terminal.graphics == TerminalGraphics::half_blocks) {
-    chafa_canvas_config_set_canvas_mode(config.get(), canvas_mode(terminal.colours));
     const Owned<ChafaSymbolMap> symbols(chafa_symbol_map_new());
     // Space, and the lower half: chafa names the halves by the axis along which they lie.
     const int tags = CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_VHALF;
     chafa_symbol_map_add_by_tags(symbols.get(), static_cast<ChafaSymbolTags>(tags));
     chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
   } else {
-    chafa_canvas_config_set_canvas_mode(config.get(), CHAFA_CANVAS_MODE_TRUECOLOR);
     chafa_canvas_config_set_cell_geometry(config.get(), character.width, character.height);
   }
   return config;
-}
-
-/// A terminal that has every sequence that any terminal has.
-Owned<ChafaTermInfo> all_sequences() {
-  return Owned<ChafaTermInfo>(
-      chafa_term_info_copy(chafa_term_db_get_fallback_info(chafa_term_db_get_default())));
 }
 
 std::string printed(cairo_surface_t* image, const ChafaCanvasConfig* config) {
@@ -177,7 +180,9 @@ std::string printed(cairo_surface_t* image, const ChafaCanvasConfig* config) {
       canvas.get(), CHAFA_PIXEL_BGRA8_PREMULTIPLIED, cairo_image_surface_get_data(image),
       cairo_image_surface_get_width(image), cairo_image_surface_get_height(image),
       cairo_image_surface_get_stride(image));
-  const Owned<ChafaTermInfo> sequences = all_sequences();
+  // A terminal that has every sequence; chafa hands over a new one each time.
+  const Owned<ChafaTermInfo> sequences(
+      chafa_term_db_get_fallback_info(chafa_term_db_get_default()));
   const Owned<GString> text(chafa_canvas_print(canvas.get(), sequences.get()));
   std::string result(text->str, text->len);
   if (!result.ends_with('\n')) result += '\n';
@@ -200,10 +205,11 @@ Terminal detect_terminal(const char* const* environment) {
 
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
                              const Style& style) {
-  columns = std::max(1, columns);
-  rows = std::max(1, rows);
-  if (terminal.graphics == TerminalGraphics::ascii) return ascii_picture(scene, columns, rows);
-
+  columns = std::clamp(columns, 1, kMostCharacters);
+  rows = std::clamp(rows, 1, kMostCharacters);
+  if (terminal.graphics == TerminalGraphics::ascii || terminal.colours == TerminalColours::none) {
+    return ascii_picture(scene, columns, rows);
+  }
   const CharacterSize character = character_size(terminal);
   const bool blocks = terminal.graphics == TerminalGraphics::half_blocks;
   const MapView view = fitted_view(scene.space.map(), columns * character.width,

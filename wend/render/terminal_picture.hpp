@@ -25,7 +25,7 @@ struct Terminal {
 };
 
 /// What the environment ("NAME=value", then a null pointer) tells about the terminal. ASCII without
-/// colours if NO_COLOR is set to anything, if TERM is missing or "dumb". Whether the output is a
+/// colours if NO_COLOR is set and not empty, or TERM is missing or "dumb". Whether the output is a
 /// terminal at all is the caller's to know.
 Terminal detect_terminal(const char* const* environment);
 

@@ -1,0 +1,127 @@
+#include "wend/render/terminal_picture.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "wend/render/text_map_test.hpp"
+
+namespace wend {
+namespace {
+
+Terminal detected(std::vector<const char*> environment) {
+  environment.push_back(nullptr);
+  return detect_terminal(environment.data());
+}
+
+TEST(DetectTerminal, ReadsTheEnvironment) {
+  EXPECT_EQ(detected({"TERM=xterm-kitty"}).graphics, TerminalGraphics::kitty);
+  EXPECT_EQ(detected({"TERM=mlterm"}).graphics, TerminalGraphics::sixel);
+  const Terminal plain = detected({"HOME=/", "TERM=xterm-256color", "COLORTERM=truecolor"});
+  EXPECT_EQ(plain.graphics, TerminalGraphics::half_blocks);
+  EXPECT_EQ(plain.colours, TerminalColours::true_colour);
+  EXPECT_EQ(detected({"TERM=screen"}).colours, TerminalColours::palette_256);
+  EXPECT_EQ(detected({"TERM=linux"}).colours, TerminalColours::sixteen);
+}
+
+TEST(DetectTerminal, TakesAsciiWhereNoColourIsWanted) {
+  const std::vector<std::vector<const char*>> environments{
+      {}, {"TERM=dumb"}, {"TERM="}, {"TERMINAL=xterm"}, {"TERM=xterm-kitty", "NO_COLOR=1"},
+  };
+  for (const auto& environment : environments) {
+    EXPECT_EQ(detected(environment).graphics, TerminalGraphics::ascii);
+    EXPECT_EQ(detected(environment).colours, TerminalColours::none);
+  }
+  EXPECT_EQ(detected({"TERM=xterm-kitty", "NO_COLOR="}).graphics, TerminalGraphics::kitty);
+}
+
+/// A room of 40 x 20 cells with a wall from below, a path over it, in blocks of 2 x 4 cells.
+Scene room() {
+  Grid<CellState> cells(40, 20);
+  for (int y = 4; y < 20; ++y) cells[{20, y}] = CellState::occupied;
+  for (int y = 16; y < 20; ++y) {
+    for (int x = 0; x < 8; ++x) cells[{x, y}] = CellState::unknown;
+  }
+  Scene scene{.space = FreeSpace(GridMap(cells))};
+  scene.path = Path({{2, 10}, {18, 2}, {22, 2}, {36, 18}});
+  scene.start = centre_of({2, 10});
+  scene.goals = {centre_of({36, 18})};
+  return scene;
+}
+
+TEST(TerminalPicture, IsPlainAsciiWithoutColours) {
+  EXPECT_EQ(terminal_picture(room(), 20, 10, {}), lines_of({
+                                                      ".......ooooo........",
+                                                      "...ooooo..#.oo......",
+                                                      ".Soo......#..ooo....",
+                                                      "..........#....oo...",
+                                                      "????......#......oG.",
+                                                  }));
+}
+
+TEST(TerminalPicture, KeepsThinWallsAndThePathInAFewCharacters) {
+  EXPECT_EQ(terminal_picture(room(), 10, 10, {}), lines_of({
+                                                      ".oooooo...",
+                                                      "So...#ooo.",
+                                                      "??...#..oG",
+                                                  }));
+}
+
+TEST(TerminalPicture, DrawsHalfBlocksInTwoColours) {
+  const Scene scene{.space = FreeSpace(map_of({"#.", ".#", "##", "##"}))};
+  const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};
+  const std::string picture = terminal_picture(scene, 2, 2, terminal);
+  EXPECT_EQ(std::count(picture.begin(), picture.end(), '\n'), 2);
+  EXPECT_NE(picture.find("▄"), std::string::npos);
+  EXPECT_NE(picture.find("2;43;45;51"), std::string::npos) << "the colour of obstacles";
+  EXPECT_NE(picture.find("2;255;255;255"), std::string::npos) << "the colour of free cells";
+}
+
+TEST(TerminalPicture, KeepsMarksApartInSixteenColours) {
+  Grid<CellState> cells(1000, 1000);
+  Scene scene{.space = FreeSpace(GridMap(cells))};
+  scene.path = Path({{100, 100}, {100, 900}, {900, 900}});
+  scene.start = Point{100, 100};
+  scene.goals = {Point{900, 900}};
+  const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::sixteen};
+  const std::string picture = terminal_picture(scene, 60, 30, terminal);
+  for (const char* background : {"42", "94", "101"}) {
+    EXPECT_NE(picture.find(background), std::string::npos) << background;
+  }
+}
+
+TEST(TerminalPicture, SpeaksSixelAndKitty) {
+  const std::string sixel =
+      terminal_picture(room(), 20, 10, {TerminalGraphics::sixel, TerminalColours::true_colour});
+  EXPECT_TRUE(sixel.starts_with("\x1bP"));
+  EXPECT_TRUE(sixel.ends_with("\x1b\\\n"));
+  const std::string kitty =
+      terminal_picture(room(), 20, 10, {TerminalGraphics::kitty, TerminalColours::true_colour});
+  EXPECT_TRUE(kitty.starts_with("\x1b_G"));
+  EXPECT_TRUE(kitty.ends_with("\x1b\\\n"));
+}
+
+RC_GTEST_PROP(TerminalPicture, StaysWithinColumnsAndRows, ()) {
+  const int width = *rc::gen::inRange(1, 300);
+  const int height = *rc::gen::inRange(1, 300);
+  const int columns = *rc::gen::inRange(0, 120);
+  const int rows = *rc::gen::inRange(0, 60);
+  const auto colours = *rc::gen::element(TerminalColours::none, TerminalColours::true_colour);
+  const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height)))};
+  const Terminal terminal{TerminalGraphics::half_blocks, colours};
+  std::istringstream lines(terminal_picture(scene, columns, rows, terminal));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    if (colours == TerminalColours::none) {
+      RC_ASSERT(static_cast<int>(line.size()) <= std::max(1, columns));
+    }
+  }
+  RC_ASSERT(count >= 1);
+  RC_ASSERT(count <= std::max(1, rows));
+}
+
+}  // namespace
+}  // namespace wend
