@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -91,13 +92,12 @@ class MapYamlReader {
   }
 
   Result check_keys() {
-    std::vector<std::string> seen;
+    std::set<std::string> seen;
     for (const auto& entry : root_) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-      if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+      if (!seen.insert(key).second) {
         return failure(entry.first, fmt::format("duplicate key {}", quote(key)));
       }
-      seen.push_back(key);
       if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
         notes_.push_back(fmt::format("unknown key {} in the map.yaml is ignored", quote(key)));
       }

@@ -1,0 +1,78 @@
+#pragma once
+
+// What the tests of this folder share.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "wend/io/io_error.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+
+/// A folder that is there for one test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(std::filesystem::path(testing::TempDir()) / name()) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(std::string_view file) const { return path_ / file; }
+
+  std::filesystem::path write(std::string_view file, std::string_view bytes) const {
+    std::ofstream(path_ / file, std::ios::binary) << bytes;
+    return path_ / file;
+  }
+
+ private:
+  static std::string name() {
+    static int count = 0;
+    return "wend_io_test_" + std::to_string(getpid()) + "_" + std::to_string(count++);
+  }
+
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The folder with the shared data; empty where there is none.
+inline std::filesystem::path data_folder() { return WEND_DATA; }
+
+/// The cells, row 0 first: '.' free, '#' occupied, '?' unknown.
+inline std::string cells_of(const GridMap& map) {
+  std::string text;
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const CellState state = map.state({x, y});
+      text += state == CellState::free ? '.' : state == CellState::occupied ? '#' : '?';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// "file:line: what" of what was expected to fail, "no error" if it did not.
+template <class T>
+std::string error_of(const Expected<T, IoError>& result) {
+  return result ? "no error" : result.error().message();
+}
+
+template <class T>
+std::string error_of(const Expected<T, std::string>& result) {
+  return result ? "no error" : result.error();
+}
+
+}  // namespace wend
