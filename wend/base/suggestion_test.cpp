@@ -38,10 +38,19 @@ TEST(ClosestName, TakesTheFirstOfEquallyNearNames) {
   EXPECT_EQ(closest_name("mapx", std::vector<std::string>{"mapa", "mapb"}), "mapa");
 }
 
+/// A word with a letter put in, taken out, or changed.
+std::string misspelt(std::string word) {
+  const auto at = *rc::gen::inRange<std::size_t>(0, word.size() + 1);
+  const auto change = *rc::gen::inRange(0, 3);
+  if (at < word.size() && change != 0) word.erase(at, 1);
+  if (change != 1) word.insert(at, 1, 'x');
+  return word;
+}
+
 RC_GTEST_PROP(ClosestName, HasTheLeastEditDistance, ()) {
-  const auto word = rc::gen::resize(6, rc::gen::container<std::string>(rc::gen::inRange('a', 'd')));
-  const auto typed = *word;
-  const auto names = *rc::gen::container<std::vector<std::string>>(word);
+  const auto word = rc::gen::resize(7, rc::gen::container<std::string>(rc::gen::inRange('a', 'd')));
+  const auto names = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(word));
+  const auto typed = misspelt(*rc::gen::elementOf(names));
   const auto near_enough = [&](const std::string& name) {
     return 3 * edits(typed, name) <= std::max(typed.size(), name.size());
   };
