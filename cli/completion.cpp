@@ -1,0 +1,99 @@
+// wend completion: scripts that complete wend's command line in a shell.
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "completion_scripts.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+namespace {
+
+enum class Shell { bash, zsh, fish };
+
+constexpr const char* kExamples = R"(Examples:
+  wend completion bash > ~/.local/share/bash-completion/completions/wend
+  wend completion zsh > "${fpath[1]}/_wend"
+  wend completion fish > ~/.config/fish/completions/wend.fish
+  source <(wend completion bash)    # for this shell only)";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char letter : text) {
+    if (letter == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
+
+/// The words that complete a value of that type; none where files do, or nothing.
+std::vector<std::string> words_of(const std::string& type) {
+  if (type == kPlannerType) return planners().names();
+  if (type == kGeneratorType) return generators().names();
+  return type.find('|') == std::string::npos ? std::vector<std::string>{} : split(type, '|');
+}
+
+Argument argument_of(const CLI::Option& option) {
+  Argument argument;
+  for (const std::string& name : option.get_snames()) argument.flags.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) argument.flags.push_back("--" + name);
+  argument.help = option.get_description();
+  argument.help.erase(std::min(argument.help.find_first_of("\n;("), argument.help.size()));
+  argument.takes_value = option.get_type_size() > 0;
+  argument.words = words_of(option.get_type_name());
+  argument.is_file = option.get_type_name() == kFileType;
+  return argument;
+}
+
+std::vector<Subcommand> subcommands_of(const CLI::App& app) {
+  std::vector<Subcommand> subcommands;
+  for (const CLI::App* each : app.get_subcommands({})) {
+    Subcommand subcommand{each->get_name(), each->get_description(), {}, {}};
+    for (const CLI::Option* option : each->get_options()) {
+      (option->nonpositional() ? subcommand.flags : subcommand.positionals)
+          .push_back(argument_of(*option));
+    }
+    subcommands.push_back(std::move(subcommand));
+  }
+  return subcommands;
+}
+
+int run(const CLI::App& app, Shell shell) {
+  const std::vector<Subcommand> subcommands = subcommands_of(app);
+  switch (shell) {
+    case Shell::bash:
+      print(bash_completion(subcommands));
+      break;
+    case Shell::zsh:
+      print(zsh_completion(subcommands));
+      break;
+    case Shell::fish:
+      print(fish_completion(subcommands));
+      break;
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_completion(CLI::App& app) {
+  CLI::App& completion =
+      *app.add_subcommand("completion", "Print a script that completes wend in a shell");
+  const auto shell = std::make_shared<Shell>(Shell::bash);
+  add_choice<Shell>(completion, "SHELL", *shell,
+                    {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}},
+                    "The shell")
+      ->required();
+  completion.footer(kExamples);
+  return {&completion, [&app, shell] { return run(app, *shell); }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+// Completion scripts for shells, from what the program's subcommands take.
+
+#include <string>
+#include <vector>
+
+namespace wend::cli {
+
+/// A flag or a positional argument.
+struct Argument {
+  std::vector<std::string> flags;  // every spelling, dashes included
+  std::string help;                // a few words
+  bool takes_value = false;
+  std::vector<std::string> words;  // that the value can be; none: anything
+  bool is_file = false;
+};
+
+struct Subcommand {
+  std::string name;
+  std::string help;
+  std::vector<Argument> flags;
+  std::vector<Argument> positionals;
+};
+
+std::string bash_completion(const std::vector<Subcommand>& subcommands);
+std::string zsh_completion(const std::vector<Subcommand>& subcommands);
+std::string fish_completion(const std::vector<Subcommand>& subcommands);
+
+}  // namespace wend::cli

@@ -1,0 +1,102 @@
+#include "coordinates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "exit_code.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend::cli {
+namespace {
+
+// Places so far away that no cell has their number are as much outside as this cell.
+constexpr Cell kFarOutside{-1, -1};
+
+/// The two finite numbers of "X,Y".
+std::optional<Point> parse_point(std::string_view typed) {
+  const std::size_t comma = typed.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto x = parse_number(typed.substr(0, comma));
+  const auto y = parse_number(typed.substr(comma + 1));
+  if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
+  return Point{*x, *y};
+}
+
+bool is_whole(double number) { return number == std::floor(number); }
+
+bool fits_cell(double number) {
+  return std::abs(number) <= static_cast<double>(std::numeric_limits<int>::max());
+}
+
+/// Four digits after the point are a tenth of a millimetre.
+std::string metres(Point point) {
+  const auto rounded = [](double value) {
+    return format_number(std::round(value * 1e4) / 1e4 + 0.0);
+  };
+  return rounded(point.x) + "," + rounded(point.y) + " m";
+}
+
+}  // namespace
+
+Place Coordinates::parse(const std::string& name, const std::string& typed) const {
+  const auto point = parse_point(typed);
+  if (!point) {
+    throw InputError(fmt::format("--{}: {} is not two numbers X,Y", name, quote(typed)));
+  }
+  if (metric_) {
+    const Cell cell = frame_.cell_at(*point).value_or(kFarOutside);
+    return {name, cell, fmt::format("{} (cell {},{})", metres(*point), cell.x, cell.y)};
+  }
+  if (!is_whole(point->x) || !is_whole(point->y)) {
+    throw InputError(fmt::format("--{}: {} is not a cell: cells are counted in whole numbers{}",
+                                 name, quote(typed),
+                                 frame_.metric ? "; without --cells, X,Y are metres" : ""));
+  }
+  if (!fits_cell(point->x) || !fits_cell(point->y)) return {name, kFarOutside, "(" + typed + ")"};
+  const Cell cell{static_cast<int>(point->x), static_cast<int>(point->y)};
+  return {name, cell, cell_text(cell)};
+}
+
+std::string Coordinates::text(Cell cell) const {
+  if (!metric_) return cell_text(cell);
+  return fmt::format("{} (cell {},{})", metres(frame_.to_metres(centre_of(cell))), cell.x, cell.y);
+}
+
+std::string Coordinates::length(double cells) const {
+  if (metric_) return fmt::format("{:.3g} m", cells * frame_.resolution);
+  return fmt::format("{:.4g} {}", cells, cells == 1 ? "cell" : "cells");
+}
+
+std::string Coordinates::area(std::size_t cells) const {
+  const std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
+  if (!frame_.metric) return count;
+  const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
+  return fmt::format("{} ({:.4g} m2)", count, area);
+}
+
+std::string Coordinates::extent() const {
+  if (!metric_) return fmt::format("x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
+  const double right = width_;
+  const double top = height_;
+  const std::array<Point, 4> corners{
+      frame_.to_metres(Point{0, 0}), frame_.to_metres(Point{right, 0}),
+      frame_.to_metres(Point{right, top}), frame_.to_metres(Point{0, top})};
+  if (frame_.origin.heading == 0) {
+    return fmt::format("x from {:.6g} to {:.6g} m and y from {:.6g} to {:.6g} m", corners[0].x,
+                       corners[2].x, corners[0].y, corners[2].y);
+  }
+  return fmt::format(
+      "the rectangle {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} m",
+      corners[0].x, corners[0].y, corners[1].x, corners[1].y, corners[2].x, corners[2].y,
+      corners[3].x, corners[3].y);
+}
+
+std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
+
+}  // namespace wend::cli

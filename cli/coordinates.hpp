@@ -1,0 +1,64 @@
+#pragma once
+
+// Coordinates as people type and read them: metres in the map's frame for maps that have a
+// resolution, cells for the others and with --cells.
+
+#include <string>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend::cli {
+
+/// A place that was typed: which cell it names.
+struct Place {
+  std::string name;  // "start", "goal"
+  Cell cell;         // may lie outside the map
+  std::string text;  // "(3,4)" or "1.25,3.4 m (cell 25,68)"
+};
+
+class Coordinates {
+ public:
+  Coordinates(const GridMap& map, bool cells)
+      : frame_(map.frame()),
+        width_(map.width()),
+        height_(map.height()),
+        metric_(frame_.metric && !cells) {}
+
+  /// Does the user count in metres?
+  bool metric() const { return metric_; }
+
+  /// "X,Y": a place in the map's frame, or a cell. Throws InputError for any other text.
+  Place parse(const std::string& name, const std::string& typed) const;
+
+  /// A cell as the user counts.
+  std::string text(Cell cell) const;
+
+  /// A length given in cells: "2.83 cells" or "0.14 m".
+  std::string length(double cells) const;
+
+  /// A number of cells as an area: "57 cells", and "(0.14 m2)" where the map has metres.
+  std::string area(std::size_t cells) const;
+
+  /// What the map covers: "x from 0 to 9 and y from 0 to 4".
+  std::string extent() const;
+
+  /// A radius in the user's units, in metres.
+  double radius_in_metres(double radius) const {
+    return metric_ ? radius : radius * frame_.resolution;
+  }
+
+ private:
+  Cell cell_at(Point metres) const;
+
+  Frame frame_;
+  int width_;
+  int height_;
+  bool metric_;
+};
+
+/// "(3,4)"
+std::string cell_text(Cell cell);
+
+}  // namespace wend::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+// What the program returns, and the exception that stands for "bad usage or input".
+
+#include <stdexcept>
+
+namespace wend::cli {
+
+enum ExitCode : int {
+  kSuccess = 0,
+  kNoPlan = 1,    // there is no plan, or a benchmark found wrong answers
+  kBadInput = 2,  // bad usage or input: nothing was planned
+};
+
+/// Ends a subcommand with kBadInput. what() is one line for people.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+// Why there is no plan, in words: which cell, why, how far, how large.
+
+#include <string>
+
+#include "coordinates.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/base/status.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/planner/plan.hpp"
+
+namespace wend::cli {
+
+/// Where a query goes from and to.
+struct Ends {
+  Place start;
+  Place goal;
+};
+
+class Explainer {
+ public:
+  /// `adjacency`: which cells the robot's moves connect. All must outlive the explainer.
+  Explainer(const FreeSpace& space, const Coordinates& coordinates, Adjacency adjacency)
+      : space_(space), coordinates_(coordinates), adjacency_(adjacency) {}
+
+  /// Why a query failed, in one or more sentences.
+  std::string explain(Status status, const Ends& ends, const Limits& limits,
+                      const SearchMetrics& metrics) const;
+
+  /// "the start (3,4) lies outside the map, which covers ..."
+  std::string outside(const Place& place) const;
+
+  /// "the start (3,4) is blocked: it lies on an obstacle"
+  std::string blocked(const Place& place) const;
+
+  /// What a region that a cell belongs to measures: "57 cells (0.14 m2)".
+  std::string region(Cell cell) const;
+
+ private:
+  std::string blocked_end(const Place& place, const Place& other) const;
+  std::string nearest(const Place& place, const Place& other) const;
+  std::string unreachable(const Ends& ends) const;
+  std::string why(const Place& place, BlockReason reason) const;
+
+  const FreeSpace& space_;
+  const Coordinates& coordinates_;
+  Adjacency adjacency_;
+};
+
+/// Why a search was stopped: "gave up after 1000 expansions, the limit".
+std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics);
+
+}  // namespace wend::cli

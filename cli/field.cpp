@@ -1,0 +1,205 @@
+// wend field: the cost to one goal, or to the nearest of several, from everywhere.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "explain.hpp"
+#include "field_text.hpp"
+#include "flags.hpp"
+#include "limit_arguments.hpp"
+#include "map_arguments.hpp"
+#include "option_flags.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "plan_text.hpp"
+#include "terminal.hpp"
+#include "wend/io/write_file.hpp"
+#include "wend/planner/cost_to_go.hpp"
+#include "wend/report/field_report.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct FieldArguments {
+  MapArguments map;
+  std::vector<std::string> goals;
+  std::vector<std::string> starts;
+  OptionFlags options{"field"};
+  LimitArguments limits;
+  bool grid = false;
+  Format format = Format::text;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend field grid.txt --goal 9,9
+  wend field grid.txt --goal 9,9 --start 0,0 --start 0,9
+  wend field office.yaml --goal 14.5,8 --robot-radius 0.25 --start 1,1 --format json
+  wend field grid.txt --goal 0,0 --goal 9,9 -o field.csv
+
+One search from the goal gives every cell's cost to it, the best path from each start without
+searching again, and the policy: which way to move in every cell. Small maps show both.
+Exit codes: 0 a path from every start, 1 not so (standard error says why), 2 bad usage or
+input.)";
+
+/// One field, from the arguments to its report.
+class FieldRun {
+ public:
+  FieldRun(const FieldArguments& arguments, GridMoves moves, FreeSpace space)
+      : arguments_(arguments),
+        moves_(moves),
+        space_(std::move(space)),
+        coordinates_(arguments.map.coordinates(space_.map())),
+        explainer_(space_, coordinates_, moves_.adjacency()) {
+    for (const auto& typed : arguments.goals) goals_.push_back(coordinates_.parse("goal", typed));
+    for (const auto& typed : arguments.starts) {
+      starts_.push_back(coordinates_.parse("start", typed));
+    }
+    for (const Place& goal : goals_) report_.goals.push_back(goal.cell);
+  }
+
+  void make();
+  ExitCode report() const;
+
+ private:
+  void take_path(const Place& start);
+  std::string explain_goals(const Limits& limits, const SearchMetrics& metrics) const;
+  std::string explain_start(Status status, const Place& start) const;
+  void write_files() const;
+  std::string json() const;
+
+  const FieldArguments& arguments_;
+  GridMoves moves_;
+  FreeSpace space_;
+  Coordinates coordinates_;
+  Explainer explainer_;
+  std::vector<Place> goals_;
+  std::vector<Place> starts_;
+  std::optional<CostToGo> field_;
+  FieldReport report_;
+};
+
+void FieldRun::make() {
+  ProgressBar progress("costs", space_.passable().count());
+  const Limits limits = arguments_.limits.limits(progress);
+  const double begin = steady_seconds();
+  auto field = CostToGo::make(space_, report_.goals, moves_, limits);
+  report_.seconds = steady_seconds() - begin;
+  if (!field) {
+    report_.status = field.error().status;
+    report_.metrics = field.error().metrics;
+    report_.reason = explain_goals(limits, report_.metrics);
+    return;
+  }
+  field_ = *std::move(field);
+  report_.metrics = field_->metrics();
+  for (const Place& start : starts_) take_path(start);
+}
+
+void FieldRun::take_path(const Place& start) {
+  auto plan = field_->path_from(start.cell);
+  FieldStart from{start.cell, {}};
+  if (plan) {
+    from.result.plan = *std::move(plan);
+  } else {
+    from.result.status = plan.error().status;
+    from.result.reason = explain_start(plan.error().status, start);
+  }
+  report_.starts.push_back(std::move(from));
+}
+
+std::string FieldRun::explain_goals(const Limits& limits, const SearchMetrics& metrics) const {
+  for (const Place& goal : goals_) {
+    const std::string text = explainer_.blocked(goal);
+    if (!text.empty()) return text;
+  }
+  return explain_limit(report_.status, limits, metrics);
+}
+
+std::string FieldRun::explain_start(Status status, const Place& start) const {
+  if (status != Status::unreachable) return explainer_.blocked(start);
+  return fmt::format("no path joins start {} and {}: the start's region has {}, the goal's has {}",
+                     start.text, goals_.size() == 1 ? "goal " + goals_[0].text : "any goal",
+                     explainer_.region(start.cell), explainer_.region(goals_[0].cell));
+}
+
+std::string FieldRun::json() const {
+  const bool with_grid = arguments_.grid && field_;
+  return field_json(report_, space_.map().frame(), with_grid ? &*field_ : nullptr);
+}
+
+void FieldRun::write_files() const {
+  const auto write = [](const std::string& file, const std::string& text) {
+    const auto written = write_file(file, text);
+    return written ? std::string() : written.error().message();
+  };
+  std::map<std::string, FileWriter> writers{
+      {".json", [&](const std::string& file) { return write(file, json()); }}};
+  if (field_) {
+    writers[".csv"] = [&](const std::string& file) { return write(file, field_csv(*field_)); };
+  }
+  arguments_.output.write(writers);
+}
+
+ExitCode FieldRun::report() const {
+  if (arguments_.format == Format::json) {
+    print(json());
+  } else if (field_) {
+    print(field_text(*field_, space_, report_, detect_screen()));
+  }
+  write_files();
+  ExitCode code = kSuccess;
+  const auto fail = [&code](Status status, const std::string& reason) {
+    if (status == Status::found) return;
+    complain(reason);
+    code = kNoPlan;
+  };
+  fail(report_.status, report_.reason);
+  for (const FieldStart& start : report_.starts) fail(start.result.status, start.result.reason);
+  return code;
+}
+
+int run(const FieldArguments& arguments) {
+  arguments.output.check();
+  const auto moves = parse_options<GridMoves>(arguments.options.values_for("field"));
+  if (!moves) throw InputError(moves.error().message());
+  const LoadedMap loaded = arguments.map.load();
+  FieldRun run(arguments, *moves, arguments.map.free_space(loaded.map));
+  run.make();
+  return run.report();
+}
+
+}  // namespace
+
+Command add_field(CLI::App& app) {
+  CLI::App& field = *app.add_subcommand(
+      "field", "Compute the cost to a goal from every cell, and which way to move");
+  const auto arguments = std::make_shared<FieldArguments>();
+  arguments->map.add_to(field);
+  add_texts(field, "--goal", arguments->goals,
+            "Where to go: metres or cells as in `wend plan`; the nearest of several counts")
+      ->required()
+      ->type_name("X,Y");
+  add_texts(field, "--start", arguments->starts,
+            "Print the best path from here; may be given several times")
+      ->type_name("X,Y");
+  field.add_flag("--grid", arguments->grid,
+                 wrapped("Put the cost and the move of every cell into the JSON"));
+  arguments->limits.add_to(field);
+  add_format(field, arguments->format);
+  arguments->output.add_to(
+      field, {".csv", ".json"},
+      "Also write x,y,cost,move of every cell (.csv) or the JSON; may be given "
+      "several times");
+  arguments->options.collect("field", option_schema<GridMoves>());
+  arguments->options.add_to(field);
+  field.footer(kExamples);
+  return {&field, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,85 @@
+#include "flags.hpp"
+
+#include <CLI/Error.hpp>
+#include <cmath>
+
+#include "wend/base/parse.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::size_t kHelpWidth = 66;
+
+template <class Value>
+CLI::Option* add_number_to(CLI::App& app, const std::string& flags, Value& value, OptionRange range,
+                           const std::string& help) {
+  const auto assign = [flags, range, &value](const std::string& text) {
+    double number = 0;
+    const std::string wrong = option_text::parse(text, number, range);
+    if (!wrong.empty()) refuse_value(flags, wrong);
+    value = number;
+  };
+  return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name("NUMBER");
+}
+
+}  // namespace
+
+void add_format(CLI::App& app, Format& format) {
+  add_choice<Format>(app, "--format", format, {{"text", Format::text}, {"json", Format::json}},
+                     "Results for people (the default) or for programs");
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& flags, double& value, OptionRange range,
+                        const std::string& help) {
+  return add_number_to(app, flags, value, range, help);
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& flags, std::optional<double>& value,
+                        OptionRange range, const std::string& help) {
+  return add_number_to(app, flags, value, range, help);
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& flags, std::uint64_t& value,
+                       const std::string& help) {
+  const auto assign = [flags, &value](const std::string& text) {
+    const auto number = parse_integer<std::uint64_t>(text);
+    if (!number) refuse_value(flags, quote(text) + " is not a whole number from 0 on");
+    value = *number;
+  };
+  return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name("N");
+}
+
+CLI::Option* add_texts(CLI::App& app, const std::string& flags, std::vector<std::string>& values,
+                       const std::string& help) {
+  return app.add_option(flags, values, wrapped(help))->allow_extra_args(false);
+}
+
+std::string wrapped(std::string_view text) {
+  std::string lines;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find(' ');
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (column > 0) lines += column + 1 + word.size() > kHelpWidth ? '\n' : ' ';
+    column = column > 0 && lines.back() == ' ' ? column + 1 + word.size() : word.size();
+    lines += word;
+  }
+  return lines;
+}
+
+std::string or_list(const std::vector<std::string>& names) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool last = i + 1 == names.size();
+    list += (i == 0 ? "" : last ? " or " : ", ") + names[i];
+  }
+  return list;
+}
+
+void refuse_value(const std::string& flags, const std::string& what) {
+  throw CLI::ValidationError(flags, what);
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,127 @@
+// wend generate: a map made from a seed.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "option_flags.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/quote.hpp"
+#include "wend/io/save_map.hpp"
+#include "wend/io/text_grid.hpp"
+#include "wend/map/generators.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct GenerateArguments {
+  std::string kind;
+  std::string size;
+  std::uint64_t seed = 1;
+  OptionFlags options{"generator"};
+  Format format = Format::text;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend generate office --size 160x100 --seed 7 -o office.yaml
+  wend generate maze --size 41x21 --seed 3
+  wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
+
+The same kind, size, options and seed give the same map everywhere.)";
+
+struct Size {
+  int width;
+  int height;
+};
+
+Size parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto width = parse_integer<int>(std::string_view(text).substr(0, cross));
+  const auto height = cross == std::string::npos
+                          ? std::nullopt
+                          : parse_integer<int>(std::string_view(text).substr(cross + 1));
+  if (!width || !height) {
+    throw InputError(fmt::format("--size: {} is not WIDTHxHEIGHT, as in 160x100", quote(text)));
+  }
+  return {*width, *height};
+}
+
+GridMap generate(const GenerateArguments& arguments) {
+  const GeneratorInfo* generator = generators().find(arguments.kind);
+  if (generator == nullptr) throw InputError(generators().unknown("generator", arguments.kind));
+  const Size size = parse_size(arguments.size);
+  auto map = generator->make(size.width, size.height, arguments.seed,
+                             arguments.options.values_for(generator->name));
+  if (!map) throw InputError(map.error().message());
+  return *std::move(map);
+}
+
+double free_share(const GridMap& map) {
+  const std::size_t blocked = map.occupied().count() + map.unknown().count();
+  return 1 - static_cast<double>(blocked) / static_cast<double>(map.size());
+}
+
+std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
+  nlohmann::ordered_json json{{"kind", arguments.kind},        {"width", map.width()},
+                              {"height", map.height()},        {"seed", arguments.seed},
+                              {"free_share", free_share(map)}, {"files", arguments.output.files()}};
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
+  if (arguments.output.files().empty()) {
+    auto text = format_text_grid(map);
+    if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
+    return *std::move(text);
+  }
+  return fmt::format("{}: {} x {} cells, seed {}, {:.1f} % free\n", arguments.kind, map.width(),
+                     map.height(), arguments.seed, 100 * free_share(map));
+}
+
+int run(const GenerateArguments& arguments) {
+  arguments.output.check();
+  const GridMap map = generate(arguments);
+  arguments.output.write_all([&map](const std::string& file) {
+    const auto saved = save_map(map, file);
+    return saved ? std::string() : saved.error().message();
+  });
+  print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_generate(CLI::App& app) {
+  CLI::App& generate = *app.add_subcommand("generate", "Make a map from a seed");
+  const auto arguments = std::make_shared<GenerateArguments>();
+  std::string kinds;
+  for (const GeneratorInfo& kind : generators()) {
+    kinds += (kinds.empty() ? "" : "\n") + kind.name + ": " + wrapped(kind.summary);
+    arguments->options.collect(kind.name, kind.options);
+  }
+  generate.add_option("KIND", arguments->kind, kinds)->required()->type_name(kGeneratorType);
+  generate.add_option("--size", arguments->size, "Columns and rows, as in 160x100")
+      ->required()
+      ->type_name("WxH");
+  add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
+  add_format(generate, arguments->format);
+  arguments->output.add_to(
+      generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
+      "Save the map: a ROS map (.yaml and its picture), MovingAI (.map), a text grid (.txt, .grid) "
+      "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
+      "text grid");
+  arguments->options.add_to(generate);
+  generate.footer(kExamples);
+  return {&generate, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

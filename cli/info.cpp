@@ -1,0 +1,45 @@
+// wend info: what a map file holds.
+
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "map_arguments.hpp"
+#include "output.hpp"
+#include "wend/report/map_info.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct InfoArguments {
+  MapArguments map;
+  Format format = Format::text;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend info office.yaml
+  wend info office.yaml --robot-radius 0.25
+  wend info arena.map --format json
+
+Exit codes: 0 the map loads, 2 it does not (standard error says why).)";
+
+int run(const InfoArguments& arguments) {
+  const LoadedMap loaded = arguments.map.load();
+  const MapInfo info = map_info(arguments.map.file, loaded, arguments.map.free_space(loaded.map));
+  print(arguments.format == Format::json ? map_info_json(info) : map_info_text(info));
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_info(CLI::App& app) {
+  CLI::App& info = *app.add_subcommand("info", "Say what a map file holds");
+  const auto arguments = std::make_shared<InfoArguments>();
+  arguments->map.add_to(info);
+  add_format(info, arguments->format);
+  info.footer(kExamples);
+  return {&info, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,39 @@
+#include "limit_arguments.hpp"
+
+#include <chrono>
+
+#include "flags.hpp"
+#include "interrupt.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr OptionRange kSeconds{0, 1e9};
+
+}  // namespace
+
+void LimitArguments::add_to(CLI::App& app) {
+  add_count(app, "--limit-expansions", expansions, "Give up after so many expansions");
+  add_number(app, "--limit-time", seconds, kSeconds, "Give up after so many seconds of search");
+}
+
+Limits LimitArguments::limits(ProgressBar& progress) const {
+  Limits limits;
+  limits.expansions = expansions;
+  if (seconds) limits.seconds = *seconds;
+  // A search reads the clock at its start and then after every so many expansions.
+  limits.clock = [&progress, expanded = std::uint64_t{0}]() mutable {
+    progress.update(expanded);
+    expanded += Limits::kExpansionsBetweenClockReads;
+    return steady_seconds();
+  };
+  limits.cancel = &cancel_on_interrupt();
+  return limits;
+}
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+// What a search may use: --limit-expansions, --limit-time, and Ctrl-C, which cancels it.
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+
+#include "progress_bar.hpp"
+#include "wend/base/limits.hpp"
+
+namespace wend::cli {
+
+struct LimitArguments {
+  std::uint64_t expansions = Limits::kUnlimited;
+  std::optional<double> seconds;
+
+  void add_to(CLI::App& app);
+
+  /// `progress` is told the cells expanded; it must outlive the search.
+  Limits limits(ProgressBar& progress) const;
+};
+
+/// Seconds of a clock that never goes back.
+double steady_seconds();
+
+}  // namespace wend::cli

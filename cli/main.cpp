@@ -1,0 +1,84 @@
+// wend: the command line. This file makes the app from its subcommands, and turns what goes wrong
+// into messages and exit codes.
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "output.hpp"
+#include "usage_error.hpp"
+
+namespace {
+
+using namespace wend::cli;
+
+constexpr int kNameColumn = 34;
+
+constexpr const char* kExamples = R"(Examples:
+  wend generate office --size 160x100 --seed 7 -o office.yaml
+  wend info office.yaml
+  wend plan office.yaml --start 1,1 --goal 14.5,8 --robot-radius 0.25 --nearest -o plan.png
+
+`wend SUBCOMMAND --help` says more about each.)";
+
+std::vector<Command> add_commands(CLI::App& app) {
+  app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.get_formatter()->column_width(kNameColumn);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  std::vector<Command> commands{add_plan(app), add_field(app),    add_bench(app),
+                                add_info(app), add_planners(app), add_generate(app)};
+  commands.push_back(add_completion(app));
+  return commands;
+}
+
+int run(const Command& command) {
+  try {
+    return command.run();
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory");
+    return kNoPlan;
+  }
+}
+
+int run_app(int argc, char** argv) {
+  CLI::App app("wend plans paths for robots on maps.", "wend");
+  const std::vector<Command> commands = add_commands(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // help, version
+    complain(usage_error(app, error));
+    return kBadInput;
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return run(command);
+  }
+  return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A reader who has seen enough (`wend ... | head`) ends nothing: see finish_output().
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    const int code = run_app(argc, argv);
+    if (finish_output()) return code;
+    complain("the results could not be written to standard output");
+  } catch (const std::exception& error) {
+    complain(fmt::format("internal error: {}", error.what()));
+  }
+  return kBadInput;
+}

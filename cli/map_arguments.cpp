@@ -1,0 +1,51 @@
+#include "map_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "wend/io/load_map.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr OptionRange kResolutions{1e-6, 1e6};
+constexpr OptionRange kRadii{0, 1e9};
+
+}  // namespace
+
+void MapArguments::add_to(CLI::App& app) {
+  app.add_option("MAP", file,
+                 wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
+                         "or a bare PNG or PNM image"))
+      ->required()
+      ->type_name(kFileType);
+  add_number(app, "--robot-radius", robot_radius, kRadii,
+             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
+             "for others and with --cells (default 0, a point)");
+  add_choice<UnknownPolicy>(app, "--unknown", unknown,
+                            {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
+                            "What unknown cells are (default blocked)");
+  add_number(app, "--resolution", resolution, kResolutions,
+             "Metres a cell of a bare image, which then counts in metres");
+  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
+}
+
+LoadedMap MapArguments::load() const {
+  LoadOptions options;
+  options.resolution = resolution;
+  auto loaded = load_map(file, options);
+  if (!loaded) throw InputError(loaded.error().message());
+  if (resolution && loaded->format != MapFormat::image) {
+    throw InputError(fmt::format("--resolution is for bare images, and {} is a {} file", file,
+                                 to_string(loaded->format)));
+  }
+  return *std::move(loaded);
+}
+
+FreeSpace MapArguments::free_space(const GridMap& map) const {
+  return FreeSpace(
+      map, {.robot_radius = coordinates(map).radius_in_metres(robot_radius), .unknown = unknown});
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+// OptionFlags: the options of planners (or generators) as flags, made at run time from their
+// schemas. An option "corner_rule" is the flag --corner-rule, or --corner_rule; a yes-or-no option
+// "furniture" is --furniture and --no-furniture. Options of the same name share a flag.
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "wend/base/options.hpp"
+
+namespace wend::cli {
+
+class OptionFlags {
+ public:
+  /// `kind` is what owners are called: "planner".
+  explicit OptionFlags(std::string kind) : kind_(std::move(kind)) {}
+  OptionFlags(const OptionFlags&) = delete;  // the app's callbacks point here
+  OptionFlags& operator=(const OptionFlags&) = delete;
+
+  /// Takes up the options of one owner.
+  void collect(const std::string& owner, const std::vector<OptionInfo>& options);
+
+  /// Adds a flag for every option collected.
+  void add_to(CLI::App& app);
+
+  /// The options given, by their names. Throws InputError for one that the owner does not have.
+  OptionValues values_for(const std::string& owner) const;
+
+ private:
+  struct Flag {
+    OptionInfo option;
+    std::vector<std::string> owners;
+    std::vector<std::string> defaults;  // of each owner
+  };
+
+  void add_flag(CLI::App& app, const Flag& flag);
+  std::string group() const;
+  std::string help(const Flag& flag) const;
+  const Flag* find(const std::string& name) const;
+
+  std::string kind_;
+  std::vector<Flag> flags_;
+  OptionValues given_;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,62 @@
+#include "output_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "exit_code.hpp"
+#include "flags.hpp"
+
+namespace wend::cli {
+namespace {
+
+std::string extension_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+void write_one(const std::string& file, const FileWriter& writer) {
+  const std::string wrong = writer(file);
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+}  // namespace
+
+void OutputFiles::add_to(CLI::App& app, std::vector<std::string> extensions,
+                         const std::string& help) {
+  extensions_ = std::move(extensions);
+  add_texts(app, "-o,--output", files_, help)->type_name(kFileType);
+}
+
+void OutputFiles::check() const {
+  for (const std::string& file : files_) {
+    const std::string extension = extension_of(file);
+    if (std::find(extensions_.begin(), extensions_.end(), extension) == extensions_.end()) {
+      throw InputError(fmt::format("-o {}: the name must end in {}", file, or_list(extensions_)));
+    }
+    const auto folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+      throw InputError(fmt::format("-o {}: there is no folder {}", file, folder.string()));
+    }
+  }
+}
+
+void OutputFiles::write(const std::map<std::string, FileWriter>& writers) const {
+  for (const std::string& file : files_) {
+    const auto writer = writers.find(extension_of(file));
+    if (writer != writers.end()) write_one(file, writer->second);
+  }
+}
+
+void OutputFiles::write_all(const FileWriter& writer) const {
+  for (const std::string& file : files_) write_one(file, writer);
+}
+
+}  // namespace wend::cli

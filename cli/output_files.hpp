@@ -1,0 +1,38 @@
+#pragma once
+
+// -o FILE: results as files, each in the format that its name asks for.
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wend::cli {
+
+/// Writes a file; what went wrong, empty if nothing did.
+using FileWriter = std::function<std::string(const std::string& file)>;
+
+class OutputFiles {
+ public:
+  /// -o, once for each file. `extensions` are those that the command can write: {".png", ".csv"}.
+  void add_to(CLI::App& app, std::vector<std::string> extensions, const std::string& help);
+
+  /// Throws InputError for a name that no writer will take and for a folder that is not there.
+  void check() const;
+
+  /// Calls the writer of each file's extension. A file whose extension has no writer now is left
+  /// out. Throws InputError if one cannot be written.
+  void write(const std::map<std::string, FileWriter>& writers) const;
+
+  /// One writer for every file.
+  void write_all(const FileWriter& writer) const;
+
+  const std::vector<std::string>& files() const { return files_; }
+
+ private:
+  std::vector<std::string> extensions_;
+  std::vector<std::string> files_;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+// A plan for people.
+
+#include <string>
+
+#include "coordinates.hpp"
+#include "wend/report/plan_result.hpp"
+
+namespace wend::cli {
+
+/// "(1,1)>(2,1)>(3,1)" and a line end
+std::string path_line(const Path& path);
+
+/// What was found and what it took, a line for each thing.
+std::string plan_summary(const PlanResult& result, const Frame& frame);
+
+/// What the search took, for a failure too.
+std::string work_lines(const SearchMetrics& metrics, double seconds);
+
+}  // namespace wend::cli

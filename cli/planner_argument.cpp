@@ -1,0 +1,36 @@
+#include "planner_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exit_code.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+
+std::vector<PlannerSpec> parse_planners(const std::string& text) {
+  auto specs = parse_planner_specs(text);
+  if (!specs) throw InputError(specs.error().message());
+  return *std::move(specs);
+}
+
+PlannerSpec parse_planner(const std::string& text) {
+  const std::vector<PlannerSpec> specs = parse_planners(text);
+  if (specs.size() > 1) throw InputError(fmt::format("--planner {}: name one planner", text));
+  return specs.front();
+}
+
+const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find(planner.name); }
+
+GridMoves moves_of(const PlannerSpec& planner) {
+  const std::vector<OptionInfo> schema = option_schema<GridMoves>();
+  OptionValues values;
+  for (const auto& value : planner.options) {
+    const auto is_it = [&value](const OptionInfo& option) { return option.name == value.first; };
+    if (std::any_of(schema.begin(), schema.end(), is_it)) values.push_back(value);
+  }
+  return parse_options<GridMoves>(values).value_or(GridMoves{});
+}
+
+}  // namespace wend::cli

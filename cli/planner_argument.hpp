@@ -1,0 +1,26 @@
+#pragma once
+
+// --planner: a planner by name, or several, each with options: "astar", "astar:weight=2,bfs".
+
+#include <string>
+#include <vector>
+
+#include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/planner_info.hpp"
+#include "wend/planner/planner_spec.hpp"
+
+namespace wend::cli {
+
+/// The planners of a list. Throws InputError for one that does not exist and for text that is no
+/// option.
+std::vector<PlannerSpec> parse_planners(const std::string& text);
+
+/// The same where only one may stand.
+PlannerSpec parse_planner(const std::string& text);
+
+const PlannerInfo& info_of(const PlannerSpec& planner);
+
+/// How the planner moves, as far as its options say; values that are none count as not given.
+GridMoves moves_of(const PlannerSpec& planner);
+
+}  // namespace wend::cli

@@ -1,0 +1,37 @@
+// wend planners: the planners there are.
+
+#include "wend/planner/planners.hpp"
+
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "wend/report/planner_listing.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  wend planners
+  wend planners --format json)";
+
+int run(Format format) {
+  print(format == Format::json ? planner_listing_json(wend::planners())
+                               : planner_listing_text(wend::planners()));
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_planners(CLI::App& app) {
+  CLI::App& planners = *app.add_subcommand(
+      "planners", "List the planners: what they guarantee, their options, their papers");
+  const auto format = std::make_shared<Format>(Format::text);
+  add_format(planners, *format);
+  planners.footer(kExamples);
+  return {&planners, [format] { return run(*format); }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+// What the program writes to: a terminal or not, and how large it is.
+
+#include "wend/render/terminal_picture.hpp"
+
+namespace wend::cli {
+
+struct Screen {
+  bool is_terminal = false;
+  int columns = 80;
+  int rows = 24;
+  Terminal terminal;  // ASCII without colours, if it is none
+};
+
+/// Standard output. NO_COLOR is respected.
+Screen detect_screen();
+
+/// Is somebody watching standard error?
+bool progress_is_seen();
+
+}  // namespace wend::cli

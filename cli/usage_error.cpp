@@ -1,0 +1,71 @@
+#include "usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "flags.hpp"
+#include "wend/base/suggestion.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend::cli {
+namespace {
+
+bool is_flag(const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; }
+
+/// "--start" from "--start=1,2"
+std::string name_of(const std::string& flag) { return flag.substr(0, flag.find('=')); }
+
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> flag_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// The argument that nothing takes; of several, the first flag, since it explains the others.
+std::string surplus(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (is_flag(argument)) return argument;
+  }
+  return arguments.front();
+}
+
+std::string surplus_text(const CLI::App& app, const std::string& argument) {
+  if (is_flag(argument)) {
+    const std::string name = name_of(argument);
+    const auto closest = closest_name(name, flag_names(app));
+    return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
+  }
+  const std::vector<std::string> commands = subcommand_names(app);
+  if (commands.empty()) return "unexpected argument " + quote(argument);
+  const std::string text = "there is no subcommand " + quote(argument);
+  const auto closest = closest_name(argument, commands);
+  return text + (closest ? ": did you mean " + *closest + "?" : ": choose " + or_list(commands));
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* at = &app;
+  const auto parsed = app.get_subcommands();
+  if (!parsed.empty()) at = parsed.front();
+  const std::vector<std::string> left = at->remaining();
+  std::string text = error.what();
+  if (!left.empty()) {
+    text = surplus_text(*at, surplus(left));
+  } else if (at == &app) {
+    text = "choose a subcommand: " + or_list(subcommand_names(app));
+  }
+  const std::string command = at == &app ? "wend" : "wend " + at->get_name();
+  return fmt::format("{}\n`{} --help` says more", text, command);
+}
+
+}  // namespace wend::cli

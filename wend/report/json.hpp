@@ -1,0 +1,38 @@
+#pragma once
+
+// What the JSON reports have in common. Only for the sources of this module: the headers of the
+// reports themselves need no JSON library.
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "wend/base/options.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/planner/plan.hpp"
+
+namespace wend {
+
+/// Keys stay in the order in which they were written.
+using Json = nlohmann::ordered_json;
+
+/// [x, y]
+Json json_of(Cell cell);
+
+/// [[x, y], ...]
+Json json_of(std::span<const Cell> cells);
+
+/// {"expanded", "generated", "max_frontier"}
+Json json_of(const SearchMetrics& metrics);
+
+/// {"name", "alias", "kind", "default", "choices" or "least" and "greatest", "help"}
+Json json_of(const OptionInfo& option);
+
+/// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty.
+void put_path(Json& json, const Plan& plan, const Frame& frame);
+
+/// One line. Numbers that JSON has no words for are null, bytes that are no UTF-8 are replaced.
+std::string text_of(const Json& json);
+
+}  // namespace wend

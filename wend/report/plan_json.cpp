@@ -1,0 +1,17 @@
+#include "wend/report/plan_json.hpp"
+
+#include "wend/report/json.hpp"
+
+namespace wend {
+
+std::string plan_json(const PlanResult& result, const Frame& frame) {
+  Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
+  if (result.status != Status::found) json["reason"] = result.reason;
+  put_path(json, result.plan, frame);
+  json["bound"] = result.plan.bound;
+  json["metrics"] = json_of(result.plan.metrics);
+  json["metrics"]["time_us"] = result.seconds * 1e6;
+  return text_of(json);
+}
+
+}  // namespace wend

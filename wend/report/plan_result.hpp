@@ -1,0 +1,20 @@
+#pragma once
+
+// PlanResult: one query's outcome, found or not, with all that a report says about it.
+
+#include <string>
+
+#include "wend/base/status.hpp"
+#include "wend/planner/plan.hpp"
+
+namespace wend {
+
+struct PlanResult {
+  std::string planner;
+  Status status = Status::found;
+  Plan plan;           // of a failure: its metrics
+  double seconds = 0;  // that plan() took
+  std::string reason;  // of a failure, for people
+};
+
+}  // namespace wend

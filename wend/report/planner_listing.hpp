@@ -1,0 +1,23 @@
+#pragma once
+
+// The registry of planners, for people and for programs.
+
+#include <span>
+#include <string>
+
+#include "wend/base/registry.hpp"
+#include "wend/planner/planner_info.hpp"
+
+namespace wend {
+
+/// Each planner with what it guarantees, its options with ranges and defaults, and its paper.
+std::string planner_listing_text(const Registry<PlannerInfo>& planners);
+
+/// A list of {"name", "summary", "guarantee", "promise", "plans_on_terrain", "preprocessing",
+/// "can_step", "citation", "options"}. One line with its line end.
+std::string planner_listing_json(const Registry<PlannerInfo>& planners);
+
+/// The range of an option: "0 to 1e+06", "4 or 8", "true or false".
+std::string range_text(const OptionInfo& option);
+
+}  // namespace wend

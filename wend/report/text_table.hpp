@@ -1,0 +1,39 @@
+#pragma once
+
+// TextTable: aligned columns for a terminal.
+//
+//   wend::TextTable table({{"planner"}, {"mean us", wend::Align::right}});
+//   table.add({"astar", "12.5"});
+//   print(table.text());
+
+#include <string>
+#include <vector>
+
+namespace wend {
+
+enum class Align { left, right };
+
+class TextTable {
+ public:
+  struct Column {
+    std::string title;
+    Align align = Align::left;
+  };
+
+  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// As many fields as there are columns; UTF-8, one character a column of the terminal.
+  void add(std::vector<std::string> row);
+
+  /// The titles, then the rows, each with its line end.
+  std::string text() const;
+
+ private:
+  std::string line(const std::vector<std::string>& fields,
+                   const std::vector<std::size_t>& widths) const;
+
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace wend
