@@ -41,13 +41,21 @@ class BitGrid {
     word = value ? word | mask : word & ~mask;
   }
 
-  /// The bits of cells x-1, x and x+1 of row y, as bits 0, 1 and 2. O(1), one unaligned load.
-  unsigned three(int x, int y) const {
-    assert(x >= 0 && x < width_ && y >= -1 && y <= height_);
-    const auto first = static_cast<std::size_t>(x);  // the bit of x-1: bit 0 is the border
-    std::uint16_t bits = 0;
-    std::memcpy(&bits, bytes(y) + first / 8, sizeof bits);
-    return (static_cast<unsigned>(bits) >> (first % 8)) & 7U;
+  /// The 3 x 3 block around a cell: bits 0 to 2 are its left, middle and right cell in row
+  /// y + down, bits 3 to 5 in row y, bits 6 to 8 in row y - down. `down` is 1 or -1. O(1).
+  unsigned block(Cell cell, int down) const {
+    assert(contains(cell) && (down == 1 || down == -1));
+    const auto x = static_cast<std::size_t>(cell.x);  // the bit of x-1: bit 0 is the border
+    const auto row_bytes = static_cast<std::ptrdiff_t>(8 * words_per_row_);
+    const unsigned char* const middle =
+        reinterpret_cast<const unsigned char*>(words_.data()) + (cell.y + 1) * row_bytes + x / 8;
+    const auto three = [shift = x % 8](const unsigned char* bytes) {
+      std::uint16_t bits = 0;
+      std::memcpy(&bits, bytes, sizeof bits);
+      return (static_cast<unsigned>(bits) >> shift) & 7U;
+    };
+    return three(middle + down * row_bytes) | three(middle) << 3U |
+           three(middle - down * row_bytes) << 6U;
   }
 
   /// The words of a row, -1 and height included. Cell x is bit x+1 of them; all bits outside the
@@ -65,9 +73,6 @@ class BitGrid {
   static std::size_t bit_index(int x) { return static_cast<std::size_t>(x + 1); }
   std::size_t row_begin(int y) const {
     return static_cast<std::size_t>(y + 1) * words_per_row_;
-  }
-  const unsigned char* bytes(int y) const {
-    return reinterpret_cast<const unsigned char*>(words_.data() + row_begin(y));
   }
 
   int width_ = 0;

@@ -46,18 +46,24 @@ TEST_P(BitGridOfWidth, HasABorderOfZeros) {
   }
 }
 
-TEST_P(BitGridOfWidth, ReadsThreeNeighboursAtOnce) {
+TEST_P(BitGridOfWidth, ReadsTheBlockAroundACellAtOnce) {
   const int width = GetParam();
   const int height = 4;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const BitGrid bits = test::random_bits(random, width, height, random.uniform());
-    for (int y = -1; y <= height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        const unsigned expected =
-            (bits[{x - 1, y}] ? 1U : 0U) | (bits[{x, y}] ? 2U : 0U) | (bits[{x + 1, y}] ? 4U : 0U);
-        ASSERT_EQ(bits.three(x, y), expected) << x << "," << y;
+    for (const Cell cell : test::all_cells(width, height)) {
+      for (const int down : {1, -1}) {
+        unsigned expected = 0;
+        unsigned bit = 1;
+        for (const int dy : {down, 0, -down}) {
+          for (const int dx : {-1, 0, 1}) {
+            if (bits[{cell.x + dx, cell.y + dy}]) expected |= bit;
+            bit *= 2;
+          }
+        }
+        ASSERT_EQ(bits.block(cell, down), expected) << cell.x << "," << cell.y << " " << down;
       }
     }
   }

@@ -1,6 +1,8 @@
 #include "wend/planner/best_first.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "wend/planner/grid_priorities.hpp"
 #include "wend/planner/plan.hpp"
@@ -25,46 +27,46 @@ template <class Space>
 using Real = GridEngineOf<Space, HeapFrontier<RealKey<typename Space::Cost>>, RealEstimate<Space>,
                           DuplicateRule::keep_cheaper>;
 
-/// Searches with 32-bit costs, which are faster, and again with 64-bit ones if those do not do.
-/// Both expand the same cells in the same order.
+/// Searches with 32-bit costs, which are faster, until they do not do; from then on with 64-bit
+/// ones. Both expand the same cells in the same order.
 class CompactThenWide final : public GridEngine {
  public:
   CompactThenWide(FreeSpace space, const BestFirst& parts)
-      : space_(std::move(space)), parts_(parts), compact_(make<CompactGrid>()) {}
+      : space_(std::move(space)),
+        parts_(parts),
+        engine_(too_far() ? make<ExactGrid>() : make<CompactGrid>()),
+        wide_(too_far()) {}
 
-  bool allocated() const override { return compact_->allocated(); }
+  bool allocated() const override { return engine_->allocated(); }
 
   void begin(Cell start, std::span<const Cell> goals, const Limits& limits,
              SearchObserver* observer) override {
-    start_ = start;
-    goals_.assign(goals.begin(), goals.end());
-    limits_ = &limits;
-    observer_ = observer;
     // Who watches a search must not see it begin twice.
-    if (observer != nullptr || too_far()) {
-      go_wide();
-    } else {
-      current_ = compact_.get();
-      current_->begin(start, goals_, limits, nullptr);
+    if (observer != nullptr) go_wide();
+    if (!wide_) {
+      start_ = start;
+      goals_.assign(goals.begin(), goals.end());
+      limits_ = &limits;
+      begun_ = limits.clock ? limits.clock() : 0;
     }
+    engine_->begin(start, goals, limits, observer);
   }
 
-  SearchOutcome step() override { return retried(current_->step()); }
+  SearchOutcome step() override { return unless_overflown(engine_->step()); }
 
   SearchOutcome run() override {
-    SearchOutcome outcome = retried(current_->run());
-    while (outcome == SearchOutcome::running) outcome = current_->run();
+    SearchOutcome outcome = unless_overflown(engine_->run());
+    while (outcome == SearchOutcome::running) outcome = engine_->run();
     return outcome;
   }
 
-  const SearchMetrics& metrics() const override { return current_->metrics(); }
-  void write_path(Path& path) const override { current_->write_path(path); }
+  const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  void write_path(Path& path) const override { engine_->write_path(path); }
 
  private:
   template <class Space>
   std::unique_ptr<GridEngine> make() const {
-    const bool weighed = parts_.weight > 0;
-    const HeuristicKind kind = weighed ? parts_.heuristic : HeuristicKind::zero;
+    const HeuristicKind kind = parts_.weight > 0 ? parts_.heuristic : HeuristicKind::zero;
     return std::make_unique<Exact<Space>>(
         Space(space_, parts_.moves, MoveTable::Pruning::canonical),
         ExactEstimate<typename Space::Cost>(kind, parts_.constant));
@@ -72,31 +74,37 @@ class CompactThenWide final : public GridEngine {
 
   /// Is the map so large that even the estimates outgrow 32 bits?
   bool too_far() const {
-    constexpr std::uint64_t kFarthest = UINT32_MAX / OctileUnits<std::uint32_t>::kDiagonal / 4;
-    return static_cast<std::uint64_t>(std::max(space_.width(), space_.height())) > kFarthest;
-  }
-
-  SearchOutcome retried(SearchOutcome outcome) {
-    if (outcome != SearchOutcome::cost_overflow) return outcome;
-    go_wide();
-    return SearchOutcome::running;
+    constexpr int kFarthest = UINT32_MAX / OctileUnits<std::uint32_t>::kDiagonal / 4;
+    return std::max(space_.width(), space_.height()) > kFarthest;
   }
 
   void go_wide() {
-    if (wide_ == nullptr) wide_ = make<ExactGrid>();
-    current_ = wide_.get();
-    current_->begin(start_, goals_, *limits_, observer_);
+    if (wide_) return;
+    engine_.reset();  // its memory first
+    engine_ = make<ExactGrid>();
+    wide_ = true;
+  }
+
+  /// Begins again with wide costs, in the time that is left, if compact ones did not do.
+  SearchOutcome unless_overflown(SearchOutcome outcome) {
+    if (outcome != SearchOutcome::cost_overflow) return outcome;
+    go_wide();
+    rest_ = *limits_;
+    if (rest_.clock) rest_.seconds -= rest_.clock() - begun_;
+    engine_->begin(start_, goals_, rest_, nullptr);
+    return SearchOutcome::running;
   }
 
   FreeSpace space_;
   BestFirst parts_;
-  std::unique_ptr<GridEngine> compact_;
-  std::unique_ptr<GridEngine> wide_;  // made when it is first needed
-  GridEngine* current_ = nullptr;     // one of the two
+  std::unique_ptr<GridEngine> engine_;
+  bool wide_;
+  // What is needed to begin again.
   Cell start_;
   std::vector<Cell> goals_;
   const Limits* limits_ = nullptr;
-  SearchObserver* observer_ = nullptr;
+  double begun_ = 0;
+  Limits rest_;
 };
 
 template <class Space>

@@ -9,8 +9,7 @@
 
 namespace wend {
 
-/// One event, in cells. Costs are in the units of the map; h is infinite where the planner has no
-/// heuristic.
+/// One event. Costs are in cells; h is 0 where the planner has no heuristic.
 struct SearchEvent {
   Cell cell;
   std::optional<Cell> parent;  // none for the start

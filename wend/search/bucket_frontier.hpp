@@ -2,14 +2,16 @@
 
 // BucketFrontier: open states by whole-number keys that never fall (f of a consistent heuristic).
 //
-// A ring of buckets, each as wide as a small part of a straight step. Only the bucket in hand is
-// ordered, as a small heap; the others are lists that are ordered when their turn comes. So states
-// come out exactly as from a HeapFrontier, in O(1) for most of them. (R. Dial, "Algorithm 360:
-// Shortest-path forest with topological ordering", 1969, with a heap in the bucket.)
+// A ring of buckets, each as wide as a small part of a straight step. The bucket in hand is sorted
+// when its turn comes, the others are plain lists. Steps raise f by nothing or by more than a
+// bucket, mostly; so a state pushed into the bucket in hand has the smallest key there and goes to
+// its end, where the next one is taken. States come out exactly as from a HeapFrontier. (R. Dial,
+// "Algorithm 360: Shortest-path forest with topological ordering", 1969, with sorted buckets.)
 //
 // Key has `f()`, a whole number, and `<`. No key may be smaller than the one popped last (before
 // that, than the first one pushed), nor a turn of the ring or more above it.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -18,7 +20,6 @@
 #include <vector>
 
 #include "wend/search/frontier_entry.hpp"
-#include "wend/search/min_heap.hpp"
 
 namespace wend {
 
@@ -48,20 +49,18 @@ class BucketFrontier {
     assert(bucket >= current_ && bucket - current_ < kBuckets);
     const Entry entry{key, age_rank_--, id};
     const std::size_t slot = bucket % kBuckets;
+    ring_[slot].push_back(entry);
     occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
-    if (bucket == current_) {
-      min_heap::push(ring_[slot], entry);
-    } else {
-      ring_[slot].push_back(entry);
-    }
+    if (bucket == current_) move_to_its_place(ring_[slot]);
     ++size_;
   }
 
   Entry pop() {
     std::size_t slot = current_ % kBuckets;
     if (ring_[slot].empty()) slot = advance();
-    const Entry entry = min_heap::pop(ring_[slot]);
-    if (ring_[slot].empty()) occupied_[slot / 64] &= ~(std::uint64_t{1} << (slot % 64));
+    std::vector<Entry>& hand = ring_[slot];
+    const Entry entry = hand.back();
+    hand.pop_back();
     --size_;
     return entry;
   }
@@ -71,9 +70,18 @@ class BucketFrontier {
   static constexpr std::size_t kWords = kBuckets / 64;
   static constexpr std::uint64_t kNoBucket = UINT64_MAX;
 
-  /// Goes on to the next bucket that is not empty, and orders it.
+  /// Lets the last entry of the sorted bucket in hand sink to its place.
+  static void move_to_its_place(std::vector<Entry>& hand) {
+    std::size_t at = hand.size() - 1;
+    const Entry entry = hand[at];
+    for (; at > 0 && hand[at - 1] < entry; --at) hand[at] = hand[at - 1];
+    hand[at] = entry;
+  }
+
+  /// Goes on to the next bucket that is not empty, and sorts it: the smallest key last.
   std::size_t advance() {
     const std::size_t from = current_ % kBuckets;
+    occupied_[from / 64] &= ~(std::uint64_t{1} << (from % 64));
     std::size_t word = from / 64;
     std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (from % 64));
     while (bits == 0) {
@@ -82,7 +90,8 @@ class BucketFrontier {
     }
     const std::size_t slot = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
     current_ += (slot - from) % kBuckets;
-    min_heap::make(ring_[slot]);
+    std::sort(ring_[slot].begin(), ring_[slot].end(),
+              [](const Entry& a, const Entry& b) { return b < a; });
     return slot;
   }
 

@@ -14,6 +14,7 @@ bool cuts_corners(GridMoves moves) {
 template <class Steps>
 GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning pruning)
     : space_(std::move(space)),
+      passable_(&space_.passable()),
       steps_(space_),
       width_(static_cast<StateId>(space_.width())),
       down_(space_.map().frame().y_up ? -1 : 1),

@@ -98,12 +98,7 @@ class GridSpace {
 
  private:
   MoveSet moves_from(Cell cell, Move arrival) const {
-    const BitGrid& passable = space_.passable();
-    const unsigned block = passable.three(cell.x, cell.y + down_) |
-                           (passable.three(cell.x, cell.y) << 3U) |
-                           (passable.three(cell.x, cell.y - down_) << 6U);
-    const MoveSet moves =
-        table_.moves(arrival == kNoMove ? MoveTable::kNoArrival : arrival, block);
+    const MoveSet moves = table_.moves(arrival, passable_->block(cell, down_));
     return swept_.needed() ? without_unsafe(cell, moves) : moves;
   }
 
@@ -116,6 +111,7 @@ class GridSpace {
   MoveSet without_unsafe(Cell cell, MoveSet moves) const;
 
   FreeSpace space_;
+  const BitGrid* passable_;  // of the FreeSpace
   Steps steps_;
   StateId width_;
   int down_;  // the step in y that is down as drawn

@@ -89,13 +89,13 @@ bool superfluous(const Block& block, Offset parent, Offset target) {
   return false;
 }
 
-MoveSet moves_in(const Block& block, unsigned arrival) {
+MoveSet moves_in(const Block& block, Move arrival) {
   unsigned moves = 0;
   for (int direction = 0; direction < kDirections; ++direction) {
     const Offset target = offset_of(direction);
     if (!block.legal({}, target)) continue;
-    if (arrival != MoveTable::kNoArrival) {
-      const Offset parent = Offset{} - offset_of(static_cast<int>(arrival));
+    if (arrival != kNoMove) {
+      const Offset parent = Offset{} - offset_of(arrival);
       if (superfluous(block, parent, target)) continue;
     }
     moves |= 1U << static_cast<unsigned>(direction);
@@ -106,10 +106,12 @@ MoveSet moves_in(const Block& block, unsigned arrival) {
 }  // namespace
 
 MoveTable::MoveTable(GridMoves moves, Pruning pruning) {
-  for (unsigned arrival = 0; arrival <= kNoArrival; ++arrival) {
-    const unsigned judged = pruning == Pruning::canonical ? arrival : kNoArrival;
-    for (unsigned block = 0; block < kBlocks; ++block) {
-      moves_[arrival * kBlocks + block] = moves_in({block, moves}, judged);
+  for (unsigned block = 0; block < kBlocks; ++block) {
+    const Block cells{block, moves};
+    moves_[kNoMove * kBlocks + block] = moves_in(cells, kNoMove);
+    for (Move arrival = 0; arrival < kDirections; ++arrival) {
+      const Move judged = pruning == Pruning::canonical ? arrival : kNoMove;
+      moves_[arrival * kBlocks + block] = moves_in(cells, judged);
     }
   }
 }

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/space/grid_moves.hpp"
 
@@ -27,24 +28,20 @@ using MoveSet = std::uint8_t;
 
 class MoveTable {
  public:
-  /// The arrival of a cell that was reached by no move.
-  static constexpr unsigned kNoArrival = kDirections;
-
   enum class Pruning { none, canonical };
 
   explicit MoveTable(GridMoves moves, Pruning pruning = Pruning::none);
 
-  /// The moves from a cell that was reached in direction `arrival`. `block` holds the passable cells
-  /// of the block around it, rows as drawn, left to right: bits 0-2 the row below, 3-5 its own row,
-  /// 6-8 the row above.
-  MoveSet moves(unsigned arrival, unsigned block) const {
-    return moves_[arrival * kBlocks + block];
-  }
+  /// The moves from a cell that was reached by `arrival`, a Direction or kNoMove. `block` holds the
+  /// passable cells of the block around it, rows as drawn, left to right: bits 0-2 the row below,
+  /// 3-5 its own row, 6-8 the row above.
+  MoveSet moves(Move arrival, unsigned block) const { return moves_[arrival * kBlocks + block]; }
 
  private:
   static constexpr std::size_t kBlocks = 512;
 
-  std::array<MoveSet, (kDirections + 1) * kBlocks> moves_{};
+  // Indexed by all that a Move can be, so that a lookup needs no case for the start.
+  std::array<MoveSet, (kNoMove + 1) * kBlocks> moves_{};
 };
 
 }  // namespace wend
