@@ -47,11 +47,24 @@ class DisjointSets {
   std::vector<std::uint32_t> parents_;
 };
 
+constexpr std::uint32_t kNoSet = UINT32_MAX;
+
 /// Set cells [begin, end) of one row.
 struct Run {
   int begin;
   int end;
-  std::uint32_t set;
+  std::uint32_t set = kNoSet;
+};
+
+/// The runs of all rows, one row after the other.
+struct Runs {
+  std::vector<Run> runs;
+  std::vector<std::size_t> row_begins{0};
+
+  std::span<Run> row(int y) {
+    const auto row = static_cast<std::size_t>(y);
+    return std::span(runs).subspan(row_begins[row], row_begins[row + 1] - row_begins[row]);
+  }
 };
 
 /// The first cell from x on whose bit is `value`, or width.
@@ -67,24 +80,27 @@ int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value
   return std::min(found, width);
 }
 
-std::vector<Run> runs_of_row(const BitGrid& cells, int y) {
-  const auto words = cells.row_words(y);
+Runs runs_of(const BitGrid& cells) {
   const int width = cells.width();
-  std::vector<Run> runs;
-  for (int x = next_cell(words, 0, width, true); x < width;) {
-    const int end = next_cell(words, x, width, false);
-    runs.push_back({x, end, 0});
-    x = end < width ? next_cell(words, end, width, true) : width;
+  Runs all;
+  for (int y = 0; y < cells.height(); ++y) {
+    const auto words = cells.row_words(y);
+    for (int x = next_cell(words, 0, width, true); x < width;) {
+      const int end = next_cell(words, x, width, false);
+      all.runs.push_back({x, end});
+      x = end < width ? next_cell(words, end, width, true) : width;
+    }
+    all.row_begins.push_back(all.runs.size());
   }
-  return runs;
+  return all;
 }
 
 /// Calls join(upper, lower) for every pair of runs of two rows that overlap, once both are
 /// stretched by `slack` cells together.
 template <class Join>
-void for_touching(std::span<const Run> upper, std::span<const Run> lower, int slack, Join&& join) {
+void for_touching(std::span<const Run> upper, std::span<Run> lower, int slack, Join&& join) {
   std::size_t i = 0;
-  for (const Run& run : lower) {
+  for (Run& run : lower) {
     while (i < upper.size() && upper[i].end + slack <= run.begin) ++i;
     for (std::size_t j = i; j < upper.size() && upper[j].begin < run.end + slack; ++j) {
       join(upper[j], run);
@@ -92,30 +108,36 @@ void for_touching(std::span<const Run> upper, std::span<const Run> lower, int sl
   }
 }
 
-/// The runs of all rows, each in its 4-connected set.
-std::vector<std::vector<Run>> linked_runs(const BitGrid& cells, DisjointSets& sets) {
-  std::vector<std::vector<Run>> rows;
-  rows.reserve(static_cast<std::size_t>(cells.height()));
-  for (int y = 0; y < cells.height(); ++y) {
-    rows.push_back(runs_of_row(cells, y));
-    for (Run& run : rows.back()) run.set = sets.add();
-    if (y == 0) continue;
-    for_touching(rows[rows.size() - 2], rows.back(), 0,
-                 [&](const Run& a, const Run& b) { sets.join(a.set, b.set); });
+/// Puts every run into its 4-connected set.
+void link(Runs& runs, int height, DisjointSets& sets) {
+  for (int y = 0; y < height; ++y) {
+    if (y > 0) {
+      for_touching(runs.row(y - 1), runs.row(y), 0, [&](const Run& upper, Run& run) {
+        if (run.set == kNoSet) {
+          run.set = upper.set;
+        } else {
+          sets.join(run.set, upper.set);
+        }
+      });
+    }
+    for (Run& run : runs.row(y)) {
+      if (run.set == kNoSet) run.set = sets.add();
+    }
   }
-  return rows;
 }
 
 }  // namespace
 
 ConnectedRegions::ConnectedRegions(const BitGrid& cells) : labels_(cells.width(), cells.height()) {
+  const int height = cells.height();
+  Runs runs = runs_of(cells);
   DisjointSets run_sets;
-  std::vector<std::vector<Run>> rows = linked_runs(cells, run_sets);
+  link(runs, height, run_sets);
   const std::vector<std::uint32_t> numbers = run_sets.numbered();
 
-  for (std::size_t y = 0; y < rows.size(); ++y) {
-    const auto labels = labels_.row(static_cast<int>(y));
-    for (Run& run : rows[y]) {
+  for (int y = 0; y < height; ++y) {
+    const auto labels = labels_.row(y);
+    for (Run& run : runs.row(y)) {
       run.set = numbers[run.set] + 1;  // 0 is for cells that are not set
       if (run.set >= sizes_.size()) sizes_.resize(run.set + std::size_t{1});
       sizes_[run.set] += static_cast<std::size_t>(run.end - run.begin);
@@ -125,8 +147,8 @@ ConnectedRegions::ConnectedRegions(const BitGrid& cells) : labels_(cells.width()
 
   DisjointSets label_sets;
   while (label_sets.size() < sizes_.size()) label_sets.add();
-  for (std::size_t y = 1; y < rows.size(); ++y) {
-    for_touching(rows[y - 1], rows[y], 1,
+  for (int y = 1; y < height; ++y) {
+    for_touching(runs.row(y - 1), runs.row(y), 1,
                  [&](const Run& a, const Run& b) { label_sets.join(a.set, b.set); });
   }
   merged_ = label_sets.numbered();

@@ -1,33 +1,41 @@
 #include "wend/map/distance_field.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
 namespace wend {
 namespace {
 
-// Distances along one axis, in half-cells: 0 in the cell itself, then 1, 3, 5, ...
-using AxisDistance = std::uint16_t;
-constexpr AxisDistance kFar = UINT16_MAX;
+// Distances within a column, in cells.
+using CellCount = std::uint16_t;
+constexpr CellCount kFar = UINT16_MAX;
 
-AxisDistance one_cell_farther(AxisDistance distance) {
-  if (distance >= kFar - 2) return kFar;
-  return static_cast<AxisDistance>(distance == 0 ? 1 : distance + 2);
+CellCount one_cell_farther(CellCount distance) {
+  return static_cast<CellCount>(std::min<int>(distance, kFar - 1) + 1);
+}
+
+/// Sets a row to 0 in blocked cells, and elsewhere to one more than the row above.
+void count_on(std::span<const std::uint64_t> blocked_words, std::span<const CellCount> above,
+              std::span<CellCount> row) {
+  for (std::size_t x = 0; x < row.size(); ++x) row[x] = one_cell_farther(above[x]);
+  for (std::size_t i = 0; i < blocked_words.size(); ++i) {
+    for (std::uint64_t bits = blocked_words[i]; bits != 0; bits &= bits - 1) {
+      row[64 * i + static_cast<std::size_t>(std::countr_zero(bits)) - 1] = 0;
+    }
+  }
 }
 
 /// Distance of every cell to the nearest blocked cell of its own column.
-Grid<AxisDistance> column_distances(const BitGrid& blocked) {
+Grid<CellCount> column_distances(const BitGrid& blocked) {
   const int height = blocked.height();
-  Grid<AxisDistance> distances(blocked.width(), height, kFar);
+  Grid<CellCount> distances(blocked.width(), height);
+  const std::vector<CellCount> far(static_cast<std::size_t>(blocked.width()), kFar);
+  std::span<const CellCount> above = far;
   for (int y = 0; y < height; ++y) {
-    const auto row = distances.row(y);
-    const auto words = blocked.row_words(y);
-    const auto above = y > 0 ? distances.row(y - 1) : row;  // in row 0 itself, which is far
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      const bool is_blocked = ((words[(x + 1) / 64] >> ((x + 1) % 64)) & 1U) != 0;
-      row[x] = is_blocked ? AxisDistance{0} : one_cell_farther(above[x]);
-    }
+    count_on(blocked.row_words(y), above, distances.row(y));
+    above = distances.row(y);
   }
   for (int y = height - 2; y >= 0; --y) {
     const auto row = distances.row(y);
@@ -40,10 +48,12 @@ Grid<AxisDistance> column_distances(const BitGrid& blocked) {
 }
 
 std::int64_t floor_quotient(std::int64_t dividend, std::int64_t divisor) {
+  if (divisor == 1) return dividend;  // spares most divisions where obstacles are dense
   const std::int64_t quotient = dividend / divisor;
   return quotient - static_cast<std::int64_t>(dividend % divisor < 0);
 }
 
+/// From a cell's centre to a closed square so many columns or rows away, in half-cells.
 std::int64_t squared_axis_distance(std::int64_t cells) {
   const std::int64_t half_cells = cells == 0 ? 0 : 2 * std::abs(cells) - 1;
   return half_cells * half_cells;
@@ -68,40 +78,41 @@ std::int64_t last_cell_nearer_left(const Column& left, const Column& right) {
   const std::int64_t sum = left.x + right.x;
   const std::int64_t excess = right.squared - left.squared;
   const std::int64_t at_kink = squared_axis_distance(gap);
-  if (excess >= 4 * gap * (gap + 1)) {
-    return floor_quotient(floor_quotient(excess, 4 * gap) + sum + 1, 2);
-  }
+  const std::int64_t quarter = excess >> 2;  // rounded down, like all quotients here
+  if (excess >= 4 * gap * (gap + 1)) return (floor_quotient(quarter, gap) + sum + 1) >> 1;
   if (excess >= at_kink) return right.x;
   if (gap >= 2 && excess >= 4 * (gap - 1) * (2 - gap)) {
-    return std::min(right.x - 1, floor_quotient(floor_quotient(excess, 4 * (gap - 1)) + sum, 2));
+    return std::min(right.x - 1, (floor_quotient(quarter, gap - 1) + sum) >> 1);
   }
   if (excess >= -at_kink) return left.x;
-  return std::min(left.x - 1, floor_quotient(floor_quotient(excess, 4 * gap) + sum - 1, 2));
+  return std::min(left.x - 1, (floor_quotient(quarter, gap) + sum - 1) >> 1);
 }
 
 /// The columns that matter to a row, in order, each with its stretch (a lower envelope).
-void nearest_columns(std::span<const AxisDistance> in_column, std::vector<Column>& envelope) {
+void nearest_columns(std::span<const CellCount> in_column, std::vector<Column>& envelope) {
+  const auto last_cell = static_cast<std::int64_t>(in_column.size()) - 1;
   envelope.clear();
   for (std::size_t x = 0; x < in_column.size(); ++x) {
     if (in_column[x] == kFar) continue;
-    const std::int64_t distance = in_column[x];
-    Column column{static_cast<std::int64_t>(x), distance * distance, 0};
-    while (!envelope.empty()) {
-      column.first_cell = last_cell_nearer_left(envelope.back(), column) + 1;
-      if (column.first_cell > envelope.back().first_cell) break;
+    Column column{static_cast<std::int64_t>(x), squared_axis_distance(in_column[x]), 0};
+    const auto is_nearer_at = [&column](std::int64_t cell, const Column& other) {
+      return column.squared_distance_from(cell) < other.squared_distance_from(cell);
+    };
+    while (!envelope.empty() && is_nearer_at(envelope.back().first_cell, envelope.back())) {
       envelope.pop_back();
-      column.first_cell = 0;
     }
-    if (column.first_cell < static_cast<std::int64_t>(in_column.size())) {
-      envelope.push_back(column);
+    if (!envelope.empty()) {
+      if (!is_nearer_at(last_cell, envelope.back())) continue;
+      column.first_cell = last_cell_nearer_left(envelope.back(), column) + 1;
     }
+    envelope.push_back(column);
   }
 }
 
 }  // namespace
 
 Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
-  const Grid<AxisDistance> in_column = column_distances(blocked);
+  const Grid<CellCount> in_column = column_distances(blocked);
   Grid<std::uint32_t> squared(blocked.width(), blocked.height(), kNoObstacle);
   std::vector<Column> envelope;
   for (int y = 0; y < blocked.height(); ++y) {
@@ -109,13 +120,12 @@ Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
     const auto row = squared.row(y);
     std::size_t end = row.size();
     for (auto column = envelope.rbegin(); column != envelope.rend(); ++column) {
-      const auto begin = static_cast<std::size_t>(std::max<std::int64_t>(0, column->first_cell));
+      const auto begin = static_cast<std::size_t>(column->first_cell);
       for (std::size_t x = begin; x < end; ++x) {
-        const std::int64_t distance =
-            column->squared_distance_from(static_cast<std::int64_t>(x));
+        const std::int64_t distance = column->squared_distance_from(static_cast<std::int64_t>(x));
         row[x] = static_cast<std::uint32_t>(std::min<std::int64_t>(distance, kNoObstacle));
       }
-      end = std::min(end, begin);
+      end = begin;
     }
   }
   return squared;
