@@ -131,8 +131,8 @@ void draw_footer(cairo_t* context, const Scene& scene, const PictureLayout& layo
   select_label_font(context, kFontSize);
   constexpr double kLeft = PictureLayout::kMargin;
   const double right = layout.width - PictureLayout::kMargin;
-  const double middle =
-      layout.view.top + layout.view.height + (PictureLayout::kMargin + PictureLayout::kFooter) / 2;
+  const double middle = layout.view.top + layout.view.height +
+                        (PictureLayout::kMargin + PictureLayout::kFooter) / 2.0;
   const ScaleBar bar = scale_bar(scene.space.map().frame(), layout.view.scale(), kLongestBar);
   double used = 0;
   if (bar.pixels < layout.width / 2.0) {  // a map of one cell needs none

@@ -14,7 +14,7 @@ constexpr std::size_t kAny = 1000000;
 
 std::vector<MapRectangle> rectangles_of(const Scene& scene) {
   const Style style;
-  return *map_rectangles(CellPaints(scene, style), style.free, kAny);
+  return map_rectangles(CellPaints(scene, style), style.free, kAny).value();
 }
 
 TEST(MapRectangles, MergeRunsAndEqualRunsBelow) {

@@ -36,7 +36,7 @@ PictureLayout picture_layout(const GridMap& map) {
 
   layout.width = std::max(kLeastWidth, view.width + 2 * PictureLayout::kMargin);
   layout.height = view.height + 2 * PictureLayout::kMargin + PictureLayout::kFooter;
-  view.left = (layout.width - view.width) / 2;  // whole pixels, so that cells are crisp
+  view.left = std::floor((layout.width - view.width) / 2.0);  // so that cells are crisp
   view.top = PictureLayout::kMargin;
   return layout;
 }

@@ -13,7 +13,7 @@ GridMap map_of_size(int width, int height, bool y_up = false) {
   return GridMap(Grid<CellState>(width, height), {.y_up = y_up});
 }
 
-RC_GTEST_PROP(PictureLayout, LongerSideIsBetween800And1600, ()) {
+RC_GTEST_PROP(PictureLayout, LargerSideIsBetween800And1600, ()) {
   const int longer = *rc::gen::inRange(1, 5000);
   const int shorter = *rc::gen::inRange(1, std::min(longer, 50) + 1);
   const bool wide = *rc::gen::arbitrary<bool>();

@@ -81,8 +81,7 @@ TEST(TerminalPicture, DrawsHalfBlocksInTwoColours) {
 }
 
 TEST(TerminalPicture, KeepsMarksApartInSixteenColours) {
-  Grid<CellState> cells(1000, 1000);
-  Scene scene{.space = FreeSpace(GridMap(cells))};
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1000, 1000)))};
   scene.path = Path({{100, 100}, {100, 900}, {900, 900}});
   scene.start = Point{100, 100};
   scene.goals = {Point{900, 900}};

@@ -105,7 +105,7 @@ TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverVisitedCells) {
   EXPECT_EQ(text_picture(scene), "*S→→GG\n");
 }
 
-TEST(TextPicture, PointsTheArrowsOfLongSegmentsTheNearestWay) {
+TEST(TextPicture, PointsArrowsTheNearestWayWherePathsSkipCells) {
   Scene scene{.space = FreeSpace(map_of({"......", "......"}))};
   scene.path = Path({{0, 0}, {4, 1}, {5, 1}});
   EXPECT_EQ(text_picture(scene), lines_of({"→.....", "....→."}));
@@ -113,10 +113,11 @@ TEST(TextPicture, PointsTheArrowsOfLongSegmentsTheNearestWay) {
 
 TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Scene scene{.space = FreeSpace(map_of({"..", ".."}))};
   scene.path = Path({{-1, 0}, {0, 0}, {5, 0}});
   scene.start = Point{-0.5, 0.5};
-  scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kInfinity - kInfinity, 0}};
+  scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kNaN, 0}};
   scene.visited = {{0, 9}};
   EXPECT_EQ(text_picture(scene), lines_of({"→.", ".."}));
 }
