@@ -1,4 +1,5 @@
-// Runs where there is nothing but WebAssembly: plans around a wall, and says 0 if all is as elsewhere.
+// Runs where there is nothing but WebAssembly: plans around a wall, and says 0 if all is as
+// elsewhere.
 
 #include <cmath>
 #include <cstdio>
