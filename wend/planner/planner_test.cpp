@@ -1,0 +1,262 @@
+// The door to every planner: what it refuses, what it keeps, when it stops. All of it holds for
+// every planner of the registry.
+
+#include "wend/planner/planner.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "wend/planner/observer.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class EveryPlanner : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<Planner> make(const FreeSpace& space) const {
+    return std::move(make_planner(GetParam(), space).value());
+  }
+};
+
+constexpr std::string_view kRooms = R"(
+....#...
+....#...
+....#.##
+)";
+// (0,0) and (3,2) lie left of the wall, (5,0) and (7,0) right of it.
+
+std::string status_of(Planner& planner, const Query& query) {
+  Plan plan;
+  return std::string(to_string(planner.plan(query, plan)));
+}
+
+TEST_P(EveryPlanner, SaysWhyAQueryCannotBeAnswered) {
+  const auto planner = make(test::drawn_space(kRooms));
+  const auto status = [&](Pose start, Pose goal) { return status_of(*planner, {start, {goal}}); };
+  const Pose here{0.5, 0.5};
+  for (const Pose& outside : {Pose{-0.001, 0.5}, Pose{8, 0.5}, Pose{0.5, -1}, Pose{0.5, 3},
+                              Pose{kNaN, 0.5}, Pose{0.5, kNaN}, Pose{kInfinity, 0},
+                              Pose{0, -kInfinity}, Pose{1e300, 0}, Pose{0, 4294967296.0}}) {
+    EXPECT_EQ(status(outside, here), "start_outside") << outside.x << "," << outside.y;
+    EXPECT_EQ(status(here, outside), "goal_outside") << outside.x << "," << outside.y;
+  }
+  EXPECT_EQ(status({4.5, 0.5}, here), "start_blocked");
+  EXPECT_EQ(status(here, {4.5, 0.5}), "goal_blocked");
+  EXPECT_EQ(status(here, {5.5, 0.5}), "unreachable");
+  EXPECT_EQ(status({-1, 0}, {-1, 0}), "start_outside") << "the start is looked at first";
+  EXPECT_EQ(status_of(*planner, {here, {}}), "unsupported_query");
+  EXPECT_EQ(status(here, {3.5, 2.5}), "found");
+}
+
+TEST_P(EveryPlanner, TakesTheCellThatAPoseLiesIn) {
+  const auto planner = make(test::drawn_space(kRooms));
+  for (const Pose& pose : {Pose{1, 1}, Pose{1.999, 1.999}, Pose{1.5, 1.0, 3.0}}) {
+    const auto plan = planner->plan({pose, {{1.5, 1.5}}});
+    ASSERT_TRUE(plan);
+    EXPECT_THAT(plan->path.cells(), ElementsAre(Cell{1, 1}));
+  }
+}
+
+TEST_P(EveryPlanner, ForgetsTheLastAnswerWhenItFails) {
+  const auto planner = make(test::drawn_space(kRooms));
+  Plan plan;
+  ASSERT_EQ(planner->plan(Query::between({0, 0}, {3, 2}), plan), Status::found);
+  ASSERT_FALSE(plan.path.empty());
+  for (const Cell goal : {Cell{4, 0}, Cell{5, 0}, Cell{9, 9}}) {
+    plan.cost = 1;
+    EXPECT_NE(planner->plan(Query::between({0, 0}, goal), plan), Status::found);
+    EXPECT_TRUE(plan.path.empty());
+    EXPECT_EQ(plan.cost, kInfinity);
+    EXPECT_EQ(plan.bound, Plan::kNoBound);
+    EXPECT_EQ(plan.metrics, SearchMetrics{}) << "nothing was searched";
+  }
+}
+
+TEST_P(EveryPlanner, AnswersTheSameThroughBothDoors) {
+  const auto planner = make(test::drawn_space(kRooms));
+  const Query query = Query::between({0, 0}, {3, 2});
+  Plan plan;
+  ASSERT_EQ(planner->plan(query, plan), Status::found);
+  const auto other = planner->plan(query);
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->path, plan.path);
+  EXPECT_EQ(other->cost, plan.cost);
+  EXPECT_EQ(other->metrics, plan.metrics);
+  const auto failed = planner->plan(Query::between({0, 0}, {5, 0}));
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().status, Status::unreachable);
+}
+
+TEST_P(EveryPlanner, GoesToOneOfSeveralGoalsAndPassesOverTheHopelessOnes) {
+  const auto planner = make(test::drawn_space(kRooms));
+  const Query query{pose_at({0, 0}),
+                    {pose_at({9, 9}), pose_at({4, 0}), pose_at({5, 0}), pose_at({3, 2})}};
+  const auto plan = planner->plan(query);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->path.cells().back(), (Cell{3, 2}));
+}
+
+TEST_P(EveryPlanner, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
+  const auto planner = make(test::drawn_space(kRooms));
+  const Pose outside = pose_at({9, 9});
+  const Pose blocked = pose_at({4, 0});
+  const Pose beyond = pose_at({5, 0});
+  const Pose start = pose_at({0, 0});
+  EXPECT_EQ(status_of(*planner, {start, {outside, blocked, beyond}}), "goal_outside");
+  EXPECT_EQ(status_of(*planner, {start, {blocked, outside, beyond}}), "goal_blocked");
+  EXPECT_EQ(status_of(*planner, {start, {beyond, outside, blocked}}), "unreachable");
+}
+
+TEST_P(EveryPlanner, KeepsTheMetricsOfASearchThatReachedItsLimit) {
+  const auto planner = make(test::open_space(40, 40));
+  Query query = Query::between({0, 0}, {39, 39});
+  const auto unlimited = planner->plan(query);
+  ASSERT_TRUE(unlimited);
+  const std::uint64_t needed = unlimited->metrics.expanded;
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, needed / 2, needed - 1}) {
+    query.limits.expansions = limit;
+    const auto failed = planner->plan(query);
+    ASSERT_FALSE(failed) << limit;
+    EXPECT_EQ(to_string(failed.error().status), to_string(Status::expansion_limit));
+    EXPECT_EQ(failed.error().metrics.expanded, limit);
+    EXPECT_GE(failed.error().metrics.generated, limit);
+    EXPECT_GE(failed.error().metrics.generated, 1U);
+  }
+  query.limits.expansions = needed;
+  EXPECT_TRUE(planner->plan(query)) << "what it needs is enough";
+}
+
+TEST_P(EveryPlanner, StopsWhenTimeIsUpOrItIsCancelled) {
+  const auto planner = make(test::open_space(40, 40));
+  Query query = Query::between({0, 0}, {39, 39});
+  double now = 0;
+  query.limits.clock = [&] { return now++; };
+  query.limits.seconds = 0.5;
+  EXPECT_EQ(status_of(*planner, query), "time_limit");
+  query.limits.seconds = 1e9;
+  EXPECT_EQ(status_of(*planner, query), "found");
+  query.limits.clock = nullptr;
+  query.limits.seconds = 0;
+  EXPECT_EQ(status_of(*planner, query), "found") << "without a clock there is no time";
+
+  std::atomic<bool> cancel = true;
+  query.limits.cancel = &cancel;
+  EXPECT_EQ(status_of(*planner, query), "cancelled");
+  cancel = false;
+  EXPECT_EQ(status_of(*planner, query), "found");
+}
+
+TEST_P(EveryPlanner, KeepsItsOwnCopyOfTheLimitsWhileItIsStepped) {
+  const auto planner = make(test::open_space(40, 40));
+  Plan plan;
+  auto query = std::make_unique<Query>(Query::between({0, 0}, {39, 39}));
+  query->limits.expansions = 5;
+  auto outcome = planner->begin(*query, plan);
+  if (!planners().find(GetParam())->can_step) {
+    EXPECT_EQ(outcome, Status::unsupported_query);
+    return;
+  }
+  query.reset();
+  while (!outcome) outcome = planner->step(plan);
+  EXPECT_EQ(to_string(*outcome), to_string(Status::expansion_limit));
+  EXPECT_EQ(plan.metrics.expanded, 5U);
+}
+
+/// Believes nothing that it is told before it fits together.
+class Auditor final : public SearchObserver {
+ public:
+  void on_generate(const SearchEvent& event) override {
+    EXPECT_TRUE(revisits || costs.count(event.cell) == 0) << "generated twice";
+    check(event);
+    ++generated;
+  }
+  void on_relax(const SearchEvent& event) override {
+    ASSERT_EQ(costs.count(event.cell), 1U);
+    EXPECT_LT(event.g, costs[event.cell]);
+    check(event);
+  }
+  void on_expand(const SearchEvent& event) override {
+    ASSERT_EQ(costs.count(event.cell), 1U) << "expanded before it was generated";
+    EXPECT_EQ(event.g, costs[event.cell]);
+    last = event.cell;
+    ++expanded;
+  }
+
+  bool revisits = false;  // a walk comes to a cell more than once
+  std::map<Cell, double> costs;
+  std::uint64_t generated = 0;
+  std::uint64_t expanded = 0;
+  Cell last;
+
+ private:
+  void check(const SearchEvent& event) {
+    if (event.parent) {
+      ASSERT_EQ(costs.count(*event.parent), 1U);
+      EXPECT_GT(event.g, costs[*event.parent]);
+    } else {
+      EXPECT_EQ(event.g, 0);
+    }
+    costs[event.cell] = event.g;
+  }
+};
+
+TEST_P(EveryPlanner, TellsAnObserverEverything) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Random random(seed);
+    const GridMap map = test::random_map(random, 15, 12);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
+    const auto planner = make(FreeSpace(map));
+    Auditor auditor;
+    auditor.revisits = GetParam() == "random_walk";
+    Query query =
+        Query::between(test::random_cell(random, 15, 12), test::random_cell(random, 15, 12));
+    query.observer = &auditor;
+    Plan plan;
+    const Status status = planner->plan(query, plan);
+    EXPECT_EQ(auditor.expanded, plan.metrics.expanded);
+    EXPECT_EQ(auditor.generated, plan.metrics.generated);
+    if (status == Status::found) {
+      EXPECT_EQ(auditor.last, plan.path.cells().back());
+    }
+  }
+}
+
+TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
+  const auto planner = make(test::drawn_space(kRooms));
+  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unreachable");
+  const std::array<Cell, 1> changed{Cell{4, 1}};
+  planner->update(test::drawn_space(R"(
+....#...
+........
+....#.##
+)"),
+                  changed);
+  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "found");
+  planner->update(test::open_space(100, 50));
+  EXPECT_EQ(planner->free_space().width(), 100);
+  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "found");
+  planner->update(test::open_space(2, 1));
+  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planners().names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend
