@@ -32,7 +32,7 @@ struct ImageMeaning {
   bool negate = false;
   double occupied_threshold = 0.65;  // in 0..1
   double free_threshold = 0.196;     // in 0..1, below the occupied one
-  double scale_factor = 4;           // finite, >= 0
+  double scale_factor = 4;           // in 0..1e6
 };
 
 /// What a unit of length costs in a cell of the value v, 0..100.

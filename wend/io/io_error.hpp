@@ -17,7 +17,9 @@ struct IoError {
 
   /// "office.map:7: row 3 has 2 columns, the header says 5"
   std::string message() const {
-    return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what;
+    std::string message = file;
+    if (line > 0) message.append(":").append(std::to_string(line));
+    return message.append(": ").append(what);
   }
 };
 

@@ -19,6 +19,8 @@
 namespace wend {
 namespace {
 
+constexpr double kLargestScaleFactor = 1e6;
+
 constexpr std::string_view kSupported =
     "ROS map.yaml (.yaml .yml), MovingAI (.map), text grids (.txt .grid) and images "
     "(.png .pgm .pbm .ppm .pnm) are";
@@ -72,8 +74,8 @@ Expected<LoadedMap, IoError> load(const std::filesystem::path& file, const LoadO
   if (options.resolution && !(*options.resolution > 0 && std::isfinite(*options.resolution))) {
     return io_failure(file.string(), 0, "the resolution given must be finite and above 0");
   }
-  if (!(options.scale_factor >= 0 && std::isfinite(options.scale_factor))) {
-    return io_failure(file.string(), 0, "the scale factor given must be finite and at least 0");
+  if (!(options.scale_factor >= 0 && options.scale_factor <= kLargestScaleFactor)) {
+    return io_failure(file.string(), 0, "the scale factor given must be in 0..1e6");
   }
   const auto bytes = read_file(file);
   if (!bytes) return Unexpected<IoError>(bytes.error());

@@ -27,7 +27,7 @@ namespace wend {
 
 struct LoadOptions {
   std::optional<double> resolution;  // metres a cell, > 0, for a bare image
-  double scale_factor = 4;           // terrain of `mode: scale`, >= 0: 1 + scale_factor * v / 100
+  double scale_factor = 4;           // terrain of `mode: scale`, in 0..1e6: 1 + factor * v / 100
 };
 
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,

@@ -107,7 +107,7 @@ class MapYamlReader {
 
   /// The value of a key that must be there.
   Expected<YAML::Node, IoError> value_of(const char* key) const {
-    const YAML::Node node = root_[key];
+    YAML::Node node = root_[key];
     if (!node.IsDefined()) return io_failure(file_, 0, fmt::format("'{}' is missing", key));
     if (!is_known_tag(node.Tag())) {
       return failure(node, fmt::format("'{}' has the unknown tag {}", key, quote(node.Tag())));

@@ -139,7 +139,7 @@ class MovingAiParser {
   Expected<Grid<CellState>, IoError> read_cells(Size size, LineReader& rows) {
     Grid<CellState> cells(size.width, size.height);
     for (int y = 0; y < size.height; ++y) {
-      const std::string_view letters = *rows.next();
+      const std::string_view letters = rows.next().value_or("");
       const auto row = cells.row(y);
       for (std::size_t x = 0; x < letters.size(); ++x) {
         const Letter letter = kLetters[code_of(letters[x])];

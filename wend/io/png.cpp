@@ -51,7 +51,8 @@ void keep_warning(png_structp png, png_const_charp what) {
 /// by longjmp, which runs no destructors, so `call` may own nothing while it is inside libpng.
 template <class Call>
 bool succeeds(png_structp png, const Call& call) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's own way
+  // NOLINTNEXTLINE(modernize-avoid-setjmp-longjmp): libpng has no other way to report errors
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
   call();
   return true;
 }
@@ -89,10 +90,11 @@ struct PaletteEntry {
 
 class PngDecoder {
  public:
-  explicit PngDecoder(std::string_view bytes) : size_(bytes.size()), source_{bytes, {}, {}} {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, keep_error, keep_warning);
-    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
-  }
+  explicit PngDecoder(std::string_view bytes)
+      : size_(bytes.size()),
+        source_{bytes, {}, {}},
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, keep_error, keep_warning)),
+        info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {}
   ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngDecoder(const PngDecoder&) = delete;
   PngDecoder& operator=(const PngDecoder&) = delete;
@@ -240,8 +242,8 @@ class PngDecoder {
 
   std::size_t size_;
   Source source_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
+  png_structp png_;
+  png_infop info_;
   Layout layout_;
   std::vector<PaletteEntry> palette_;
   bool any_transparent_ = false;

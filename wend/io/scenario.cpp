@@ -166,11 +166,11 @@ Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int 
 
 Expected<fs::path, IoError> scenario_map_path(const Scenario& scenario) {
   const fs::path file = scenario.file;
-  const fs::path twin = file.parent_path() / file.stem();
+  fs::path twin = file.parent_path() / file.stem();
   if (file.extension() == ".scen" && twin.extension() == ".map" && is_file(twin)) return twin;
   const auto name = common_map_name(scenario);
   if (!name) return io_failure(scenario.file, 0, "the lines name no map, or more than one");
-  const fs::path named = file.parent_path() / *name;
+  fs::path named = file.parent_path() / *name;
   if (is_file(named)) return named;
   return io_failure(scenario.file, 0,
                     fmt::format("its map {} is not in the same folder", quote(*name)));
