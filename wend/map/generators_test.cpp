@@ -283,6 +283,13 @@ TEST(OfficeGenerator, CanBeUnfurnished) {
   EXPECT_EQ(FreeSpace(empty).regions().count(Adjacency::edges), 1U);
 }
 
+TEST(OfficeGenerator, LetsTheDemosRobotGetFromOneEndToTheOther) {
+  const FreeSpace space(made("office", 160, 100, 7), {.robot_radius = 0.2});
+  const Frame& frame = space.map().frame();
+  EXPECT_TRUE(space.regions().connected(frame.cell_at({1, 1}).value(),
+                                        frame.cell_at({15, 9}).value(), Adjacency::edges));
+}
+
 TEST(WarehouseGenerator, WantsRoomForOneAisle) {
   EXPECT_EQ(error_of("warehouse", 400, 100, {{"aisle_width", "10"}}),
             "a map of kind 'warehouse' with 400 x 100 cells is too small: it needs at least 134 x "
