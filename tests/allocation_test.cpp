@@ -1,0 +1,181 @@
+// What planners take from the heap: nothing in a warm query, and at most 20 bytes a cell of their
+// own.
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "tests/testing/random_map.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/planner/observer.hpp"
+#include "wend/planner/planners.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define WEND_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define WEND_ADDRESS_SANITIZER 1
+#endif
+#endif
+#ifdef WEND_ADDRESS_SANITIZER
+// Of sanitizer/allocator_interface.h, which not every compiler's package has.
+extern "C" std::size_t
+__sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifier)
+#endif
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  void* const memory =
+      alignment <= alignof(std::max_align_t)
+          ? std::malloc(size == 0 ? 1 : size)
+          : std::aligned_alloc(alignment, (size + alignment - 1) & ~(alignment - 1));
+  if (memory == nullptr) std::abort();
+  return memory;
+}
+
+}  // namespace
+
+// The array and nothrow forms call these. Not inlined, or gcc warns of new that ends in free.
+void* operator new(std::size_t size) { return counted(size, 1); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace wend::test {
+namespace {
+
+/// Bytes in use, from malloc and calloc as well as from new.
+std::size_t bytes_in_use() {
+#ifdef WEND_ADDRESS_SANITIZER
+  return __sanitizer_get_current_allocated_bytes();
+#else
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+#endif
+}
+
+FreeSpace generated(std::string_view kind, int width, int height) {
+  return FreeSpace(generators().find(kind)->make(width, height, 7, {}).value());
+}
+
+std::vector<FreeSpace> maps() {
+  Random random(3);
+  return {generated("random", 90, 70), generated("maze", 61, 41), generated("rough", 80, 80),
+          FreeSpace(GridMap(Grid<CellState>(64, 64, CellState::free)))};
+}
+
+/// Queries long and short, with one goal and several, some of them without an answer.
+std::vector<Query> random_queries(Random& random, const FreeSpace& space) {
+  std::vector<Query> queries;
+  const auto pose = [&] { return pose_at(random_cell(random, space.width(), space.height())); };
+  for (int i = 0; i < 40; ++i) {
+    Query query{pose(), {pose()}};
+    while (random.chance(0.3)) query.goals.push_back(pose());
+    queries.push_back(query);
+  }
+  return queries;
+}
+
+class Allocation : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<Planner> make(const FreeSpace& space) const {
+    return std::move(make_planner(GetParam(), space).value());
+  }
+};
+
+TEST(CountingAllocator, Counts) {
+  const std::size_t before = allocations;
+  const std::size_t bytes_before = bytes_in_use();
+  const auto memory = std::make_unique<std::vector<int>>(1000);
+  EXPECT_EQ(allocations - before, 2U);
+  EXPECT_GE(bytes_in_use() - bytes_before, 4000U);
+}
+
+TEST_P(Allocation, OfAWarmQueryIsNone) {
+  for (const FreeSpace& space : maps()) {
+    Random random(11);
+    const auto planner = make(space);
+    const std::vector<Query> queries = random_queries(random, space);
+    Plan plan;
+    int found = 0;
+    for (const Query& query : queries) {
+      found += planner->plan(query, plan) == Status::found ? 1 : 0;
+    }
+    EXPECT_GT(found, 5);
+    const std::size_t before = allocations;
+    for (const Query& query : queries) planner->plan(query, plan);
+    EXPECT_EQ(allocations - before, 0U);
+  }
+}
+
+TEST_P(Allocation, OfAWarmQueryInStepsIsNone) {
+  if (!planners().find(GetParam())->can_step) GTEST_SKIP() << "it cannot be stepped";
+  const FreeSpace space(GridMap(Grid<CellState>(64, 64, CellState::free)));
+  const auto planner = make(space);
+  const Query query = Query::between({3, 60}, {50, 2});
+  Plan plan;
+  planner->plan(query, plan);
+  const std::size_t before = allocations;
+  auto outcome = planner->begin(query, plan);
+  while (!outcome) outcome = planner->step(plan);
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_EQ(*outcome, Status::found);
+}
+
+class Bystander final : public SearchObserver {
+ public:
+  void on_generate(const SearchEvent&) override {}
+  void on_expand(const SearchEvent&) override {}
+  void on_relax(const SearchEvent&) override {}
+};
+
+/// The queries are short, so that the frontier, which does not count, is small.
+TEST_P(Allocation, OfAPlannerIsAtMost20BytesACell) {
+  constexpr int kSide = 1000;
+  constexpr std::size_t kMost = std::size_t{20} * kSide * kSide;
+  Grid<double> terrain(kSide, kSide, 1);
+  terrain[{500, 500}] = 2;
+  for (const bool rough : {false, true}) {
+    SCOPED_TRACE(rough ? "with terrain" : "uniform");
+    const FreeSpace space(GridMap(Grid<CellState>(kSide, kSide, CellState::free), {},
+                                  rough ? terrain : Grid<double>()));
+    Plan plan;
+    Query query = Query::between({500, 500}, {503, 503});
+    const std::size_t before = bytes_in_use();
+    const auto planner = make(space);
+    EXPECT_LE(bytes_in_use() - before, kMost) << "when it is made";
+    EXPECT_EQ(planner->plan(query, plan), Status::found);
+    EXPECT_LE(bytes_in_use() - before, kMost) << "after a query";
+    Bystander bystander;
+    query.observer = &bystander;
+    EXPECT_EQ(planner->plan(query, plan), Status::found);
+    EXPECT_LE(bytes_in_use() - before, kMost) << "after a query that was watched";
+    planner->update(space);
+    EXPECT_LE(bytes_in_use() - before, kMost) << "after an update";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Allocation, ::testing::ValuesIn(planners().names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend::test
