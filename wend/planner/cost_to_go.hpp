@@ -4,7 +4,7 @@
 // the goal; from it the best path from any cell comes without searching again, and so does the
 // policy, the direction to move in every cell. (Costs are the same both ways.)
 //
-//   const auto field = wend::CostToGo::make(space, {goal});
+//   const auto field = wend::CostToGo::make(space, std::array{goal});
 //   if (const auto path = field->path_from(start)) ...
 //
 // O(cells log cells) to make, O(length) a path. Immutable; may be shared between threads.

@@ -1,0 +1,250 @@
+// The snippets of README.md and of the public headers, compiled and run as they stand there. The
+// last tests look into those files for lines that are not here.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/random.hpp"
+#include "wend/io/load_map.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = WEND_SOURCE_DIR;
+
+// What the snippets call.
+std::string reported;
+void report(std::string_view what) { reported = what; }
+int cells_planned_on = 0;
+void plan_on(const wend::GridMap& map) { cells_planned_on = static_cast<int>(map.size()); }
+
+/// A map file in a folder of its own, which is the working folder while this lives.
+class OfficeInWorkingFolder {
+ public:
+  OfficeInWorkingFolder() {
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "office.yaml")
+        << "image: office.pgm\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\n"
+           "occupied_thresh: 0.65\nfree_thresh: 0.25\n";
+    std::ofstream(folder_ / "office.pgm") << "P2 4 3 255\n"
+                                             "254 254 254 254\n254 0 0 254\n254 254 254 254\n";
+    fs::current_path(folder_);
+  }
+  ~OfficeInWorkingFolder() {
+    fs::current_path(before_);
+    fs::remove_all(folder_);
+  }
+  OfficeInWorkingFolder(const OfficeInWorkingFolder&) = delete;
+  OfficeInWorkingFolder& operator=(const OfficeInWorkingFolder&) = delete;
+
+ private:
+  fs::path before_ = fs::current_path();
+  fs::path folder_ = fs::path(::testing::TempDir()) / ("wend_snippets_" + std::to_string(getpid()));
+};
+
+TEST(Snippets, OfExpected) {
+  wend::Expected<int, std::string> parsed = wend::Unexpected<std::string>("no number");
+  if (!parsed) report(parsed.error());
+  EXPECT_EQ(reported, "no number");
+}
+
+struct WalkOptions {
+  std::int64_t max_steps = 100;
+  double boldness = 0.5;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"max_steps", "give up after so many steps"}, self.max_steps, {1, 1e9});
+    field({"boldness", "how far it strays"}, self.boldness, {0, 1});
+  }
+};
+
+TEST(Snippets, OfOptions) {
+  const auto options = wend::parse_options<WalkOptions>({{"max_steps", "50"}});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->max_steps, 50);
+  EXPECT_EQ(options->boldness, 0.5);
+}
+
+TEST(Snippets, OfRandom) {
+  wend::Random random(42);
+  const int die = 1 + static_cast<int>(random.below(6));
+  EXPECT_TRUE(die >= 1 && die <= 6);
+}
+
+TEST(Snippets, OfMapsAndFreeSpace) {
+  wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
+  cells[{3, 4}] = wend::CellState::occupied;
+  const wend::GridMap map(cells);
+
+  const wend::FreeSpace space(map, {.robot_radius = 0.2});
+  if (const auto reason = space.why_blocked({3, 4})) report(wend::describe(*reason));
+  EXPECT_EQ(reported, "an obstacle");
+}
+
+void generate() {
+  const wend::GeneratorInfo* maze = wend::generators().find("maze");
+  const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
+  if (!map) report(map.error().message());
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->width(), 41);
+}
+
+TEST(Snippets, OfGenerators) { generate(); }
+
+void load() {
+  const auto loaded = wend::load_map("office.yaml");
+  if (!loaded) return report(loaded.error().message());
+  plan_on(loaded->map);
+}
+
+TEST(Snippets, OfLoadMap) {
+  const OfficeInWorkingFolder office;
+  load();
+  EXPECT_EQ(cells_planned_on, 12);
+}
+
+void make_planner_and_plan(const wend::FreeSpace& space) {
+  auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
+  if (!planner) return report(planner.error().message());
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  if (!plan) return report(wend::describe(plan.error().status));
+  EXPECT_EQ(plan->path.cells().back(), (wend::Cell{8, 5}));
+}
+
+const wend::FreeSpace& open_space() {
+  static const wend::FreeSpace space(
+      wend::GridMap(wend::Grid<wend::CellState>(10, 8, wend::CellState::free)));
+  return space;
+}
+
+TEST(Snippets, OfPlanner) {
+  reported.clear();
+  make_planner_and_plan(open_space());
+  EXPECT_EQ(reported, "");
+}
+
+TEST(Snippets, OfAPlannerInSteps) {
+  const auto made = wend::make_planner("astar", open_space());
+  wend::Planner& planner = **made;
+  const wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  wend::Plan plan;
+  auto outcome = planner.begin(query, plan);
+  while (!outcome) outcome = planner.step(plan);
+  EXPECT_EQ(*outcome, wend::Status::found);
+}
+
+TEST(Snippets, OfCostToGo) {
+  const wend::FreeSpace& space = open_space();
+  const wend::Cell goal{8, 5};
+  const wend::Cell start{1, 1};
+  const auto field = wend::CostToGo::make(space, std::array{goal});
+  if (const auto path = field->path_from(start)) report("there is a path");
+  EXPECT_EQ(reported, "there is a path");
+}
+
+/// README.md's program: a path from a map file, in ten lines.
+int readme() {
+  const auto loaded = wend::load_map("office.yaml");
+  if (!loaded) return report(loaded.error().message()), 2;
+  const wend::FreeSpace space(loaded->map, {.robot_radius = 0.05});
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({0, 0}, {3, 2}));
+  if (!plan) return report(wend::describe(plan.error().status)), 1;
+  for (const wend::Point point : plan->path.points_in_metres(loaded->map.frame())) {
+    std::cout << point.x << ' ' << point.y << '\n';
+  }
+  return 0;
+}
+
+TEST(Snippets, OfReadme) {
+  const OfficeInWorkingFolder office;
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(readme(), 0);
+  const std::string printed = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(printed.substr(0, printed.find('\n')), "0.05 0.05");
+  EXPECT_NE(printed.find("0.35 0.25\n"), std::string::npos);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// A line without what surrounds its code: blanks and, in headers, the comment's slashes.
+std::string_view code_of(std::string_view line) {
+  const std::size_t first = line.find_first_not_of("/ \t");
+  if (first == std::string_view::npos) return {};
+  return line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+}
+
+std::set<std::string, std::less<>> lines_of_code(const fs::path& file) {
+  std::set<std::string, std::less<>> lines;
+  std::istringstream text(text_of(file));
+  for (std::string line; std::getline(text, line);) lines.emplace(code_of(line));
+  return lines;
+}
+
+bool is_statement(std::string_view code) {
+  return !code.empty() && (code.back() == ';' || code.back() == '{') &&
+         code.find("...") == std::string_view::npos;
+}
+
+/// Complains about every line of a snippet that does not stand in this file.
+void expect_here(const fs::path& file, std::string_view code) {
+  static const auto here = lines_of_code(kSource / "tests" / "snippets_test.cpp");
+  if (is_statement(code) && here.count(code) == 0) {
+    ADD_FAILURE() << file << " shows a line that is not compiled here:\n  " << code;
+  }
+}
+
+TEST(Snippets, OfHeadersStandHere) {
+  for (const std::string_view header :
+       {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
+        "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
+        "planner/cost_to_go.hpp"}) {
+    std::istringstream text(text_of(kSource / "wend" / header));
+    int lines = 0;
+    for (std::string line; std::getline(text, line);) {
+      const bool in_comment = line.find("//   ") < line.find_first_not_of(" /");
+      if (!in_comment) continue;
+      ++lines;
+      expect_here(header, code_of(line));
+    }
+    EXPECT_GT(lines, 0) << header << " shows no snippet";
+  }
+}
+
+TEST(Snippets, OfReadmeStandHere) {
+  const fs::path readme_file = kSource / "README.md";
+  if (!fs::exists(readme_file)) GTEST_SKIP() << "there is no README.md";
+  std::istringstream text(text_of(readme_file));
+  bool in_cpp = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.rfind("```", 0) == 0) {
+      in_cpp = line == "```cpp" || line == "```c++";
+    } else if (in_cpp && line.find("int main") == std::string::npos) {
+      expect_here("README.md", code_of(line));
+    }
+  }
+}
+
+}  // namespace
