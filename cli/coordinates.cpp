@@ -39,7 +39,7 @@ std::string metres(Point point) {
   const auto rounded = [](double value) {
     return format_number(std::round(value * 1e4) / 1e4 + 0.0);
   };
-  return rounded(point.x) + "," + rounded(point.y) + " m";
+  return "(" + rounded(point.x) + "," + rounded(point.y) + ") m";
 }
 
 }  // namespace
@@ -47,11 +47,12 @@ std::string metres(Point point) {
 Place Coordinates::parse(const std::string& name, const std::string& typed) const {
   const auto point = parse_point(typed);
   if (!point) {
-    throw InputError(fmt::format("--{}: {} is not two numbers X,Y", name, quote(typed)));
+    throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
   }
   if (metric_) {
-    const Cell cell = frame_.cell_at(*point).value_or(kFarOutside);
-    return {name, cell, fmt::format("{} (cell {},{})", metres(*point), cell.x, cell.y)};
+    const auto cell = frame_.cell_at(*point);
+    if (!cell) return {name, kFarOutside, metres(*point)};
+    return {name, *cell, metres(*point) + ", cell " + cell_text(*cell)};
   }
   if (!is_whole(point->x) || !is_whole(point->y)) {
     throw InputError(fmt::format("--{}: {} is not a cell: cells are counted in whole numbers{}",
@@ -65,7 +66,7 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
 
 std::string Coordinates::text(Cell cell) const {
   if (!metric_) return cell_text(cell);
-  return fmt::format("{} (cell {},{})", metres(frame_.to_metres(centre_of(cell))), cell.x, cell.y);
+  return metres(frame_.to_metres(centre_of(cell))) + ", cell " + cell_text(cell);
 }
 
 std::string Coordinates::length(double cells) const {
@@ -81,7 +82,8 @@ std::string Coordinates::area(std::size_t cells) const {
 }
 
 std::string Coordinates::extent() const {
-  if (!metric_) return fmt::format("x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
+  if (!metric_)
+    return fmt::format("the cells with x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
   const double right = width_;
   const double top = height_;
   const std::array<Point, 4> corners{

@@ -15,7 +15,7 @@ namespace wend::cli {
 struct Place {
   std::string name;  // "start", "goal"
   Cell cell;         // may lie outside the map
-  std::string text;  // "(3,4)" or "1.25,3.4 m (cell 25,68)"
+  std::string text;  // "(3,4)" or "(1.25,3.4) m, cell (25,68)"
 };
 
 class Coordinates {
@@ -41,7 +41,7 @@ class Coordinates {
   /// A number of cells as an area: "57 cells", and "(0.14 m2)" where the map has metres.
   std::string area(std::size_t cells) const;
 
-  /// What the map covers: "x from 0 to 9 and y from 0 to 4".
+  /// What the map covers: "the cells with x from 0 to 9 and y from 0 to 4".
   std::string extent() const;
 
   /// A radius in the user's units, in metres.

@@ -42,8 +42,7 @@ Json json_of_grid(const CostToGo& field) {
 std::string field_json(const FieldReport& report, const Frame& frame, const CostToGo* grid) {
   Json json{{"goals", json_of(report.goals)}, {"status", to_string(report.status)}};
   if (report.status != Status::found) json["reason"] = report.reason;
-  json["metrics"] = json_of(report.metrics);
-  json["metrics"]["time_us"] = report.seconds * 1e6;
+  json["metrics"] = json_of(report.metrics, report.seconds);
   Json& starts = json["starts"] = Json::array();
   for (const FieldStart& start : report.starts) starts.push_back(json_of_start(start, frame));
   if (grid != nullptr) json["grid"] = json_of_grid(*grid);

@@ -1,5 +1,7 @@
 #include "wend/report/json.hpp"
 
+#include <cmath>
+
 namespace wend {
 
 Json json_of(Cell cell) { return Json::array({cell.x, cell.y}); }
@@ -10,10 +12,12 @@ Json json_of(std::span<const Cell> cells) {
   return json;
 }
 
-Json json_of(const SearchMetrics& metrics) {
+Json json_of(const SearchMetrics& metrics, double seconds) {
+  const double nanoseconds = std::round(seconds * 1e9);
   return {{"expanded", metrics.expanded},
           {"generated", metrics.generated},
-          {"max_frontier", metrics.max_frontier}};
+          {"max_frontier", metrics.max_frontier},
+          {"time_us", nanoseconds / 1000}};
 }
 
 Json json_of(const OptionInfo& option) {

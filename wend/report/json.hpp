@@ -23,11 +23,11 @@ Json json_of(Cell cell);
 /// [[x, y], ...]
 Json json_of(std::span<const Cell> cells);
 
-/// {"expanded", "generated", "max_frontier"}
-Json json_of(const SearchMetrics& metrics);
-
 /// {"name", "alias", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
+
+/// {"expanded", "generated", "max_frontier", "time_us"}, the time in microseconds.
+Json json_of(const SearchMetrics& metrics, double seconds);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty.
 void put_path(Json& json, const Plan& plan, const Frame& frame);

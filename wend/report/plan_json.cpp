@@ -9,8 +9,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame) {
   if (result.status != Status::found) json["reason"] = result.reason;
   put_path(json, result.plan, frame);
   json["bound"] = result.plan.bound;
-  json["metrics"] = json_of(result.plan.metrics);
-  json["metrics"]["time_us"] = result.seconds * 1e6;
+  json["metrics"] = json_of(result.plan.metrics, result.seconds);
   return text_of(json);
 }
 

@@ -1,0 +1,318 @@
+// `wend plan` and `wend field` on small maps, from outside.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+// Two regions: the right column is walled off.
+constexpr const char* kGrid =
+    ".....#.\n"
+    ".###.#.\n"
+    "....##.\n"
+    ".~3..#?\n";
+
+class PlanCommand : public testing::Test {
+ protected:
+  Outcome plan(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"plan", map_});
+    return wend(std::move(arguments));
+  }
+
+  Outcome plan(const std::string& start, const std::string& goal,
+               const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"--start", start, "--goal", goal};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return plan(std::move(arguments));
+  }
+
+  json plan_json(const std::string& start, const std::string& goal,
+                 std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"--format", "json"});
+    return json::parse(plan(start, goal, more).out);
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("grid.txt", kGrid);
+};
+
+TEST_F(PlanCommand, ShowsThePathAndTheMapWithArrows) {
+  const Outcome outcome = plan("0,0", "4,3");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, StartsWith("(0,0)>(0,1)>(0,2)>(1,2)>(2,2)>(3,3)>(4,3)\n"
+                                      "S....#.\n"
+                                      "↓###.#.\n"
+                                      "→→↘.##.\n"
+                                      ".~3→G#?\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("no path is cheaper"));
+}
+
+TEST_F(PlanCommand, HasTheJsonOfItsSchema) {
+  const json found = plan_json("0,2", "3,3");
+  EXPECT_EQ(found.at("planner"), "astar");
+  EXPECT_EQ(found.at("status"), "found");
+  EXPECT_DOUBLE_EQ(found.at("cost").get<double>(), 2 + std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(found.at("length_cells").get<double>(), 2 + std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(found.at("length_m").get<double>(), 2 + std::sqrt(2.0));
+  EXPECT_EQ(found.at("path"), json({{0, 2}, {1, 2}, {2, 2}, {3, 3}}));
+  EXPECT_EQ(found.at("path_m"), json({{0.5, 2.5}, {1.5, 2.5}, {2.5, 2.5}, {3.5, 3.5}}));
+  EXPECT_EQ(found.at("bound"), 1);
+  const json& metrics = found.at("metrics");
+  EXPECT_GE(metrics.at("expanded"), 4);
+  EXPECT_GE(metrics.at("generated"), metrics.at("expanded"));
+  EXPECT_GE(metrics.at("max_frontier"), 1);
+  EXPECT_GT(metrics.at("time_us"), 0);
+}
+
+TEST_F(PlanCommand, FailsWithTheReasonAndTheMetrics) {
+  struct Case {
+    std::string start, goal;
+    std::vector<std::string> more;
+    std::string status;
+    std::string message;
+  };
+  const std::vector<Case> cases{
+      {"-1,0", "4,3", {}, "start_outside", "covers the cells with x from 0 to 6 and y from 0 to 3"},
+      {"1e300,0", "4,3", {}, "start_outside", "the start (1e300,0) lies outside"},
+      {"0,0", "7,0", {}, "goal_outside", "the goal (7,0) lies outside"},
+      {"1,1", "0,0", {}, "start_blocked", "it lies on an obstacle"},
+      {"0,0", "2,1", {}, "goal_blocked", "connected to the start is (2,0), 1 cell away"},
+      {"0,0", "6,3", {}, "goal_blocked", "the cell is unknown (--unknown free"},
+      {"0,3", "3,3", {"--robot-radius", "1"}, "goal_blocked", "the robot's radius is 1 cell"},
+      {"0,0", "6,0", {}, "unreachable", "start's region has 16 cells, the goal's has 3 cells"},
+      {"0,0", "4,3", {"--limit-expansions", "2"}, "expansion_limit", "after 2 expansions"},
+      {"0,0", "4,3", {"--limit-time", "0"}, "time_limit", "--limit-time 0"},
+      {"0,0", "4,3", {"--planner=random_walk", "--max-steps=2"}, "step_limit", "its 2 steps"},
+  };
+  for (const Case& failing : cases) {
+    const Outcome text = plan(failing.start, failing.goal, failing.more);
+    EXPECT_EQ(text.code, 1) << failing.status;
+    EXPECT_THAT(text.err, AllOf(StartsWith("wend: "), HasSubstr(failing.message)));
+    EXPECT_THAT(text.out, Not(HasSubstr(">(")));
+    const json failed = plan_json(failing.start, failing.goal, failing.more);
+    EXPECT_EQ(failed.at("status"), failing.status);
+    EXPECT_THAT(failed.at("reason").get<std::string>(), HasSubstr(failing.message));
+    EXPECT_EQ(failed.at("path"), json::array());
+    EXPECT_EQ(failed.at("path_m"), json::array());
+    EXPECT_TRUE(failed.at("cost").is_null() && failed.at("length_m").is_null());
+    EXPECT_TRUE(failed.at("metrics").contains("max_frontier"));
+  }
+}
+
+TEST_F(PlanCommand, PlansNothingForBadInput) {
+  const std::vector<std::vector<std::string>> cases{
+      {"--start", "0.5,0", "--goal", "1,0"},
+      {"--start", "nan,0", "--goal", "1,0"},
+      {"--start", "inf,0", "--goal", "1,0"},
+      {"--start", "0", "--goal", "1,0"},
+      {"--start", "0,0,0", "--goal", "1,0"},
+      {"--start", "0, 0", "--goal", "1,0"},
+      {"--start", "a,b", "--goal", "1,0"},
+      {"--start", "0,0", "--goal", "1,0", "--robot-radius", "-1"},
+      {"--start", "0,0", "--goal", "1,0", "--robot-radius", "nan"},
+      {"--start", "0,0", "--goal", "1,0", "--robot-radius", "inf"},
+      {"--start", "0,0", "--goal", "1,0", "--limit-time", "-1"},
+      {"--start", "0,0", "--goal", "1,0", "--limit-expansions", "-1"},
+      {"--start", "0,0", "--goal", "1,0", "--unknown", "maybe"},
+      {"--start", "0,0", "--goal", "1,0", "--planner", "astr"},
+      {"--start", "0,0", "--goal", "1,0", "--planner", "astar,bfs"},
+      {"--start", "0,0", "--goal", "1,0", "--weight", "-1"},
+      {"--start", "0,0", "--goal", "1,0", "--weight", "x"},
+      {"--start", "0,0", "--goal", "1,0", "--connectivity", "6"},
+      {"--start", "0,0", "--goal", "1,0", "--planner", "bfs", "--weight", "2"},
+      {"--start", "0,0", "--goal", "1,0", "-o", "plan.bmp"},
+      {"--start", "0,0", "--goal", "1,0", "-o", "plan"},
+      {"--start", "0,0", "--goal", "1,0", "-o", "no/such/folder/plan.png"},
+  };
+  for (const auto& arguments : cases) {
+    const Outcome outcome = plan(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.out, IsEmpty()) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.err, StartsWith("wend: "));
+  }
+}
+
+TEST_F(PlanCommand, SaysWhichPlannersHaveAnOption) {
+  EXPECT_THAT(plan("0,0", "1,0", {"--planner", "bfs", "--weight", "2"}).err,
+              HasSubstr("the planner 'bfs' has no option --weight; astar has it"));
+}
+
+TEST_F(PlanCommand, TakesItsPlannersOptionsAsFlags) {
+  EXPECT_EQ(plan_json("0,0", "4,3", {"--weight", "2"}).at("bound"), 2);
+  EXPECT_EQ(plan_json("0,0", "4,3", {"--lambda", "2"}).at("bound"), 2);
+  EXPECT_EQ(plan_json("0,0", "4,3", {"--planner", "astar:weight=2"}).at("bound"), 2);
+  EXPECT_EQ(plan_json("0,2", "2,2", {"--planner", "greedy"}).at("bound"), json());
+  EXPECT_EQ(plan_json("3,2", "4,3", {"--connectivity", "4"}).at("length_cells"), 2);
+  EXPECT_GT(plan_json("3,2", "4,1").at("length_cells"), 4);
+  for (const std::string flag : {"--corner-rule", "--corner_rule"}) {
+    EXPECT_LT(plan_json("3,2", "4,1", {flag, "both"}).at("length_cells"), 2);
+  }
+}
+
+TEST_F(PlanCommand, MarksWhatARandomWalkVisited) {
+  const Outcome walk = plan("0,0", "4,3", {"--planner", "random_walk", "--seed", "4"});
+  EXPECT_EQ(walk.code, 0);
+  EXPECT_THAT(walk.out, AllOf(StartsWith("(0,0)>"), HasSubstr("*"), HasSubstr("* visited"),
+                              HasSubstr("no claim"), Not(HasSubstr("→"))));
+}
+
+TEST_F(PlanCommand, NearestMovesBlockedEnds) {
+  const Outcome goal = plan("0,0", "2,1", {"--nearest"});
+  EXPECT_EQ(goal.code, 0);
+  EXPECT_THAT(goal.out, StartsWith("(0,0)>(1,0)>(2,0)\n"));
+  EXPECT_THAT(goal.err, HasSubstr("planning to (2,0), 1 cell away"));
+  const json start = plan_json("5,1", "6,0", {"--nearest"});  // (4,1) is as near, but walled off
+  EXPECT_EQ(start.at("path"), json({{6, 1}, {6, 0}}));
+  const json both = plan_json("1,1", "5,3", {"--nearest"});
+  EXPECT_EQ(both.at("path").front(), json({1, 0}));
+  EXPECT_EQ(both.at("path").back(), json({4, 3}));
+  EXPECT_EQ(plan_json("0,0", "9,9", {"--nearest"}).at("status"), "goal_outside");
+  EXPECT_EQ(plan_json("0,0", "6,0", {"--nearest"}).at("status"), "unreachable");
+}
+
+TEST_F(PlanCommand, UnknownCellsMayBeFree) {
+  EXPECT_EQ(plan_json("6,0", "6,3").at("status"), "goal_blocked");
+  EXPECT_EQ(plan_json("6,0", "6,3", {"--unknown", "free"}).at("length_cells"), 3);
+}
+
+TEST_F(PlanCommand, StartMayBeTheGoal) {
+  const json same = plan_json("4,0", "4,0");
+  EXPECT_EQ(same.at("path"), json({{4, 0}}));
+  EXPECT_EQ(same.at("cost"), 0);
+}
+
+TEST_F(PlanCommand, WritesFilesByTheirNames) {
+  const std::string png = folder_ / "plan.png";
+  const std::string svg = folder_ / "plan.SVG";
+  const std::string csv = folder_ / "plan.csv";
+  const std::string file = folder_ / "plan.json";
+  const Outcome outcome =
+      plan("0,2", "3,3", {"-o", png, "-o", svg, "--output", csv, "-o", file, "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(bytes_of(png), StartsWith("\x89PNG\r\n\x1a\n"));
+  EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
+  EXPECT_EQ(bytes_of(csv), "x,y,x_m,y_m\n0,2,0.5,2.5\n1,2,1.5,2.5\n2,2,2.5,2.5\n3,3,3.5,3.5\n");
+  EXPECT_EQ(bytes_of(file), outcome.out);
+}
+
+TEST_F(PlanCommand, AFailureWritesNoPath) {
+  const std::string csv = folder_ / "plan.csv";
+  const std::string file = folder_ / "plan.json";
+  EXPECT_EQ(plan("0,0", "6,0", {"-o", csv, "-o", file}).code, 1);
+  EXPECT_FALSE(std::filesystem::exists(csv));
+  EXPECT_EQ(json::parse(bytes_of(file)).at("status"), "unreachable");
+}
+
+TEST_F(PlanCommand, NoPictureWhereNoneIsWanted) {
+  EXPECT_THAT(plan("0,0", "4,3", {"--picture", "never"}).out, Not(HasSubstr("###")));
+}
+
+// 1 m by 0.5 m at 0.25 m a cell, turned by nothing, its corner at (-0.5, -1).
+class MetricPlan : public PlanCommand {
+ protected:
+  MetricPlan() {
+    folder_.write("map.pgm", "P2\n4 2\n255\n254 254 254 254\n254 0 254 254\n");
+    map_ = folder_.write("map.yaml",
+                         "image: map.pgm\nresolution: 0.25\norigin: [-0.5, -1, 0]\nnegate: 0\n"
+                         "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  }
+};
+
+TEST_F(MetricPlan, CountsInMetres) {
+  const json found = plan_json("-0.4,-0.9", "0.1,-0.99");
+  EXPECT_EQ(found.at("path"), json({{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}}));
+  EXPECT_EQ(found.at("path_m").front(), json({-0.375, -0.875}));
+  EXPECT_EQ(found.at("length_cells"), 4);
+  EXPECT_EQ(found.at("length_m"), 1);
+  EXPECT_THAT(plan("-0.4,-0.9", "0.1,-0.99").out, HasSubstr("4 cells, 1 m"));
+}
+
+TEST_F(MetricPlan, CountsInCellsWhenAsked) {
+  EXPECT_EQ(plan_json("0,0", "2,0", {"--cells"}).at("path").size(), 5U);
+  EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.4"}).at("status"), "found");
+  EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.6"}).at("status"),
+            "unreachable");
+  EXPECT_EQ(plan_json("-0.4,-0.6", "0.3,-0.6", {"--robot-radius", "0.1"}).at("status"), "found");
+}
+
+TEST_F(MetricPlan, TalksInTheUnitsTyped) {
+  EXPECT_THAT(plan("5,5", "0,-0.9").err,
+              AllOf(HasSubstr("the start (5,5) m, cell (22,24) lies outside"),
+                    HasSubstr("x from -0.5 to 0.5 m and y from -1 to -0.5 m")));
+  EXPECT_THAT(plan("5,5", "0,0", {"--cells"}).err, HasSubstr("the cells with x from 0 to 3"));
+  EXPECT_THAT(plan("-0.2,-0.9", "0.1,-0.9").err,
+              AllOf(HasSubstr("the start (-0.2,-0.9) m, cell (1,0) is blocked"),
+                    HasSubstr("0.25 m away: --nearest")));
+  EXPECT_THAT(plan("0,0.5", "0,0", {"--cells"}).err, HasSubstr("without --cells, X,Y are metres"));
+}
+
+class FieldCommand : public PlanCommand {
+ protected:
+  Outcome field(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"field", map_});
+    return wend(std::move(arguments));
+  }
+};
+
+TEST_F(FieldCommand, ShowsCostsPolicyAndPaths) {
+  const Outcome outcome = field({"--goal", "0,0", "--start", "2,2", "--start=4,0"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("0.0 1.0 2.0 3.0 4.0   #   -\n"), HasSubstr("G←←←←#-\n"),
+                                 HasSubstr("(2,2)>(1,2)>(0,2)>(0,1)>(0,0)\n"),
+                                 HasSubstr("from (4,0): cost 4, 4 steps\n")));
+}
+
+TEST_F(FieldCommand, HasJsonWithTheGridWhenAsked) {
+  const json plain = json::parse(
+      field({"--goal", "0,0", "--goal", "6,0", "--start", "6,2", "--format", "json"}).out);
+  EXPECT_EQ(plain.at("goals"), json({{0, 0}, {6, 0}}));
+  EXPECT_FALSE(plain.contains("grid"));
+  EXPECT_EQ(plain.at("starts").at(0).at("start"), json({6, 2}));
+  EXPECT_EQ(plain.at("starts").at(0).at("path"), json({{6, 2}, {6, 1}, {6, 0}}));
+  EXPECT_EQ(plain.at("starts").at(0).at("cost"), 2);
+  const json grid =
+      json::parse(field({"--goal", "0,0", "--grid", "--format", "json"}).out).at("grid");
+  EXPECT_EQ(grid.at("costs").at(0).at(4), 4);
+  EXPECT_TRUE(grid.at("costs").at(0).at(6).is_null());
+  EXPECT_EQ(grid.at("policy").at(0).at(4), "left");
+  EXPECT_TRUE(grid.at("policy").at(0).at(0).is_null());
+}
+
+TEST_F(FieldCommand, WritesEveryCell) {
+  const std::string csv = folder_ / "field.csv";
+  EXPECT_EQ(field({"--goal", "0,0", "-o", csv}).code, 0);
+  EXPECT_THAT(bytes_of(csv),
+              AllOf(StartsWith("x,y,cost,move\n0,0,0,\n1,0,1,left\n"), HasSubstr("\n5,0,,\n")));
+}
+
+TEST_F(FieldCommand, SaysWhyThereIsNone) {
+  EXPECT_THAT(field({"--goal", "9,9"}).err, HasSubstr("the goal (9,9) lies outside"));
+  EXPECT_THAT(field({"--goal", "0,0", "--goal", "1,1"}).err,
+              HasSubstr("the goal (1,1) is blocked"));
+  EXPECT_EQ(field({"--goal", "0,0", "--limit-expansions", "3"}).code, 1);
+  EXPECT_EQ(field({"--goal", "0,0", "--weight", "3"}).code, 2);
+  EXPECT_EQ(field({"--goal", "0"}).code, 2);
+  EXPECT_EQ(field({}).code, 2);
+  const Outcome mixed =
+      field({"--goal", "0,0", "--start", "6,0", "--start", "1,0", "--format", "json"});
+  EXPECT_EQ(mixed.code, 1);
+  EXPECT_THAT(mixed.err, HasSubstr("the start's region has 3 cells"));
+  EXPECT_EQ(json::parse(mixed.out).at("starts").at(0).at("status"), "unreachable");
+  EXPECT_EQ(json::parse(mixed.out).at("starts").at(1).at("status"), "found");
+}
+
+}  // namespace
+}  // namespace wend::test

@@ -1,0 +1,240 @@
+// The program wend from outside: usage, and every subcommand but plan, field and bench.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+const std::vector<std::string> kSubcommands{"plan",     "field",    "bench",     "info",
+                                            "planners", "generate", "completion"};
+
+TEST(Usage, HelpIsAResult) {
+  const Outcome help = wend({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.err, IsEmpty());
+  for (const std::string& name : kSubcommands) EXPECT_THAT(help.out, HasSubstr("  " + name));
+}
+
+TEST(Usage, EverySubcommandHasHelpWithExamples) {
+  for (const std::string& name : kSubcommands) {
+    const Outcome help = wend({name, "--help"});
+    EXPECT_EQ(help.code, 0) << name;
+    EXPECT_THAT(help.out, AllOf(HasSubstr("Examples:\n  wend " + name), HasSubstr("Usage:")));
+  }
+}
+
+TEST(Usage, VersionIsAResult) {
+  const Outcome version = wend({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.out, testing::MatchesRegex("wend [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(Usage, BadUsageSaysWhatToDo) {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string message;
+  };
+  const std::vector<Case> cases{
+      {{}, "choose a subcommand: plan,"},
+      {{"plann"}, "there is no subcommand 'plann': did you mean plan?"},
+      {{"walk"}, "there is no subcommand 'walk': choose plan,"},
+      {{"--verison"}, "there is no flag --verison: did you mean --version?"},
+      {{"info"}, "MAP is required"},
+      {{"info", "a.map", "b.map"}, "unexpected argument 'b.map'"},
+      {{"info", "a.map", "--format", "xml"}, "--format: 'xml' is not one of text, json"},
+      {{"plan", "a.map", "--strat", "1,1", "--goal", "2,2"},
+       "there is no flag --strat: did you mean --start?"},
+      {{"plan", "a.map", "--start=1,1", "--gaol=2,2"}, "there is no flag --gaol"},
+      {{"plan", "a.map", "--start", "1,1"}, "--goal is required"},
+      {{"plan", "a.map", "--start"}, "--start"},
+  };
+  for (const Case& wrong : cases) {
+    const Outcome outcome = wend(wrong.arguments);
+    EXPECT_EQ(outcome.code, 2) << wrong.message;
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("wend: "), HasSubstr(wrong.message)));
+  }
+}
+
+TEST(Output, AReaderWhoGoesAwayIsNoError) {
+  const TemporaryFolder folder;
+  const std::string line = "$WEND generate random --size 2000x2000 | head -n 1 | wc -c";
+  const Outcome outcome = shell(line);
+  EXPECT_EQ(outcome.out, "2001\n");
+  EXPECT_THAT(outcome.err, IsEmpty());
+  const Outcome code =
+      shell("( $WEND generate random --size 2000x2000; echo $? >&2 ) | head -n 1 >/dev/null");
+  EXPECT_EQ(code.err, "0\n");
+}
+
+TEST(Output, ResultsThatAreLostAreAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const Outcome outcome = shell("$WEND planners >/dev/full");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("could not be written"));
+}
+
+TEST(Planners, AreListedForPeople) {
+  const Outcome listing = wend({"planners"});
+  EXPECT_EQ(listing.code, 0);
+  for (const std::string name : {"astar", "dijkstra", "greedy", "bfs", "dfs", "random_walk"}) {
+    EXPECT_THAT(listing.out, HasSubstr(name + "\n"));
+  }
+  EXPECT_THAT(listing.out, AllOf(HasSubstr("Hart, Nilsson, Raphael 1968"),
+                                 HasSubstr("weight (or lambda) = 1: 0 to 1e+06")));
+}
+
+TEST(Planners, AreListedForPrograms) {
+  const json listing = json::parse(wend({"planners", "--format", "json"}).out);
+  ASSERT_EQ(listing.size(), 6U);
+  for (const json& planner : listing) {
+    for (const char* key :
+         {"name", "summary", "guarantee", "promise", "preprocessing", "citation"}) {
+      EXPECT_FALSE(planner.at(key).get<std::string>().empty()) << planner.at("name") << key;
+    }
+    for (const json& option : planner.at("options")) {
+      EXPECT_TRUE(option.contains("choices") || option.at("least") <= option.at("greatest"));
+      EXPECT_FALSE(option.at("help").get<std::string>().empty());
+    }
+  }
+}
+
+TEST(Info, SaysWhatATextGridHolds) {
+  const TemporaryFolder folder;
+  const std::string map = folder.write("grid.txt", "..#3\n??#.\n");
+  const Outcome info = wend({"info", map});
+  EXPECT_EQ(info.code, 0);
+  EXPECT_THAT(info.out,
+              AllOf(HasSubstr("text grid"), HasSubstr("4 x 2 cells"), HasSubstr("4 cells (50.0 %)"),
+                    HasSubstr("1 to 3 times"), HasSubstr("2; the largest has 2 cells, 50.0 %")));
+}
+
+TEST(Info, HasTheSameForPrograms) {
+  const TemporaryFolder folder;
+  const std::string map = folder.write("grid.txt", "..#3\n??#.\n");
+  const json info = json::parse(wend({"info", map, "--format", "json"}).out);
+  EXPECT_EQ(info.at("width"), 4);
+  EXPECT_EQ(info.at("height"), 2);
+  EXPECT_EQ(info.at("free"), 4);
+  EXPECT_EQ(info.at("occupied"), 2);
+  EXPECT_EQ(info.at("unknown"), 2);
+  EXPECT_EQ(info.at("terrain"), json({{"least", 1.0}, {"mean", 1.5}, {"greatest", 3.0}}));
+  EXPECT_EQ(info.at("components"), json({{"count", 2}, {"largest", 2}}));
+  EXPECT_EQ(info.at("frame").at("metric"), false);
+}
+
+TEST(Info, TakesTheRobotIntoAccount) {
+  const TemporaryFolder folder;
+  const std::string map = folder.write("grid.txt", "...#\n....\n");
+  const std::vector<std::string> arguments{"info", map, "--robot-radius", "1", "--format", "json"};
+  EXPECT_EQ(json::parse(wend(arguments).out).at("passable"), 4);
+}
+
+TEST(Info, CountsInMetresWhereAnImageIsGivenAResolution) {
+  const TemporaryFolder folder;
+  const std::string map = folder.write("map.pgm", "P2\n2 1\n255\n255 0\n");
+  const Outcome info = wend({"info", map, "--resolution", "0.5"});
+  EXPECT_THAT(info.out, AllOf(HasSubstr("2 x 1 cells, 1 x 0.5 m"), HasSubstr("0.5 m a cell")));
+  const std::string grid = folder.write("grid.txt", "..\n");
+  const Outcome refused = wend({"info", grid, "--resolution", "0.5"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--resolution is for bare images"));
+  EXPECT_EQ(wend({"info", map, "--resolution", "0"}).code, 2);
+}
+
+TEST(Info, SaysWhyAMapDoesNotLoad) {
+  const Outcome missing = wend({"info", "no/such.map"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.out, IsEmpty());
+  EXPECT_THAT(missing.err, StartsWith("wend: no/such.map: "));
+}
+
+TEST(Generate, PrintsATextGridOrSavesAMap) {
+  const TemporaryFolder folder;
+  const Outcome printed = wend({"generate", "maze", "--size", "21x11", "--seed", "3"});
+  EXPECT_EQ(printed.code, 0);
+  EXPECT_EQ(printed.out.size(), 22U * 11U);
+  const std::string file = folder / "maze.map";
+  const Outcome saved = wend({"generate", "maze", "--size", "21x11", "--seed", "3", "-o", file});
+  EXPECT_EQ(saved.code, 0);
+  EXPECT_THAT(saved.out, HasSubstr("maze: 21 x 11 cells, seed 3"));
+  EXPECT_EQ(json::parse(wend({"info", file, "--format", "json"}).out).at("width"), 21);
+}
+
+TEST(Generate, MakesEveryKindFromASeed) {
+  for (const std::string kind : {"random", "maze", "rooms", "office", "warehouse", "rough"}) {
+    const TemporaryFolder folder;
+    const std::string map = folder / "map.txt";
+    const Outcome outcome = wend({"generate", kind, "--size", "180x160", "--seed", "5", "-o", map});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const json info = json::parse(wend({"info", map, "--format", "json"}).out);
+    EXPECT_EQ(info.at("width"), 180) << kind;
+    EXPECT_GT(info.at("free"), 0) << kind;
+  }
+}
+
+TEST(Generate, HasItsGeneratorsOptionsAsFlags) {
+  const json full = json::parse(
+      wend({"generate", "random", "--size", "9x9", "--density=1", "--format", "json"}).out);
+  EXPECT_LT(full.at("free_share"), 0.1);
+  EXPECT_EQ(wend({"generate", "office", "--size", "120x100", "--no-furniture"}).code, 0);
+  const Outcome other = wend({"generate", "maze", "--size", "9x9", "--density", "1"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("the generator 'maze' has no option --density; random has it"));
+}
+
+TEST(Generate, RefusesWhatItCannotMake) {
+  for (const std::string size :
+       {"0x5", "-3x5", "5", "5x", "axb", "5x5x5", "1e3x5", "99999x99999"}) {
+    EXPECT_EQ(wend({"generate", "random", "--size", size}).code, 2) << size;
+  }
+  EXPECT_EQ(wend({"generate", "random", "--size", "5x5", "--seed", "-1"}).code, 2);
+  EXPECT_EQ(wend({"generate", "random", "--size", "5x5", "-o", "map.bmp"}).code, 2);
+  EXPECT_THAT(wend({"generate", "maz", "--size", "5x5"}).err, HasSubstr("did you mean 'maze'?"));
+}
+
+TEST(Completion, IsAScriptForEachShell) {
+  for (const std::string name : {"bash", "zsh", "fish"}) {
+    const Outcome script = wend({"completion", name});
+    EXPECT_EQ(script.code, 0);
+    EXPECT_THAT(script.out, AllOf(HasSubstr("wend"), HasSubstr("random_walk")));
+    if (shell("command -v " + name).code != 0) continue;
+    const Outcome parsed = shell("$WEND completion " + name + " | " + name + " -n");
+    EXPECT_EQ(parsed.code, 0) << name << ": " << parsed.err;
+  }
+  EXPECT_EQ(wend({"completion", "tcsh"}).code, 2);
+}
+
+/// What bash offers after these words; the last one is being typed.
+std::string completed(const std::string& words, int count) {
+  if (shell("command -v bash").code != 0) return "no bash";
+  return shell("bash -c 'source <($WEND completion bash); COMP_WORDS=(" + words +
+               "); COMP_CWORD=" + std::to_string(count) + "; _wend; echo ${COMPREPLY[*]}'")
+      .out;
+}
+
+TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
+  if (completed("", 0) == "no bash") GTEST_SKIP() << "there is no bash";
+  EXPECT_EQ(completed("wend pl", 1), "plan planners\n");
+  EXPECT_EQ(completed("wend plan --lim", 2), "--limit-expansions --limit-time\n");
+  EXPECT_EQ(completed("wend plan --planner d", 3), "dijkstra dfs\n");
+  EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs\n");
+  EXPECT_EQ(completed("wend plan --corner-rule \"\"", 3), "none one both\n");
+  EXPECT_EQ(completed("wend generate ma", 2), "maze\n");
+  EXPECT_EQ(completed("wend completion \"\"", 2), "bash zsh fish\n");
+  EXPECT_EQ(completed("wend plan --start \"\"", 3), "\n");
+}
+
+}  // namespace
+}  // namespace wend::test

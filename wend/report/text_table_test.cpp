@@ -1,0 +1,27 @@
+#include "wend/report/text_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wend {
+namespace {
+
+TEST(TextTable, AlignsItsColumns) {
+  TextTable table({{"planner"}, {"us", Align::right}});
+  table.add({"astar", "1.5"});
+  table.add({"random_walk", "12.25"});
+  EXPECT_EQ(table.text(),
+            "planner         us\n"
+            "astar          1.5\n"
+            "random_walk  12.25\n");
+}
+
+TEST(TextTable, CountsCharactersAndNotBytes) {
+  TextTable table({{"→"}, {"b"}});
+  table.add({"ab", "c"});
+  EXPECT_EQ(table.text(), "→   b\nab  c\n");
+}
+
+TEST(TextTable, IsItsTitlesWithoutRows) { EXPECT_EQ(TextTable({{"a"}, {"b"}}).text(), "a  b\n"); }
+
+}  // namespace
+}  // namespace wend
