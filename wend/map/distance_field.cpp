@@ -85,7 +85,7 @@ std::int64_t last_cell_nearer_left(const Column& left, const Column& right) {
     return std::min(right.x - 1, (floor_quotient(quarter, gap - 1) + sum) >> 1);
   }
   if (excess >= -at_kink) return left.x;
-  return std::min(left.x - 1, (floor_quotient(quarter, gap) + sum - 1) >> 1);
+  return (floor_quotient(quarter, gap) + sum - 1) >> 1;
 }
 
 /// The columns that matter to a row, in order, each with its stretch (a lower envelope).

@@ -83,6 +83,14 @@ TEST(NearestPassable, IsThePassableCellItself) {
   for (const Cell cell : test::all_cells(5, 4)) EXPECT_EQ(nearest_passable(space, cell), cell);
 }
 
+TEST(NearestPassable, IsInTheSmallerRowOfTwoAtTheSameDistance) {
+  // (3, 4) away lies in a nearer square ring than (0, -5) does.
+  Grid<CellState> states(10, 10, CellState::occupied);
+  states[{8, 9}] = CellState::free;
+  states[{5, 0}] = CellState::free;
+  EXPECT_EQ(nearest_passable(FreeSpace(GridMap(states)), {5, 5}), (Cell{5, 0}));
+}
+
 TEST(NearestPassable, IsFoundFromFarOutside) {
   const FreeSpace space(GridMap(Grid<CellState>(5, 4, CellState::free)));
   EXPECT_EQ(nearest_passable(space, {1000000000, 1000000000}), (Cell{4, 3}));
