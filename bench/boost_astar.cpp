@@ -90,8 +90,12 @@ class UntilGoal : public boost::default_astar_visitor {
 
 struct BoostAStar::Search {
   explicit Search(const FreeSpace& space)
-      : width(space.width()), graph(make_graph(space)), predecessors(num_vertices(graph)),
-        costs(num_vertices(graph)), estimates(num_vertices(graph)), colours(num_vertices(graph)) {}
+      : width(space.width()),
+        graph(make_graph(space)),
+        predecessors(num_vertices(graph)),
+        costs(num_vertices(graph)),
+        estimates(num_vertices(graph)),
+        colours(num_vertices(graph)) {}
 
   int width;
   Graph graph;

@@ -26,20 +26,19 @@ struct Contestant {
   std::function<double(const ScenarioQuery&, Path&, std::uint64_t&)> plan;  // the path's cost
 };
 
-Expected<Contestant, std::string> make_contestant(const PlannerSpec& spec,
-                                                  const FreeSpace& space) {
+Expected<Contestant, std::string> make_contestant(const PlannerSpec& spec, const FreeSpace& space) {
   auto made = make_planner(spec.name, space, spec.options);
   if (!made) return Error(spec.text + ": " + made.error().message());
   const std::shared_ptr<Planner> planner = std::move(*made);
   const auto plan = std::make_shared<Plan>();
-  return Contestant{spec.text, [planner, plan](const ScenarioQuery& query, Path& path,
-                                          std::uint64_t& expanded) {
-                      std::swap(plan->path, path);
-                      planner->plan(Query::between(query.start, query.goal), *plan);
-                      std::swap(plan->path, path);
-                      expanded = plan->metrics.expanded;
-                      return plan->cost;
-                    }};
+  return Contestant{
+      spec.text, [planner, plan](const ScenarioQuery& query, Path& path, std::uint64_t& expanded) {
+        std::swap(plan->path, path);
+        planner->plan(Query::between(query.start, query.goal), *plan);
+        std::swap(plan->path, path);
+        expanded = plan->metrics.expanded;
+        return plan->cost;
+      }};
 }
 
 Contestant make_boost(const FreeSpace& space) {
@@ -146,8 +145,7 @@ Expected<MapTimings, std::string> time_map(const fs::path& scenario_file, const 
   timings.map = map_file->stem().string();
   timings.free_cells = space.passable().count();
   timings.queries = queries.size();
-  std::vector<Timing> timed =
-      time_in_turns(contestants, queries, plan.rounds, timings.path_cells);
+  std::vector<Timing> timed = time_in_turns(contestants, queries, plan.rounds, timings.path_cells);
   timings.boost = timed.front();
   timings.planners.assign(timed.begin() + 1, timed.end());
   return timings;

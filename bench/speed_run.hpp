@@ -26,7 +26,7 @@ struct MapTimings {
   std::string map;
   std::size_t free_cells = 0;
   std::size_t queries = 0;
-  double path_cells = 0;        // mean
+  double path_cells = 0;  // mean
   Timing boost;
   std::vector<Timing> planners;
 
@@ -34,10 +34,10 @@ struct MapTimings {
 };
 
 struct SpeedPlan {
-  std::filesystem::path folder;       // of .map and .map.scen pairs
+  std::filesystem::path folder;  // of .map and .map.scen pairs
   std::vector<PlannerSpec> planners;
-  std::size_t sample = 100;           // queries a map, evenly spread
-  int rounds = 3;                     // timed runs of every query
+  std::size_t sample = 100;  // queries a map, evenly spread
+  int rounds = 3;            // timed runs of every query
 };
 
 /// Keeps this process on the processor that it runs on, as far as the system lets it.

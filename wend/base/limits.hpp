@@ -22,8 +22,8 @@ struct Limits {
 
   std::uint64_t expansions = kUnlimited;
   double seconds = std::numeric_limits<double>::infinity();
-  Clock clock;                                 // needed for `seconds`; without one it is not looked at
-  const std::atomic<bool>* cancel = nullptr;   // set from another thread to stop the search
+  Clock clock;  // needed for `seconds`; without one it is not looked at
+  const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop the search
 };
 
 }  // namespace wend

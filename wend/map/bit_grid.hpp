@@ -63,7 +63,9 @@ class BitGrid {
   std::span<const std::uint64_t> row_words(int y) const {
     return {words_.data() + row_begin(y), words_per_row_};
   }
-  std::span<std::uint64_t> row_words(int y) { return {words_.data() + row_begin(y), words_per_row_}; }
+  std::span<std::uint64_t> row_words(int y) {
+    return {words_.data() + row_begin(y), words_per_row_};
+  }
 
   std::size_t count() const;
 
@@ -71,9 +73,7 @@ class BitGrid {
 
  private:
   static std::size_t bit_index(int x) { return static_cast<std::size_t>(x + 1); }
-  std::size_t row_begin(int y) const {
-    return static_cast<std::size_t>(y + 1) * words_per_row_;
-  }
+  std::size_t row_begin(int y) const { return static_cast<std::size_t>(y + 1) * words_per_row_; }
 
   int width_ = 0;
   int height_ = 0;

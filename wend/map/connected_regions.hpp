@@ -51,9 +51,9 @@ class ConnectedRegions {
   std::vector<std::size_t> sizes(Adjacency adjacency) const;
 
  private:
-  Grid<std::uint32_t> labels_;              // 4-connected
-  std::vector<std::uint32_t> merged_{0};    // by label: the 8-connected region
-  std::vector<std::size_t> sizes_{0};       // by label
+  Grid<std::uint32_t> labels_;            // 4-connected
+  std::vector<std::uint32_t> merged_{0};  // by label: the 8-connected region
+  std::vector<std::size_t> sizes_{0};     // by label
   std::vector<std::size_t> merged_sizes_{0};
 };
 

@@ -26,8 +26,8 @@ BitGrid obstacles_of(const GridMap& map, UnknownPolicy unknown) {
 /// The cells whose clearance is large enough.
 BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
   BitGrid passable(clearance.width(), clearance.height());
-  const auto threshold = static_cast<std::uint32_t>(
-      std::fmin(std::ceil(least), static_cast<double>(kNoObstacle)));
+  const auto threshold =
+      static_cast<std::uint32_t>(std::fmin(std::ceil(least), static_cast<double>(kNoObstacle)));
   for (int y = 0; y < clearance.height(); ++y) {
     const auto row = clearance.row(y);
     const auto words = passable.row_words(y);
@@ -62,8 +62,7 @@ std::string_view describe(BlockReason reason) {
 
 FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
   assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
-  const double least =
-      least_squared_half_cells(options.robot_radius / map.frame().resolution);
+  const double least = least_squared_half_cells(options.robot_radius / map.frame().resolution);
   BitGrid obstacles = obstacles_of(map, options.unknown);
   Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
   BitGrid passable = cells_with_clearance(clearance, least);

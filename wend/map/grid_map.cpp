@@ -26,8 +26,9 @@ GridMap::GridMap(const Grid<CellState>& cells, Frame frame, Grid<double> terrain
   assert(!cells.empty() && cells.size() <= kMaxCells);
   assert(terrain.empty() ||
          (terrain.width() == cells.width() && terrain.height() == cells.height()));
-  assert(std::all_of(terrain.values().begin(), terrain.values().end(),
-                     [](double multiplier) { return multiplier >= 1 && std::isfinite(multiplier); }));
+  assert(std::all_of(terrain.values().begin(), terrain.values().end(), [](double multiplier) {
+    return multiplier >= 1 && std::isfinite(multiplier);
+  }));
   assert(frame.resolution > 0);
   const auto values = terrain.values();
   if (std::all_of(values.begin(), values.end(), [](double value) { return value == 1; })) {

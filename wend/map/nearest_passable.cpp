@@ -42,7 +42,8 @@ class Nearest {
 
 /// How far outside [0, size) a coordinate lies.
 std::int64_t outside_by(int coordinate, int size) {
-  return std::max<std::int64_t>({0, -std::int64_t{coordinate}, std::int64_t{coordinate} - size + 1});
+  return std::max<std::int64_t>(
+      {0, -std::int64_t{coordinate}, std::int64_t{coordinate} - size + 1});
 }
 
 }  // namespace

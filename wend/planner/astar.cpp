@@ -16,8 +16,9 @@ struct AStarOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
-    field({"heuristic", "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
-                        "octile on 8"},
+    field({"heuristic",
+           "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
+           "octile on 8"},
           self.heuristic);
     field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
           OptionRange{0, 1e9});
@@ -41,8 +42,9 @@ PlannerInfo astar_planner() {
   return {.name = "astar",
           .summary = "A*: what the path costs so far plus an estimate of the rest, cheapest first",
           .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
-          .guarantee = "optimal with a weight up to 1 and a heuristic that never overestimates; "
-                       "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
+          .guarantee =
+              "optimal with a weight up to 1 and a heuristic that never overestimates; "
+              "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
           .promise = Promise::bounded,
           .plans_on_terrain = true,
           .preprocessing = Preprocessing::none,

@@ -19,9 +19,10 @@ template <class Cost>
 inline constexpr unsigned kBucketBits = sizeof(Cost) == sizeof(std::uint32_t) ? 9 : 25;
 
 template <class Space>
-using Exact = GridEngineOf<
-    Space, BucketFrontier<ExactKey<typename Space::Cost>, kBucketBits<typename Space::Cost>>,
-    ExactEstimate<typename Space::Cost>, DuplicateRule::keep_cheaper>;
+using Exact =
+    GridEngineOf<Space,
+                 BucketFrontier<ExactKey<typename Space::Cost>, kBucketBits<typename Space::Cost>>,
+                 ExactEstimate<typename Space::Cost>, DuplicateRule::keep_cheaper>;
 
 template <class Space>
 using Real = GridEngineOf<Space, HeapFrontier<RealKey<typename Space::Cost>>, RealEstimate<Space>,
@@ -127,20 +128,17 @@ double BestFirst::bound() const {
   return is_consistent(heuristic, moves.connectivity) ? weight : Plan::kNoBound;
 }
 
-std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space,
-                                                   const BestFirst& parts) {
+std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts) {
   if (!space.uniform_terrain()) {
     return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
   }
-  const bool whole_numbers =
-      parts.weight == 0 || parts.heuristic == HeuristicKind::constant ||
-      (parts.weight == 1 && parts.heuristic != HeuristicKind::euclidean);
+  const bool whole_numbers = parts.weight == 0 || parts.heuristic == HeuristicKind::constant ||
+                             (parts.weight == 1 && parts.heuristic != HeuristicKind::euclidean);
   if (parts.consistent() && whole_numbers) {
     return std::make_unique<CompactThenWide>(space, parts);
   }
-  return make_real<ExactGrid>(space, parts,
-                              parts.consistent() ? MoveTable::Pruning::canonical
-                                                 : MoveTable::Pruning::none);
+  return make_real<ExactGrid>(
+      space, parts, parts.consistent() ? MoveTable::Pruning::canonical : MoveTable::Pruning::none);
 }
 
 }  // namespace wend

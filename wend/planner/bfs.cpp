@@ -41,8 +41,9 @@ PlannerInfo bfs_planner() {
   return {.name = "bfs",
           .summary = "Breadth-first: cells in the order in which they are reached",
           .citation = "Moore 1959",
-          .guarantee = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
-                       "sqrt(2) times the optimum on 8",
+          .guarantee =
+              "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
+              "sqrt(2) times the optimum on 8",
           .promise = Promise::fewest_steps,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

@@ -33,9 +33,8 @@ struct RealKeyOf {
   RealKey<double> operator()(double g) const { return {g, g}; }
 };
 
-using UniformField =
-    ForwardSearch<ExactGrid, BucketFrontier<ExactKey<std::uint64_t>, 25>, Everywhere<ExactKeyOf>,
-                  DuplicateRule::keep_cheaper>;
+using UniformField = ForwardSearch<ExactGrid, BucketFrontier<ExactKey<std::uint64_t>, 25>,
+                                   Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
 using TerrainField = ForwardSearch<TerrainGrid, HeapFrontier<RealKey<double>>,
                                    Everywhere<RealKeyOf>, DuplicateRule::keep_cheaper>;
 

@@ -20,8 +20,7 @@ class GoalCells {
   }
 
   bool contains(Cell cell) const {
-    if (cell == first_) return true;
-    return !others_.empty() && std::find(others_.begin(), others_.end(), cell) != others_.end();
+    return cell == first_ || (!others_.empty() && is_another(cell));
   }
 
   /// The least value(goal) over all goals. O(goals).
@@ -33,6 +32,10 @@ class GoalCells {
   }
 
  private:
+  bool is_another(Cell cell) const {
+    return std::find(others_.begin(), others_.end(), cell) != others_.end();
+  }
+
   Cell first_;
   std::vector<Cell> others_;
 };

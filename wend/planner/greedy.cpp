@@ -17,8 +17,9 @@ struct GreedyOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
-    field({"heuristic", "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
-                        "octile on 8"},
+    field({"heuristic",
+           "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
+           "octile on 8"},
           self.heuristic);
     field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
           OptionRange{0, 1e9});

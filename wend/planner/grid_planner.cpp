@@ -52,7 +52,7 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
     if (goal && space.regions().connected(start, *goal, adjacency)) {
       goals.push_back(*goal);
     } else if (!why_none) {
-      why_none = !goal                      ? Status::goal_outside
+      why_none = !goal                    ? Status::goal_outside
                  : !space.passable(*goal) ? Status::goal_blocked
                                           : Status::unreachable;
     }

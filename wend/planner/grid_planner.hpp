@@ -69,8 +69,8 @@ PlannerResult make_grid_planner(const FreeSpace& space, const OptionValues& valu
       space, [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
   if (!planner->allocated()) {
     return Unexpected<PlannerError>(
-        {Status::memory_limit, "no memory for the nodes of " +
-                                   std::to_string(space.map().size()) + " cells"});
+        {Status::memory_limit,
+         "no memory for the nodes of " + std::to_string(space.map().size()) + " cells"});
   }
   return planner;
 }

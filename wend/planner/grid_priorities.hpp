@@ -101,8 +101,7 @@ class ExactEstimate {
   }
 
   double h(Cell cell) const {
-    return goals_.least(
-        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
+    return goals_.least([&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
   }
   double f(Cell cell, double g) const { return g + h(cell); }
 
@@ -150,8 +149,7 @@ class RealEstimate {
   bool near_overflow(const Key& /*key*/) const { return false; }
 
   double h(Cell cell) const {
-    return goals_.least(
-        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
+    return goals_.least([&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
   }
   double f(Cell cell, double g) const { return g_share_ * g + weight_ * h(cell); }
 

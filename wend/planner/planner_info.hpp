@@ -50,8 +50,8 @@ using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
 
 struct PlannerInfo {
   std::string name;
-  std::string summary;   // one line
-  std::string citation;  // the paper or textbook it comes from
+  std::string summary;    // one line
+  std::string citation;   // the paper or textbook it comes from
   std::string guarantee;  // the promise in words, with its conditions
   Promise promise;
   bool plans_on_terrain;  // takes terrain costs into account

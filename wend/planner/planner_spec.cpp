@@ -41,7 +41,8 @@ Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string
     const bool continues = !specs.empty() && name.find('=') != std::string_view::npos;
     if (continues) {
       specs.back().text += "," + std::string(word);
-      if (!add_option(word, specs.back())) return refused("'" + std::string(word) + "' is no option");
+      if (!add_option(word, specs.back()))
+        return refused("'" + std::string(word) + "' is no option");
       continue;
     }
     if (planners().find(name) == nullptr) return refused(planners().unknown("planner", name));

@@ -19,8 +19,7 @@ TEST(PlannerSpec, OptionsFollowAColonAndCommas) {
   ASSERT_TRUE(specs.has_value());
   ASSERT_EQ(specs->size(), 2U);
   EXPECT_EQ((*specs)[0].text, "astar:weight=2,heuristic=euclidean");
-  EXPECT_EQ((*specs)[0].options,
-            (OptionValues{{"weight", "2"}, {"heuristic", "euclidean"}}));
+  EXPECT_EQ((*specs)[0].options, (OptionValues{{"weight", "2"}, {"heuristic", "euclidean"}}));
   EXPECT_EQ((*specs)[1].name, "dfs");
 }
 

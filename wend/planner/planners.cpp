@@ -19,8 +19,7 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options) {
   const PlannerInfo* info = planners().find(name);
   if (info == nullptr) {
-    return Unexpected<PlannerError>(
-        {Status::invalid_option, planners().unknown("planner", name)});
+    return Unexpected<PlannerError>({Status::invalid_option, planners().unknown("planner", name)});
   }
   return info->make(space, options);
 }

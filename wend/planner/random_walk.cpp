@@ -22,8 +22,9 @@ struct RandomWalkOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"max_steps", "give up after so many steps; the walk avoids the cells of its last "
-                        "floor(sqrt(max_steps)) steps"},
+    field({"max_steps",
+           "give up after so many steps; the walk avoids the cells of its last "
+           "floor(sqrt(max_steps)) steps"},
           self.max_steps, OptionRange{0, kMostSteps});
     field({"seed", "another seed, another walk"}, self.seed, OptionRange{0, 9e15});
   }

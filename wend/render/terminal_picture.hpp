@@ -4,8 +4,9 @@
 // where the terminal has them (kitty's or sixel graphics), coloured half blocks elsewhere, plain
 // ASCII where no colour is wanted.
 //
-//   const wend::Terminal terminal = is_terminal ? wend::detect_terminal(environ) :
-//   wend::Terminal{}; std::cout << wend::terminal_picture(scene, 80, 24, terminal);
+//   wend::Terminal terminal;  // plain ASCII
+//   if (is_terminal) terminal = wend::detect_terminal(environ);
+//   std::cout << wend::terminal_picture(scene, 80, 24, terminal);
 
 #include <string>
 

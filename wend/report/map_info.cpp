@@ -63,7 +63,7 @@ std::string components_text(const MapInfo& info) {
 std::string frame_text(const Frame& frame) {
   const std::string up = frame.y_up ? "y up" : "y down, cell 0,0 top left";
   if (!frame.metric) return "cells, " + up;
-  return fmt::format("{} m a cell, origin {}, {} m, yaw {} rad ({:.1f} degrees), {}",
+  return fmt::format("{} m a cell, origin ({}, {}) m, yaw {} rad ({:.1f} degrees), {}",
                      format_number(frame.resolution), format_number(frame.origin.x),
                      format_number(frame.origin.y), format_number(frame.origin.heading),
                      degrees_from(frame.origin.heading), up);

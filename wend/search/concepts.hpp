@@ -15,16 +15,15 @@ namespace wend {
 /// always in the same order. `arrival` is the move that reached the state, so that a space can
 /// leave out successors that are reached as cheaply around it.
 template <class S>
-concept SearchSpace =
-    requires(const S& space, StateId id, Move move, const typename S::State& state) {
-      typename S::Cost;
-      { space.state_count() } -> std::convertible_to<StateId>;
-      { space.state(id) } -> std::convertible_to<typename S::State>;
-      { space.id(state) } -> std::convertible_to<StateId>;
-      { space.parent(state, move) } -> std::convertible_to<typename S::State>;
-      space.for_each_successor(
-          state, move, [](const typename S::State&, Move, typename S::Cost) {});
-    };
+concept SearchSpace = requires(const S& space, StateId id, Move move,
+                               const typename S::State& state) {
+  typename S::Cost;
+  { space.state_count() } -> std::convertible_to<StateId>;
+  { space.state(id) } -> std::convertible_to<typename S::State>;
+  { space.id(state) } -> std::convertible_to<StateId>;
+  { space.parent(state, move) } -> std::convertible_to<typename S::State>;
+  space.for_each_successor(state, move, [](const typename S::State&, Move, typename S::Cost) {});
+};
 
 /// Gives a state the key by which the frontier orders it, and says which states are goals.
 template <class P, class Space>

@@ -4,9 +4,11 @@
 // a state from the frontier, expand it, resolve duplicates, repeat. Every classic planner is a
 // choice of its parts.
 //
-//   ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first> breadth_first(...);
-//   breadth_first.begin(starts, limits);
-//   while (breadth_first.outcome() == SearchOutcome::running) breadth_first.step();
+//   using BreadthFirst =
+//       ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
+//   BreadthFirst search(space, priority);
+//   search.begin(starts, limits);
+//   while (search.outcome() == SearchOutcome::running) search.step();
 //
 // A goal is recognised when it is expanded. Closed states are never opened again: with
 // keep_cheaper the answer is optimal if keys never fall along a path (a consistent heuristic).
@@ -48,9 +50,7 @@ class ForwardSearch {
   using Cost = typename Space::Cost;
 
   ForwardSearch(Space space, Priority priority)
-      : space_(std::move(space)),
-        priority_(std::move(priority)),
-        nodes_(space_.state_count()) {}
+      : space_(std::move(space)), priority_(std::move(priority)), nodes_(space_.state_count()) {}
 
   /// False if there was no memory for the nodes: every search ends as out_of_memory.
   bool allocated() const { return nodes_.allocated(); }
@@ -135,26 +135,29 @@ class ForwardSearch {
       return;
     }
     space_.for_each_successor(state, arrival, [&](const State& next, Move move, Cost step_cost) {
-      reach(next, static_cast<Cost>(g + step_cost), move, observer);
+      if (!reach(next, static_cast<Cost>(g + step_cost), move, observer)) return;
+      // Its own successors lie ahead: a state as far on, as ids go.
+      nodes_.prefetch(2 * space_.id(next) - space_.id(state));
     });
-    metrics_.max_frontier =
-        std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
+    metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   }
 
+  /// Opens a state unless it is known as well or better; says whether it did.
   template <class Observer>
-  void reach(const State& next, Cost g, Move move, Observer&& observer) {
+  bool reach(const State& next, Cost g, Move move, Observer&& observer) {
     Node& node = nodes_[space_.id(next)];
     if (!nodes_.reached(node)) {
       ++metrics_.generated;
       nodes_.open(node, g, move);
       observer.on_generate(next, move, g);
     } else {
-      if constexpr (kDuplicates == DuplicateRule::keep_first) return;
-      if (node.closed() || !(g < node.g)) return;
+      if constexpr (kDuplicates == DuplicateRule::keep_first) return false;
+      if (node.closed() || !(g < node.g)) return false;
       nodes_.open(node, g, move);
       observer.on_relax(next, move, g);
     }
     frontier_.push(priority_.key(next, g), space_.id(next));
+    return true;
   }
 
   /// Looks at everything that may end the search early, and says when to look again.
@@ -169,8 +172,7 @@ class ForwardSearch {
     } else if (priority_.near_overflow(key)) {
       outcome_ = SearchOutcome::cost_overflow;
     }
-    next_check_ =
-        std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
+    next_check_ = std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
     return outcome_ == SearchOutcome::running;
   }
 

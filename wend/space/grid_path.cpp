@@ -34,7 +34,8 @@ Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves mo
   const ExactGrid grid(space, moves);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (const auto reason = space.why_blocked(cells[i])) {
-      const std::string what = "cell " + text_of(cells[i]) + " is " + std::string(describe(*reason));
+      const std::string what =
+          "cell " + text_of(cells[i]) + " is " + std::string(describe(*reason));
       return Unexpected<PathFault>({i, what});
     }
     if (i > 0 && !grid.is_step(cells[i - 1], cells[i])) {

@@ -4,11 +4,12 @@
 // the sums of a search.
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "wend/base/expected.hpp"
+#include "wend/geometry/cell.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/path/path.hpp"
 #include "wend/space/grid_moves.hpp"
 
 namespace wend {
