@@ -221,6 +221,42 @@ TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
   }
 }
 
+/// The same picture with its rows counted from the other end.
+GridMap upside_down(const GridMap& map) {
+  const int last = map.height() - 1;
+  Grid<CellState> states(map.width(), map.height());
+  Grid<double> terrain(map.width(), map.height());
+  for (int y = 0; y <= last; ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      states[{x, y}] = map.state({x, last - y});
+      terrain[{x, y}] = map.terrain({x, last - y});
+    }
+  }
+  Frame frame = map.frame();
+  frame.y_up = !frame.y_up;
+  return GridMap(states, frame, terrain);
+}
+
+TEST_P(Conformance, TheSamePictureGivesTheSameSearchWithYUpAndYDown) {
+  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+    const Trial trial = random_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    const auto other = make({upside_down(trial.map), trial.robot, trial.options});
+    const auto mirrored = [&](Cell cell) { return Cell{cell.x, trial.map.height() - 1 - cell.y}; };
+    Random random(seed);
+    const Errand errand = random_errand(random, trial.map);
+    Errand mirrored_errand{mirrored(errand.start), {}};
+    for (const Cell goal : errand.goals) mirrored_errand.goals.push_back(mirrored(goal));
+    Answer expected = answer_of(*planner, errand.query());
+    Path path;
+    for (const Cell cell : expected.plan.path.cells()) path.append(mirrored(cell));
+    expected.plan.path = path;
+    EXPECT_EQ(answer_of(*other, mirrored_errand.query()), expected);
+  }
+}
+
 TEST_P(Conformance, AStartThatIsTheGoalIsAPathOfOneCell) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Trial trial = random_trial(seed, info());
