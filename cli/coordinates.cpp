@@ -78,7 +78,8 @@ std::string Coordinates::area(std::size_t cells) const {
   const std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
   if (!frame_.metric) return count;
   const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
-  return fmt::format("{} ({:.4g} m2)", count, area);
+  return area < 100 ? fmt::format("{} ({:.3g} m2)", count, area)
+                    : fmt::format("{} ({:.0f} m2)", count, area);
 }
 
 std::string Coordinates::extent() const {

@@ -66,8 +66,8 @@ std::string Explainer::nearest(const Place& place, const Place& other) const {
   if (!cell) return "No cell of the map is free for this robot";
   const double away = distance(centre_of(*cell), centre_of(place.cell));
   const std::string connected = other_is_free ? " that is connected to the " + other.name : "";
-  return fmt::format("The nearest free cell{} is {}, {} away: --nearest plans {} there", connected,
-                     coordinates_.text(*cell), coordinates_.length(away),
+  return fmt::format("The nearest free cell{} is {}, {} away: --nearest plans {} that cell",
+                     connected, coordinates_.text(*cell), coordinates_.length(away),
                      place.name == "start" ? "from" : "to");
 }
 

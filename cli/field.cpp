@@ -39,7 +39,7 @@ struct FieldArguments {
 constexpr const char* kExamples = R"(Examples:
   wend field grid.txt --goal 9,9
   wend field grid.txt --goal 9,9 --start 0,0 --start 0,9
-  wend field office.yaml --goal 14.5,8 --robot-radius 0.25 --start 1,1 --format json
+  wend field office.yaml --goal 15,9 --robot-radius 0.2 --start 1,1 --format json
   wend field grid.txt --goal 0,0 --goal 9,9 -o field.csv
 
 One search from the goal gives every cell's cost to it, the best path from each start without

@@ -24,7 +24,7 @@ constexpr int kNameColumn = 34;
 constexpr const char* kExamples = R"(Examples:
   wend generate office --size 160x100 --seed 7 -o office.yaml
   wend info office.yaml
-  wend plan office.yaml --start 1,1 --goal 14.5,8 --robot-radius 0.25 --nearest -o plan.png
+  wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
 
 `wend SUBCOMMAND --help` says more about each.)";
 

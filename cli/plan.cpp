@@ -43,10 +43,10 @@ struct PlanArguments {
 };
 
 constexpr const char* kExamples = R"(Examples:
-  wend plan office.yaml --start 1,1 --goal 14.5,8 --robot-radius 0.25 -o plan.png
+  wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
   wend plan arena.map --start 1,11 --goal 40,30 --planner astar --weight 2
   wend plan grid.txt --start 0,0 --goal 9,9 --connectivity 4 --format json
-  wend plan office.yaml --cells --start 10,10 --goal 145,80 --nearest
+  wend plan office.yaml --cells --start 10,10 --goal 145,85 --nearest
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map with
 arrows; large ones a summary and, on a terminal, a picture. Exit codes: 0 found, 1 no plan
@@ -142,8 +142,10 @@ Scene PlanRun::scene() const {
 std::string PlanRun::text(const Screen& screen) const {
   std::string text;
   const bool found = result_.status == Status::found;
-  if (found && is_small(space_.map(), screen)) text += path_line(result_.plan.path);
-  if (found || result_.plan.metrics.expanded > 0) {
+  const bool small = is_small(space_.map(), screen);
+  if (found && small) text += path_line(result_.plan.path);
+  // Of a failure there is something to see where a search has begun.
+  if (found || (small && result_.plan.metrics.expanded > 0)) {
     text += picture(scene(), screen, arguments_.picture);
   }
   if (found) text += plan_summary(result_, space_.map().frame());

@@ -11,7 +11,8 @@ namespace wend::cli {
 
 class ProgressBar {
  public:
-  /// `total` is the most that can be done; the work may end earlier.
+  /// `total` is how much there is to do, as far as one can tell: work may end earlier, and goes on
+  /// without a bar beyond it.
   ProgressBar(std::string label, std::uint64_t total);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;

@@ -237,7 +237,7 @@ TEST(Interrupt, CancelsTheSearch) {
       0);
   posix_spawn_file_actions_destroy(&actions);
   // The progress bar shows that the search is on.
-  ASSERT_TRUE(terminal.wait_for("planning ["));
+  ASSERT_TRUE(terminal.wait_for("planning "));
   kill(child, SIGINT);
   EXPECT_TRUE(terminal.wait_for("cancelled after"));
   int wait_status = 0;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "command_line/run_program.hpp"
 
@@ -234,6 +235,56 @@ TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
   EXPECT_EQ(completed("wend generate ma", 2), "maze\n");
   EXPECT_EQ(completed("wend completion \"\"", 2), "bash zsh fish\n");
   EXPECT_EQ(completed("wend plan --start \"\"", 3), "\n");
+}
+
+/// The lines of a text that are commands, as a user would type them.
+std::vector<std::string> commands_in(const std::string& text, const std::string& indent) {
+  std::vector<std::string> commands;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(indent + "wend ")) commands.push_back(line.substr(indent.size() + 5));
+  }
+  return commands;
+}
+
+/// A folder with the files that examples take for granted.
+class Examples : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string queries = "version 1\n0 arena.map 50 50 1 1 4 1 3\n";
+    for (const std::string file : {"arena.map.scen", "den520d.map.scen", "queries.scen"}) {
+      folder_.write(file, queries);
+    }
+    std::string arena = "type octile\nheight 50\nwidth 50\nmap\n";
+    std::string grid;
+    for (int y = 0; y < 50; ++y) arena += std::string(50, '.') + "\n";
+    for (int y = 0; y < 10; ++y) grid += std::string(10, '.') + "\n";
+    folder_.write("arena.map", arena);
+    folder_.write("den520d.map", arena);
+    folder_.write("grid.txt", grid);
+  }
+
+  void expect_to_work(const std::string& command) const {
+    const Outcome outcome = shell("cd " + (folder_ / "").string() + " && $WEND " + command);
+    EXPECT_EQ(outcome.code, 0) << "wend " << command << "\n" << outcome.err;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Examples, OfTheHelpWork) {
+  expect_to_work("generate office --size 160x100 --seed 7 -o office.yaml");
+  for (const std::string name : {"info", "plan", "field", "bench", "planners", "generate"}) {
+    const auto commands = commands_in(wend({name, "--help"}).out, "  ");
+    EXPECT_GE(commands.size(), 2U) << name;
+    for (const std::string& command : commands) expect_to_work(command);
+  }
+}
+
+TEST_F(Examples, OfTheDocumentationWork) {
+  const auto commands = commands_in(bytes_of(WEND_SOURCE_DIR "/docs/command_line.md"), "");
+  EXPECT_GE(commands.size(), 10U);
+  for (const std::string& command : commands) expect_to_work(command);
 }
 
 }  // namespace
