@@ -1,5 +1,5 @@
-// The snippets of README.md and of the public headers, compiled and run as they stand there. The
-// last tests look into those files for lines that are not here.
+// The snippets of the public headers, compiled and run as they stand there. The last tests look into
+// those headers for lines that are not here, and compare README.md with the example that it shows.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <set>
 #include <sstream>
 #include <string>
@@ -160,29 +159,6 @@ TEST(Snippets, OfCostToGo) {
   EXPECT_EQ(reported, "there is a path");
 }
 
-/// README.md's program: a path from a map file, in ten lines.
-int readme() {
-  const auto loaded = wend::load_map("office.yaml");
-  if (!loaded) return report(loaded.error().message()), 2;
-  const wend::FreeSpace space(loaded->map, {.robot_radius = 0.05});
-  const auto planner = wend::make_planner("astar", space);
-  const auto plan = (*planner)->plan(wend::Query::between({0, 0}, {3, 2}));
-  if (!plan) return report(wend::describe(plan.error().status)), 1;
-  for (const wend::Point point : plan->path.points_in_metres(loaded->map.frame())) {
-    std::cout << point.x << ' ' << point.y << '\n';
-  }
-  return 0;
-}
-
-TEST(Snippets, OfReadme) {
-  const OfficeInWorkingFolder office;
-  ::testing::internal::CaptureStdout();
-  EXPECT_EQ(readme(), 0);
-  const std::string printed = ::testing::internal::GetCapturedStdout();
-  EXPECT_EQ(printed.substr(0, printed.find('\n')), "0.05 0.05");
-  EXPECT_NE(printed.find("0.35 0.25\n"), std::string::npos);
-}
-
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -233,18 +209,12 @@ TEST(Snippets, OfHeadersStandHere) {
   }
 }
 
-TEST(Snippets, OfReadmeStandHere) {
-  const fs::path readme_file = kSource / "README.md";
-  if (!fs::exists(readme_file)) GTEST_SKIP() << "there is no README.md";
-  std::istringstream text(text_of(readme_file));
-  bool in_cpp = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line.rfind("```", 0) == 0) {
-      in_cpp = line == "```cpp" || line == "```c++";
-    } else if (in_cpp && line.find("int main") == std::string::npos) {
-      expect_here("README.md", code_of(line));
-    }
-  }
+TEST(Snippets, OfReadmeIsTheExample) {
+  const std::string readme = text_of(kSource / "README.md");
+  const std::string example = text_of(kSource / "examples" / "plan_path.cpp");
+  ASSERT_FALSE(example.empty());
+  EXPECT_NE(readme.find("```cpp\n" + example + "```\n"), std::string::npos)
+      << "README.md does not show examples/plan_path.cpp as it stands";
 }
 
 }  // namespace

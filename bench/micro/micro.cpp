@@ -1,0 +1,76 @@
+// wend-micro: what single operations cost on large maps, with Google Benchmark. Ratios between
+// planners are wend-speed's business; these are the promises about one operation.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "wend/base/random.hpp"
+#include "wend/io/load_map.hpp"
+#include "wend/io/save_map.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+constexpr int kSide = 4096;
+
+GridMap free_map(int side) { return GridMap(Grid<CellState>(side, side, CellState::free)); }
+
+GridMap noisy_map(int side) {
+  Random random(1);
+  Grid<CellState> cells(side, side, CellState::free);
+  for (int y = 0; y < side; ++y) {
+    for (CellState& state : cells.row(y)) {
+      if (random.chance(0.01)) state = CellState::occupied;
+    }
+  }
+  return GridMap(cells);
+}
+
+/// A path of 20 cells: it must not pay for the map's size.
+void short_query(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  const auto planner = make_planner("astar", FreeSpace(free_map(side)));
+  const Query query = Query::between({side / 2, side / 2}, {side / 2 + 19, side / 2 + 7});
+  Plan plan;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize((*planner)->plan(query, plan));
+  }
+}
+BENCHMARK(short_query)->Arg(64)->Arg(kSide)->Unit(benchmark::kMicrosecond);
+
+/// A goal that cannot be reached is known from the connected regions.
+void unreachable_query(benchmark::State& state) {
+  Grid<CellState> cells(kSide, kSide, CellState::free);
+  for (int y = 0; y < kSide; ++y) cells[{kSide / 2, y}] = CellState::occupied;
+  const auto planner = make_planner("astar", FreeSpace(GridMap(cells)));
+  const Query query = Query::between({0, 0}, {kSide - 1, kSide - 1});
+  Plan plan;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize((*planner)->plan(query, plan));
+  }
+}
+BENCHMARK(unreachable_query)->Unit(benchmark::kMicrosecond);
+
+/// From a PNG file to where a robot of 3 cells radius may be.
+void load_png_and_free_space(benchmark::State& state) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "wend-micro-4096.png";
+  if (const auto saved = save_map(noisy_map(kSide), file); !saved) {
+    state.SkipWithError(saved.error().message().c_str());
+    return;
+  }
+  for (auto _ : state) {
+    const auto loaded = load_map(file);
+    const FreeSpace space(loaded->map, {.robot_radius = 3});
+    benchmark::DoNotOptimize(space.passable({0, 0}));
+  }
+  std::filesystem::remove(file);
+}
+BENCHMARK(load_png_and_free_space)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace wend
+
+BENCHMARK_MAIN();
