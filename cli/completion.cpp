@@ -41,13 +41,20 @@ std::vector<std::string> words_of(const std::string& type) {
   return type.find('|') == std::string::npos ? std::vector<std::string>{} : split(type, '|');
 }
 
+/// A flag's help up to the first thing that is put in brackets or after a colon.
+std::string in_short(std::string help) {
+  std::replace(help.begin(), help.end(), '\n', ' ');
+  help.erase(std::min(help.find_first_of(";:("), help.size()));
+  help.erase(help.find_last_not_of(' ') + 1);
+  return help;
+}
+
 Argument argument_of(const CLI::Option& option) {
   Argument argument;
   for (const std::string& name : option.get_snames()) argument.flags.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) argument.flags.push_back("--" + name);
-  argument.help = option.get_description();
-  argument.help.erase(std::min(argument.help.find_first_of("\n;("), argument.help.size()));
-  argument.takes_value = option.get_type_size() > 0;
+  argument.help = in_short(option.get_description());
+  argument.takes_value = option.get_items_expected_max() > 0;
   argument.words = words_of(option.get_type_name());
   argument.is_file = option.get_type_name() == kFileType;
   return argument;

@@ -209,9 +209,10 @@ Command add_plan(CLI::App& app) {
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
                         "that is connected to the other end"));
-  plan.add_option("--planner", arguments->planner,
-                  wrapped("astar (the default) or another: `wend planners` lists them; options may "
-                          "follow as in astar:weight=2"))
+  plan.add_option(
+          "--planner", arguments->planner,
+          wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
+                  "in astar:weight=2"))
       ->type_name(kPlannerType);
   arguments->limits.add_to(plan);
   add_format(plan, arguments->format);

@@ -229,6 +229,7 @@ TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
   if (completed("", 0) == "no bash") GTEST_SKIP() << "there is no bash";
   EXPECT_EQ(completed("wend pl", 1), "plan planners\n");
   EXPECT_EQ(completed("wend plan --lim", 2), "--limit-expansions --limit-time\n");
+  EXPECT_EQ(completed("wend plan --nearest --lim", 3), "--limit-expansions --limit-time\n");
   EXPECT_EQ(completed("wend plan --planner d", 3), "dijkstra dfs\n");
   EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs\n");
   EXPECT_EQ(completed("wend plan --corner-rule \"\"", 3), "none one both\n");

@@ -15,6 +15,11 @@
 #include <string_view>
 #include <vector>
 
+// The build says where the program is; else it is the installed one.
+#ifndef WEND_CLI_PATH
+#define WEND_CLI_PATH "wend"
+#endif
+
 namespace wend::test {
 
 struct Outcome {
