@@ -13,7 +13,7 @@
 
 namespace wend::test {
 
-/// A value that the option takes; numbers of modest size.
+/// A value that the option takes; numbers of modest size, and the ends of their range.
 inline std::string random_value(Random& random, const OptionInfo& option) {
   constexpr double kModest = 2000;
   constexpr std::array kNumbers{0.0, 0.25, 0.5, 1.0, 1.0, 1.5, 2.0, 5.0, 100.0};
@@ -28,6 +28,7 @@ inline std::string random_value(Random& random, const OptionInfo& option) {
     case OptionKind::number:
       break;
   }
+  if (random.chance(0.1)) return format_number(random.chance(0.5) ? option.least : option.greatest);
   const double number = kNumbers[random.below(kNumbers.size())];
   return format_number(std::clamp(number, option.least, option.greatest));
 }

@@ -109,6 +109,22 @@ TEST(AStar, WithoutWeightOrEstimateIsDijkstra) {
   }
 }
 
+/// However much the same is added everywhere: two goals, of which one is nearer by half a percent.
+TEST(AStar, IsOptimalWithAnyConstantAndWeight) {
+  Grid<double> terrain(21, 1, 1);
+  for (int x = 10; x < 21; ++x) terrain[{x, 0}] = 1.005;
+  const FreeSpace space(GridMap(Grid<CellState>(21, 1, CellState::free), {}, terrain));
+  const Query query{pose_at({10, 0}), {pose_at({0, 0}), pose_at({20, 0})}};
+  for (const char* constant : {"1e-9", "1e5", "1e9"}) {
+    for (const char* weight : {"1", "1e6"}) {
+      const Plan plan = plan_of(
+          space, query, {{"heuristic", "constant"}, {"constant", constant}, {"weight", weight}});
+      EXPECT_TRUE(plan.optimal());
+      EXPECT_EQ(plan.path.cells().back(), (Cell{0, 0})) << constant << " times " << weight;
+    }
+  }
+}
+
 /// The better the estimate the fewer expansions; a weight saves more still.
 TEST(AStar, ExpandsLessTheMoreItKnows) {
   const FreeSpace space = test::drawn_space(R"(

@@ -134,15 +134,19 @@ class RealEstimate {
   using Cost = typename Space::Cost;
   using Key = RealKey<Cost>;
 
+  /// A constant changes no order and is only shown: added to a key, a large one would cost digits.
   RealEstimate(HeuristicKind kind, double constant, double g_share, double weight)
-      : kind_(kind), constant_(constant), g_share_(g_share), weight_(weight) {}
+      : kind_(kind),
+        constant_(constant),
+        g_share_(g_share),
+        weight_(weight),
+        weight_in_key_(
+            kind == HeuristicKind::constant ? 0 : weight * kNotAbove * Space::kUnitsPerCell) {}
 
   GoalCells& goals() { return goals_; }
 
   Key key(const GridState& state, Cost g) const {
-    return {g_share_ * static_cast<double>(g) +
-                weight_ * kNotAbove * Space::kUnitsPerCell * h(state.cell),
-            g};
+    return {g_share_ * static_cast<double>(g) + weight_in_key_ * h(state.cell), g};
   }
 
   bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
@@ -161,6 +165,7 @@ class RealEstimate {
   double constant_;
   double g_share_;
   double weight_;
+  double weight_in_key_;
   GoalCells goals_;
 };
 
