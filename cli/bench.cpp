@@ -182,10 +182,10 @@ int run(const BenchArguments& arguments) {
     const std::vector<BenchRow> rows = run_all(courses, planners, arguments.check);
     print(arguments.format == Format::json ? bench_json(rows) : bench_table(rows));
     const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
-    return std::any_of(rows.begin(), rows.end(), is_wrong) ? kNoPlan : kSuccess;
+    return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
   } catch (const Cancelled&) {
     complain("cancelled");
-    return kNoPlan;
+    return no_plan;
   }
 }
 

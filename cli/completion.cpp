@@ -86,7 +86,7 @@ int run(const CLI::App& app, Shell shell) {
       print(fish_completion(subcommands));
       break;
   }
-  return kSuccess;
+  return success;
 }
 
 }  // namespace

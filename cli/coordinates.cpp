@@ -75,7 +75,7 @@ std::string Coordinates::length(double cells) const {
 }
 
 std::string Coordinates::area(std::size_t cells) const {
-  const std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
+  std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
   if (!frame_.metric) return count;
   const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
   return area < 100 ? fmt::format("{} ({:.3g} m2)", count, area)

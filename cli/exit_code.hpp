@@ -7,12 +7,12 @@
 namespace wend::cli {
 
 enum ExitCode : int {
-  kSuccess = 0,
-  kNoPlan = 1,    // there is no plan, or a benchmark found wrong answers
-  kBadInput = 2,  // bad usage or input: nothing was planned
+  success = 0,
+  no_plan = 1,    // there is no plan, or a benchmark found wrong answers
+  bad_input = 2,  // bad usage or input: nothing was planned
 };
 
-/// Ends a subcommand with kBadInput. what() is one line for people.
+/// Ends a subcommand with bad_input. what() is one line for people.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -67,7 +67,7 @@ class FieldRun {
   ExitCode report() const;
 
  private:
-  void take_path(const Place& start);
+  void take_path(const CostToGo& field, const Place& start);
   std::string explain_goals(const Limits& limits, const SearchMetrics& metrics) const;
   std::string explain_start(Status status, const Place& start) const;
   void write_files() const;
@@ -98,11 +98,11 @@ void FieldRun::make() {
   }
   field_ = *std::move(field);
   report_.metrics = field_->metrics();
-  for (const Place& start : starts_) take_path(start);
+  for (const Place& start : starts_) take_path(*field_, start);
 }
 
-void FieldRun::take_path(const Place& start) {
-  auto plan = field_->path_from(start.cell);
+void FieldRun::take_path(const CostToGo& field, const Place& start) {
+  auto plan = field.path_from(start.cell);
   FieldStart from{start.cell, {}};
   if (plan) {
     from.result.plan = *std::move(plan);
@@ -153,11 +153,11 @@ ExitCode FieldRun::report() const {
     print(field_text(*field_, space_, report_, detect_screen()));
   }
   write_files();
-  ExitCode code = kSuccess;
+  ExitCode code = success;
   const auto fail = [&code](Status status, const std::string& reason) {
     if (status == Status::found) return;
     complain(reason);
-    code = kNoPlan;
+    code = no_plan;
   };
   fail(report_.status, report_.reason);
   for (const FieldStart& start : report_.starts) fail(start.result.status, start.result.reason);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "picture.hpp"
 #include "plan_text.hpp"
@@ -31,8 +33,8 @@ std::string_view mark_of(const FreeSpace& space, Cell cell) {
 
 /// The rows of a map as it is drawn.
 std::vector<int> drawn_rows(const GridMap& map) {
-  std::vector<int> rows;
-  for (int y = 0; y < map.height(); ++y) rows.push_back(y);
+  std::vector<int> rows(static_cast<std::size_t>(map.height()));
+  std::iota(rows.begin(), rows.end(), 0);
   if (map.frame().y_up) std::reverse(rows.begin(), rows.end());
   return rows;
 }
@@ -82,8 +84,8 @@ bool fits(const std::string& grid, const Screen& screen) {
 std::string start_text(const FieldStart& start, bool small) {
   const PlanResult& result = start.result;
   if (result.status != Status::found) return {};
-  std::string text = fmt::format("from {}: cost {:.6g}, {} steps\n", cell_text(start.start),
-                                 result.plan.cost, result.plan.path.size() - 1);
+  const std::string text = fmt::format("from {}: cost {:.6g}, {} steps\n", cell_text(start.start),
+                                       result.plan.cost, result.plan.path.size() - 1);
   return small ? text + "  " + path_line(result.plan.path) : text;
 }
 

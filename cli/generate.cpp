@@ -71,9 +71,10 @@ double free_share(const GridMap& map) {
 }
 
 std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
-  nlohmann::ordered_json json{{"kind", arguments.kind},        {"width", map.width()},
-                              {"height", map.height()},        {"seed", arguments.seed},
-                              {"free_share", free_share(map)}, {"files", arguments.output.files()}};
+  const nlohmann::ordered_json json{
+      {"kind", arguments.kind},        {"width", map.width()},
+      {"height", map.height()},        {"seed", arguments.seed},
+      {"free_share", free_share(map)}, {"files", arguments.output.files()}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -95,7 +96,7 @@ int run(const GenerateArguments& arguments) {
     return saved ? std::string() : saved.error().message();
   });
   print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));
-  return kSuccess;
+  return success;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ int run(const InfoArguments& arguments) {
   const LoadedMap loaded = arguments.map.load();
   const MapInfo info = map_info(arguments.map.file, loaded, arguments.map.free_space(loaded.map));
   print(arguments.format == Format::json ? map_info_json(info) : map_info_text(info));
-  return kSuccess;
+  return success;
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ int run(const Command& command) {
     return command.run();
   } catch (const InputError& error) {
     complain(error.what());
-    return kBadInput;
+    return bad_input;
   } catch (const std::bad_alloc&) {
     complain("there is not enough memory");
-    return kNoPlan;
+    return no_plan;
   }
 }
 
@@ -60,12 +60,12 @@ int run_app(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // help, version
     complain(usage_error(app, error));
-    return kBadInput;
+    return bad_input;
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command);
   }
-  return kBadInput;
+  return bad_input;
 }
 
 }  // namespace
@@ -80,5 +80,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));
   }
-  return kBadInput;
+  return bad_input;
 }

@@ -23,6 +23,7 @@ std::optional<Pair> nearest_pair(const FreeSpace& space, Cell first, Cell second
   const auto near_first = nearest_passable(space, first);
   if (!near_first) return std::nullopt;
   const auto near_second = nearest_passable(space, second, near_first, adjacency);
+  if (!near_second) return std::nullopt;
   return Pair{*near_first, *near_second};
 }
 

@@ -94,6 +94,7 @@ std::string OptionFlags::help(const Flag& flag) const {
     return wrapped(fmt::format("{} (default {}; {})", text, flag.defaults[0], joined(flag.owners)));
   }
   std::vector<std::string> defaults;
+  defaults.reserve(flag.owners.size());
   for (std::size_t i = 0; i < flag.owners.size(); ++i) {
     defaults.push_back(flag.defaults[i] + " for " + flag.owners[i]);
   }

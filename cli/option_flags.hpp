@@ -16,6 +16,7 @@ class OptionFlags {
  public:
   /// `kind` is what owners are called: "planner".
   explicit OptionFlags(std::string kind) : kind_(std::move(kind)) {}
+  ~OptionFlags() = default;
   OptionFlags(const OptionFlags&) = delete;  // the app's callbacks point here
   OptionFlags& operator=(const OptionFlags&) = delete;
 

@@ -1,5 +1,7 @@
 #include "output.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -13,7 +15,9 @@ void print(std::string_view text) {
 
 void complain(std::string_view text) {
   std::fflush(stdout);
-  const std::string line = "wend: " + std::string(text) + "\n";
+  // A progress bar may stand there.
+  const std::string clear = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";
+  const std::string line = clear + "wend: " + std::string(text) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -131,7 +131,8 @@ Scene PlanRun::scene() const {
   Scene scene{.space = space_};
   scene.start = centre_of(ends_.start.cell);
   scene.goals = {centre_of(ends_.goal.cell)};
-  if (result_.plan.path.empty() || planner_.name == "random_walk") {
+  const bool walked = planner_.name == "random_walk" && !visited_.cells().empty();
+  if (walked || result_.plan.path.empty()) {
     scene.visited = visited_.cells();
   } else {
     scene.path = result_.plan.path;
@@ -178,9 +179,9 @@ ExitCode PlanRun::report() const {
     print(text(detect_screen()));
   }
   write_files();
-  if (result_.status == Status::found) return kSuccess;
+  if (result_.status == Status::found) return success;
   complain(result_.reason);
-  return kNoPlan;
+  return no_plan;
 }
 
 int run(const PlanArguments& arguments) {

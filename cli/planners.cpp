@@ -20,14 +20,14 @@ constexpr const char* kExamples = R"(Examples:
 int run(Format format) {
   print(format == Format::json ? planner_listing_json(wend::planners())
                                : planner_listing_text(wend::planners()));
-  return kSuccess;
+  return success;
 }
 
 }  // namespace
 
 Command add_planners(CLI::App& app) {
   CLI::App& planners = *app.add_subcommand(
-      "planners", "List the planners: what they guarantee, their options, their papers");
+      "planners", "List the planners, with what they guarantee, their options and papers");
   const auto format = std::make_shared<Format>(Format::text);
   add_format(planners, *format);
   planners.footer(kExamples);
