@@ -96,9 +96,9 @@ void FieldRun::make() {
     report_.reason = explain_goals(limits, report_.metrics);
     return;
   }
-  field_ = *std::move(field);
-  report_.metrics = field_->metrics();
-  for (const Place& start : starts_) take_path(*field_, start);
+  const CostToGo& made = field_.emplace(*std::move(field));
+  report_.metrics = made.metrics();
+  for (const Place& start : starts_) take_path(made, start);
 }
 
 void FieldRun::take_path(const CostToGo& field, const Place& start) {
