@@ -158,9 +158,12 @@ void PlanRun::write_files() const {
   const auto message = [](const auto& written) {
     return written ? std::string() : written.error().message();
   };
+  const auto save_picture = [&](const std::string& file, const auto& picture) {
+    return picture ? message(write_file(file, *picture)) : file + ": " + picture.error().message();
+  };
   std::map<std::string, FileWriter> writers{
-      {".png", [&](const std::string& file) { return message(draw_png(scene(), file)); }},
-      {".svg", [&](const std::string& file) { return message(draw_svg(scene(), file)); }},
+      {".png", [&](const std::string& file) { return save_picture(file, draw_png(scene())); }},
+      {".svg", [&](const std::string& file) { return save_picture(file, draw_svg(scene())); }},
       {".json", [&](const std::string& file) {
          return message(write_file(file, plan_json(result_, frame)));
        }}};

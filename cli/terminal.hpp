@@ -8,8 +8,8 @@ namespace wend::cli {
 
 struct Screen {
   bool is_terminal = false;
-  int columns = 80;
-  int rows = 24;
+  int columns = 100;  // where it is no terminal there is room
+  int rows = 60;
   Terminal terminal;  // ASCII without colours, if it is none
 };
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace wend {
@@ -16,8 +17,11 @@ const std::vector<std::string> kPlanners{"bfs",      "dfs",   "greedy",
 std::size_t edits(std::string_view a, std::string_view b) {
   if (a.empty() || b.empty()) return std::max(a.size(), b.size());
   if (a.front() == b.front()) return edits(a.substr(1), b.substr(1));
-  return 1 +
-         std::min({edits(a.substr(1), b), edits(a, b.substr(1)), edits(a.substr(1), b.substr(1))});
+  std::size_t least =
+      std::min({edits(a.substr(1), b), edits(a, b.substr(1)), edits(a.substr(1), b.substr(1))});
+  const bool swapped = a.size() > 1 && b.size() > 1 && a[0] == b[1] && a[1] == b[0];
+  if (swapped) least = std::min(least, edits(a.substr(2), b.substr(2)));
+  return 1 + least;
 }
 
 TEST(ClosestName, FindsMisspeltNames) {
@@ -25,7 +29,9 @@ TEST(ClosestName, FindsMisspeltNames) {
   EXPECT_EQ(closest_name("a-star", kPlanners), "astar");
   EXPECT_EQ(closest_name("djikstra", kPlanners), "dijkstra");
   EXPECT_EQ(closest_name("randomwalk", kPlanners), "random_walk");
-  EXPECT_EQ(closest_name("bsf", std::vector<std::string>{"bfs"}), std::nullopt);  // two of three
+  EXPECT_EQ(closest_name("plna", std::vector<std::string>{"plan"}), "plan");
+  EXPECT_EQ(closest_name("bsf", std::vector<std::string>{"bfs"}), "bfs");
+  EXPECT_EQ(closest_name("sfb", std::vector<std::string>{"bfs"}), std::nullopt);  // two of three
 }
 
 TEST(ClosestName, FindsNothingWhereMoreThanAThirdDiffers) {
@@ -38,10 +44,14 @@ TEST(ClosestName, TakesTheFirstOfEquallyNearNames) {
   EXPECT_EQ(closest_name("mapx", std::vector<std::string>{"mapa", "mapb"}), "mapa");
 }
 
-/// A word with a letter put in, taken out, or changed.
+/// A word with a letter put in, taken out, changed, or swapped with the next one.
 std::string misspelt(std::string word) {
   const auto at = *rc::gen::inRange<std::size_t>(0, word.size() + 1);
-  const auto change = *rc::gen::inRange(0, 3);
+  const auto change = *rc::gen::inRange(0, 4);
+  if (change == 3) {
+    if (at + 1 < word.size()) std::swap(word[at], word[at + 1]);
+    return word;
+  }
   if (at < word.size() && change != 0) word.erase(at, 1);
   if (change != 1) word.insert(at, 1, 'x');
   return word;

@@ -2,9 +2,11 @@
 
 // Angles in radians, counter-clockwise from +x.
 
+#include <numbers>
+
 namespace wend {
 
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kPi = std::numbers::pi;
 
 /// The same direction in (-pi, pi].
 double normalized_angle(double radians);

@@ -9,19 +9,13 @@ namespace {
 
 struct AStarOptions {
   GridMoves moves;
-  HeuristicKind heuristic = HeuristicKind::automatic;
-  double constant = 1;
+  HeuristicOptions heuristic{HeuristicKind::automatic};
   double weight = 1;
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
-    field({"heuristic",
-           "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
-           "octile on 8"},
-          self.heuristic);
-    field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
-          OptionRange{0, 1e9});
+    HeuristicOptions::fields(self.heuristic, field);
     field({"weight", "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
            "lambda"},
           self.weight, OptionRange{0, 1e6});
@@ -29,8 +23,8 @@ struct AStarOptions {
 };
 
 GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const AStarOptions& options) {
-  const BestFirst parts{options.moves, resolved(options.heuristic, options.moves.connectivity),
-                        options.constant, options.weight};
+  const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),
+                        options.heuristic.constant, options.weight};
   return {options.moves,
           [parts](const FreeSpace& space) { return make_best_first_engine(space, parts); },
           parts.bound()};

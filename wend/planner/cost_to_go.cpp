@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wend/planner/grid_priorities.hpp"
+#include "wend/planner/search_status.hpp"
 #include "wend/search/bucket_frontier.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/heap_frontier.hpp"
@@ -58,21 +59,6 @@ class FieldWriter {
   Grid<std::uint8_t>& policy_;
 };
 
-Status status_of(SearchOutcome outcome) {
-  switch (outcome) {
-    case SearchOutcome::expansion_limit:
-      return Status::expansion_limit;
-    case SearchOutcome::time_limit:
-      return Status::time_limit;
-    case SearchOutcome::cancelled:
-      return Status::cancelled;
-    case SearchOutcome::out_of_memory:
-      return Status::memory_limit;
-    default:
-      return Status::found;
-  }
-}
-
 std::optional<Status> refusal(const FreeSpace& space, std::span<const Cell> goals) {
   if (goals.empty()) return Status::unsupported_query;
   for (const Cell goal : goals) {
@@ -92,7 +78,7 @@ Status search_everywhere(Search& search, std::span<const Cell> goals, const Limi
   search.begin(starts, limits, writer);
   const SearchOutcome outcome = search.run(writer);
   metrics = search.metrics();
-  return status_of(outcome);
+  return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
 }
 
 }  // namespace

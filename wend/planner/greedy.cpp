@@ -11,18 +11,12 @@ namespace {
 
 struct GreedyOptions {
   GridMoves moves;
-  HeuristicKind heuristic = HeuristicKind::euclidean;
-  double constant = 1;
+  HeuristicOptions heuristic{HeuristicKind::euclidean};
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
-    field({"heuristic",
-           "estimate of the cost to the goal; auto is manhattan on 4 neighbours and "
-           "octile on 8"},
-          self.heuristic);
-    field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
-          OptionRange{0, 1e9});
+    HeuristicOptions::fields(self.heuristic, field);
   }
 };
 
@@ -30,11 +24,11 @@ using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cos
                                   RealEstimate<ExactGrid>, DuplicateRule::keep_first>;
 
 GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const GreedyOptions& options) {
-  const HeuristicKind kind = resolved(options.heuristic, options.moves.connectivity);
+  const HeuristicKind kind = resolved(options.heuristic.kind, options.moves.connectivity);
   const auto make = [options, kind](const FreeSpace& space) {
     return std::make_unique<GreedyEngine>(
         ExactGrid(space, options.moves),
-        RealEstimate<ExactGrid>(kind, options.constant, /*g_share=*/0, /*weight=*/1));
+        RealEstimate<ExactGrid>(kind, options.heuristic.constant, /*g_share=*/0, /*weight=*/1));
   };
   return {options.moves, make, Plan::kNoBound};
 }

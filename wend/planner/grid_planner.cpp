@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "wend/planner/search_status.hpp"
 #include "wend/space/grid_path.hpp"
 
 namespace wend {
@@ -14,27 +15,6 @@ std::optional<Cell> cell_on_map(const FreeSpace& space, const Pose& pose) {
                       pose.y < space.height();  // false for NaN
   if (!inside) return std::nullopt;
   return Cell{static_cast<int>(pose.x), static_cast<int>(pose.y)};
-}
-
-Status status_of(SearchOutcome outcome) {
-  switch (outcome) {
-    case SearchOutcome::found:
-      return Status::found;
-    case SearchOutcome::expansion_limit:
-      return Status::expansion_limit;
-    case SearchOutcome::time_limit:
-      return Status::time_limit;
-    case SearchOutcome::cancelled:
-      return Status::cancelled;
-    case SearchOutcome::out_of_memory:
-      return Status::memory_limit;
-    case SearchOutcome::cost_overflow:
-      return Status::unsupported_map;
-    case SearchOutcome::exhausted:
-    case SearchOutcome::running:
-      break;
-  }
-  return Status::unreachable;
 }
 
 }  // namespace

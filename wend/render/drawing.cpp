@@ -7,7 +7,6 @@
 
 #include "wend/render/cairo_objects.hpp"
 #include "wend/render/cell_paints.hpp"
-#include "wend/render/file_writer.hpp"
 #include "wend/render/footer.hpp"
 #include "wend/render/map_image.hpp"
 #include "wend/render/map_rectangles.hpp"
@@ -100,18 +99,16 @@ cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int
   return CAIRO_STATUS_SUCCESS;
 }
 
-Expected<void, RenderError> finish(cairo_status_t status, const std::string& bytes,
-                                   const std::filesystem::path& file) {
+Expected<std::string, RenderError> finished(cairo_status_t status, std::string bytes) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    return Unexpected<RenderError>({file.string(), cairo_status_to_string(status)});
+    return Unexpected<RenderError>({cairo_status_to_string(status)});
   }
-  return write_picture(file, bytes);
+  return bytes;
 }
 
 }  // namespace
 
-Expected<void, RenderError> draw_png(const Scene& scene, const std::filesystem::path& file,
-                                     const Style& style) {
+Expected<std::string, RenderError> draw_png(const Scene& scene, const Style& style) {
   const PictureLayout layout = picture_layout(scene.space.map());
   const CairoSurface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.width, layout.height));
@@ -122,11 +119,10 @@ Expected<void, RenderError> draw_png(const Scene& scene, const std::filesystem::
   if (status == CAIRO_STATUS_SUCCESS) {
     status = cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes);
   }
-  return finish(status, bytes, file);
+  return finished(status, std::move(bytes));
 }
 
-Expected<void, RenderError> draw_svg(const Scene& scene, const std::filesystem::path& file,
-                                     const Style& style) {
+Expected<std::string, RenderError> draw_svg(const Scene& scene, const Style& style) {
   const PictureLayout layout = picture_layout(scene.space.map());
   std::string bytes;
   const CairoSurface surface(
@@ -137,7 +133,7 @@ Expected<void, RenderError> draw_svg(const Scene& scene, const std::filesystem::
   cairo_status_t status = cairo_status(context.get());
   cairo_surface_finish(surface.get());  // writes the rest
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
-  return finish(status, bytes, file);
+  return finished(status, std::move(bytes));
 }
 
 }  // namespace wend

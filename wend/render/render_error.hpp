@@ -1,17 +1,15 @@
 #pragma once
 
-// RenderError: which picture could not be written, and why.
+// RenderError: why a picture could not be drawn.
 
 #include <string>
 
 namespace wend {
 
 struct RenderError {
-  std::string file;
-  std::string what;  // "No such file or directory"
+  std::string what;  // "out of memory"
 
-  /// "out/plan.png: No such file or directory"
-  std::string message() const { return file + ": " + what; }
+  const std::string& message() const { return what; }
 };
 
 }  // namespace wend

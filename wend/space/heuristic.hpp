@@ -34,6 +34,21 @@ constexpr std::array<Choice<HeuristicKind>, 6> choice_names(HeuristicKind) {
            {"euclidean", HeuristicKind::euclidean}}};
 }
 
+/// A heuristic as an option of a planner.
+struct HeuristicOptions {
+  HeuristicKind kind;
+  double constant = 1;  // what HeuristicKind::constant is worth
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"heuristic",
+           "estimate of the cost to the goal; auto is manhattan on 4 neighbours and octile on 8"},
+          self.kind);
+    field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
+          OptionRange{0, 1e9});
+  }
+};
+
 /// The kind that `automatic` stands for: the exact one of the connectivity.
 constexpr HeuristicKind resolved(HeuristicKind kind, Connectivity connectivity) {
   if (kind != HeuristicKind::automatic) return kind;
