@@ -22,12 +22,10 @@ struct AStarOptions {
   }
 };
 
-GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const AStarOptions& options) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
   const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),
                         options.heuristic.constant, options.weight};
-  return {options.moves,
-          [parts](const FreeSpace& space) { return make_best_first_engine(space, parts); },
-          parts.bound()};
+  return {options.moves, make_best_first_engine(space, parts), parts.bound()};
 }
 
 }  // namespace

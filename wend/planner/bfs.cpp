@@ -29,10 +29,8 @@ double bound(const FreeSpace& space, const BfsOptions& options) {
 }
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
-  const auto make = [options](const FreeSpace& free_space) {
-    return std::make_unique<BfsEngine>(ExactGrid(free_space, options.moves), ByArrival());
-  };
-  return {options.moves, make, bound(space, options)};
+  return {options.moves, std::make_unique<BfsEngine>(ExactGrid(space, options.moves), ByArrival()),
+          bound(space, options)};
 }
 
 }  // namespace

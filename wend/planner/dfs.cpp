@@ -19,11 +19,9 @@ struct DfsOptions {
 
 using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const DfsOptions& options) {
-  const auto make = [options](const FreeSpace& space) {
-    return std::make_unique<DfsEngine>(ExactGrid(space, options.moves), ByArrival());
-  };
-  return {options.moves, make, Plan::kNoBound};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
+  return {options.moves, std::make_unique<DfsEngine>(ExactGrid(space, options.moves), ByArrival()),
+          Plan::kNoBound};
 }
 
 }  // namespace

@@ -16,11 +16,9 @@ struct DijkstraOptions {
   }
 };
 
-GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const DijkstraOptions& options) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
   const BestFirst parts{options.moves, HeuristicKind::zero, 0, 0};
-  return {options.moves,
-          [parts](const FreeSpace& space) { return make_best_first_engine(space, parts); },
-          parts.bound()};
+  return {options.moves, make_best_first_engine(space, parts), parts.bound()};
 }
 
 }  // namespace

@@ -23,14 +23,12 @@ struct GreedyOptions {
 using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cost>>,
                                   RealEstimate<ExactGrid>, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& /*space*/, const GreedyOptions& options) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& options) {
   const HeuristicKind kind = resolved(options.heuristic.kind, options.moves.connectivity);
-  const auto make = [options, kind](const FreeSpace& space) {
-    return std::make_unique<GreedyEngine>(
-        ExactGrid(space, options.moves),
-        RealEstimate<ExactGrid>(kind, options.heuristic.constant, /*g_share=*/0, /*weight=*/1));
-  };
-  return {options.moves, make, Plan::kNoBound};
+  const RealEstimate<ExactGrid> estimate(kind, options.heuristic.constant, /*g_share=*/0,
+                                         /*weight=*/1);
+  return {options.moves, std::make_unique<GreedyEngine>(ExactGrid(space, options.moves), estimate),
+          Plan::kNoBound};
 }
 
 }  // namespace

@@ -44,44 +44,43 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
     : Planner(std::move(space)),
       choose_parts_(std::move(choose_parts)),
-      parts_(choose_parts_(free_space())),
-      engine_(parts_.make_engine(free_space())) {}
+      parts_(choose_parts_(free_space())) {}
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
   return cells_.assign(free_space(), parts_.moves.adjacency(), query);
 }
 
 Status GridPlanner::do_plan(const Query& query, Plan& out) {
-  engine_->begin(cells_.start, cells_.goals, query.limits, query.observer);
-  return finish(engine_->run(), out);
+  parts_.engine->begin(cells_.start, cells_.goals, query.limits, query.observer);
+  return finish(parts_.engine->run(), out);
 }
 
 std::optional<Status> GridPlanner::do_begin(const Query& query, Plan& out) {
   limits_ = query.limits;
-  engine_->begin(cells_.start, cells_.goals, limits_, query.observer);
-  out.metrics = engine_->metrics();
+  parts_.engine->begin(cells_.start, cells_.goals, limits_, query.observer);
+  out.metrics = parts_.engine->metrics();
   return std::nullopt;
 }
 
 std::optional<Status> GridPlanner::do_step(Plan& out) {
-  const SearchOutcome outcome = engine_->step();
-  out.metrics = engine_->metrics();
+  const SearchOutcome outcome = parts_.engine->step();
+  out.metrics = parts_.engine->metrics();
   if (outcome == SearchOutcome::running) return std::nullopt;
   return finish(outcome, out);
 }
 
 Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
-  out.metrics = engine_->metrics();
+  out.metrics = parts_.engine->metrics();
   if (outcome != SearchOutcome::found) return status_of(outcome);
-  engine_->write_path(out.path);
+  parts_.engine->write_path(out.path);
   out.cost = grid_path_cost(free_space(), out.path.cells());
   out.bound = parts_.bound;
   return Status::found;
 }
 
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
+  parts_.engine.reset();  // its memory first
   parts_ = choose_parts_(free_space());
-  engine_ = parts_.make_engine(free_space());
 }
 
 }  // namespace wend

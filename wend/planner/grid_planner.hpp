@@ -26,20 +26,18 @@ struct GridQuery {
 
 class GridPlanner final : public Planner {
  public:
-  using EngineMaker = std::function<std::unique_ptr<GridEngine>(const FreeSpace&)>;
-
   struct Parts {
     GridMoves moves;
-    EngineMaker make_engine;
+    std::unique_ptr<GridEngine> engine;
     double bound;  // what Plan::bound says of every answer
   };
 
-  /// Chosen anew for another FreeSpace.
+  /// Called again for another FreeSpace.
   using PartsChooser = std::function<Parts(const FreeSpace&)>;
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts);
 
-  bool allocated() const { return engine_->allocated(); }
+  bool allocated() const { return parts_.engine->allocated(); }
 
  private:
   std::optional<Status> do_check(const Query& query) override;
@@ -52,7 +50,6 @@ class GridPlanner final : public Planner {
 
   PartsChooser choose_parts_;
   Parts parts_;
-  std::unique_ptr<GridEngine> engine_;
   GridQuery cells_;
   Limits limits_;  // of a search that is stepped
 };
