@@ -100,7 +100,7 @@ Runs runs_of(const BitGrid& cells) {
 template <class Join>
 void for_touching(std::span<const Run> upper, std::span<Run> lower, int slack, Join&& join) {
   std::size_t i = 0;
-  for (Run& run : lower) {
+  for (auto&& run : lower) {
     while (i < upper.size() && upper[i].end + slack <= run.begin) ++i;
     for (std::size_t j = i; j < upper.size() && upper[j].begin < run.end + slack; ++j) {
       join(upper[j], run);

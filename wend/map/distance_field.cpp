@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <ranges>
 #include <vector>
 
 namespace wend {
@@ -119,10 +120,10 @@ Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
     nearest_columns(in_column.row(y), envelope);
     const auto row = squared.row(y);
     std::size_t end = row.size();
-    for (auto column = envelope.rbegin(); column != envelope.rend(); ++column) {
-      const auto begin = static_cast<std::size_t>(column->first_cell);
+    for (const Column& column : std::views::reverse(envelope)) {
+      const auto begin = static_cast<std::size_t>(column.first_cell);
       for (std::size_t x = begin; x < end; ++x) {
-        const std::int64_t distance = column->squared_distance_from(static_cast<std::int64_t>(x));
+        const std::int64_t distance = column.squared_distance_from(static_cast<std::int64_t>(x));
         row[x] = static_cast<std::uint32_t>(std::min<std::int64_t>(distance, kNoObstacle));
       }
       end = begin;

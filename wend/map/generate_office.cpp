@@ -37,6 +37,7 @@ struct Span {
 /// Cuts `whole` into `parts` of about the same length with walls between them.
 std::vector<Span> cut(Span whole, int parts, int between) {
   std::vector<Span> spans;
+  spans.reserve(static_cast<std::size_t>(parts));
   const int length = whole.length() + between;
   for (int i = 0; i < parts; ++i) {
     spans.push_back(

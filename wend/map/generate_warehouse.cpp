@@ -2,6 +2,7 @@
 // doors at the lower wall.
 
 #include <algorithm>
+#include <cmath>
 
 #include "wend/map/generator_floor_plan.hpp"
 #include "wend/map/generator_kinds.hpp"
@@ -26,7 +27,9 @@ struct WarehouseOptions {
     field({"stock", "the share of places with something on them"}, self.stock, {0, 1});
   }
 
-  int aisle() const { return static_cast<int>(aisle_width / FloorPlan::kMetresPerCell + 0.5); }
+  int aisle() const {
+    return static_cast<int>(std::lround(aisle_width / FloorPlan::kMetresPerCell));
+  }
 
   int least_loading_zone() const { return std::max(30, aisle()); }
 

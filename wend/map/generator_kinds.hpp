@@ -30,7 +30,7 @@ std::optional<GeneratorError> check_size(std::string_view name, MapSize size, Ma
 /// What every generator has in common. Options is an option struct that also has a
 /// `MapSize least_size() const`; `generate` is called with checked options and sizes only.
 template <class Options>
-GeneratorInfo generator_info(std::string name, std::string summary,
+GeneratorInfo generator_info(const std::string& name, std::string summary,
                              GridMap (*generate)(MapSize, const Options&, Random&)) {
   GeneratorInfo info;
   info.name = name;
@@ -48,7 +48,7 @@ GeneratorInfo generator_info(std::string name, std::string summary,
     if (auto error = check_size(name, size, options->least_size())) {
       return Unexpected<GeneratorError>(*std::move(error));
     }
-    Random random(seed);
+    Random random(seed);  // NOLINT(misc-const-correctness): generate() draws from it
     return generate(size, *options, random);
   };
   return info;

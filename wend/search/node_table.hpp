@@ -53,6 +53,7 @@ class NodeTable {
   void prefetch(StateId id) const {
     // The address is a number here: it may lie outside the table.
     const auto address = reinterpret_cast<std::uintptr_t>(nodes_.get()) + id * sizeof(Node);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): a pointer outside the table must not be computed
     __builtin_prefetch(reinterpret_cast<const void*>(address), 1);
   }
 

@@ -20,9 +20,7 @@ GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning
       down_(space_.map().frame().y_up ? -1 : 1),
       table_(moves, cuts_corners(moves) && space_.radius_in_cells() > 0 ? MoveTable::Pruning::none
                                                                         : pruning),
-      swept_(space_, cuts_corners(moves)),
-      offsets_{},
-      id_offsets_{} {
+      swept_(space_, cuts_corners(moves)) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     offsets_[i] = step({}, static_cast<Direction>(i), space_.map().frame().y_up);
     id_offsets_[i] =

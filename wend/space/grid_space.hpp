@@ -117,8 +117,8 @@ class GridSpace {
   int down_;  // the step in y that is down as drawn
   MoveTable table_;
   SweptDiagonal swept_;
-  std::array<Cell, kDirections> offsets_;
-  std::array<StateId, kDirections> id_offsets_;  // modulo 2^32
+  std::array<Cell, kDirections> offsets_{};
+  std::array<StateId, kDirections> id_offsets_{};  // modulo 2^32
 };
 
 using ExactGrid = GridSpace<UniformSteps<std::uint64_t>>;
