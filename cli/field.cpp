@@ -169,6 +169,7 @@ int run(const FieldArguments& arguments) {
   const auto moves = parse_options<GridMoves>(arguments.options.values_for("field"));
   if (!moves) throw InputError(moves.error().message());
   const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
   FieldRun run(arguments, *moves, arguments.map.free_space(loaded.map));
   run.make();
   return run.report();

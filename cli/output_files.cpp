@@ -48,6 +48,17 @@ void OutputFiles::check() const {
   }
 }
 
+void OutputFiles::check_not_among(const std::vector<std::filesystem::path>& inputs) const {
+  for (const std::string& file : files_) {
+    for (const auto& input : inputs) {
+      std::error_code error;  // a file that is not there yet is no input
+      if (!std::filesystem::equivalent(file, input, error)) continue;
+      throw InputError(fmt::format(
+          "-o {}: the map was read from this file, and would be lost; choose another name", file));
+    }
+  }
+}
+
 void OutputFiles::write(const std::map<std::string, FileWriter>& writers) const {
   for (const std::string& file : files_) {
     const auto writer = writers.find(extension_of(file));

@@ -3,6 +3,7 @@
 // -o FILE: results as files, each in the format that its name asks for.
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -20,6 +21,9 @@ class OutputFiles {
 
   /// Throws InputError for a name that no writer will take and for a folder that is not there.
   void check() const;
+
+  /// Throws InputError for a file that is one of `inputs`: writing it would destroy the map.
+  void check_not_among(const std::vector<std::filesystem::path>& inputs) const;
 
   /// Calls the writer of each file's extension. A file whose extension has no writer now is left
   /// out. Throws InputError if one cannot be written.

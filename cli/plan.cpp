@@ -193,6 +193,7 @@ int run(const PlanArguments& arguments) {
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
   const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
   PlanRun run(arguments, std::move(planner), arguments.map.free_space(loaded.map));
   run.plan();
   return run.report();

@@ -240,6 +240,19 @@ TEST_F(MetricPlan, CountsInMetres) {
   EXPECT_THAT(plan("-0.4,-0.9", "0.1,-0.99").out, HasSubstr("4 cells, 1 m"));
 }
 
+TEST_F(MetricPlan, DoesNotWriteOverTheMapItReads) {
+  map_ = folder_ / "made.yaml";
+  const std::string image = folder_ / "made.png";
+  ASSERT_EQ(wend({"generate", "random", "--size", "8x8", "-o", map_}).code, 0);
+  const std::string before = bytes_of(image);
+  for (const std::string& name : {image, std::string(folder_ / "." / "made.png")}) {
+    const Outcome outcome = plan("1,1", "6,6", {"-o", name});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("the map was read from this file"));
+    EXPECT_EQ(bytes_of(image), before);
+  }
+}
+
 TEST_F(MetricPlan, CountsInCellsWhenAsked) {
   EXPECT_EQ(plan_json("0,0", "2,0", {"--cells"}).at("path").size(), 5U);
   EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.4"}).at("status"), "found");

@@ -110,7 +110,9 @@ std::string_view to_string(MapFormat format) {
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
                                       const LoadOptions& options) {
   try {
-    return load(file, options);
+    auto loaded = load(file, options);
+    if (loaded) loaded->files.insert(loaded->files.begin(), file);
+    return loaded;
   } catch (const std::bad_alloc&) {
     return io_failure(file.string(), 0, "not enough memory for this map");
   }

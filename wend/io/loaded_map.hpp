@@ -2,6 +2,7 @@
 
 // LoadedMap: a map, the format that it came in, and what was odd in the file.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ std::string_view to_string(MapFormat format);
 struct LoadedMap {
   GridMap map;
   MapFormat format;
-  std::vector<std::string> notes;  // what was odd in the file, and how it was read
+  std::vector<std::string> notes;                 // what was odd in the file, and how it was read
+  std::vector<std::filesystem::path> files = {};  // read for it: the map, and a map.yaml's image
 };
 
 }  // namespace wend

@@ -275,6 +275,7 @@ Expected<LoadedMap, IoError> load_map_yaml(const std::string& text,
   }
   LoadedMap loaded{map_from_image(*image, yaml->meaning, yaml->frame), MapFormat::ros_yaml,
                    std::move(yaml->notes)};
+  loaded.files.push_back(image_file);
   loaded.notes.insert(loaded.notes.end(), image->notes.begin(), image->notes.end());
   return loaded;
 }
