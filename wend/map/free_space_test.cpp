@@ -218,7 +218,8 @@ TEST(FreeSpace, HasTheMapsTerrain) {
 
 TEST(FreeSpace, SharesEverythingWithCopies) {
   const FreeSpace space(row_behind_an_obstacle(5, 1));
-  const FreeSpace copy = space;  // NOLINT: the copy is what is tested
+  const FreeSpace copy =
+      space;  // NOLINT(performance-unnecessary-copy-initialization): it is tested
   EXPECT_EQ(&copy.passable(), &space.passable());
 }
 

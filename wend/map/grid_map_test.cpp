@@ -79,7 +79,7 @@ TEST(GridMap, TakesAnotherFrameWithTheSameCells) {
 
 TEST(GridMap, SharesItsCellsWithCopies) {
   const GridMap map(Grid<CellState>(5, 4));
-  const GridMap copy = map;  // NOLINT: the copy is what is tested
+  const GridMap copy = map;  // NOLINT(performance-unnecessary-copy-initialization): it is tested
   EXPECT_EQ(&copy.occupied(), &map.occupied());
 }
 
