@@ -68,11 +68,8 @@ GreyImage image_of(const GridMap& map, const ValueOf& value_of) {
 
 /// The grey value that kScaleMeaning reads as this terrain; nothing if there is none.
 std::optional<std::uint16_t> scale_value(double terrain) {
-  const double v = std::round((terrain - 1) * 100 / kScaleMeaning.scale_factor);
-  if (!(v >= 0 && v <= 100)) return std::nullopt;
-  if (scaled_terrain(kScaleMeaning.scale_factor, static_cast<int>(v)) != terrain) {
-    return std::nullopt;
-  }
+  const int v = nearest_scale_value(terrain);
+  if (scaled_terrain(kScaleMeaning.scale_factor, v) != terrain) return std::nullopt;
   // 0 is occupied by its threshold; 1 is the darkest free value, and rounds to v = 100.
   return static_cast<std::uint16_t>(std::max(1.0, 255 - std::round(2.55 * v)));
 }
@@ -114,6 +111,11 @@ Expected<GreyImage, std::string> trinary_image(const GridMap& map) {
     if (map.occupied()[cell]) return 0;
     return map.unknown()[cell] ? 205 : 254;
   });
+}
+
+int nearest_scale_value(double terrain) {
+  const double v = std::round((terrain - 1) * 100 / kScaleMeaning.scale_factor);
+  return static_cast<int>(std::clamp(v, 0.0, 100.0));
 }
 
 Expected<GreyImage, std::string> scale_image(const GridMap& map) {

@@ -48,6 +48,9 @@ Expected<GreyImage, std::string> trinary_image(const GridMap& map);
 /// What scale_image() is written for.
 inline constexpr ImageMeaning kScaleMeaning = {ImageMode::scale, false, 1, 0, 4};
 
+/// The value 0..100 whose terrain is nearest to this one, with kScaleMeaning.
+int nearest_scale_value(double terrain);
+
 /// An image that reads back with kScaleMeaning: 0 occupied, transparent unknown, from 255 to 1 the
 /// terrain. An error says which terrain is none of scaled_terrain(4, 0..100).
 Expected<GreyImage, std::string> scale_image(const GridMap& map);

@@ -30,9 +30,14 @@ Expected<void, IoError> write_or_fail(const fs::path& file,
   return write_file(file, *bytes);
 }
 
+std::string extension_of(const fs::path& file) { return lower_case(file.extension().string()); }
+
+fs::path picture_beside(const fs::path& file) { return fs::path(file).replace_extension(".png"); }
+
 Expected<void, IoError> save_yaml(const GridMap& map, const fs::path& file) {
+  const fs::path image_file = picture_beside(file);
   MapYaml yaml;
-  yaml.image = file.filename().replace_extension(".png");
+  yaml.image = image_file.filename();
   yaml.frame = map.frame();
   if (!map.frame().y_up && map.frame().origin != Pose{}) {
     return io_failure(file.string(), 0, "a map.yaml cannot hold an origin with y down");
@@ -40,25 +45,44 @@ Expected<void, IoError> save_yaml(const GridMap& map, const fs::path& file) {
   if (!map.uniform_terrain()) yaml.meaning = kScaleMeaning;
   const auto image = map.uniform_terrain() ? trinary_image(map) : scale_image(map);
   if (!image) return io_failure(file.string(), 0, image.error());
-  auto written = write_or_fail(file.parent_path() / yaml.image, encode_png(*image));
+  auto written = write_or_fail(image_file, encode_png(*image));
   if (written) written = write_file(file, format_map_yaml(yaml));
   return written;
 }
 
 Expected<void, IoError> save(const GridMap& map, const fs::path& file) {
-  const std::string extension = lower_case(file.extension().string());
-  if (extension == ".map") return write_or_fail(file, format_moving_ai_map(map));
-  if (extension == ".txt" || extension == ".grid") {
-    return write_or_fail(file, format_text_grid(map));
+  const auto format = saved_format(file);
+  if (!format) return Unexpected<IoError>(format.error());
+  switch (*format) {
+    case MapFormat::ros_yaml:
+      return save_yaml(map, file);
+    case MapFormat::moving_ai:
+      return write_or_fail(file, format_moving_ai_map(map));
+    case MapFormat::text_grid:
+      return write_or_fail(file, format_text_grid(map));
+    case MapFormat::image:
+      break;
   }
-  if (extension == ".png") return write_or_fail(file, picture(map, true));
-  if (extension == ".pgm") return write_or_fail(file, picture(map, false));
-  if (extension == ".yaml" || extension == ".yml") return save_yaml(map, file);
-  return io_failure(file.string(), 0,
-                    "maps are saved as .map, .txt, .grid, .png, .pgm, .yaml or .yml");
+  return write_or_fail(file, picture(map, extension_of(file) == ".png"));
 }
 
 }  // namespace
+
+Expected<MapFormat, IoError> saved_format(const fs::path& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".yaml" || extension == ".yml") return MapFormat::ros_yaml;
+  if (extension == ".map") return MapFormat::moving_ai;
+  if (extension == ".txt" || extension == ".grid") return MapFormat::text_grid;
+  if (extension == ".png" || extension == ".pgm" || extension == ".pnm") return MapFormat::image;
+  return io_failure(file.string(), 0,
+                    "maps are saved as .map, .txt, .grid, .png, .pgm, .pnm, .yaml or .yml");
+}
+
+std::vector<fs::path> saved_files(const fs::path& file) {
+  const auto format = saved_format(file);
+  if (format && *format == MapFormat::ros_yaml) return {picture_beside(file), file};
+  return {file};
+}
 
 Expected<void, IoError> save_map(const GridMap& map, const fs::path& file) {
   try {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include <set>
+
 #include "wend/io/image_map.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/load_map.hpp"
@@ -135,8 +137,20 @@ TEST_F(SaveMapFile, AFailureLeavesTheOldFileAlone) {
 }
 
 TEST_F(SaveMapFile, OtherNamesAreRefused) {
-  EXPECT_THAT(saved(with_a_corner({}), "m.jpg"),
-              EndsWith("m.jpg: maps are saved as .map, .txt, .grid, .png, .pgm, .yaml or .yml"));
+  EXPECT_THAT(
+      saved(with_a_corner({}), "m.jpg"),
+      EndsWith("m.jpg: maps are saved as .map, .txt, .grid, .png, .pgm, .pnm, .yaml or .yml"));
+}
+
+TEST(SavedFiles, AreAllThatSaveMapWrites) {
+  for (const std::string name : {"m.map", "m.txt", "m.grid", "m.png", "m.pgm", "m.pnm", "m.yaml"}) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(save_map(with_a_corner({}), folder / name));
+    std::set<fs::path> written;
+    for (const auto& entry : fs::directory_iterator(folder.path())) written.insert(entry.path());
+    const auto told = saved_files(folder / name);
+    EXPECT_EQ(written, std::set<fs::path>(told.begin(), told.end())) << name;
+  }
 }
 
 }  // namespace

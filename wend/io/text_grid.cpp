@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -88,10 +89,8 @@ std::optional<char> letter_of(CellState state, double terrain) {
   if (state == CellState::occupied) return '#';
   if (state == CellState::unknown) return terrain == 1 ? std::optional('?') : std::nullopt;
   if (terrain == 1) return '.';
-  for (char digit = '2'; digit <= '9'; ++digit) {
-    if (terrain == digit - '0') return digit;
-  }
-  return std::nullopt;
+  if (terrain > kLargestTextTerrain || terrain != std::round(terrain)) return std::nullopt;
+  return static_cast<char>('0' + static_cast<int>(terrain));
 }
 
 }  // namespace

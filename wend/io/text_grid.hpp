@@ -20,6 +20,9 @@
 
 namespace wend {
 
+/// The dearest terrain that a text grid can hold.
+inline constexpr double kLargestTextTerrain = 9;
+
 /// `file` is the name for errors. Linear time.
 Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file);
 
