@@ -131,9 +131,9 @@ Scene PlanRun::scene() const {
   Scene scene{.space = space_};
   scene.start = centre_of(ends_.start.cell);
   scene.goals = {centre_of(ends_.goal.cell)};
-  const bool walked = planner_.name == "random_walk" && !visited_.cells().empty();
+  const bool walked = planner_.name == "random_walk" && !visited_.empty();
   if (walked || result_.plan.path.empty()) {
-    scene.visited = visited_.cells();
+    scene.marked = {{CellRole::expanded, visited_.cells()}};
   } else {
     scene.path = result_.plan.path;
   }

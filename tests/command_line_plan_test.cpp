@@ -165,7 +165,7 @@ TEST_F(PlanCommand, TakesItsPlannersOptionsAsFlags) {
 TEST_F(PlanCommand, MarksWhatARandomWalkVisited) {
   const Outcome walk = plan("0,0", "4,3", {"--planner", "random_walk", "--seed", "4"});
   EXPECT_EQ(walk.code, 0);
-  EXPECT_THAT(walk.out, AllOf(StartsWith("(0,0)>"), HasSubstr("*"), HasSubstr("* visited"),
+  EXPECT_THAT(walk.out, AllOf(StartsWith("(0,0)>"), HasSubstr("*"), HasSubstr("* expanded"),
                               HasSubstr("no claim"), Not(HasSubstr("→"))));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wend/map/grid.hpp"
+#include "wend/render/text_glyphs.hpp"
 
 namespace wend {
 namespace {
@@ -42,12 +43,20 @@ class AsciiCanvas {
     }
   }
 
+  /// A role shows wherever a cell of the block has it, but walls stay.
+  void draw_roles(const Scene& scene) {
+    for (const MarkedCells& marked : scene.marked) {
+      const char character = glyph_of(marked.role).text.front();
+      for (int y = 0; y < space_.height(); ++y) {
+        for (int x = 0; x < space_.width(); ++x) {
+          if (marked.cells[{x, y}]) put_unless_wall(centre_of(Cell{x, y}), character);
+        }
+      }
+    }
+  }
+
   void put(Point grid, char character) {
-    const double y = space_.map().frame().y_up ? space_.height() - grid.y : grid.y;
-    const double column = std::floor(grid.x / size_);
-    const double row = std::floor(y / (2 * size_));
-    if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return;
-    characters_[{static_cast<int>(column), static_cast<int>(row)}] = character;
+    if (const auto block = block_at(grid)) characters_[*block] = character;
   }
 
   void draw_line(Point from, Point to, char character) {
@@ -71,6 +80,19 @@ class AsciiCanvas {
  private:
   static int blocks(int cells, double size) {
     return std::max(1, static_cast<int>(std::ceil(cells / size - 1e-9)));
+  }
+
+  std::optional<Cell> block_at(Point grid) const {
+    const double y = space_.map().frame().y_up ? space_.height() - grid.y : grid.y;
+    const double column = std::floor(grid.x / size_);
+    const double row = std::floor(y / (2 * size_));
+    if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return std::nullopt;
+    return Cell{static_cast<int>(column), static_cast<int>(row)};
+  }
+
+  void put_unless_wall(Point grid, char character) {
+    const auto block = block_at(grid);
+    if (block && characters_[*block] != '#') characters_[*block] = character;
   }
 
   /// Blocks of fewer than one cell have one all the same.
@@ -111,13 +133,14 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
                                 static_cast<double>(space.height()) / std::max(1, rows) / 2});
   AsciiCanvas canvas(space, size);
   canvas.draw_map();
-  for (const Cell cell : scene.visited) canvas.put(centre_of(cell), '*');
+  canvas.draw_roles(scene);
   const auto cells = scene.path.cells();
   for (std::size_t i = 1; i < cells.size(); ++i) {
     canvas.draw_line(centre_of(cells[i - 1]), centre_of(cells[i]), 'o');
   }
   for (const Point goal : scene.goals) canvas.put(goal, 'G');
   if (scene.start) canvas.put(*scene.start, 'S');
+  if (scene.narrowest) canvas.put(*scene.narrowest, '!');
   return canvas.text();
 }
 

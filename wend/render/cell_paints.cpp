@@ -1,6 +1,7 @@
 #include "wend/render/cell_paints.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace wend {
@@ -8,29 +9,49 @@ namespace {
 
 // A wall one cell wide must not fade away where eight cells share a pixel.
 constexpr double kObstacleWeight = 3;
-constexpr double kVisitedWeight = 2;
+constexpr double kRoleWeight = 2;
 
-BitGrid bits_of(const std::vector<Cell>& cells, const FreeSpace& space) {
-  if (cells.empty()) return {};
-  BitGrid bits(space.width(), space.height());
-  for (const Cell cell : cells) {
-    if (bits.contains(cell)) bits.set(cell, true);
-  }
-  return bits;
+// The one cell that is expanded now shows among hundreds.
+constexpr double kCurrentWeight = 40;
+
+double weight_of(CellRole role) { return role == CellRole::current ? kCurrentWeight : kRoleWeight; }
+
+template <class Layer>
+bool as_large_as(const Layer& layer, const FreeSpace& space) {
+  return layer.width() == space.width() && layer.height() == space.height();
+}
+
+bool fits(const Scene& scene) {
+  const auto marks = [&](const MarkedCells& marked) {
+    return as_large_as(marked.cells, scene.space);
+  };
+  return std::ranges::all_of(scene.marked, marks) &&
+         (!scene.heatmap || as_large_as(scene.heatmap->values, scene.space)) &&
+         (!scene.arrows || as_large_as(*scene.arrows, scene.space));
 }
 
 }  // namespace
 
 double roughness(double multiplier) { return std::min(1.0, std::log10(multiplier)); }
 
-CellPaints::CellPaints(const Scene& scene, const Style& style)
-    : scene_(scene), style_(style), visited_(bits_of(scene.visited, scene.space)) {}
+CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), style_(style) {
+  assert(fits(scene));
+  if (scene.heatmap) range_ = range_of(*scene.heatmap);
+}
+
+std::optional<Colour> CellPaints::heat(Cell cell) const {
+  if (!range_) return std::nullopt;
+  const double value = scene_.heatmap->values[cell];
+  if (!std::isfinite(value)) return std::nullopt;
+  return style_.heat(range_->share(value));
+}
 
 Paint CellPaints::operator[](Cell cell) const {
   const FreeSpace& space = scene_.space;
   const CellState state = space.map().state(cell);
   if (state == CellState::occupied) return {style_.occupied, kObstacleWeight};
-  if (visited_.contains(cell) && visited_[cell]) return {style_.visited, kVisitedWeight};
+  if (const auto role = role_of(scene_, cell)) return {style_.of(*role), weight_of(*role)};
+  if (const auto colour = heat(cell)) return {*colour};
   if (state == CellState::unknown) return {style_.unknown};
   if (!space.passable()[cell]) return {style_.too_close};
   const double multiplier = space.terrain(cell);

@@ -3,10 +3,8 @@
 // CellPaints: the colour of every cell of a scene, and how much it counts where many cells share a
 // pixel.
 
-#include <span>
-#include <vector>
+#include <optional>
 
-#include "wend/map/bit_grid.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 
@@ -21,7 +19,7 @@ struct Paint {
 
 class CellPaints {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this; the scene's layers are as large as its map.
   CellPaints(const Scene& scene, const Style& style);
 
   int width() const { return scene_.space.width(); }
@@ -30,9 +28,11 @@ class CellPaints {
   Paint operator[](Cell cell) const;
 
  private:
+  std::optional<Colour> heat(Cell cell) const;
+
   const Scene& scene_;
   const Style& style_;
-  BitGrid visited_;  // without cells if nothing is to be marked
+  std::optional<HeatRange> range_;  // of the heatmap, where it has a finite value
 };
 
 /// How rough terrain looks: from 0 for a multiplier of 1 to 1 for one of 10 or more, by its

@@ -112,6 +112,16 @@ TEST(Drawing, ShowsTheRobotToScale) {
   EXPECT_EQ(pixel_at(picture, scene, {1.7, 2.4}), kFree) << "outside";
 }
 
+TEST(Drawing, RingsTheNarrowestPlace) {
+  Scene scene{.space = FreeSpace(map_of({".......", ".......", "......."}))};
+  scene.narrowest = Point{3.5, 1.5};
+  const Picture picture = png_of(scene);
+  const double ring = 1.3 * 18 / picture_layout(scene.space.map()).view.scale();
+  EXPECT_EQ(pixel_at(picture, scene, {3.5, 1.5}), kFree) << "one sees what lies there";
+  EXPECT_EQ(pixel_at(picture, scene, {3.5 + ring, 1.5}), 0x7D0552U);
+  EXPECT_EQ(pixel_at(picture, scene, {3.5, 1.5 - ring}), 0x7D0552U);
+}
+
 TEST(Drawing, ShrinksHugeMapsAndKeepsThinWallsAndThePathVisible) {
   Grid<CellState> cells(4096, 300);
   for (int y = 0; y < 300; ++y) cells[{2000, y}] = CellState::occupied;

@@ -39,7 +39,9 @@ std::vector<Item> items_of(const Scene& scene, const Style& style) {
   if (scene.start) items.push_back({Shape::start, style.start, "start"});
   if (!scene.goals.empty()) items.push_back({Shape::goal, style.goal, "goal"});
   if (scene.path.size() > 1) items.push_back({Shape::line, style.path, "path"});
-  if (!scene.visited.empty()) items.push_back({Shape::square, style.visited, "visited"});
+  for (const CellRole role : roles_in(scene)) {
+    items.push_back({Shape::square, style.of(role), describe(role)});
+  }
   if (has_too_close_cells(scene.space)) {
     items.push_back({Shape::square, style.too_close, "too close"});
   }

@@ -54,13 +54,15 @@ TEST(MapImage, MixesTheCellsUnderAPixelByTheAreaTheyShare) {
   EXPECT_EQ(pixel_of(image, 1, 0), 0xD5D5D5U);
 }
 
-TEST(MapImage, PaintsTooCloseVisitedAndRoughCells) {
+TEST(MapImage, PaintsTooCloseExpandedAndRoughCells) {
   Scene scene{.space = FreeSpace(map_of({"#..2.9"}), {.robot_radius = 1})};
-  scene.visited = {{4, 0}};
+  BitGrid expanded(6, 1);
+  expanded.set({4, 0}, true);
+  scene.marked = {{CellRole::expanded, expanded}};
   const auto image = map_image(CellPaints(scene, {}), 6, 1, false);
   EXPECT_EQ(pixel_of(image, 1, 0), 0xE4DDEFU);
   EXPECT_EQ(pixel_of(image, 2, 0), 0xFFFFFFU);
-  EXPECT_EQ(pixel_of(image, 4, 0), 0xBFE0F4U);
+  EXPECT_EQ(pixel_of(image, 4, 0), 0x9BD0F2U);
   EXPECT_GT(pixel_of(image, 3, 0), pixel_of(image, 5, 0)) << "rougher is darker";
 }
 

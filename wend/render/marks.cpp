@@ -27,6 +27,17 @@ void fill_square(cairo_t* context, Point centre, double radius, const Colour& co
   cairo_fill(context);
 }
 
+/// A frame one pixel wide, so far from the pixel that holds the centre that this one is seen.
+void frame_square(cairo_t* context, Point centre, double radius, const Colour& colour) {
+  const double reach = std::floor(radius) + 1;
+  cairo_rectangle(context, std::floor(centre.x) - reach + 0.5, std::floor(centre.y) - reach + 0.5,
+                  2 * reach, 2 * reach);
+  set_source(context, colour);
+  cairo_set_line_width(context, 1);
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_MITER);
+  cairo_stroke(context);
+}
+
 bool goes_straight_on(Point a, Point b, Point c) {
   const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
   const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
@@ -142,6 +153,28 @@ void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, cons
   cairo_fill(context);
 }
 
+void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                         const Style& style) {
+  if (sizes.mark < kLeastRound) return frame_square(context, centre, sizes.mark, style.narrowest);
+  const double line = 0.4 * sizes.mark;
+  const double radius = 1.3 * sizes.mark;
+  const double tick = 0.8 * sizes.mark;
+  circle(context, centre, radius);
+  for (int i = 0; i < 4; ++i) {
+    const double across = i == 0 ? 1 : i == 2 ? -1 : 0;
+    const double down = i == 1 ? 1 : i == 3 ? -1 : 0;
+    cairo_move_to(context, centre.x + radius * across, centre.y + radius * down);
+    cairo_rel_line_to(context, tick * across, tick * down);
+  }
+  cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+  set_source(context, style.halo);
+  cairo_set_line_width(context, line + 2 * sizes.halo);
+  cairo_stroke_preserve(context);
+  set_source(context, style.narrowest);
+  cairo_set_line_width(context, line);
+  cairo_stroke(context);
+}
+
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style) {
   cairo_save(context);
@@ -159,6 +192,9 @@ void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const
   }
   if (scene.start && on_map(scene, *scene.start)) {
     draw_start_mark(context, view.to_picture(*scene.start), sizes, style);
+  }
+  if (scene.narrowest && on_map(scene, *scene.narrowest)) {
+    draw_narrowest_mark(context, view.to_picture(*scene.narrowest), sizes, style);
   }
 }
 

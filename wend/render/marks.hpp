@@ -21,6 +21,8 @@ MarkSizes mark_sizes(double scale);
 
 void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
 void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
+void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                         const Style& style);
 
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style);

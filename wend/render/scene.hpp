@@ -9,24 +9,78 @@
 //   scene.goals = {wend::centre_of({8, 5})};
 //   std::cout << wend::text_picture(scene);
 //
-// A plain value. Copies share the map. Whatever lies outside the map is not drawn.
+// What a search did comes as layers, each as large as the map:
+//
+//   wend::BitGrid cells(space.width(), space.height());
+//   cells.set({1, 1}, true);
+//   scene.marked = {{wend::CellRole::expanded, cells}};
+//   scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
+//
+// In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
+// the map says. A plain value. Copies share the map, not the layers. Whatever lies outside the map
+// is not drawn.
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/map/bit_grid.hpp"
 #include "wend/map/free_space.hpp"
+#include "wend/map/grid.hpp"
 #include "wend/path/path.hpp"
+#include "wend/render/heat_range.hpp"
 
 namespace wend {
 
+/// What a cell is in a search, or in the reason why it found nothing.
+enum class CellRole : unsigned char {
+  expanded,      // visited: closed, or walked on
+  frontier,      // generated and still open
+  current,       // being expanded now
+  start_region,  // what can be reached from the start,
+  goal_region,   // and from where the goal can be: no path joins the two
+};
+inline constexpr int kCellRoles = 5;
+
+/// As a legend calls it: "frontier", "start's region".
+std::string_view describe(CellRole role);
+
+struct MarkedCells {
+  CellRole role;
+  BitGrid cells;  // as large as the map
+};
+
+/// A number for every cell, drawn as a colour between those of the least and the greatest.
+struct Heatmap {
+  std::string title;    // what the numbers are: "order of expansion"
+  Grid<double> values;  // as large as the map; no colour where a value is not finite
+  /// What the colours span, to compare pictures; values outside take the colour of the nearer end.
+  /// Without one: from the least to the greatest finite value.
+  std::optional<HeatRange> range{};
+};
+
+/// Which way to move from a cell, as drawn. As large as the map.
+using ArrowField = Grid<std::optional<Direction>>;
+
 struct Scene {
   FreeSpace space;
-  Path path{};                   // empty: none is drawn
-  std::optional<Point> start{};  // grid coordinates
-  std::vector<Point> goals{};    // grid coordinates
-  std::vector<Cell> visited{};   // cells to mark, in any order
+  Path path{};                         // empty: none is drawn
+  std::optional<Point> start{};        // grid coordinates
+  std::vector<Point> goals{};          // grid coordinates
+  std::vector<MarkedCells> marked{};   // later ones over earlier ones
+  std::optional<Heatmap> heatmap{};    // under the marked cells
+  std::optional<ArrowField> arrows{};  // under path and marks
+  std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
 };
+
+/// The role of a cell: that of the last layer which marks it.
+std::optional<CellRole> role_of(const Scene& scene, Cell cell);
+
+/// The roles of its layers, each once, in the enum's order.
+std::vector<CellRole> roles_in(const Scene& scene);
 
 }  // namespace wend

@@ -1,9 +1,18 @@
 #pragma once
 
-// Style: the colours of a picture. The default is light and safe for colour-blind eyes: marks are
-// Okabe and Ito's blue, green and vermilion, and each differs from the others in shape as well.
+// Style: the colours of a picture. Three come with wend: light, dark, and one for print that
+// survives a black-and-white printer. All are safe for colour-blind eyes: what may lie side by side
+// differs in lightness or along blue and yellow, and marks differ in shape as well (a disc, a
+// target, a ring with ticks). The light one's marks are Okabe and Ito's blue, green and vermilion.
+//
+//   const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
 
+#include <array>
 #include <cstdint>
+#include <string_view>
+
+#include "wend/base/options.hpp"
+#include "wend/render/scene.hpp"
 
 namespace wend {
 
@@ -22,12 +31,16 @@ constexpr Colour colour_from(std::uint32_t rgb) {
           static_cast<double>((rgb >> 8U) & 255U) / 255, static_cast<double>(rgb & 255U) / 255};
 }
 
+/// As 0xRRGGBB, each part rounded.
+std::uint32_t rgb_of(const Colour& colour);
+
 /// From `a` (share 0) to `b` (share 1).
 constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
   return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
           a.blue + share * (b.blue - a.blue)};
 }
 
+/// The light style, unless changed.
 struct Style {
   // Cells.
   Colour free = colour_from(0xFFFFFF);
@@ -36,18 +49,43 @@ struct Style {
   Colour too_close = colour_from(0xE4DDEF);       // free, but nearer to an obstacle than the radius
   Colour slightly_rough = colour_from(0xFBF3D3);  // a terrain multiplier just above 1
   Colour very_rough = colour_from(0xAD7F3C);      // a large one
-  Colour visited = colour_from(0xBFE0F4);
   Colour grid_lines = colour_from(0x2B2D33);
+
+  // Cells with a role.
+  Colour expanded = colour_from(0x9BD0F2);
+  Colour frontier = colour_from(0xF5C242);
+  Colour current = colour_from(0xD03A86);
+  Colour start_region = colour_from(0x6AD2B2);
+  Colour goal_region = colour_from(0xFAC79B);
+
+  // Heat, from the least value to the greatest: evenly spaced, each further from the page.
+  std::array<Colour, 5> heat_colours{colour_from(0xFFF3BF), colour_from(0xFCCE8C),
+                                     colour_from(0xF2A07C), colour_from(0xDB7486),
+                                     colour_from(0xB0559A)};
 
   // Marks.
   Colour path = colour_from(0x0072B2);
   Colour start = colour_from(0x009E73);
   Colour goal = colour_from(0xD55E00);
+  Colour narrowest = colour_from(0x7D0552);
   Colour halo = colour_from(0xFFFFFF);  // around marks, for contrast
 
   // Around the map.
   Colour page = colour_from(0xFFFFFF);
   Colour ink = colour_from(0x3C4047);
+
+  /// The colour of a value that lies that share of the way (0 to 1) from the least to the greatest.
+  Colour heat(double share) const;
+
+  Colour of(CellRole role) const;
 };
+
+enum class StyleName { light, dark, print };
+
+constexpr std::array<Choice<StyleName>, 3> choice_names(StyleName) {
+  return {{{"light", StyleName::light}, {"dark", StyleName::dark}, {"print", StyleName::print}}};
+}
+
+Style style_of(StyleName name);
 
 }  // namespace wend

@@ -70,6 +70,14 @@ TEST(TerminalPicture, KeepsThinWallsAndThePathInAFewCharacters) {
                                                   }));
 }
 
+TEST(TerminalPicture, ShowsRolesInAsciiButNotOverWalls) {
+  Scene scene{.space = FreeSpace(map_of({"..##", "..##", "....", "...."}))};
+  scene.marked = {{CellRole::expanded, marked_of({"****", "****", "....", "...."}, '*')},
+                  {CellRole::frontier, marked_of({"....", "....", "+...", "...."}, '+')}};
+  scene.narrowest = centre_of({3, 3});
+  EXPECT_EQ(terminal_picture(scene, 4, 2, {}), lines_of({"**##", "+..!"}));
+}
+
 TEST(TerminalPicture, DrawsHalfBlocksInTwoColours) {
   const Scene scene{.space = FreeSpace(map_of({"#.", ".#", "##", "##"}))};
   const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};

@@ -38,6 +38,22 @@ Glyph arrow(Direction direction) {
   return {kArrows[static_cast<std::size_t>(direction)], Meaning::path};
 }
 
+Glyph glyph_of(CellRole role) {
+  switch (role) {
+    case CellRole::expanded:
+      return {"*", Meaning::expanded};
+    case CellRole::frontier:
+      return {"+", Meaning::frontier};
+    case CellRole::current:
+      return {"@", Meaning::current};
+    case CellRole::start_region:
+      return {"s", Meaning::start_region};
+    case CellRole::goal_region:
+      return {"g", Meaning::goal_region};
+  }
+  return {};
+}
+
 Direction drawn_direction(Cell from, Cell to, bool y_up) {
   const double right = static_cast<double>(to.x) - from.x;
   const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
@@ -53,7 +69,12 @@ std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
   return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
 }
 
-void put_start_and_goals(const Scene& scene, Grid<Glyph>& glyphs) {
+void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
+  if (scene.narrowest) {
+    if (const auto cell = cell_under(scene.space, *scene.narrowest)) {
+      glyphs[*cell] = {"!", Meaning::narrowest};
+    }
+  }
   if (scene.start) {
     if (const auto cell = cell_under(scene.space, *scene.start)) {
       glyphs[*cell] = {"S", Meaning::start};

@@ -19,12 +19,17 @@ enum class Meaning : unsigned char {
   unknown,
   too_close,
   rough,
-  visited,
+  expanded,
+  frontier,
+  current,
+  start_region,
+  goal_region,
   path,
+  narrowest,
   start,
   goal,
 };
-inline constexpr int kMeanings = 9;
+inline constexpr int kMeanings = 14;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8
@@ -36,14 +41,16 @@ Glyph glyph_of(const FreeSpace& space, Cell cell);
 
 Glyph arrow(Direction direction);
 
+Glyph glyph_of(CellRole role);
+
 /// The nearest of the eight directions as drawn; the cells differ.
 Direction drawn_direction(Cell from, Cell to, bool y_up);
 
 /// The cell that a point in grid coordinates lies in, if it is one of the map.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 
-/// Writes S and G over what is there.
-void put_start_and_goals(const Scene& scene, Grid<Glyph>& glyphs);
+/// Writes S, G and ! (the narrowest place) over what is there.
+void put_marks(const Scene& scene, Grid<Glyph>& glyphs);
 
 /// A glyph for every cell of the map, without anything that lies on it.
 Grid<Glyph> glyphs_of(const FreeSpace& space);

@@ -63,7 +63,7 @@ std::string text_arrows(const Scene& scene, const Grid<std::optional<Direction>>
       if (const auto direction = arrows[{x, y}]) glyphs[{x, y}] = arrow(*direction);
     }
   }
-  put_start_and_goals(scene, glyphs);
+  put_marks(scene, glyphs);
 
   std::string text;
   for (int n = 0; n < glyphs.height(); ++n) {

@@ -29,6 +29,18 @@ inline GridMap map_of(const std::vector<std::string_view>& lines, Frame frame = 
   return GridMap(cells, frame, terrain);
 }
 
+/// The cells that are drawn as that character, as a layer; y is down.
+inline BitGrid marked_of(const std::vector<std::string_view>& lines, char character) {
+  BitGrid cells(static_cast<int>(lines.front().size()), static_cast<int>(lines.size()));
+  for (int y = 0; y < cells.height(); ++y) {
+    const std::string_view line = lines[static_cast<std::size_t>(y)];
+    for (int x = 0; x < cells.width(); ++x) {
+      cells.set({x, y}, line[static_cast<std::size_t>(x)] == character);
+    }
+  }
+  return cells;
+}
+
 /// Lines joined by '\n', with one after the last.
 inline std::string lines_of(const std::vector<std::string_view>& lines) {
   std::string text;

@@ -21,7 +21,12 @@ constexpr std::array<LegendEntry, kMeanings> kLegend{{
     {Meaning::start, "S start"},
     {Meaning::goal, "G goal"},
     {Meaning::path, "→ path"},
-    {Meaning::visited, "* visited"},
+    {Meaning::narrowest, "! narrowest"},
+    {Meaning::current, "@ being expanded"},
+    {Meaning::frontier, "+ frontier"},
+    {Meaning::expanded, "* expanded"},
+    {Meaning::start_region, "s start's region"},
+    {Meaning::goal_region, "g goal's region"},
     {Meaning::obstacle, "# obstacle"},
     {Meaning::too_close, ": too close for the robot"},
     {Meaning::unknown, "? unknown"},
@@ -44,8 +49,17 @@ constexpr std::string_view ansi_of(Meaning meaning) {
       return "\x1b[35m";
     case Meaning::rough:
       return "\x1b[33m";
-    case Meaning::visited:
+    case Meaning::expanded:
       return "\x1b[36m";
+    case Meaning::frontier:
+      return "\x1b[33m";
+    case Meaning::current:
+    case Meaning::narrowest:
+      return "\x1b[1;35m";
+    case Meaning::start_region:
+      return "\x1b[32m";
+    case Meaning::goal_region:
+      return "\x1b[31m";
     case Meaning::path:
       return "\x1b[1;34m";
     case Meaning::start:
@@ -58,9 +72,12 @@ constexpr std::string_view ansi_of(Meaning meaning) {
 
 constexpr std::string_view kReset = "\x1b[0m";
 
-void put_visited(const Scene& scene, Grid<Glyph>& glyphs) {
-  for (const Cell cell : scene.visited) {
-    if (glyphs.contains(cell)) glyphs[cell] = {"*", Meaning::visited};
+void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
+  for (int y = 0; y < glyphs.height(); ++y) {
+    for (int x = 0; x < glyphs.width(); ++x) {
+      if (glyphs[{x, y}].meaning == Meaning::obstacle) continue;
+      if (const auto role = role_of(scene, {x, y})) glyphs[{x, y}] = glyph_of(*role);
+    }
   }
 }
 
@@ -108,9 +125,9 @@ void append_legend(std::string& text, const Grid<Glyph>& glyphs, bool colours) {
 
 std::string text_picture(const Scene& scene, const TextStyle& style) {
   Grid<Glyph> glyphs = glyphs_of(scene.space);
-  put_visited(scene, glyphs);
+  put_roles(scene, glyphs);
   put_path(scene, glyphs);
-  put_start_and_goals(scene, glyphs);
+  put_marks(scene, glyphs);
 
   std::string text;
   for (int n = 0; n < glyphs.height(); ++n) {

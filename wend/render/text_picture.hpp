@@ -4,8 +4,9 @@
 // first):
 //
 //   S→↘.#    #  obstacle       S  start     →  path, towards the next cell
-//   ..#↓~    ?  unknown        G  goal      *  visited
+//   ..#↓~    ?  unknown        G  goal      !  the narrowest place
 //   .?::G    :  too close for the robot     .  free
+//   *  expanded     +  frontier     @  being expanded     s  start's region     g  goal's region
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
 //
 // UTF-8, '\n' after every row. O(cells).

@@ -96,12 +96,12 @@ TEST(TextPicture, ComesOutAsTheFileLooksWithYUp) {
                                  }));
 }
 
-TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverVisitedCells) {
+TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverExpandedCells) {
   Scene scene{.space = FreeSpace(map_of({"......"}))};
   scene.path = Path({{1, 0}, {2, 0}, {3, 0}, {4, 0}});
   scene.start = Point{1.9, 0.1};
   scene.goals = {centre_of({4, 0}), centre_of({5, 0})};
-  scene.visited = {{0, 0}, {1, 0}, {2, 0}};
+  scene.marked = {{CellRole::expanded, marked_of({"***..."}, '*')}};
   EXPECT_EQ(text_picture(scene), "*S→→GG\n");
 }
 
@@ -118,7 +118,7 @@ TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
   scene.path = Path({{-1, 0}, {0, 0}, {5, 0}});
   scene.start = Point{-0.5, 0.5};
   scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kNaN, 0}};
-  scene.visited = {{0, 9}};
+  scene.narrowest = Point{0.5, -1};
   EXPECT_EQ(text_picture(scene), lines_of({"→.", ".."}));
 }
 
@@ -127,6 +127,24 @@ TEST(TextPicture, ExplainsOnlyWhatIsInThePicture) {
   scene.start = centre_of({0, 0});
   EXPECT_EQ(text_picture(scene, {.legend = true}),
             lines_of({"S.#", "S start   # obstacle   . free"}));
+}
+
+TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
+  const std::vector<std::string_view> drawn{"**+@#", "s.g!."};
+  Scene scene{.space = FreeSpace(map_of(drawn))};
+  for (const auto& [role, character] : {std::pair(CellRole::expanded, '*'),
+                                        {CellRole::frontier, '+'},
+                                        {CellRole::current, '@'},
+                                        {CellRole::start_region, 's'},
+                                        {CellRole::goal_region, 'g'}}) {
+    scene.marked.push_back({role, marked_of(drawn, character)});
+  }
+  scene.marked.front().cells.set({4, 0}, true);  // the obstacle stays
+  scene.narrowest = centre_of({3, 1});
+  EXPECT_EQ(text_picture(scene, {.legend = true}),
+            lines_of({"**+@#", "s.g!.",
+                      "! narrowest   @ being expanded   + frontier   * expanded   "
+                      "s start's region   g goal's region   # obstacle   . free"}));
 }
 
 TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {

@@ -1,0 +1,103 @@
+#include "wend/render/style.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wend {
+namespace {
+
+/// Walls are lighter than the floor: that keeps thin ones visible on a dark page.
+Style dark() {
+  return {.free = colour_from(0x23272F),
+          .occupied = colour_from(0xC2C8D2),
+          .unknown = colour_from(0x4A505B),
+          .too_close = colour_from(0x40334F),
+          .slightly_rough = colour_from(0x3A3527),
+          .very_rough = colour_from(0x9A7436),
+          .grid_lines = colour_from(0xC2C8D2),
+          .expanded = colour_from(0x1D4F73),
+          .frontier = colour_from(0xAE7A0C),
+          .current = colour_from(0xF25FB0),
+          .start_region = colour_from(0x0B6E78),
+          .goal_region = colour_from(0x80421A),
+          .heat_colours = {colour_from(0x2B2A55), colour_from(0x4F3A86), colour_from(0x86489A),
+                           colour_from(0xC0608F), colour_from(0xE08C7A)},
+          .path = colour_from(0x62BDF5),
+          .start = colour_from(0x2FD6A3),
+          .goal = colour_from(0xFF8B45),
+          .narrowest = colour_from(0xFFF06A),
+          .halo = colour_from(0x14161A),
+          .page = colour_from(0x191C22),
+          .ink = colour_from(0xD5D9E0)};
+}
+
+/// Greys alone: every role has a lightness of its own, and the marks their shapes.
+Style print() {
+  constexpr Colour kBlack = colour_from(0x101010);
+  return {.free = colour_from(0xFFFFFF),
+          .occupied = colour_from(0x2E2E2E),
+          .unknown = colour_from(0xACACAC),
+          .too_close = colour_from(0xEBEBEB),
+          .slightly_rough = colour_from(0xF4F4F4),
+          .very_rough = colour_from(0x8C8C8C),
+          .grid_lines = kBlack,
+          .expanded = colour_from(0xC8C8C8),
+          .frontier = colour_from(0x858585),
+          .current = colour_from(0x606060),
+          .start_region = colour_from(0xD8D8D8),
+          .goal_region = colour_from(0x939393),
+          .heat_colours = {colour_from(0xE8E8E8), colour_from(0xC0C0C0), colour_from(0x989898),
+                           colour_from(0x747474), colour_from(0x525252)},
+          .path = kBlack,
+          .start = kBlack,
+          .goal = kBlack,
+          .narrowest = kBlack,
+          .halo = colour_from(0xFFFFFF),
+          .page = colour_from(0xFFFFFF),
+          .ink = kBlack};
+}
+
+}  // namespace
+
+std::uint32_t rgb_of(const Colour& colour) {
+  const auto byte = [](double part) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255));
+  };
+  return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
+}
+
+Colour Style::heat(double share) const {
+  const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(heat_colours.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), heat_colours.size() - 2);
+  return mixed(heat_colours[below], heat_colours[below + 1], at - static_cast<double>(below));
+}
+
+Colour Style::of(CellRole role) const {
+  switch (role) {
+    case CellRole::expanded:
+      return expanded;
+    case CellRole::frontier:
+      return frontier;
+    case CellRole::current:
+      return current;
+    case CellRole::start_region:
+      return start_region;
+    case CellRole::goal_region:
+      return goal_region;
+  }
+  return free;
+}
+
+Style style_of(StyleName name) {
+  switch (name) {
+    case StyleName::light:
+      break;
+    case StyleName::dark:
+      return dark();
+    case StyleName::print:
+      return print();
+  }
+  return {};
+}
+
+}  // namespace wend
