@@ -68,7 +68,7 @@ void OptionFlags::add_flag(CLI::App& app, const Flag& flag) {
     return;
   }
   std::string names = spellings(name);
-  if (!flag.option.alias.empty()) names += "," + spellings(flag.option.alias);
+  for (const std::string& alias : flag.option.aliases) names += "," + spellings(alias);
   const auto give = [this, name](const std::string& text) { given_.emplace_back(name, text); };
   app.add_option_function<std::string>(names, give, help(flag))
       ->type_name(type_of(flag.option))

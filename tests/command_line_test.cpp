@@ -93,7 +93,7 @@ TEST(Planners, AreListedForPeople) {
     EXPECT_THAT(listing.out, HasSubstr(name + "\n"));
   }
   EXPECT_THAT(listing.out, AllOf(HasSubstr("Hart, Nilsson, Raphael 1968"),
-                                 HasSubstr("weight (or lambda) = 1: 0 to 1e+06")));
+                                 HasSubstr("weight (or lambda, w) = 1: 0 to 1e+06")));
 }
 
 TEST(Planners, AreListedForPrograms) {

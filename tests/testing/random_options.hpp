@@ -33,13 +33,15 @@ inline std::string random_value(Random& random, const OptionInfo& option) {
   return format_number(std::clamp(number, option.least, option.greatest));
 }
 
-/// About half of the options given, under their name or their alias.
+/// About half of the options given, under their name or an alias.
 inline OptionValues random_options(Random& random, const std::vector<OptionInfo>& schema) {
   OptionValues values;
   for (const OptionInfo& option : schema) {
     if (random.chance(0.4)) continue;
-    const bool by_alias = !option.alias.empty() && random.chance(0.5);
-    values.emplace_back(by_alias ? option.alias : option.name, random_value(random, option));
+    const bool by_alias = !option.aliases.empty() && random.chance(0.5);
+    const std::string& name =
+        by_alias ? option.aliases[random.below(option.aliases.size())] : option.name;
+    values.emplace_back(name, random_value(random, option));
   }
   return values;
 }

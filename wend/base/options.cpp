@@ -84,8 +84,12 @@ std::string format(bool value) { return value ? "true" : "false"; }
 
 OptionInfo& SchemaBuilder::add(const OptionText& text, OptionKind kind, std::string default_value,
                                OptionRange range) {
+  std::vector<std::string> aliases;
+  for (const std::string_view alias : text.aliases) {
+    if (!alias.empty()) aliases.emplace_back(alias);
+  }
   return schema_.emplace_back(OptionInfo{std::string(text.name),
-                                         std::string(text.alias),
+                                         std::move(aliases),
                                          kind,
                                          std::move(default_value),
                                          {},

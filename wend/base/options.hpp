@@ -19,6 +19,8 @@
 // A field is a bool, an integer, a double, or an enum for which `choice_names(Enum)` returns an
 // array of Choice<Enum>.
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,7 +38,7 @@ namespace wend {
 struct OptionText {
   std::string_view name;
   std::string_view help;
-  std::string_view alias = {};  // a second name, from a textbook say
+  std::array<std::string_view, 2> aliases = {};  // other names, from a textbook say
 };
 
 /// The closed range of a number.
@@ -59,7 +61,7 @@ std::string_view to_string(OptionKind kind);
 /// One option, as the front ends see it.
 struct OptionInfo {
   std::string name;
-  std::string alias;
+  std::vector<std::string> aliases;
   OptionKind kind;
   std::string default_value;
   std::vector<std::string> choices;  // of a choice
@@ -144,12 +146,20 @@ class OptionParser {
   template <class Value, class... Range>
   void apply(const OptionText& text, Value& value, Range... range) {
     known_.emplace_back(text.name);
-    if (!text.alias.empty()) known_.emplace_back(text.alias);
+    for (const std::string_view alias : text.aliases) {
+      if (!alias.empty()) known_.emplace_back(alias);
+    }
     for (const auto& [name, given] : values_) {
-      if (name != text.name && (text.alias.empty() || name != text.alias)) continue;
+      if (!is_name_of(text, name)) continue;
       const std::string wrong = assign(given, value, range...);
       if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
     }
+  }
+
+  static bool is_name_of(const OptionText& text, std::string_view name) {
+    return name == text.name ||
+           (!name.empty() &&
+            std::find(text.aliases.begin(), text.aliases.end(), name) != text.aliases.end());
   }
 
   static std::string assign(std::string_view text, bool& value) {

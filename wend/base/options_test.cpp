@@ -25,7 +25,7 @@ struct BoatOptions {
   static void fields(Self& self, Field&& field) {
     field({"sail", "has it a sail?"}, self.sail);
     field({"oars", "how many oars"}, self.oars, {0, 100});
-    field({"length", "metres from end to end", "loa"}, self.length, {1, 60});
+    field({"length", "metres from end to end", {"loa", "overall"}}, self.length, {1, 60});
     field({"colour", "what it is painted with"}, self.colour);
   }
 
@@ -50,7 +50,7 @@ TEST(OptionSchema, ListsTheFieldsInOrderWithTheirDefaults) {
   EXPECT_EQ(schema[0].kind, OptionKind::flag);
   EXPECT_EQ(schema[0].default_value, "true");
   EXPECT_EQ(schema[0].help, "has it a sail?");
-  EXPECT_EQ(schema[0].alias, "");
+  EXPECT_TRUE(schema[0].aliases.empty());
 
   EXPECT_EQ(schema[1].name, "oars");
   EXPECT_EQ(schema[1].kind, OptionKind::integer);
@@ -59,7 +59,7 @@ TEST(OptionSchema, ListsTheFieldsInOrderWithTheirDefaults) {
   EXPECT_EQ(schema[1].greatest, 100);
 
   EXPECT_EQ(schema[2].name, "length");
-  EXPECT_EQ(schema[2].alias, "loa");
+  EXPECT_EQ(schema[2].aliases, (std::vector<std::string>{"loa", "overall"}));
   EXPECT_EQ(schema[2].kind, OptionKind::number);
   EXPECT_EQ(schema[2].default_value, "5.5");
   EXPECT_EQ(schema[2].least, 1);
@@ -103,6 +103,7 @@ TEST(ParseOptions, SetsWhatIsGivenAndNothingElse) {
 
 TEST(ParseOptions, TakesAnAliasForTheName) {
   EXPECT_EQ(parse_options<BoatOptions>({{"loa", "9"}}).value().length, 9);
+  EXPECT_EQ(parse_options<BoatOptions>({{"overall", "9"}}).value().length, 9);
 }
 
 TEST(ParseOptions, LetsTheLastOneCount) {

@@ -16,8 +16,9 @@ struct AStarOptions {
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
     HeuristicOptions::fields(self.heuristic, field);
-    field({"weight", "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
-           "lambda"},
+    field({"weight",
+           "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
+           {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
   }
 };

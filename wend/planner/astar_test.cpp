@@ -47,6 +47,7 @@ TEST(AStar, ClaimsTheBoundThatItsOptionsAllow) {
       {{{"weight", "0.5"}}, 1},
       {{{"weight", "2.5"}}, 2.5},
       {{{"lambda", "3"}}, 3},
+      {{{"w", "4"}}, 4},
       {{{"heuristic", "zero"}}, 1},
       {{{"heuristic", "constant"}, {"constant", "1000"}}, 1},
       {{{"heuristic", "constant"}, {"weight", "50"}}, 1},

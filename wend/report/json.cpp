@@ -22,7 +22,7 @@ Json json_of(const SearchMetrics& metrics, double seconds) {
 
 Json json_of(const OptionInfo& option) {
   Json json{{"name", option.name}};
-  json["alias"] = option.alias.empty() ? Json() : Json(option.alias);
+  json["aliases"] = option.aliases;
   json["kind"] = to_string(option.kind);
   json["default"] = option.default_value;
   if (option.kind == OptionKind::choice) json["choices"] = option.choices;

@@ -23,7 +23,7 @@ Json json_of(Cell cell);
 /// [[x, y], ...]
 Json json_of(std::span<const Cell> cells);
 
-/// {"name", "alias", "kind", "default", "choices" or "least" and "greatest", "help"}
+/// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
 
 /// {"expanded", "generated", "max_frontier", "time_us"}, the time in microseconds.

@@ -9,7 +9,8 @@ namespace wend {
 namespace {
 
 std::string option_text(const OptionInfo& option) {
-  const std::string alias = option.alias.empty() ? "" : fmt::format(" (or {})", option.alias);
+  const std::string alias =
+      option.aliases.empty() ? "" : fmt::format(" (or {})", fmt::join(option.aliases, ", "));
   return fmt::format("    {}{} = {}: {}\n        {}\n", option.name, alias, option.default_value,
                      range_text(option), option.help);
 }
