@@ -21,6 +21,7 @@
 #include "wend/map/generators.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/planner/search_recorder.hpp"
 
 namespace {
 
@@ -159,6 +160,19 @@ TEST(Snippets, OfCostToGo) {
   EXPECT_EQ(reported, "there is a path");
 }
 
+TEST(Snippets, OfSearchRecorder) {
+  const wend::FreeSpace& space = open_space();
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(space);
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  const auto plan = planner.plan(query);
+  const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
+  EXPECT_TRUE(plan);
+  EXPECT_EQ(first, 1U);
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -196,7 +210,7 @@ TEST(Snippets, OfHeadersStandHere) {
   for (const std::string_view header :
        {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
         "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
-        "planner/cost_to_go.hpp"}) {
+        "planner/cost_to_go.hpp", "planner/search_recorder.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

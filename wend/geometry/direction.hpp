@@ -8,8 +8,10 @@
 // same search whatever its file format.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
 
 namespace wend {
@@ -43,6 +45,14 @@ constexpr Direction opposite(Direction direction) {
 constexpr Cell step(Cell cell, Direction direction, bool y_up) {
   const Cell drawn = kDrawnSteps[static_cast<std::size_t>(direction)];
   return {cell.x + drawn.x, y_up ? cell.y - drawn.y : cell.y + drawn.y};
+}
+
+/// The direction nearest to the way from one cell to another, which is another one.
+inline Direction nearest_direction(Cell from, Cell to, bool y_up) {
+  const double right = static_cast<double>(to.x) - from.x;
+  const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
+  const auto eighths = static_cast<int>(std::round(std::atan2(right, down) / (kPi / 4)));
+  return static_cast<Direction>((eighths + kDirections) % kDirections);
 }
 
 }  // namespace wend

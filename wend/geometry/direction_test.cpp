@@ -62,5 +62,26 @@ TEST(Direction, OppositeLeadsBack) {
   }
 }
 
+TEST(Direction, NearestToANeighbourIsTheOneThatLeadsThere) {
+  for (const bool y_up : {false, true}) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Cell to = step({7, 9}, direction(i), y_up);
+      EXPECT_EQ(nearest_direction({7, 9}, to, y_up), direction(i)) << "y_up " << y_up;
+    }
+  }
+}
+
+TEST(Direction, NearestToAFarCellIsWithinAnEighthOfATurn) {
+  for (int x = -9; x <= 9; ++x) {
+    for (int y = -9; y <= 9; ++y) {
+      if (x == 0 && y == 0) continue;
+      const auto nearest = nearest_direction({0, 0}, {x, y}, false);
+      const Cell unit = step({0, 0}, nearest, false);
+      const double between = std::atan2(y, x) - std::atan2(unit.y, unit.x);
+      EXPECT_LE(std::abs(normalized_angle(between)), kPi / 8 + 1e-12) << x << "," << y;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wend

@@ -62,6 +62,7 @@ class CompactThenWide final : public GridEngine {
   }
 
   const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  double heuristic(Cell cell) const override { return engine_->heuristic(cell); }
   void write_path(Path& path) const override { engine_->write_path(path); }
 
  private:

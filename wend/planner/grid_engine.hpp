@@ -29,6 +29,9 @@ class GridEngine {
 
   virtual const SearchMetrics& metrics() const = 0;
 
+  /// The estimate from a cell to the goals of the search begun last, in cells.
+  virtual double heuristic(Cell cell) const = 0;
+
   /// The path of a search that has found a goal, into memory that is kept.
   virtual void write_path(Path& path) const = 0;
 };
@@ -92,6 +95,7 @@ class GridEngineOf final : public GridEngine {
   }
 
   const SearchMetrics& metrics() const override { return search_.metrics(); }
+  double heuristic(Cell cell) const override { return search_.priority().h(cell); }
 
   void write_path(Path& path) const override {
     path.clear();

@@ -78,6 +78,8 @@ Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
   return Status::found;
 }
 
+double GridPlanner::do_heuristic(Cell cell) const { return parts_.engine->heuristic(cell); }
+
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
   parts_.engine.reset();  // its memory first
   parts_ = choose_parts_(free_space());

@@ -44,6 +44,7 @@ class GridPlanner final : public Planner {
   Status do_plan(const Query& query, Plan& out) override;
   std::optional<Status> do_begin(const Query& query, Plan& out) override;
   std::optional<Status> do_step(Plan& out) override;
+  double do_heuristic(Cell cell) const override;
   void do_update(std::span<const Cell> changed) override;
 
   Status finish(SearchOutcome outcome, Plan& out) const;

@@ -35,6 +35,8 @@ std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
 
 std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
 
+double Planner::do_heuristic(Cell /*cell*/) const { return 0; }
+
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.path.clear();
   out.cost = std::numeric_limits<double>::infinity();

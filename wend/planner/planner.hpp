@@ -45,6 +45,10 @@ class Planner {
   std::optional<Status> begin(const Query& query, Plan& out);
   std::optional<Status> step(Plan& out);
 
+  /// The estimate of the cost from a cell of the map to the goals of the search begun last, in
+  /// cells, as that search used it; 0 where the planner estimates nothing.
+  double heuristic(Cell cell) const { return do_heuristic(cell); }
+
   /// Plans on another FreeSpace from now on. `changed` names the cells in which it may differ, for
   /// planners that keep what the others do not touch; the size may only change if it is empty.
   void update(FreeSpace free_space, std::span<const Cell> changed = {});
@@ -59,6 +63,7 @@ class Planner {
   virtual Status do_plan(const Query& query, Plan& out) = 0;
   virtual std::optional<Status> do_begin(const Query& query, Plan& out);
   virtual std::optional<Status> do_step(Plan& out);
+  virtual double do_heuristic(Cell cell) const;
   virtual void do_update(std::span<const Cell> changed) = 0;
 
   std::optional<Status> check(const Query& query, Plan& out);

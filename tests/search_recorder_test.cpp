@@ -1,0 +1,219 @@
+// The layers of a search against an independent replay of its events, and against what a textbook
+// says of the costs, for every planner.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "tests/testing/trial.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/planner/search_recorder.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr std::uint64_t kSearches = 200;  // for each planner
+constexpr double kRounding = 1e-9;
+
+enum class Kind { generate, expand, relax };
+
+struct Entry {
+  Kind kind;
+  SearchEvent event;
+};
+
+/// Keeps all events as they come, and passes them on.
+class EventLog final : public SearchObserver {
+ public:
+  explicit EventLog(SearchObserver& next) : next_(next) {}
+
+  void on_generate(const SearchEvent& event) override {
+    entries_.push_back({Kind::generate, event});
+    next_.on_generate(event);
+  }
+  void on_expand(const SearchEvent& event) override {
+    entries_.push_back({Kind::expand, event});
+    next_.on_expand(event);
+  }
+  void on_relax(const SearchEvent& event) override {
+    entries_.push_back({Kind::relax, event});
+    next_.on_relax(event);
+  }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  SearchObserver& next_;
+  std::vector<Entry> entries_;
+};
+
+/// What the events say, by sets and maps.
+struct Replay {
+  std::map<Cell, std::uint32_t> generation;
+  std::map<Cell, std::uint32_t> expansion;
+  std::map<Cell, SearchEvent> known;  // the last event that reached the cell
+  std::set<Cell> open;
+  std::vector<Cell> expansions;
+
+  void apply(const Entry& entry) {
+    const Cell cell = entry.event.cell;
+    switch (entry.kind) {
+      case Kind::generate:
+        if (!generation.emplace(cell, generation.size() + 1).second) return;
+        open.insert(cell);
+        known.insert_or_assign(cell, entry.event);
+        return;
+      case Kind::relax:
+        known.insert_or_assign(cell, entry.event);
+        return;
+      case Kind::expand:
+        expansions.push_back(cell);
+        expansion.emplace(cell, expansions.size());
+        open.erase(cell);
+        return;
+    }
+  }
+};
+
+void expect_snapshot(const SearchSnapshot& snapshot, const Replay& replay) {
+  ASSERT_EQ(snapshot.current.has_value(), !replay.expansions.empty());
+  if (snapshot.current) {
+    EXPECT_EQ(*snapshot.current, replay.expansions.back());
+  }
+  EXPECT_EQ(snapshot.expanded.count(), replay.expansion.size());
+  EXPECT_EQ(snapshot.frontier.count(), replay.open.size());
+  for (const auto& [cell, order] : replay.expansion) EXPECT_TRUE(snapshot.expanded[cell]);
+  for (const Cell cell : replay.open) EXPECT_TRUE(snapshot.frontier[cell]);
+}
+
+/// Every snapshot, from before the first expansion to the end. Returns the replay at the end.
+Replay expect_snapshots(const SearchRecorder& recorder, const std::vector<Entry>& entries) {
+  Replay replay;
+  for (const Entry& entry : entries) {
+    if (entry.kind == Kind::expand) {
+      expect_snapshot(recorder.snapshot(replay.expansions.size()), replay);
+    }
+    replay.apply(entry);
+  }
+  expect_snapshot(recorder.snapshot(), replay);
+  EXPECT_EQ(recorder.expansions(), replay.expansions);
+  return replay;
+}
+
+template <class Visit>
+void for_all_cells(const FreeSpace& space, Visit&& visit) {
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) visit(Cell{x, y});
+  }
+}
+
+void expect_layers(const SearchLayers& layers, const Replay& replay, const FreeSpace& space) {
+  const auto order_of = [](const auto& orders, Cell cell) {
+    const auto found = orders.find(cell);
+    return found == orders.end() ? 0U : found->second;
+  };
+  for_all_cells(space, [&](Cell cell) {
+    EXPECT_EQ(layers.generation[cell], order_of(replay.generation, cell));
+    EXPECT_EQ(layers.expansion[cell], order_of(replay.expansion, cell));
+    const auto known = replay.known.find(cell);
+    if (known == replay.known.end()) {
+      EXPECT_TRUE(std::isnan(layers.g[cell]) && std::isnan(layers.h[cell]) &&
+                  std::isnan(layers.f[cell]) && !layers.parent[cell]);
+      return;
+    }
+    const SearchEvent& event = known->second;
+    EXPECT_EQ(layers.g[cell], event.g);
+    EXPECT_EQ(layers.h[cell], event.h);
+    EXPECT_EQ(layers.f[cell], event.f);
+    ASSERT_EQ(layers.parent[cell].has_value(), event.parent.has_value());
+    if (event.parent) {
+      EXPECT_EQ(step(cell, *layers.parent[cell], space.map().frame().y_up), *event.parent);
+    }
+  });
+}
+
+/// The parents lead back to the start, and g grows on the way by what the steps cost.
+void expect_true_costs(const SearchLayers& layers, const Planner& planner, const PlannerInfo& info,
+                       const Textbook& textbook) {
+  const FreeSpace& space = planner.free_space();
+  for_all_cells(space, [&](Cell cell) {
+    if (std::isnan(layers.g[cell])) return;
+    EXPECT_NEAR(layers.h[cell], planner.heuristic(cell), kRounding);
+    if (!layers.parent[cell] || info.promise == Promise::none) return;
+    const Cell parent = step(cell, *layers.parent[cell], space.map().frame().y_up);
+    EXPECT_TRUE(textbook.is_step(parent, cell));
+    const double cost = info.plans_on_terrain ? textbook.step_cost(parent, cell)
+                                              : std::hypot(parent.x - cell.x, parent.y - cell.y);
+    EXPECT_NEAR(layers.g[cell], layers.g[parent] + cost, kRounding * (1 + layers.g[cell]));
+  });
+}
+
+class SearchRecorderOf : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
+  const PlannerInfo& info = *planners().find(GetParam());
+  int searches = 0;
+  for (std::uint64_t seed = 1; seed <= kSearches; ++seed) {
+    const Trial trial = random_trial(seed, info);
+    SCOPED_TRACE(text_of(trial, seed));
+    const FreeSpace space(trial.map, trial.robot);
+    const auto planner = info.make(space, trial.options);
+    ASSERT_TRUE(planner);
+    Random random(seed);
+    const Errand errand = random_errand(random, trial.map);
+    SCOPED_TRACE(text_of(errand));
+    SearchRecorder recorder(space);
+    EventLog log(recorder);
+    Query query = errand.query();
+    query.limits.expansions = static_cast<std::uint64_t>(random.between(0, 200));
+    query.observer = &log;
+    Plan plan;
+    (*planner)->plan(query, plan);
+
+    const Replay replay = expect_snapshots(recorder, log.entries());
+    EXPECT_EQ(replay.expansions.size(), plan.metrics.expanded);
+    if (log.entries().empty()) continue;
+    ++searches;
+    expect_layers(recorder.layers(), replay, space);
+    expect_true_costs(recorder.layers(), **planner, info, textbook_for(trial, info));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(searches, static_cast<int>(kSearches / 10)) << "too few searches began to say anything";
+}
+
+TEST_P(SearchRecorderOf, ForgetsTheLastSearchWhenCleared) {
+  const FreeSpace space(GridMap(Grid<CellState>(7, 5, CellState::free)));
+  const auto planner = make_planner(GetParam(), space);
+  ASSERT_TRUE(planner);
+  const auto record = [&](SearchRecorder& recorder, Cell start, Cell goal) {
+    Query query = Query::between(start, goal);
+    query.observer = &recorder;
+    ASSERT_TRUE((*planner)->plan(query));
+  };
+  SearchRecorder used(space);
+  record(used, {6, 4}, {0, 0});
+  used.clear();
+  EXPECT_EQ(used.snapshot().expanded.count() + used.snapshot().frontier.count(), 0U);
+  record(used, {0, 0}, {3, 2});
+  SearchRecorder fresh(space);
+  record(fresh, {0, 0}, {3, 2});
+  EXPECT_EQ(used.expansions(), fresh.expansions());
+  EXPECT_EQ(used.layers().generation, fresh.layers().generation);
+  EXPECT_EQ(used.layers().expansion, fresh.layers().expansion);
+}
+
+std::vector<std::string> planner_names() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& info : planners()) names.push_back(info.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, SearchRecorderOf, ::testing::ValuesIn(planner_names()),
+                         [](const auto& param) { return param.param; });
+
+}  // namespace
+}  // namespace wend::test

@@ -1,0 +1,80 @@
+#pragma once
+
+// SearchRecorder: an observer that writes down what a search does, for pictures and for looking
+// back: a layer for everything that was known of a cell, and what was open at every moment.
+//
+//   wend::SearchRecorder recorder(space);
+//   wend::Query query = wend::Query::between({1, 1}, {8, 5});
+//   query.observer = &recorder;
+//   const auto plan = planner.plan(query);
+//   const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
+//
+// 25 bytes a cell, and 12 an expansion. A recorder is for one search; clear() makes it ready for
+// the next. One thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "wend/geometry/direction.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/map/grid.hpp"
+#include "wend/planner/observer.hpp"
+
+namespace wend {
+
+/// What a search knew of each cell, each layer as large as the map.
+struct SearchLayers {
+  Grid<std::uint32_t> expansion;          // 1 for the cell expanded first; 0: never expanded
+  Grid<std::uint32_t> generation;         // 1 for the cell reached first; 0: never reached
+  Grid<double> g;                         // in cells, the last one known; NaN: never reached
+  Grid<double> h;                         // in cells; NaN: never reached
+  Grid<double> f;                         // the last priority; NaN: never reached
+  Grid<std::optional<Direction>> parent;  // towards the cell it was reached from
+};
+
+/// A search after one of its expansions.
+struct SearchSnapshot {
+  BitGrid expanded;
+  BitGrid frontier;             // reached, not yet expanded
+  std::optional<Cell> current;  // the cell expanded last; none before the first expansion
+};
+
+class SearchRecorder final : public SearchObserver {
+ public:
+  /// For searches on that space.
+  explicit SearchRecorder(const FreeSpace& space);
+
+  void on_generate(const SearchEvent& event) override;
+  void on_expand(const SearchEvent& event) override;
+  void on_relax(const SearchEvent& event) override;
+
+  /// Forgets everything.
+  void clear();
+
+  const SearchLayers& layers() const { return layers_; }
+
+  /// The cells in their order of expansion. A planner without duplicate detection (random_walk)
+  /// expands some more than once; the layer keeps the first time.
+  const std::vector<Cell>& expansions() const { return expansions_; }
+
+  /// How it stood after so many expansions (at most expansions().size()), with everything that the
+  /// last of them generated. O(cells).
+  SearchSnapshot snapshot(std::size_t expansions) const;
+
+  /// How it stood at the end.
+  SearchSnapshot snapshot() const { return snapshot(expansions_.size()); }
+
+ private:
+  void write_down(const SearchEvent& event);
+
+  bool y_up_;
+  SearchLayers layers_;
+  std::vector<Cell> expansions_;
+  std::vector<std::uint32_t> generated_before_;  // each expansion
+  std::uint32_t generated_ = 0;                  // cells, each once
+};
+
+}  // namespace wend
