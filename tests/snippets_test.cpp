@@ -20,6 +20,7 @@
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
 
@@ -173,6 +174,19 @@ TEST(Snippets, OfSearchRecorder) {
   EXPECT_EQ(first, 1U);
 }
 
+TEST(Snippets, OfLayer) {
+  const wend::FreeSpace& space = open_space();
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(space);
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  ASSERT_TRUE(planner.plan(query));
+  const wend::Layer order = wend::search_layer(wend::LayerKind::expansion, planner, recorder);
+  const double first = order.numbers[{1, 1}];  // 1: the start
+  EXPECT_EQ(first, 1);
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -210,7 +224,7 @@ TEST(Snippets, OfHeadersStandHere) {
   for (const std::string_view header :
        {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
         "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
-        "planner/cost_to_go.hpp", "planner/search_recorder.hpp"}) {
+        "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {
