@@ -69,18 +69,19 @@ class RandomWalkPlanner final : public Planner {
   }
 
   Status do_plan(const Query& query, Plan& out) override {
-    begin_walk(query, out);
+    begin_walk(query.limits, query.observer, out);
     for (;;) {
-      if (const auto outcome = walk_on(query, out)) {
-        if (*outcome != Status::found) {
-          out.path.clear();
-          return *outcome;
-        }
-        out.cost = grid_path_cost(free_space(), out.path.cells());
-        return Status::found;
-      }
+      if (const auto outcome = walk_on(out)) return *outcome;
     }
   }
+
+  std::optional<Status> do_begin(const Query& query, Plan& out) override {
+    stepped_limits_ = query.limits;
+    begin_walk(stepped_limits_, query.observer, out);
+    return std::nullopt;
+  }
+
+  std::optional<Status> do_step(Plan& out) override { return walk_on(out); }
 
   void do_update(std::span<const Cell> /*changed*/) override {
     grid_ = ExactGrid(free_space(), kOrthogonal);
@@ -91,21 +92,24 @@ class RandomWalkPlanner final : public Planner {
     return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options_.max_steps)));
   }
 
-  void begin_walk(const Query& query, Plan& out) {
+  /// Both are needed as long as the walk goes on.
+  void begin_walk(const Limits& limits, SearchObserver* observer, Plan& out) {
+    limits_ = &limits;
+    observer_ = observer;
     random_ = Random(static_cast<std::uint64_t>(options_.seed));
     memory_.clear();
     steps_ = 0;
-    deadline_ = query.limits.clock ? query.limits.clock() + query.limits.seconds : 0;
+    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
     here_ = grid_.state(cells_.start);
-    arrive(query, out, std::nullopt);
+    arrive(out, std::nullopt);
   }
 
-  void arrive(const Query& query, Plan& out, std::optional<Cell> from) {
+  void arrive(Plan& out, std::optional<Cell> from) {
     out.path.append(here_.cell);
     memory_.add(here_.number, steps_);
     ++out.metrics.generated;
     out.metrics.max_frontier = 1;
-    if (query.observer != nullptr) query.observer->on_generate(event(from));
+    if (observer_ != nullptr) observer_->on_generate(event(from));
     last_ = from;
   }
 
@@ -115,28 +119,34 @@ class RandomWalkPlanner final : public Planner {
   }
 
   /// One step; an outcome if the walk is over.
-  std::optional<Status> walk_on(const Query& query, Plan& out) {
-    if (const auto stop = stopped_by(query.limits, out.metrics.expanded)) return stop;
+  std::optional<Status> walk_on(Plan& out) {
+    if (const auto status = stopped(out.metrics.expanded)) return give_up(*status, out);
     ++out.metrics.expanded;
-    if (query.observer != nullptr) query.observer->on_expand(event(last_));
+    if (observer_ != nullptr) observer_->on_expand(event(last_));
     if (std::find(cells_.goals.begin(), cells_.goals.end(), here_.cell) != cells_.goals.end()) {
+      out.cost = grid_path_cost(free_space(), out.path.cells());
       return Status::found;
     }
-    if (steps_ == options_.max_steps) return Status::step_limit;
+    if (steps_ == options_.max_steps) return give_up(Status::step_limit, out);
     const Cell from = here_.cell;
     here_ = random_neighbour();
     ++steps_;
-    arrive(query, out, from);
+    arrive(out, from);
     return std::nullopt;
   }
 
-  std::optional<Status> stopped_by(const Limits& limits, std::uint64_t expanded) const {
-    if (expanded >= limits.expansions) return Status::expansion_limit;
+  static Status give_up(Status status, Plan& out) {
+    out.path.clear();
+    return status;
+  }
+
+  std::optional<Status> stopped(std::uint64_t expanded) const {
+    if (expanded >= limits_->expansions) return Status::expansion_limit;
     if (expanded % Limits::kExpansionsBetweenClockReads != 0) return std::nullopt;
-    if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {
+    if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
       return Status::cancelled;
     }
-    if (limits.clock && limits.clock() > deadline_) return Status::time_limit;
+    if (limits_->clock && limits_->clock() > deadline_) return Status::time_limit;
     return std::nullopt;
   }
 
@@ -163,6 +173,9 @@ class RandomWalkPlanner final : public Planner {
   std::optional<Cell> last_;
   std::uint32_t steps_ = 0;
   double deadline_ = 0;
+  const Limits* limits_ = nullptr;
+  SearchObserver* observer_ = nullptr;
+  Limits stepped_limits_;  // of a walk that is stepped
 };
 
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
@@ -187,7 +200,7 @@ PlannerInfo random_walk_planner() {
           .promise = Promise::none,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
-          .can_step = false,
+          .can_step = true,
           .options = option_schema<RandomWalkOptions>(),
           .make = make};
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+// Narrator: tells a search on standard error as it happens, a line an event:
+//
+//   expand (3,4) f=9.24 g=4 h=5.24
+//     generate (4,4) from (3,4) f=9.24 g=5 h=4.24
+
+#include <string>
+
+#include "wend/planner/observer.hpp"
+
+namespace wend::cli {
+
+class Narrator final : public SearchObserver {
+ public:
+  void on_generate(const SearchEvent& event) override;
+  void on_expand(const SearchEvent& event) override;
+  void on_relax(const SearchEvent& event) override;
+};
+
+/// "(3,4) f=9.24 g=4 h=5.24"
+std::string event_text(const SearchEvent& event);
+
+}  // namespace wend::cli
