@@ -18,6 +18,7 @@ Command add_bench(CLI::App& app);
 Command add_planners(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_generate(CLI::App& app);
+Command add_convert(CLI::App& app);
 
 /// Completes the subcommands that have been added to `app` before.
 Command add_completion(CLI::App& app);

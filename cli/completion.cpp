@@ -55,6 +55,7 @@ Argument argument_of(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) argument.flags.push_back("--" + name);
   argument.help = in_short(option.get_description());
   argument.takes_value = option.get_items_expected_max() > 0;
+  argument.takes_many = option.get_items_expected_max() > 1;
   argument.words = words_of(option.get_type_name());
   argument.is_file = option.get_type_name() == kFileType;
   return argument;

@@ -133,8 +133,8 @@ std::string zsh_completion(const std::vector<Subcommand>& subcommands) {
     std::string arguments;
     for (const Argument& flag : subcommand.flags) arguments += zsh_flag(flag);
     for (const Argument& positional : subcommand.positionals) {
-      arguments +=
-          fmt::format(" \\\n        '*:{}:{}'", plain(positional.help), zsh_action(positional));
+      arguments += fmt::format(" \\\n        '{}:{}:{}'", positional.takes_many ? "*" : "",
+                               plain(positional.help), zsh_action(positional));
     }
     cases += fmt::format("    {})\n      _arguments{} ;;\n", subcommand.name, arguments);
   }

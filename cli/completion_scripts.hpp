@@ -12,6 +12,7 @@ struct Argument {
   std::vector<std::string> flags;  // every spelling, dashes included
   std::string help;                // a few words
   bool takes_value = false;
+  bool takes_many = false;         // positional: the rest of the line is all this
   std::vector<std::string> words;  // that the value can be; none: anything
   bool is_file = false;
 };

@@ -8,7 +8,7 @@ namespace wend::cli {
 
 enum ExitCode : int {
   success = 0,
-  no_plan = 1,    // there is no plan, or a benchmark found wrong answers
+  no_plan = 1,    // there is no plan, a benchmark found wrong answers, convert --strict a loss
   bad_input = 2,  // bad usage or input: nothing was planned
 };
 

@@ -38,6 +38,10 @@ constexpr const char* kExamples = R"(Examples:
 
 The same kind, size, options and seed give the same map everywhere.)";
 
+/// Where a format cannot hold the terrain.
+constexpr const char* kWayOut =
+    "; a .txt can, and `wend convert` then rounds it and says what is lost";
+
 struct Size {
   int width;
   int height;
@@ -93,7 +97,8 @@ int run(const GenerateArguments& arguments) {
   const GridMap map = generate(arguments);
   arguments.output.write_all([&map](const std::string& file) {
     const auto saved = save_map(map, file);
-    return saved ? std::string() : saved.error().message();
+    if (saved) return std::string();
+    return saved.error().message() + (map.uniform_terrain() ? "" : kWayOut);
   });
   print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));
   return success;

@@ -14,24 +14,17 @@ constexpr OptionRange kRadii{0, 1e9};
 
 }  // namespace
 
-void MapArguments::add_to(CLI::App& app) {
-  app.add_option("MAP", file,
+void MapFileArguments::add_to(CLI::App& app, const std::string& name) {
+  app.add_option(name, file,
                  wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
                          "or a bare PNG or PNM image"))
       ->required()
       ->type_name(kFileType);
-  add_number(app, "--robot-radius", robot_radius, kRadii,
-             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
-             "for others and with --cells (default 0, a point)");
-  add_choice<UnknownPolicy>(app, "--unknown", unknown,
-                            {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
-                            "What unknown cells are (default blocked)");
   add_number(app, "--resolution", resolution, kResolutions,
              "Metres a cell of a bare image, which then counts in metres");
-  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
-LoadedMap MapArguments::load() const {
+LoadedMap MapFileArguments::load() const {
   LoadOptions options;
   options.resolution = resolution;
   auto loaded = load_map(file, options);
@@ -41,6 +34,17 @@ LoadedMap MapArguments::load() const {
                                  to_string(loaded->format)));
   }
   return *std::move(loaded);
+}
+
+void MapArguments::add_to(CLI::App& app) {
+  MapFileArguments::add_to(app, "MAP");
+  add_number(app, "--robot-radius", robot_radius, kRadii,
+             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
+             "for others and with --cells (default 0, a point)");
+  add_choice<UnknownPolicy>(app, "--unknown", unknown,
+                            {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
+                            "What unknown cells are (default blocked)");
+  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
 FreeSpace MapArguments::free_space(const GridMap& map) const {

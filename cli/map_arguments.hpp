@@ -1,6 +1,6 @@
 #pragma once
 
-// The map and the robot on it, as plan, field and info take them.
+// The map file, as convert takes it too, and the robot on the map, as plan, field and info do.
 
 #include <CLI/App.hpp>
 #include <optional>
@@ -12,17 +12,23 @@
 
 namespace wend::cli {
 
-struct MapArguments {
+struct MapFileArguments {
   std::string file;
   std::optional<double> resolution;
+
+  /// `name` is what help calls the file.
+  void add_to(CLI::App& app, const std::string& name);
+
+  /// Throws InputError if the map cannot be read.
+  LoadedMap load() const;
+};
+
+struct MapArguments : MapFileArguments {
   double robot_radius = 0;  // in the user's units
   UnknownPolicy unknown = UnknownPolicy::blocked;
   bool cells = false;
 
   void add_to(CLI::App& app);
-
-  /// Throws InputError if the map cannot be read.
-  LoadedMap load() const;
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
   FreeSpace free_space(const GridMap& map) const;

@@ -28,6 +28,16 @@ void write_one(const std::string& file, const FileWriter& writer) {
 
 }  // namespace
 
+void check_not_among(const std::vector<std::filesystem::path>& inputs,
+                     const std::filesystem::path& file, const std::string& name) {
+  for (const auto& input : inputs) {
+    std::error_code error;  // a file that is not there yet is no input
+    if (!std::filesystem::equivalent(file, input, error)) continue;
+    throw InputError(fmt::format(
+        "{}: the map was read from this file, and would be lost; choose another name", name));
+  }
+}
+
 void OutputFiles::add_to(CLI::App& app, std::vector<std::string> extensions,
                          const std::string& help) {
   extensions_ = std::move(extensions);
@@ -49,14 +59,7 @@ void OutputFiles::check() const {
 }
 
 void OutputFiles::check_not_among(const std::vector<std::filesystem::path>& inputs) const {
-  for (const std::string& file : files_) {
-    for (const auto& input : inputs) {
-      std::error_code error;  // a file that is not there yet is no input
-      if (!std::filesystem::equivalent(file, input, error)) continue;
-      throw InputError(fmt::format(
-          "-o {}: the map was read from this file, and would be lost; choose another name", file));
-    }
-  }
+  for (const std::string& file : files_) cli::check_not_among(inputs, file, "-o " + file);
 }
 
 void OutputFiles::write(const std::map<std::string, FileWriter>& writers) const {

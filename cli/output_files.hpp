@@ -14,6 +14,11 @@ namespace wend::cli {
 /// Writes a file; what went wrong, empty if nothing did.
 using FileWriter = std::function<std::string(const std::string& file)>;
 
+/// Throws InputError if a file that is about to be written is one of `inputs`: the map would be
+/// lost. `name` is what the message calls it.
+void check_not_among(const std::vector<std::filesystem::path>& inputs,
+                     const std::filesystem::path& file, const std::string& name);
+
 class OutputFiles {
  public:
   /// -o, once for each file. `extensions` are those that the command can write: {".png", ".csv"}.
@@ -22,7 +27,7 @@ class OutputFiles {
   /// Throws InputError for a name that no writer will take and for a folder that is not there.
   void check() const;
 
-  /// Throws InputError for a file that is one of `inputs`: writing it would destroy the map.
+  /// The same for each of these files.
   void check_not_among(const std::vector<std::filesystem::path>& inputs) const;
 
   /// Calls the writer of each file's extension. A file whose extension has no writer now is left

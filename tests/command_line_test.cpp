@@ -1,4 +1,4 @@
-// The program wend from outside: usage, and every subcommand but plan, field and bench.
+// The program wend from outside: usage, and every subcommand but plan, field, bench and convert.
 
 #include <gmock/gmock.h>
 
@@ -17,8 +17,8 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-const std::vector<std::string> kSubcommands{"plan",     "field",    "bench",     "info",
-                                            "planners", "generate", "completion"};
+const std::vector<std::string> kSubcommands{"plan",     "field",    "bench",   "info",
+                                            "planners", "generate", "convert", "completion"};
 
 TEST(Usage, HelpIsAResult) {
   const Outcome help = wend({"--help"});
@@ -234,6 +234,7 @@ TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
   EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs\n");
   EXPECT_EQ(completed("wend plan --corner-rule \"\"", 3), "none one both\n");
   EXPECT_EQ(completed("wend generate ma", 2), "maze\n");
+  EXPECT_EQ(completed("wend convert --st", 2), "--strict\n");
   EXPECT_EQ(completed("wend completion \"\"", 2), "bash zsh fish\n");
   EXPECT_EQ(completed("wend plan --start \"\"", 3), "\n");
 }
@@ -275,7 +276,8 @@ class Examples : public testing::Test {
 
 TEST_F(Examples, OfTheHelpWork) {
   expect_to_work("generate office --size 160x100 --seed 7 -o office.yaml");
-  for (const std::string name : {"info", "plan", "field", "bench", "planners", "generate"}) {
+  for (const std::string name :
+       {"info", "plan", "field", "bench", "planners", "generate", "convert"}) {
     const auto commands = commands_in(wend({name, "--help"}).out, "  ");
     EXPECT_GE(commands.size(), 2U) << name;
     for (const std::string& command : commands) expect_to_work(command);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 Expected<std::string, std::string> picture(const GridMap& map, bool png) {
   const auto image = trinary_image(map);
-  if (!image) return Unexpected<std::string>(image.error() + "; .txt and .yaml can");
+  if (!image) return Unexpected<std::string>(image.error() + "; .txt and .yaml have terrain");
   if (png) return encode_png(*image);
   return encode_pgm(*image);
 }

@@ -125,7 +125,7 @@ TEST_F(SaveMapFile, RefusesWhatTheFormatCannotHoldAndWritesNothing) {
   EXPECT_THAT(saved(unknown, "m.map"), EndsWith("a MovingAI map cannot hold 1 unknown cells"));
   EXPECT_THAT(saved(with_terrain(2), "m.map"), EndsWith("a MovingAI map cannot hold terrain"));
   EXPECT_THAT(saved(with_terrain(1.5), "m.txt"), HasSubstr("cannot hold the terrain 1.5"));
-  EXPECT_THAT(saved(with_terrain(2), "m.png"), EndsWith("; .txt and .yaml can"));
+  EXPECT_THAT(saved(with_terrain(2), "m.png"), EndsWith("; .txt and .yaml have terrain"));
   EXPECT_THAT(saved(with_terrain(9), "m.yaml"), HasSubstr("cannot hold the terrain 9"));
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
