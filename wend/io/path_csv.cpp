@@ -10,7 +10,8 @@
 namespace wend {
 
 std::string path_csv(const Path& path, const Frame& frame) {
-  std::string text = "x,y,x_m,y_m\n";
+  std::string text(kPathCsvHeader);
+  text += '\n';
   for (const Cell cell : path.cells()) {
     const Point metres = frame.to_metres(centre_of(cell));
     fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", cell.x, cell.y,

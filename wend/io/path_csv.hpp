@@ -7,10 +7,12 @@
 //   2,1,0.125,0.075
 //
 // One line a cell, start and goal included: column and row, then the cell's centre in the map's
-// frame, in metres (cells, for a map without a resolution). Numbers read back exactly.
+// frame, in metres (cells, for a map without a resolution). Numbers read back exactly;
+// load_path() reads the cells.
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
@@ -18,6 +20,8 @@
 #include "wend/path/path.hpp"
 
 namespace wend {
+
+inline constexpr std::string_view kPathCsvHeader = "x,y,x_m,y_m";
 
 std::string path_csv(const Path& path, const Frame& frame);
 

@@ -1,0 +1,160 @@
+#include "wend/io/load_path.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include "wend/io/io_test_support.hpp"
+#include "wend/io/path_csv.hpp"
+
+namespace wend {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+Path any_path() {
+  std::vector<Cell> cells;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    cells.push_back({*rc::gen::inRange(0, 1 << 30), *rc::gen::inRange(0, 1 << 30)});
+  }
+  return Path(cells);
+}
+
+std::string json_of(const Path& path) {
+  std::string cells;
+  for (const Cell cell : path.cells()) cells += fmt::format("[{},{}],", cell.x, cell.y);
+  cells.pop_back();
+  return R"({"planner":"astar","status":"found","cost":1.5,"path":[)" + cells +
+         R"(],"path_m":[[0.5,0.5],[1e3,-2]],"metrics":{"expanded":2,"path":7}})";
+}
+
+RC_GTEST_PROP(LoadPath, ACsvGivesTheCellsBack, ()) {
+  const Path path = any_path();
+  const Frame frame{0.05, {-3, 7.5, 0.25}, true, true};
+  const auto parsed = parse_path_csv(path_csv(path, frame), "p.csv");
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesTheCellsBack, ()) {
+  const Path path = any_path();
+  const auto parsed = parse_path_json(json_of(path), "p.json");
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+TEST(LoadPath, GoesByTheNameThenByTheContent) {
+  const TemporaryFolder folder;
+  const Path path({{3, 4}, {4, 4}});
+  const std::string csv = path_csv(path, {});
+  for (const auto& [name, text] : {std::pair{"p.csv", csv},
+                                   {"p.CSV", csv},
+                                   {"p.json", json_of(path)},
+                                   {"plan", "\n " + json_of(path)},
+                                   {"path", csv}}) {
+    const auto loaded = load_path(folder.write(name, text));
+    ASSERT_TRUE(loaded) << error_of(loaded);
+    EXPECT_EQ(*loaded, path) << name;
+  }
+  EXPECT_THAT(error_of(load_path(folder.write("q.csv", json_of(path)))),
+              HasSubstr("q.csv:1: the first line must be 'x,y,x_m,y_m', not '{\"planner\""));
+  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv))), HasSubstr("q.json:1: no JSON"));
+  EXPECT_THAT(error_of(load_path(folder / "missing.csv")), HasSubstr("cannot be opened"));
+  EXPECT_THAT(error_of(load_path("/dev/zero")), HasSubstr("not a regular file"));
+}
+
+TEST(LoadPath, RefusesAFileThatIsTooLargeWithoutReadingIt) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("large.csv", "x,y,x_m,y_m\n");
+  std::filesystem::resize_file(file, std::uintmax_t{10} << 30);  // a hole, no disk is used
+  EXPECT_THAT(error_of(load_path(file)), HasSubstr("bytes are too many"));
+}
+
+struct Malformed {
+  std::string text;
+  std::string error;
+};
+
+TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
+  const std::string header = "x,y,x_m,y_m\n";
+  const std::vector<Malformed> cases{
+      {"", "p:1: the first line must be 'x,y,x_m,y_m', not ''"},
+      {"x,y\n1,2\n", "p:1: the first line must be 'x,y,x_m,y_m', not 'x,y'"},
+      {"1,1,0.5,0.5\n", "p:1: the first line must be"},
+      {header, "p: no cells: a path has at least one"},
+      {header + "1,1,0.5,0.5\n2,1\n", "p:3: 2 columns, expected 4: x,y,x_m,y_m"},
+      {header + "1,1,0.5,0.5,9\n", "p:2: 5 columns, expected 4"},
+      {header + "1;1;0.5;0.5\n", "p:2: 1 columns, expected 4"},
+      {header + "\n1,1,0.5,0.5\n", "p:2: 1 columns, expected 4"},
+      {header + "-1,1,0.5,0.5\n", "p:2: x must be a whole number in 0..1073741823, not '-1'"},
+      {header + "1,2147483648,0,0\n", "p:2: y must be a whole number in 0..1073741823, not"},
+      {header + "1,1073741824,0,0\n", "p:2: y must be a whole number in 0..1073741823, not"},
+      {header + "1.5,1,0,0\n", "p:2: x must be a whole number"},
+      {header + " 1,1,0,0\n", "p:2: x must be a whole number"},
+      {header + "1,1,nan,0\n", "p:2: x_m must be a finite number, not 'nan'"},
+      {header + "1,1,0,\n", "p:2: y_m must be a finite number, not ''"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p")), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, TakesWindowsLineEnds) {
+  EXPECT_EQ(*parse_path_csv("x,y,x_m,y_m\r\n1,2,0,0\r\n", "p"), Path({{1, 2}}));
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
+  const std::vector<Malformed> cases{
+      {"", "p:1: the JSON is cut short"},
+      {"{\"path\":\n[[1,2]\n", "p:3: the JSON is cut short"},
+      {"{\"path\":\n\n[[1,2] [3,4]]}", "p:3: no JSON from "},
+      {"{\"path\":[[1,2]]} x", "p:1: "},
+      {"{\"path\":[[1,1e999]]}", "p:1: "},
+      {"{\"path\":[[1,2]],\"a\":\"\xff\"}", "p:1: "},
+      {"7", "p: the top level must be an object, with a list 'path'"},
+      {"[[1,2]]", "p: the top level must be an object"},
+      {"{}", "p: 'path' is missing, a list of cells [x,y]"},
+      {R"({"a":{"path":[[1,2]]}})", "p: 'path' is missing"},
+      {R"({"path":[]})", "p: 'path' has no cells, at least one expected"},
+      {R"({"path":7})", "p: 'path' must be a list of cells [x,y], not '7'"},
+      {R"({"path":null})", "p: 'path' must be a list of cells [x,y], not 'null'"},
+      {R"({"path":{"x":1}})", "p: 'path' must be a list of cells [x,y], not '{'"},
+      {R"({"path":[7]})", "p: path[0] must be a cell [x,y], not '7'"},
+      {R"({"path":[[1,2],{"x":1}]})", "p: path[1] must be a cell [x,y], not '{'"},
+      {R"({"path":[[1,2],[3]]})", "p: path[1] must be a cell [x,y], not 1 numbers"},
+      {R"({"path":[[1,2,3]]})", "p: path[0] must be a cell [x,y], not 3 numbers"},
+      {R"({"path":[[1,[2]]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '['"},
+      {R"({"path":[[1,2.0]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '2.0'"},
+      {R"({"path":[[-1,2]]})", "p: path[0][0] must be a whole number in 0..1073741823, not '-1'"},
+      {R"({"path":[[1,2147483648]]})", "p: path[0][1] must be a whole number"},
+      {R"({"path":[[1,99999999999999999999]]})", "p: path[0][1] must be a whole number"},
+      {R"({"path":[["1",2]]})", "p: path[0][0] must be a whole number"},
+      {R"({"path":[[true,2]]})", "p: path[0][0] must be a whole number"},
+      {R"({"path":[[1,2]],"path":[[1,2]]})", "p: two keys 'path'"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p")), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, OfAPlanThatFailedSaysSo) {
+  for (const std::string text :
+       {R"({"planner":"astar","status":"unreachable","reason":"walls","path":[],"path_m":[]})",
+        R"({"path":[[1,2]],"status":"unreachable"})", R"({"status":"unreachable"})"}) {
+    EXPECT_EQ(error_of(parse_path_json(text, "p")),
+              "p: there is no path: the plan's status is 'unreachable'");
+  }
+}
+
+TEST(ParsePathJson, IsNotToldByDepth) {
+  const std::string deep(1 << 20, '[');
+  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p")), HasSubstr("cut short"));
+  EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p")),
+              HasSubstr("path[0][0] must be a whole number"));
+}
+
+}  // namespace
+}  // namespace wend
