@@ -23,6 +23,7 @@
 #include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
+#include "wend/report/posthoc_trace.hpp"
 
 namespace {
 
@@ -187,6 +188,21 @@ TEST(Snippets, OfLayer) {
   EXPECT_EQ(first, 1);
 }
 
+TEST(Snippets, OfPosthocTrace) {
+  const wend::FreeSpace& space = open_space();
+  const wend::Cell start{1, 1};
+  const std::array goals{wend::Cell{8, 5}};
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::Query query = wend::Query::between(start, goals.front());
+  wend::Plan plan;
+  wend::PosthocTrace trace(space, start, goals, wend::TraceForm::yaml, 100'000);
+  query.observer = &trace;
+  planner.plan(query, plan);
+  const std::string text = trace.finish(plan.path);
+  EXPECT_NE(text.find("type: end"), std::string::npos);
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -224,7 +240,8 @@ TEST(Snippets, OfHeadersStandHere) {
   for (const std::string_view header :
        {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
         "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
-        "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp"}) {
+        "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp",
+        "report/posthoc_trace.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "wend/map/joined_rows.hpp"
+
 namespace wend {
 namespace {
 
@@ -24,10 +26,6 @@ std::vector<MapRectangle> runs_of_row(const CellPaints& paints, int y, const Col
   return runs;
 }
 
-bool continues(const MapRectangle& run, const MapRectangle& above) {
-  return run.x == above.x && run.width == above.width && run.colour == above.colour;
-}
-
 bool by_colour(const MapRectangle& a, const MapRectangle& b) {
   const auto key = [](const MapRectangle& rectangle) {
     const Colour& colour = rectangle.colour;
@@ -41,25 +39,11 @@ bool by_colour(const MapRectangle& a, const MapRectangle& b) {
 std::optional<std::vector<MapRectangle>> map_rectangles(const CellPaints& paints,
                                                         const Colour& background,
                                                         std::size_t most) {
-  std::vector<MapRectangle> done;
-  std::vector<MapRectangle> open;  // those that reach down to the row before, from left to right
-  for (int y = 0; y < paints.height(); ++y) {
-    std::vector<MapRectangle> runs = runs_of_row(paints, y, background);
-    auto above = open.begin();
-    for (MapRectangle& run : runs) {
-      while (above != open.end() && above->x < run.x) done.push_back(*above++);
-      if (above == open.end() || !continues(run, *above)) continue;
-      run.y = above->y;
-      run.height = above->height + 1;
-      ++above;
-    }
-    done.insert(done.end(), above, open.end());
-    open = std::move(runs);
-    if (done.size() + open.size() > most) return std::nullopt;
-  }
-  done.insert(done.end(), open.begin(), open.end());
-  std::sort(done.begin(), done.end(), by_colour);
-  return done;
+  auto rectangles = joined_rows<MapRectangle>(
+      paints.height(), most, [&](int y) { return runs_of_row(paints, y, background); },
+      [](const MapRectangle& a, const MapRectangle& b) { return a.colour == b.colour; });
+  if (rectangles) std::sort(rectangles->begin(), rectangles->end(), by_colour);
+  return rectangles;
 }
 
 }  // namespace wend

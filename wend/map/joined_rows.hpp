@@ -1,0 +1,42 @@
+#pragma once
+
+// Rows of runs become few rectangles: equal runs in rows that follow each other are joined.
+
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace wend {
+
+/// `runs_of_row(y)` gives the rectangles of row y, one cell high, from left to right;
+/// `alike(a, b)` says whether two that cover the same columns may be joined. Nothing if more than
+/// `most` remain. O(runs), in the memory of the rectangles.
+template <class Rectangle, class RunsOfRow, class Alike>
+std::optional<std::vector<Rectangle>> joined_rows(int height, std::size_t most,
+                                                  RunsOfRow&& runs_of_row, Alike&& alike) {
+  std::vector<Rectangle> done;
+  std::vector<Rectangle> open;  // those that reach down to the row before, from left to right
+  for (int y = 0; y < height; ++y) {
+    std::vector<Rectangle> runs = runs_of_row(y);
+    auto above = open.begin();
+    for (Rectangle& run : runs) {
+      while (above != open.end() && above->x < run.x) done.push_back(*above++);
+      if (above == open.end() || run.x != above->x || run.width != above->width ||
+          !alike(run, *above)) {
+        continue;
+      }
+      run.y = above->y;
+      run.height = above->height + 1;
+      ++above;
+    }
+    done.insert(done.end(), above, open.end());
+    open = std::move(runs);
+    if (done.size() + open.size() > most) return std::nullopt;
+  }
+  done.insert(done.end(), open.begin(), open.end());
+  return done;
+}
+
+}  // namespace wend
