@@ -23,6 +23,7 @@
 #include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
+#include "wend/render/gif.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace {
@@ -188,6 +189,17 @@ TEST(Snippets, OfLayer) {
   EXPECT_EQ(first, 1);
 }
 
+TEST(Snippets, OfGif) {
+  const int width = 3;
+  const int height = 2;
+  const std::array frames{wend::Grid<std::uint32_t>(width, height, 0xFFFFFF),
+                          wend::Grid<std::uint32_t>(width, height, 0x0072B2)};
+  wend::GifAnimation animation(width, height, wend::palette_of(frames));
+  for (const auto& frame : frames) animation.add(frame, 10);
+  const auto bytes = animation.finish();
+  EXPECT_TRUE(bytes && bytes->starts_with("GIF89a"));
+}
+
 TEST(Snippets, OfPosthocTrace) {
   const wend::FreeSpace& space = open_space();
   const wend::Cell start{1, 1};
@@ -241,7 +253,7 @@ TEST(Snippets, OfHeadersStandHere) {
        {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
         "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
         "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp",
-        "report/posthoc_trace.hpp"}) {
+        "report/posthoc_trace.hpp", "render/gif.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {
