@@ -2,34 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "wend/report/json.hpp"
+#include "wend/report/statistics.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {
-namespace {
-
-/// The least value that is not below so large a share of the values.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-  return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
-}  // namespace
 
 void BenchRow::set_work(std::vector<double> microseconds, std::uint64_t expanded) {
   if (microseconds.empty()) return;
   const double total = std::accumulate(microseconds.begin(), microseconds.end(), 0.0);
-  const auto count = static_cast<double>(microseconds.size());
-  std::sort(microseconds.begin(), microseconds.end());
-  mean_us = total / count;
-  median_us = quantile(microseconds, 0.5);
-  p99_us = quantile(microseconds, 0.99);
-  expanded_per_query = static_cast<double>(expanded) / count;
+  expanded_per_query = static_cast<double>(expanded) / static_cast<double>(microseconds.size());
   expansions_per_second = total > 0 ? static_cast<double>(expanded) / (total * 1e-6) : 0;
+  const Summary summary = summary_of(std::move(microseconds));
+  mean_us = summary.mean;
+  median_us = summary.median;
+  p99_us = summary.p99;
 }
 
 std::string bench_json(std::span<const BenchRow> rows) {

@@ -106,8 +106,10 @@ void PosthocTrace::on_relax(const SearchEvent& event) {
 }
 
 void PosthocTrace::close_expanded() {
-  if (expanded_ && keep_one()) put_event("closing", *expanded_, node_of(*expanded_).id);
+  if (!expanded_) return;
+  const Cell cell = *expanded_;
   expanded_.reset();
+  if (keep_one()) put_event("closing", cell, node_of(cell).id);
 }
 
 std::string PosthocTrace::finish(const Path& path) {

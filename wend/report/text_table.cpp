@@ -15,6 +15,25 @@ std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_first_byte));
 }
 
+/// The titles as rows; those of fewer lines than others stand at the bottom.
+std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::Column>& columns) {
+  std::size_t height = 1;
+  for (const auto& [title, align] : columns) {
+    const auto breaks = std::count(title.begin(), title.end(), '\n');
+    height = std::max(height, static_cast<std::size_t>(breaks) + 1);
+  }
+  std::vector<std::vector<std::string>> lines(height, std::vector<std::string>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::string rest = columns[i].title;
+    for (std::size_t row = height; row-- > 0 && !rest.empty();) {
+      const std::size_t line_break = rest.rfind('\n');
+      lines[row][i] = rest.substr(line_break == std::string::npos ? 0 : line_break + 1);
+      rest.erase(line_break == std::string::npos ? 0 : line_break);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 void TextTable::add(std::vector<std::string> row) {
@@ -23,17 +42,16 @@ void TextTable::add(std::vector<std::string> row) {
 }
 
 std::string TextTable::text() const {
-  std::vector<std::string> titles;
-  std::vector<std::size_t> widths;
-  for (const Column& column : columns_) {
-    titles.push_back(column.title);
-    widths.push_back(width_of(column.title));
+  std::vector<std::vector<std::string>> lines = title_lines(columns_);
+  lines.insert(lines.end(), rows_.begin(), rows_.end());
+  std::vector<std::size_t> widths(columns_.size(), 0);
+  for (const auto& fields : lines) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(fields[i]));
+    }
   }
-  for (const auto& row : rows_) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
-  }
-  std::string text = line(titles, widths);
-  for (const auto& row : rows_) text += line(row, widths);
+  std::string text;
+  for (const auto& fields : lines) text += line(fields, widths);
   return text;
 }
 

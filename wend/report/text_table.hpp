@@ -16,7 +16,7 @@ enum class Align { left, right };
 class TextTable {
  public:
   struct Column {
-    std::string title;
+    std::string title;  // may have several lines
     Align align = Align::left;
   };
 

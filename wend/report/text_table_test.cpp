@@ -21,6 +21,15 @@ TEST(TextTable, CountsCharactersAndNotBytes) {
   EXPECT_EQ(table.text(), "→   b\nab  c\n");
 }
 
+TEST(TextTable, TitlesOfSeveralLinesEndAboveTheRows) {
+  TextTable table({{"planner"}, {"length\ncells", Align::right}, {"length\nm", Align::right}});
+  table.add({"astar", "12", "1.2"});
+  EXPECT_EQ(table.text(),
+            "         length  length\n"
+            "planner   cells       m\n"
+            "astar        12     1.2\n");
+}
+
 TEST(TextTable, IsItsTitlesWithoutRows) { EXPECT_EQ(TextTable({{"a"}, {"b"}}).text(), "a  b\n"); }
 
 }  // namespace

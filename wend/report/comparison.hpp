@@ -1,0 +1,66 @@
+#pragma once
+
+// Comparison: how planners did on the same queries, one or many, for people and for programs.
+//
+// With many queries it is their statistics that are compared: the median, the mean and the 99th
+// percentile over the queries that every planner solved, so that all are measured by the same.
+// Percentiles are one of the values, the nearest rank (see statistics.hpp); of the clearance, of
+// which more is better, the 99th is the one that 99 of 100 queries reach.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "wend/base/status.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/frame.hpp"
+
+namespace wend {
+
+/// One planner on one query. What is said of the path means nothing where there is none.
+struct ComparisonRow {
+  std::string planner;  // as it was typed: "astar:weight=2"
+  Status status = Status::found;
+  std::string reason = {};        // of a failure, for people
+  double cost = 0;                // cells, times terrain
+  double length = 0;              // cells
+  double turning = 0;             // degrees, all turns together
+  double smallest_clearance = 0;  // cells; infinite without obstacles
+  std::uint64_t expanded = 0;
+  std::uint64_t generated = 0;
+  std::uint64_t max_frontier = 0;  // the most states that were open
+  double seconds = 0;
+
+  bool found() const { return status == Status::found; }
+};
+
+struct ComparedQuery {
+  Cell start;
+  Cell goal;
+  std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
+};
+
+struct Comparison {
+  Frame frame;
+  std::vector<ComparedQuery> queries;
+};
+
+/// For people. Of one query: a line for each planner and, below, why some found nothing. Of many:
+/// a block for each measure, with a line for each planner; at most 100 columns where planners'
+/// names have no more than 40. The best of what is compared is marked, unless all are equal; only
+/// those that found a path compete. Lengths are in metres too (of many queries: instead) where
+/// people mean metres.
+std::string comparison_table(const Comparison& comparison);
+
+/// {"queries": [{"start", "goal", "planners": [{"planner", "status", "cost", "length_cells",
+/// "length_m", "turning_degrees", "clearance_cells", "clearance_m", "metrics"}]}],
+/// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
+/// ...}]}. A failure has a "reason", and null for what is not known of it, as for what is infinite.
+/// `cost_ratio` is to the cheapest cost that any planner found. One line with its line end.
+std::string comparison_json(const Comparison& comparison);
+
+/// A line for each query and planner, the names of the columns first. Fields of failures that mean
+/// nothing are empty; "inf" is infinite. Quotes as in RFC 4180.
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace wend

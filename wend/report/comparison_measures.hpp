@@ -1,0 +1,48 @@
+#pragma once
+
+// What planners are compared by. Only for the sources of this module.
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "wend/report/comparison.hpp"
+#include "wend/report/statistics.hpp"
+
+namespace wend {
+
+struct Measure {
+  std::string_view key;    // as programs call it
+  std::string_view title;  // as people do
+  std::string_view unit;   // empty for counts and ratios
+  int decimals;            // that people want to see
+  bool of_path;            // has no meaning where there is none
+  bool more_is_better;
+  bool in_metres;  // what `value` gives is in cells and to be multiplied by the resolution
+  double (*value)(const ComparedQuery&, const ComparisonRow&);
+
+  /// Of one planner on one query. NaN if it has no meaning.
+  double of(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) const;
+};
+
+/// All there are, in the order in which people read them.
+std::span<const Measure> measures();
+
+/// The measure with that key, which must exist.
+const Measure& measure(std::string_view key);
+
+/// The planners' names, from the first query.
+std::vector<std::string> planners_of(const Comparison& comparison);
+
+std::size_t solved_by(const Comparison& comparison, std::size_t planner);
+std::size_t solved_by_all(const Comparison& comparison);
+
+/// Over the queries that every planner solved; `p99` is what 99 of 100 of them do no worse than.
+Summary summary_of(const Comparison& comparison, const Measure& measure, std::size_t planner);
+
+/// Which of the values are the best: none if fewer than two compete (NaN does not) or if all that
+/// do are equal, but for rounding.
+std::vector<bool> best_of(std::span<const double> values, bool more_is_better);
+
+}  // namespace wend

@@ -1,0 +1,241 @@
+#include "wend/report/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "wend/base/random.hpp"
+
+namespace wend {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Frame kMetric{.resolution = 0.5, .metric = true};
+
+const ComparisonRow kAStar{.planner = "astar",
+                           .cost = 10.25,
+                           .length = 10.25,
+                           .turning = 90,
+                           .smallest_clearance = 1.5,
+                           .expanded = 120,
+                           .generated = 200,
+                           .max_frontier = 80,
+                           .seconds = 12.34e-6};
+const ComparisonRow kGreedy{.planner = "greedy",
+                            .cost = 14,
+                            .length = 14,
+                            .turning = 270,
+                            .smallest_clearance = 2,
+                            .expanded = 20,
+                            .generated = 60,
+                            .max_frontier = 40,
+                            .seconds = 3e-6};
+const ComparisonRow kLost{.planner = "random_walk",
+                          .status = Status::step_limit,
+                          .reason = "the walk used up its steps",
+                          .cost = kInfinity,
+                          .length = 0,
+                          .smallest_clearance = kInfinity,
+                          .expanded = 3,
+                          .generated = 4,
+                          .max_frontier = 1,
+                          .seconds = 1e-6};
+
+Comparison of_one(std::vector<ComparisonRow> rows, const Frame& frame = {}) {
+  return {frame, {{{1, 2}, {3, 4}, std::move(rows)}}};
+}
+
+std::string tabled(const Comparison& comparison) { return "\n" + comparison_table(comparison); }
+
+TEST(ComparisonTable, OfOneQueryHasALineForEachPlanner) {
+  EXPECT_EQ(tabled(of_one({kAStar, kGreedy, kLost})), R"(
+                                 length   turning   clearance                                     time
+planner      status       cost    cells   degrees       cells   expanded   generated   frontier     us
+astar        found       10.25*   10.25*       90*       1.50        120         200         80   12.3
+greedy       found       14.00    14.00       270        2.00*        20*         60*        40*   3.0*
+random_walk  step_limit      -        -         -           -          3           4          1    1.0
+random_walk: the walk used up its steps
+* best of its column
+)");
+}
+
+TEST(ComparisonTable, HasMetresWherePeopleMeanMetres) {
+  EXPECT_EQ(tabled(of_one({kAStar}, kMetric)), R"(
+                        length  length  turning  clearance  clearance                                 time
+planner  status   cost   cells       m  degrees      cells          m  expanded  generated  frontier    us
+astar    found   10.25   10.25    5.12       90       1.50       0.75       120        200        80  12.3
+)");
+}
+
+TEST(ComparisonTable, MarksNothingThatNobodyIsBestIn) {
+  EXPECT_THAT(comparison_table(of_one({kAStar})), testing::Not(HasSubstr("*")));
+  EXPECT_THAT(comparison_table(of_one({kAStar, kLost})), testing::Not(HasSubstr("*")));
+  EXPECT_THAT(comparison_table(of_one({kAStar, kAStar})), testing::Not(HasSubstr("*")));
+  EXPECT_THAT(comparison_table(of_one({kLost, kLost})), testing::Not(HasSubstr("*")));
+}
+
+TEST(ComparisonTable, OfNothingSaysSo) { EXPECT_EQ(comparison_table({}), "no queries\n"); }
+
+/// Twice the same query.
+Comparison of_two(std::vector<ComparisonRow> rows, const Frame& frame = {}) {
+  Comparison comparison = of_one(std::move(rows), frame);
+  comparison.queries.push_back(comparison.queries.front());
+  return comparison;
+}
+
+TEST(ComparisonTable, OfManyQueriesHasABlockForEachMeasure) {
+  EXPECT_EQ(tabled(of_two({kAStar, kGreedy}, kMetric)), R"(
+2 queries
+
+planner  solved
+astar        2
+greedy       2
+
+Of the 2 that every planner solved:
+
+measure           planner  median    mean    99 %
+cost / least      astar     1.000*  1.000*  1.000*
+                  greedy    1.366   1.366   1.366
+
+length, m         astar      5.12*   5.12*   5.12*
+                  greedy     7.00    7.00    7.00
+
+turning, degrees  astar        90*     90*     90*
+                  greedy      270     270     270
+
+clearance, m      astar      0.75    0.75    0.75
+                  greedy     1.00*   1.00*   1.00*
+
+expanded          astar       120     120     120
+                  greedy       20*     20*     20*
+
+generated         astar       200     200     200
+                  greedy       60*     60*     60*
+
+frontier          astar        80      80      80
+                  greedy       40*     40*     40*
+
+time, us          astar      12.3    12.3    12.3
+                  greedy      3.0*    3.0*    3.0*
+
+* best of the planners
+99 %: so many of 100 queries did no worse
+)");
+}
+
+TEST(ComparisonTable, OfManyQueriesComparesWhatEveryPlannerSolved) {
+  EXPECT_EQ(tabled(of_two({kAStar, kLost})), R"(
+2 queries
+
+planner      solved
+astar            2*
+random_walk      0
+
+There is none that every planner solved: nothing to compare.
+
+* best of the planners
+)");
+  Comparison comparison = of_two({kAStar, kGreedy});
+  comparison.queries.push_back(of_one({kAStar, kLost}).queries.front());
+  comparison.queries.back().rows.front().seconds = 100;
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("Of the 2 that every planner solved:"));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("astar        3*\n"));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("astar      12.3    12.3    12.3"));
+}
+
+TEST(ComparisonJson, HasEveryRow) {
+  const json read = json::parse(comparison_json(of_one({kAStar, kLost}, kMetric)));
+  const json& query = read.at("queries").at(0);
+  EXPECT_EQ(query.at("start"), json({1, 2}));
+  EXPECT_EQ(query.at("goal"), json({3, 4}));
+  EXPECT_EQ(query.at("planners").at(0), json::parse(R"({
+      "planner": "astar", "status": "found", "cost": 10.25, "length_cells": 10.25,
+      "length_m": 5.125, "turning_degrees": 90, "clearance_cells": 1.5, "clearance_m": 0.75,
+      "metrics": {"expanded": 120, "generated": 200, "max_frontier": 80, "time_us": 12.34}})"));
+  EXPECT_EQ(query.at("planners").at(1), json::parse(R"({
+      "planner": "random_walk", "status": "step_limit", "reason": "the walk used up its steps",
+      "cost": null, "length_cells": null, "length_m": null, "turning_degrees": null,
+      "clearance_cells": null, "clearance_m": null,
+      "metrics": {"expanded": 3, "generated": 4, "max_frontier": 1, "time_us": 1}})"));
+  EXPECT_EQ(read.at("solved_by_all"), 0);
+  EXPECT_EQ(read.at("statistics").at(1).at("solved"), 0);
+  EXPECT_TRUE(read.at("statistics").at(1).at("expanded").at("mean").is_null());
+}
+
+TEST(ComparisonJson, IsOneLine) {
+  const std::string text = comparison_json(of_two({kAStar, kGreedy}));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_EQ(json::parse(comparison_json({})),
+            json::parse(R"({"queries": [], "solved_by_all": 0, "statistics": []})"));
+}
+
+TEST(ComparisonCsv, HasALineForEachQueryAndPlanner) {
+  ComparisonRow open_map = kGreedy;
+  open_map.planner = "greedy:a=1,b=\"2\"";
+  open_map.smallest_clearance = kInfinity;
+  EXPECT_EQ("\n" + comparison_csv(of_one({kAStar, open_map, kLost}, kMetric)), R"(
+start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_degrees,clearance_cells,clearance_m,expanded,generated,max_frontier,time_us,reason
+1,2,3,4,astar,found,10.25,10.25,5.125,90,1.5,0.75,120,200,80,12.34,
+1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,inf,inf,20,60,40,3,
+1,2,3,4,random_walk,step_limit,,,,,,,3,4,1,1,the walk used up its steps
+)");
+}
+
+double nth_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  std::size_t count = 1;  // of values that are no larger than the last one of them
+  while (static_cast<double>(count) < share * static_cast<double>(values.size())) ++count;
+  return values[count - 1];
+}
+
+ComparisonRow random_row(Random& random, const std::string& planner) {
+  ComparisonRow row{.planner = planner, .expanded = random.below(1000)};
+  row.cost = row.length = random.between(10, 40);
+  row.smallest_clearance = random.between(1, 9) / 2.0;
+  row.seconds = random.uniform();
+  if (random.chance(0.1)) row.status = Status::unreachable;
+  return row;
+}
+
+RC_GTEST_PROP(ComparisonJson, StatisticsAreThoseOfTheQueriesThatAllSolved, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  Comparison comparison;
+  std::vector<double> expanded;
+  std::vector<double> ratios;
+  std::vector<double> worse_clearances;
+  for (int i = random.between(1, 300); i > 0; --i) {
+    const ComparisonRow a = random_row(random, "a");
+    const ComparisonRow b = random_row(random, "b");
+    comparison.queries.push_back({{0, 0}, {1, 1}, {a, b}});
+    if (!a.found() || !b.found()) continue;
+    expanded.push_back(static_cast<double>(a.expanded));
+    ratios.push_back(a.cost / std::min(a.cost, b.cost));
+    worse_clearances.push_back(-a.smallest_clearance);
+  }
+  RC_PRE(!expanded.empty());
+  const json read = json::parse(comparison_json(comparison));
+  RC_ASSERT(read.at("solved_by_all") == expanded.size());
+  const json& statistics = read.at("statistics").at(0);
+  RC_ASSERT(statistics.at("expanded").at("median") == nth_of(expanded, 0.5));
+  RC_ASSERT(statistics.at("expanded").at("p99") == nth_of(expanded, 0.99));
+  RC_ASSERT(statistics.at("cost_ratio").at("p99") == nth_of(ratios, 0.99));
+  RC_ASSERT(statistics.at("clearance_cells").at("p99") == -nth_of(worse_clearances, 0.99));
+  double sum = 0;
+  for (const double value : expanded) sum += value;
+  const double mean = sum / static_cast<double>(expanded.size());
+  RC_ASSERT(std::abs(statistics.at("expanded").at("mean").get<double>() - mean) <= 1e-9 * mean);
+}
+
+}  // namespace
+}  // namespace wend

@@ -1,0 +1,23 @@
+#pragma once
+
+// What many values come to.
+
+#include <span>
+#include <vector>
+
+namespace wend {
+
+/// The least of the values that is not exceeded by so large a share of them, 0 to 1 (the nearest
+/// rank; nothing is interpolated). `sorted` is ascending and not empty. O(1).
+double quantile(std::span<const double> sorted, double share);
+
+struct Summary {
+  double median;
+  double mean;
+  double p99;  // 99 of 100 values are no larger
+};
+
+/// NaN without values. O(n log n).
+Summary summary_of(std::vector<double> values);
+
+}  // namespace wend
