@@ -18,6 +18,7 @@
 #include "wend/io/quote.hpp"
 #include "wend/io/read_file.hpp"
 #include "wend/io/utf8.hpp"
+#include "wend/io/yaml_documents.hpp"
 
 namespace wend {
 namespace {
@@ -49,6 +50,11 @@ bool is_known_tag(const std::string& tag) {
   const std::string_view type = std::string_view(tag).substr(kStandard.size());
   return type == "str" || type == "int" || type == "float" || type == "bool" || type == "seq" ||
          type == "map" || type == "null";
+}
+
+/// Text without line ends and tabs, which would make a mess of messages.
+bool is_line(const std::string& text) {
+  return !first_non_text(text) && text.find_first_of("\t\r\n") == std::string::npos;
 }
 
 std::size_t line_of(const YAML::Node& node) {
@@ -135,7 +141,7 @@ class MapYamlReader {
     if (!node) return Unexpected<IoError>(node.error());
     if (!node->IsScalar()) return failure(*node, "image must be a file name");
     if (node->Scalar().empty()) return failure(*node, "image is empty");
-    if (first_non_text(node->Scalar())) return failure(*node, "image is not a file name");
+    if (!is_line(node->Scalar())) return failure(*node, "image is not a file name");
     yaml.image = node->Scalar();
     return {};
   }
@@ -234,12 +240,12 @@ Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::st
                       fmt::format("not a YAML text: {} is no UTF-8 text", quote(text[*at])));
   }
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty() || documents[0].IsNull()) return io_failure(file, 0, "empty document");
-    if (documents.size() > 1) {
-      return io_failure(file, 0, fmt::format("{} documents, one expected", documents.size()));
+    if (yaml_documents(text) > 1) {
+      return io_failure(file, 0, "one document expected, there is more after it");
     }
-    return MapYamlReader(file).read(documents[0]);
+    const YAML::Node document = YAML::Load(text);
+    if (document.IsNull()) return io_failure(file, 0, "empty document");
+    return MapYamlReader(file).read(document);
   } catch (const YAML::Exception& error) {
     const std::size_t line =
         error.mark.is_null() ? 0 : static_cast<std::size_t>(error.mark.line) + 1;

@@ -77,6 +77,8 @@ TEST(MapYaml, ImageIsAFileName) {
   EXPECT_EQ(error_in(with("image", "image: \"\"")), "y:1: image is empty");
   EXPECT_EQ(error_in(with("image", "image: [a, b]")), "y:1: image must be a file name");
   EXPECT_EQ(error_in(with("image", "image: \"m.pgm\\0.txt\"")), "y:1: image is not a file name");
+  EXPECT_EQ(error_in(with("image", "image: \"m\\n.pgm\"")), "y:1: image is not a file name");
+  EXPECT_EQ(error_in(with("image", "image: \"m\\e[2J.pgm\"")), "y:1: image is not a file name");
 }
 
 TEST(MapYaml, UnknownTagsAreErrors) {
@@ -144,7 +146,11 @@ TEST(MapYaml, IsOneMapping) {
   EXPECT_EQ(error_in("# nothing\n"), "y: empty document");
   EXPECT_EQ(error_in("map.pgm\n"), "y:1: the top level must be a mapping, key: value");
   EXPECT_EQ(error_in("[1, 2]\n"), "y:1: the top level must be a mapping, key: value");
-  EXPECT_EQ(error_in(kGood + "---\n" + kGood), "y: 2 documents, one expected");
+  EXPECT_EQ(error_in(kGood + "---\n" + kGood), "y: one document expected, there is more after it");
+  // Of some of these YAML::LoadAll() makes documents without end.
+  for (const std::string stray : {",", "]", "}", ", x", "? ,\n", "a: b\n,", "- ]\n"}) {
+    EXPECT_THAT(error_in(stray), StartsWith("y:")) << stray;
+  }
 }
 
 TEST(MapYaml, SyntaxErrorsHaveALine) {

@@ -1,0 +1,128 @@
+#pragma once
+
+// What holds for every loader, whatever it is given. Each check returns what is wrong, empty if
+// nothing is.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "wend/io/grey_image.hpp"
+#include "wend/io/image_map.hpp"
+#include "wend/io/io_error.hpp"
+#include "wend/io/losses.hpp"
+#include "wend/io/moving_ai_map.hpp"
+#include "wend/io/png.hpp"
+#include "wend/io/pnm.hpp"
+#include "wend/io/text_grid.hpp"
+
+namespace wend::test {
+
+/// The name that loaders are given for errors.
+inline const std::string kFuzzedFile = "fuzzed";
+
+/// Saving and loading larger maps would take too long.
+inline constexpr std::size_t kLargestSavedMap = std::size_t{1} << 14;
+
+/// An error's text is short, printable and says something.
+inline std::string check_text(std::string_view what) {
+  constexpr std::size_t kLongest = 400;
+  if (what.empty()) return "the error says nothing";
+  if (what.size() > kLongest) return "the error is too long: " + std::string(what);
+  for (const char letter : what) {
+    if (static_cast<unsigned char>(letter) < ' ') return "the error is no line of text";
+  }
+  return {};
+}
+
+inline std::string check_error(const IoError& error, const std::string& file = kFuzzedFile) {
+  if (error.file != file) return "the error is about another file: " + error.message();
+  return check_text(error.what);
+}
+
+inline bool same_map(const GridMap& a, const GridMap& b) {
+  return a.occupied() == b.occupied() && a.unknown() == b.unknown() && a.terrain() == b.terrain() &&
+         a.frame() == b.frame();
+}
+
+/// Whether an image comes back from both picture formats, and its map from it.
+inline std::string check_saved_image(const GridMap& map, const GreyImage& image,
+                                     const ImageMeaning& meaning) {
+  const auto png = encode_png(image);
+  if (!png) return "no PNG of a map: " + png.error();
+  const auto again = decode_image(*png);
+  if (!again) return "the PNG of a map does not load: " + again.error();
+  if (!same_map(map_from_image(*again, meaning, map.frame()), map))
+    return "the PNG has another map";
+  if (!image.transparent.empty()) return {};
+  const auto pgm = decode_image(encode_pgm(image));
+  if (!pgm) return "the PGM of a map does not load: " + pgm.error();
+  if (!same_map(map_from_image(*pgm, meaning, map.frame()), map)) return "the PGM has another map";
+  return {};
+}
+
+/// What nearest_map() makes of a map comes back from that format's file.
+inline std::string check_saved_map(const GridMap& map, MapFormat format) {
+  const GridMap nearest = nearest_map(map, format);
+  if (losses(map, format).empty() != same_map(map, nearest)) return "a loss that is none";
+  if (format == MapFormat::image || format == MapFormat::ros_yaml) {
+    const bool scale = !nearest.uniform_terrain();
+    const auto image = scale ? scale_image(nearest) : trinary_image(nearest);
+    if (!image) return "no image of a map: " + image.error();
+    return check_saved_image(nearest, *image, scale ? kScaleMeaning : ImageMeaning{});
+  }
+  const bool moving_ai = format == MapFormat::moving_ai;
+  const auto text = moving_ai ? format_moving_ai_map(nearest) : format_text_grid(nearest);
+  if (!text) return "a map that cannot be saved: " + text.error();
+  const auto again = moving_ai ? parse_moving_ai_map(*text, "m") : parse_text_grid(*text, "m");
+  if (!again) return "a saved map does not load: " + again.error().message();
+  return same_map(again->map, nearest) ? "" : "another map comes back";
+}
+
+/// A map has sound terrain and comes back from every format.
+inline std::string check_map(const GridMap& map) {
+  if (map.size() > GridMap::kMaxCells) return "the map is too large";
+  for (const double multiplier : map.terrain().values()) {
+    if (!(multiplier >= 1 && multiplier <= 5e6)) return "the terrain is out of range";
+  }
+  if (map.size() > kLargestSavedMap) return {};
+  for (const MapFormat format :
+       {MapFormat::ros_yaml, MapFormat::moving_ai, MapFormat::text_grid, MapFormat::image}) {
+    const std::string wrong = check_saved_map(map, format);
+    if (!wrong.empty()) return wrong + ", as " + std::string(to_string(format));
+  }
+  return {};
+}
+
+inline std::string check_map(const Expected<LoadedMap, IoError>& loaded) {
+  if (!loaded) return check_error(loaded.error());
+  for (const std::string& note : loaded->notes) {
+    const std::string wrong = check_text(note);
+    if (!wrong.empty()) return wrong;
+  }
+  return check_map(loaded->map);
+}
+
+/// An image has a value for each pixel, none above its maximum, and is a map.
+inline std::string check_image(const Expected<GreyImage, std::string>& image) {
+  if (!image) return check_text(image.error());
+  const std::size_t pixels =
+      static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
+  if (image->width < 1 || image->height < 1 || image->values.size() != pixels) {
+    return "the image has another size than its pixels";
+  }
+  if (!image->transparent.empty() && image->transparent.size() != pixels) {
+    return "the image has another size than its alpha";
+  }
+  for (const int value : image->values) {
+    if (value > image->maximum) return "a pixel is above the maximum";
+  }
+  if (pixels > kLargestSavedMap) return {};
+  for (const ImageMode mode : {ImageMode::trinary, ImageMode::scale, ImageMode::raw}) {
+    const std::string wrong = check_map(map_from_image(*image, {mode}, {}));
+    if (!wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+}  // namespace wend::test

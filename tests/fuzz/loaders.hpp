@@ -1,0 +1,108 @@
+#pragma once
+
+// The loaders that are fuzzed: each takes any bytes at all and returns what it did wrong, empty if
+// nothing. tests/fuzz/<loader>_fuzzer.cpp gives them to libFuzzer; tests/fuzz_regressions_test.cpp
+// replays the files in tests/fuzz/seeds/<loader> and tests/fuzz/regressions/<loader>.
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "checks.hpp"
+#include "fuzzed_map_yaml.hpp"
+#include "wend/io/load_path.hpp"
+#include "wend/io/path_csv.hpp"
+#include "wend/io/scenario.hpp"
+#include "wend/planner/planner_spec.hpp"
+
+namespace wend::test {
+
+inline std::string fuzz_png(std::string_view bytes) {
+  const auto image = decode_png(bytes);
+  if (image && !looks_like_png(bytes)) return "a PNG without its signature";
+  return check_image(image);
+}
+
+inline std::string fuzz_pnm(std::string_view bytes) {
+  return looks_like_pnm(bytes) ? check_image(decode_pnm(bytes)) : "";
+}
+
+inline std::string fuzz_moving_ai_map(std::string_view bytes) {
+  return check_map(parse_moving_ai_map(bytes, kFuzzedFile));
+}
+
+inline std::string fuzz_text_grid(std::string_view bytes) {
+  return check_map(parse_text_grid(bytes, kFuzzedFile));
+}
+
+inline std::string fuzz_scenario(std::string_view bytes) {
+  const auto scenario = parse_scenario(bytes, kFuzzedFile);
+  if (!scenario) return check_error(scenario.error());
+  for (const ScenarioQuery& query : scenario->queries) {
+    const bool inside = query.start.x >= 0 && query.start.y >= 0 && query.goal.x >= 0 &&
+                        query.goal.y >= 0 && query.start.x < query.map_width &&
+                        query.goal.x < query.map_width && query.start.y < query.map_height &&
+                        query.goal.y < query.map_height;
+    if (!inside) return "a query that is not on its map";
+    if (!length_matches(query, query.length)) return "a length that does not match itself";
+  }
+  const auto map = scenario_map_path(*scenario);
+  return map ? "a map in a folder that has none" : check_error(map.error());
+}
+
+/// A path that was read comes back from the CSV that wend writes of it.
+inline std::string check_path(const Expected<Path, IoError>& path) {
+  if (!path) return check_error(path.error());
+  if (path->empty()) return "a path without cells";
+  const auto again = parse_path_csv(path_csv(*path, {}), kFuzzedFile);
+  return again && *again == *path ? "" : "another path comes back";
+}
+
+inline std::string fuzz_path_csv(std::string_view bytes) {
+  return check_path(parse_path_csv(bytes, kFuzzedFile));
+}
+
+inline std::string fuzz_path_json(std::string_view bytes) {
+  return check_path(parse_path_json(bytes, kFuzzedFile));
+}
+
+inline std::string fuzz_planner_specs(std::string_view bytes) {
+  const auto specs = parse_planner_specs(bytes);
+  if (!specs) return specs.error().message().empty() ? "the error says nothing" : "";
+  if (specs->empty()) return "no planner, and no error";
+  std::string text;
+  for (const PlannerSpec& spec : *specs) text += (text.empty() ? "" : ",") + spec.text;
+  const auto again = parse_planner_specs(text);
+  return again && again->size() == specs->size() ? "" : "other planners come back";
+}
+
+struct Loader {
+  std::string_view name;
+  std::string (*fuzz)(std::string_view bytes);
+};
+
+inline constexpr std::array kLoaders{
+    Loader{"map_yaml", fuzz_map_yaml},
+    Loader{"png", fuzz_png},
+    Loader{"pnm", fuzz_pnm},
+    Loader{"moving_ai_map", fuzz_moving_ai_map},
+    Loader{"text_grid", fuzz_text_grid},
+    Loader{"scenario", fuzz_scenario},
+    Loader{"path_csv", fuzz_path_csv},
+    Loader{"path_json", fuzz_path_json},
+    Loader{"planner_specs", fuzz_planner_specs},
+};
+
+/// For LLVMFuzzerTestOneInput: ends the program if the loader did something wrong.
+inline int fuzz_or_abort(std::string (*fuzz)(std::string_view), const std::uint8_t* data,
+                         std::size_t size) {
+  const std::string wrong = fuzz({reinterpret_cast<const char*>(data), size});
+  if (wrong.empty()) return 0;
+  std::fprintf(stderr, "wend: %s\n", wrong.c_str());
+  std::abort();
+}
+
+}  // namespace wend::test
