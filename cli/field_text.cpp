@@ -3,82 +3,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "picture.hpp"
 #include "plan_text.hpp"
+#include "wend/render/text_layers.hpp"
+#include "wend/render/text_picture.hpp"
 
 namespace wend::cli {
 namespace {
 
-constexpr std::array<std::string_view, kDirections> kArrows{"↓", "↘", "→", "↗", "↑", "↖", "←", "↙"};
-
-/// What stands for a cell that has no cost.
-std::string_view mark_of(const FreeSpace& space, Cell cell) {
-  switch (space.why_blocked(cell).value_or(BlockReason::outside)) {
-    case BlockReason::obstacle:
-      return "#";
-    case BlockReason::unknown:
-      return "?";
-    case BlockReason::too_close:
-      return ":";
-    case BlockReason::outside:
-      break;
-  }
-  return "-";  // free, but no path leads to the goal
-}
-
-/// The rows of a map as it is drawn.
-std::vector<int> drawn_rows(const GridMap& map) {
-  std::vector<int> rows(static_cast<std::size_t>(map.height()));
-  std::iota(rows.begin(), rows.end(), 0);
-  if (map.frame().y_up) std::reverse(rows.begin(), rows.end());
-  return rows;
-}
-
-std::string cost_of(const CostToGo& field, const FreeSpace& space, Cell cell) {
-  const double cost = field.cost(cell);
-  if (!std::isfinite(cost)) return std::string(mark_of(space, cell));
-  return fmt::format("{:.1f}", cost);
-}
-
-std::string cost_grid(const CostToGo& field, const FreeSpace& space) {
-  std::size_t width = 1;
+/// Costs as heat, the policy as arrows.
+Scene scene_of(const CostToGo& field, const FreeSpace& space, const FieldReport& report) {
+  Scene scene{.space = space};
+  for (const Cell goal : report.goals) scene.goals.push_back(centre_of(goal));
+  scene.heatmap = {"cost to the goal", field.costs()};
+  scene.arrows.emplace(space.width(), space.height());
   for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) {
-      width = std::max(width, cost_of(field, space, {x, y}).size());
-    }
+    for (int x = 0; x < space.width(); ++x) (*scene.arrows)[{x, y}] = field.policy({x, y});
   }
-  std::string text;
-  for (const int y : drawn_rows(space.map())) {
-    for (int x = 0; x < space.width(); ++x) {
-      text += fmt::format("{}{:>{}}", x > 0 ? " " : "", cost_of(field, space, {x, y}), width);
-    }
-    text += "\n";
-  }
-  return text;
+  return scene;
 }
 
-std::string policy_grid(const CostToGo& field, const FreeSpace& space) {
-  std::string text;
-  for (const int y : drawn_rows(space.map())) {
-    for (int x = 0; x < space.width(); ++x) {
-      const Cell cell{x, y};
-      const auto move = field.policy(cell);
-      const bool goal = field.cost(cell) == 0;
-      text += move ? kArrows[static_cast<std::size_t>(*move)] : goal ? "G" : mark_of(space, cell);
-    }
-    text += "\n";
-  }
-  return text;
+/// Does a grid of cells so many columns wide fit on the screen?
+bool fits(const FreeSpace& space, int columns_a_cell, const Screen& screen) {
+  return space.width() * columns_a_cell <= std::max(screen.columns, 80);
 }
 
-bool fits(const std::string& grid, const Screen& screen) {
-  const std::size_t line = grid.find('\n');
-  return line <= static_cast<std::size_t>(std::max(screen.columns, 80));
+std::string grids(const Scene& scene, const Screen& screen) {
+  const TerminalColours colours = screen.terminal.colours;
+  std::string text;
+  if (fits(scene.space, columns_a_number(scene.heatmap->values), screen)) {
+    text += "cost to the goal\n" + text_numbers(scene, colours) + "\n";
+  }
+  text += "which way to move\n";
+  const bool wide = fits(scene.space, 2, screen);
+  text += wide ? text_arrows(scene, colours)
+               : text_picture(scene, {.colours = colours != TerminalColours::none});
+  return text + "\n";
 }
 
 std::string start_text(const FieldStart& start, bool small) {
@@ -107,11 +69,7 @@ std::string field_text(const CostToGo& field, const FreeSpace& space, const Fiel
                        const Screen& screen) {
   std::string text;
   const bool small = is_small(space.map(), screen);
-  if (small) {
-    const std::string costs = cost_grid(field, space);
-    if (fits(costs, screen)) text += "cost to the goal\n" + costs + "\n";
-    text += "which way to move\n" + policy_grid(field, space) + "\n";
-  }
+  if (small) text += grids(scene_of(field, space, report), screen);
   for (const FieldStart& start : report.starts) text += start_text(start, small);
   return text + reach_text(field, space) + work_lines(report.metrics, report.seconds);
 }

@@ -283,9 +283,10 @@ class FieldCommand : public PlanCommand {
 TEST_F(FieldCommand, ShowsCostsPolicyAndPaths) {
   const Outcome outcome = field({"--goal", "0,0", "--start", "2,2", "--start=4,0"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("0.0 1.0 2.0 3.0 4.0   #   -\n"), HasSubstr("G←←←←#-\n"),
-                                 HasSubstr("(2,2)>(1,2)>(0,2)>(0,1)>(0,0)\n"),
-                                 HasSubstr("from (4,0): cost 4, 4 steps\n")));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("0.00 1.00 2.00 3.00 4.00    #    -\n"), HasSubstr("G ← ← ← ← # .\n"),
+                    HasSubstr("(2,2)>(1,2)>(0,2)>(0,1)>(0,0)\n"),
+                    HasSubstr("from (4,0): cost 4, 4 steps\n")));
 }
 
 TEST_F(FieldCommand, HasJsonWithTheGridWhenAsked) {

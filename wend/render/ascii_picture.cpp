@@ -25,6 +25,19 @@ struct Block {
   }
 };
 
+struct Mean {
+  double sum = 0;
+  int count = 0;
+
+  void add(double share) {
+    sum += share;
+    ++count;
+  }
+  char digit() const {
+    return static_cast<char>('0' + std::min(9, static_cast<int>(10 * sum / count)));
+  }
+};
+
 /// A character covers `size` columns and 2 `size` rows of cells.
 class AsciiCanvas {
  public:
@@ -39,6 +52,26 @@ class AsciiCanvas {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         characters_[{column, row}] = block(column, row).character(size_);
+      }
+    }
+  }
+
+  /// Digits for the mean heat of a block: 0 the least, 9 the greatest. Walls stay.
+  void draw_heat(const Heatmap& heatmap) {
+    const auto range = range_of(heatmap);
+    if (!range) return;
+    Grid<Mean> means(columns_, rows_);
+    for (int y = 0; y < space_.height(); ++y) {
+      for (int x = 0; x < space_.width(); ++x) {
+        const double value = heatmap.values[{x, y}];
+        if (std::isfinite(value)) means[*block_at(centre_of(Cell{x, y}))].add(range->share(value));
+      }
+    }
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        char& character = characters_[{column, row}];
+        const Mean& mean = means[{column, row}];
+        if (mean.count > 0 && character != '#') character = mean.digit();
       }
     }
   }
@@ -133,6 +166,7 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
                                 static_cast<double>(space.height()) / std::max(1, rows) / 2});
   AsciiCanvas canvas(space, size);
   canvas.draw_map();
+  if (scene.heatmap) canvas.draw_heat(*scene.heatmap);
   canvas.draw_roles(scene);
   const auto cells = scene.path.cells();
   for (std::size_t i = 1; i < cells.size(); ++i) {

@@ -7,6 +7,7 @@
 //   ?  mostly unknown                                    G  goal
 //   :  mostly too close for the robot                    o  path
 //   .  free                                              !  the narrowest place
+//   0-9  heat, from the least to the greatest value
 //   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's, goal's region
 
 #include <string>

@@ -40,7 +40,7 @@ CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), 
 }
 
 std::optional<Colour> CellPaints::heat(Cell cell) const {
-  if (!range_) return std::nullopt;
+  if (!range_ || scene_.space.map().state(cell) == CellState::occupied) return std::nullopt;
   const double value = scene_.heatmap->values[cell];
   if (!std::isfinite(value)) return std::nullopt;
   return style_.heat(range_->share(value));

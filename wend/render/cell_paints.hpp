@@ -27,9 +27,10 @@ class CellPaints {
 
   Paint operator[](Cell cell) const;
 
- private:
+  /// The colour of a cell's value in the heatmap, where it has a finite one and is no obstacle.
   std::optional<Colour> heat(Cell cell) const;
 
+ private:
   const Scene& scene_;
   const Style& style_;
   std::optional<HeatRange> range_;  // of the heatmap, where it has a finite value

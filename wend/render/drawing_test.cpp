@@ -1,6 +1,7 @@
 #include "wend/render/drawing.hpp"
 
 #include <cairo/cairo.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -173,6 +174,113 @@ TEST(Drawing, DrawsSmallMapsAsRectanglesInASvg) {
     EXPECT_TRUE(contains(svg, colour)) << colour << " of path, start, goal, obstacle or unknown";
   }
   EXPECT_LT(svg.size(), 30000U);
+}
+
+/// A room of 10 x 6 cells with costs and moves to its left.
+Scene field() {
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(10, 6)))};
+  scene.heatmap = {"cost to the goal", Grid<double>(10, 6)};
+  scene.arrows.emplace(10, 6, Direction::left);
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 10; ++x) scene.heatmap->values[{x, y}] = 1000 * x;
+  }
+  return scene;
+}
+
+TEST(Drawing, ExplainsEverythingOnAsManyLinesAsItTakes) {
+  Scene scene = field();
+  const int one_line = png_of({.space = scene.space}).height();
+  scene.heatmap->title = "number of times that each of the cells was reached";
+  scene.start = centre_of({1, 1});
+  scene.goals = {centre_of({8, 1})};
+  scene.narrowest = centre_of({4, 4});
+  BitGrid some(10, 6);
+  some.set({3, 3}, true);
+  for (int role = 0; role < kCellRoles; ++role) {
+    scene.marked.push_back({static_cast<CellRole>(role), some});
+  }
+  const Picture picture = png_of(scene);
+  EXPECT_GT(picture.height(), one_line + 33) << "more than one line";
+  EXPECT_LT(picture.height(), one_line + 200);
+}
+
+TEST(Drawing, WritesNumbersOnlyIntoCellsThatAreLargeEnough) {
+  const Scene large = field();
+  Scene plain = large;
+  plain.arrows.reset();
+  const Picture numbered = png_of(plain);
+  const MapView view = picture_layout(large.space.map()).view;
+  ASSERT_GE(view.scale(), 30);
+  const auto inked = [&](const Picture& picture, Cell cell) {
+    int pixels = 0;
+    const std::uint32_t corner = pixel_at(picture, large, {cell.x + 0.1, cell.y + 0.1});
+    for (double dy = 0.1; dy < 0.9; dy += 0.02) {
+      for (double dx = 0.1; dx < 0.9; dx += 0.02) {
+        pixels += pixel_at(picture, large, {cell.x + dx, cell.y + dy}) != corner;
+      }
+    }
+    return pixels;
+  };
+  EXPECT_GT(inked(numbered, {5, 2}), inked(numbered, {0, 2})) << "5000 has more digits than 0";
+  EXPECT_GT(inked(numbered, {0, 2}), 10);
+
+  Scene small{.space = FreeSpace(GridMap(Grid<CellState>(60, 60)))};
+  small.heatmap = {"cost", Grid<double>(60, 60, 1.0)};
+  const Picture picture = png_of(small);
+  for (double x = 0.1; x < 60; x += 0.21) {
+    const std::uint32_t pixel = pixel_at(picture, small, {x, 30.5});
+    EXPECT_GT(pixel & 0xFFU, 0x90U) << "heat and grid lines alone, at " << x;
+  }
+}
+
+TEST(Drawing, SharesArrowsAmongCellsThatAreTooSmallForOneEach) {
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(400, 400)))};
+  scene.arrows.emplace(400, 400, Direction::right);
+  const Picture picture = png_of(scene);
+  int arrows = 0;  // along a row of middle cells, by their shafts
+  bool before = false;
+  for (double x = 0; x < 400; x += 0.25) {
+    const bool ink = pixel_at(picture, scene, {x, 2.5}) != kFree;
+    arrows += ink && !before;
+    before = ink;
+  }
+  EXPECT_EQ(arrows, 80) << "15 pixels are five cells";
+}
+
+TEST(Drawing, WritesAPdfOfOnePageOfThePicturesSize) {
+  const Scene scene = field();
+  const auto pdf = draw_pdf(scene);
+  ASSERT_TRUE(pdf);
+  const auto again = draw_pdf(scene);
+  EXPECT_EQ(*pdf, *again);
+  EXPECT_TRUE(pdf->starts_with("%PDF-1."));
+  EXPECT_TRUE(pdf->ends_with("%%EOF\n"));
+  const Picture png = png_of(scene);
+  EXPECT_TRUE(contains(
+      *pdf, fmt::format("/MediaBox [ 0 0 {:g} {:g} ]", png.width() * 0.75, png.height() * 0.75)));
+}
+
+TEST(Drawing, GivesPixelsForAnimations) {
+  Scene scene{.space = FreeSpace(map_of({"#..", "..?"}))};
+  const auto pixels = draw_pixels(scene, 100, 100);
+  EXPECT_EQ(pixels.width(), 99);
+  EXPECT_EQ(pixels.height(), 66);
+  EXPECT_EQ((pixels[{3, 3}]), kOccupied);
+  EXPECT_EQ((pixels[{96, 63}]), kUnknown);
+  EXPECT_EQ((pixels[{50, 16}]), kFree);
+  scene.start = centre_of({1, 0});
+  const auto explained = draw_pixels(scene, 300, 200, {}, PixelLegend::below);
+  EXPECT_EQ(explained.width(), 300);
+  EXPECT_LE(explained.height(), 200);
+  EXPECT_EQ((explained[{explained.width() - 1, explained.height() - 1}]), 0xFFFFFFU);
+}
+
+TEST(Drawing, ShrinksMapsToPixels) {
+  const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(3000, 1000)))};
+  const auto pixels = draw_pixels(scene, 600, 500);
+  EXPECT_EQ(pixels.width(), 600);
+  EXPECT_EQ(pixels.height(), 200);
+  EXPECT_EQ((draw_pixels(scene, 0, -5).size()), 1U);
 }
 
 TEST(Drawing, EmbedsManySpecksAsAnImageInASvg) {

@@ -1,147 +1,158 @@
 #include "wend/render/footer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "wend/render/cell_paints.hpp"
-#include "wend/render/label_font.hpp"
+#include "wend/render/arrows.hpp"
+#include "wend/render/labels.hpp"
 #include "wend/render/marks.hpp"
-#include "wend/render/scale_bar.hpp"
+#include "wend/render/number_text.hpp"
 
 namespace wend {
 namespace {
 
 constexpr double kFontSize = 17;
-constexpr double kSwatch = 9;    // half a swatch's side, pixels
-constexpr double kGap = 8;       // between a swatch and its label
-constexpr double kItemGap = 26;  // between items
-constexpr double kLongestBar = 200;
+constexpr double kBaseline = 0.35 * kFontSize;  // below the middle of a line
+constexpr double kSwatch = 9;                   // half a swatch's side, pixels
+constexpr double kGap = 8;                      // between a swatch and its label
+constexpr double kItemGap = 26;                 // between items
+constexpr double kHeatBar = 130;                // long
+constexpr double kSlack = 4;  // a font is not exactly as wide on every kind of surface
 constexpr MarkSizes kMarkSizes{.line = 4, .halo = 1.5, .mark = 8};
 
-enum class Shape { start, goal, line, square };
-
-struct Item {
-  Shape shape;
-  Colour colour;
-  std::string_view label;
-};
-
-/// Some cells that are no obstacles may not be entered.
-bool has_too_close_cells(const FreeSpace& space) {
-  return space.passable().count() + space.obstacles().count() < space.map().size();
+double heat_width(cairo_t* context, const LegendItem& item) {
+  return kHeatBar + 2 * kGap + text_width(context, short_number(item.range.least)) +
+         text_width(context, short_number(item.range.greatest));
 }
 
-std::vector<Item> items_of(const Scene& scene, const Style& style) {
-  std::vector<Item> items;
-  if (scene.start) items.push_back({Shape::start, style.start, "start"});
-  if (!scene.goals.empty()) items.push_back({Shape::goal, style.goal, "goal"});
-  if (scene.path.size() > 1) items.push_back({Shape::line, style.path, "path"});
-  for (const CellRole role : roles_in(scene)) {
-    items.push_back({Shape::square, style.of(role), describe(role)});
+double width_of(cairo_t* context, const LegendItem& item) {
+  const double swatch =
+      item.swatch == Swatch::heat ? heat_width(context, item) + kGap : 2 * kSwatch;
+  return swatch + kGap + text_width(context, item.label);
+}
+
+void outline(cairo_t* context, const Style& style) {
+  set_source(context, style.ink, 0.5);
+  cairo_set_line_width(context, 1);
+  cairo_stroke(context);
+}
+
+/// Title, least value, bar, greatest value.
+void draw_heat(cairo_t* context, Point left, const LegendItem& item, const Style& style) {
+  const auto write = [&](std::string_view text, double gap) {
+    draw_text(context, {left.x, left.y + kBaseline}, text, style.ink);
+    left.x += text_width(context, text) + gap;
+  };
+  write(item.label, 2 * kGap);
+  write(short_number(item.range.least), kGap);
+  left.x = std::round(left.x);
+  cairo_pattern_t* const colours = cairo_pattern_create_linear(left.x, 0, left.x + kHeatBar, 0);
+  for (std::size_t i = 0; i < style.heat_colours.size(); ++i) {
+    const double share =
+        static_cast<double>(i) / static_cast<double>(style.heat_colours.size() - 1);
+    const Colour colour = style.heat(share);
+    cairo_pattern_add_color_stop_rgb(colours, share, colour.red, colour.green, colour.blue);
   }
-  if (has_too_close_cells(scene.space)) {
-    items.push_back({Shape::square, style.too_close, "too close"});
-  }
-  if (!scene.space.uniform_terrain()) {
-    const Colour rough = mixed(style.slightly_rough, style.very_rough, roughness(3));
-    items.push_back({Shape::square, rough, "rough"});
-  }
-  if (scene.space.map().unknown().count() > 0) {
-    items.push_back({Shape::square, style.unknown, "unknown"});
-  }
-  return items;
+  cairo_rectangle(context, left.x, left.y - kSwatch, kHeatBar, 2 * kSwatch);
+  cairo_set_source(context, colours);
+  cairo_fill_preserve(context);
+  cairo_pattern_destroy(colours);
+  outline(context, style);
+  left.x += kHeatBar + kGap;
+  write(short_number(item.range.greatest), 0);
 }
 
-double text_width(cairo_t* context, std::string_view text) {
-  cairo_text_extents_t extents;
-  cairo_text_extents(context, std::string(text).c_str(), &extents);
-  return extents.x_advance;
-}
-
-double width_of(cairo_t* context, const Item& item) {
-  return 2 * kSwatch + kGap + text_width(context, item.label);
-}
-
-void draw_text(cairo_t* context, Point baseline, std::string_view text, const Style& style) {
-  set_source(context, style.ink);
-  cairo_move_to(context, baseline.x, baseline.y);
-  cairo_show_text(context, std::string(text).c_str());
-}
-
-void draw_swatch(cairo_t* context, Point centre, const Item& item, const Style& style) {
-  switch (item.shape) {
-    case Shape::start:
+void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const Style& style) {
+  switch (item.swatch) {
+    case Swatch::heat:
+      return;  // draw_heat() draws it
+    case Swatch::start:
       return draw_start_mark(context, centre, kMarkSizes, style);
-    case Shape::goal:
+    case Swatch::goal:
       return draw_goal_mark(context, centre, kMarkSizes, style);
-    case Shape::line:
+    case Swatch::narrowest:
+      return draw_narrowest_mark(context, centre,
+                                 {.line = 3, .halo = 1, .mark = kSwatch / kNarrowestReach}, style);
+    case Swatch::path:
       set_source(context, item.colour);
       cairo_set_line_width(context, kMarkSizes.line);
       cairo_move_to(context, centre.x - kSwatch, centre.y);
       cairo_line_to(context, centre.x + kSwatch, centre.y);
       return cairo_stroke(context);
-    case Shape::square:
+    case Swatch::arrow:
+      return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
+    case Swatch::cell:
       cairo_rectangle(context, centre.x - kSwatch, centre.y - kSwatch, 2 * kSwatch, 2 * kSwatch);
       set_source(context, item.colour);
       cairo_fill_preserve(context);
-      set_source(context, style.ink, 0.5);
-      cairo_set_line_width(context, 1);
-      return cairo_stroke(context);
+      return outline(context, style);
   }
 }
 
-/// From the right; the last items are left out where there is no room.
-void draw_legend(cairo_t* context, std::vector<Item> items, Point right, double room,
-                 const Style& style) {
-  double width = -kItemGap;
-  for (const Item& item : items) width += width_of(context, item) + kItemGap;
-  while (!items.empty() && width > room) {
-    width -= width_of(context, items.back()) + kItemGap;
-    items.pop_back();
-  }
-  double x = right.x - width;
-  for (const Item& item : items) {
-    draw_swatch(context, {std::round(x + kSwatch), right.y}, item, style);
-    draw_text(context, {x + 2 * kSwatch + kGap, right.y + 0.35 * kFontSize}, item.label, style);
-    x += width_of(context, item) + kItemGap;
-  }
+void draw_item(cairo_t* context, Point left, const LegendItem& item, const Style& style) {
+  if (item.swatch == Swatch::heat) return draw_heat(context, left, item, style);
+  draw_swatch(context, {std::round(left.x + kSwatch), left.y}, item, style);
+  draw_text(context, {left.x + 2 * kSwatch + kGap, left.y + kBaseline}, item.label, style.ink);
 }
 
-/// Returns how wide it is with its label.
-double draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const Style& style) {
+void draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const Style& style) {
   constexpr double kTick = 6;
   set_source(context, style.ink);
   cairo_set_line_width(context, 2);
-  cairo_move_to(context, left.x + 1, left.y - kTick);
-  cairo_line_to(context, left.x + 1, left.y + kTick);
+  cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
+  for (const double x : {left.x + 1, left.x + bar.pixels - 1}) {
+    cairo_move_to(context, x, left.y - kTick);
+    cairo_line_to(context, x, left.y + kTick);
+  }
   cairo_move_to(context, left.x + 1, left.y);
   cairo_line_to(context, left.x + bar.pixels - 1, left.y);
-  cairo_move_to(context, left.x + bar.pixels - 1, left.y - kTick);
-  cairo_line_to(context, left.x + bar.pixels - 1, left.y + kTick);
   cairo_stroke(context);
-  draw_text(context, {left.x + bar.pixels + kGap, left.y + 0.35 * kFontSize}, bar.label, style);
-  return bar.pixels + kGap + text_width(context, bar.label);
+  draw_text(context, {left.x + bar.pixels + kGap, left.y + kBaseline}, bar.label, style.ink);
+}
+
+double width_of_row(cairo_t* context, const std::vector<LegendItem>& row) {
+  double width = row.empty() ? 0 : -kItemGap;
+  for (const LegendItem& item : row) width += width_of(context, item) + kItemGap;
+  return width;
 }
 
 }  // namespace
 
-void draw_footer(cairo_t* context, const Scene& scene, const PictureLayout& layout,
-                 const Style& style) {
-  select_label_font(context, kFontSize);
-  constexpr double kLeft = PictureLayout::kMargin;
-  const double right = layout.width - PictureLayout::kMargin;
-  const double middle = layout.view.top + layout.view.height +
-                        (PictureLayout::kMargin + PictureLayout::kFooter) / 2.0;
-  const ScaleBar bar = scale_bar(scene.space.map().frame(), layout.view.scale(), kLongestBar);
-  double used = 0;
-  if (bar.pixels < layout.width / 2.0) {  // a map of one cell needs none
-    used = draw_scale_bar(context, bar, {kLeft, middle}, style);
+Footer::Footer(std::vector<LegendItem> legend, std::optional<ScaleBar> bar, double width)
+    : bar_(std::move(bar)), rows_(1), width_(width) {
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
+  const CairoContext context(cairo_create(surface.get()));
+  select_label_font(context.get(), kFontSize);
+  double room = width - kSlack;
+  if (bar_) room -= bar_->pixels + kGap + text_width(context.get(), bar_->label) + 2 * kItemGap;
+  for (LegendItem& item : legend) {
+    const double label = text_width(context.get(), item.label);
+    const double rest = width_of(context.get(), item) - label;
+    item.label = shortened(context.get(), item.label, width - kSlack - rest);
+    rows_.back().push_back(std::move(item));
+    if (width_of_row(context.get(), rows_.back()) <= room) continue;
+    if (rows_.size() > 1 && rows_.back().size() == 1) continue;  // it is as short as it gets
+    LegendItem last = std::move(rows_.back().back());
+    rows_.back().pop_back();
+    rows_.push_back({std::move(last)});
+    room = width - kSlack;
   }
-  draw_legend(context, items_of(scene, style), {right, middle}, right - kLeft - used - 2 * kItemGap,
-              style);
+}
+
+void Footer::draw(cairo_t* context, Point left, const Style& style) const {
+  select_label_font(context, kFontSize);
+  if (bar_) draw_scale_bar(context, *bar_, left, style);
+  double y = left.y;
+  for (const auto& row : rows_) {
+    double x = left.x + width_ - width_of_row(context, row);
+    for (const LegendItem& item : row) {
+      draw_item(context, {x, y}, item, style);
+      x += width_of(context, item) + kItemGap;
+    }
+    y += kLine;
+  }
 }
 
 }  // namespace wend

@@ -86,7 +86,7 @@ void trace(cairo_t* context, const std::vector<Point>& bends, double scale) {
   cairo_line_to(context, bends.back().x, bends.back().y);
 }
 
-void draw_path(cairo_t* context, const Path& path, const MapView& view, const MarkSizes& sizes,
+void draw_line(cairo_t* context, const Path& path, const MapView& view, const MarkSizes& sizes,
                const Style& style) {
   const std::vector<Point> bends = bends_of(path, view);
   if (bends.size() < 2) return;
@@ -158,7 +158,7 @@ void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
   if (sizes.mark < kLeastRound) return frame_square(context, centre, sizes.mark, style.narrowest);
   const double line = 0.4 * sizes.mark;
   const double radius = 1.3 * sizes.mark;
-  const double tick = 0.8 * sizes.mark;
+  const double tick = kNarrowestReach * sizes.mark - radius - line / 2;
   circle(context, centre, radius);
   for (int i = 0; i < 4; ++i) {
     const double across = i == 0 ? 1 : i == 2 ? -1 : 0;
@@ -175,8 +175,8 @@ void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
   cairo_stroke(context);
 }
 
-void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
-                const Style& style) {
+void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
+               const Style& style) {
   cairo_save(context);
   cairo_rectangle(context, view.left, view.top, view.width, view.height);
   cairo_clip(context);
@@ -184,9 +184,12 @@ void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const
     draw_robot(context, view.to_picture(*scene.start), scene.space.radius_in_cells() * view.scale(),
                sizes, style);
   }
-  if (!scene.path.empty()) draw_path(context, scene.path, view, sizes, style);
+  if (!scene.path.empty()) draw_line(context, scene.path, view, sizes, style);
   cairo_restore(context);
+}
 
+void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
+                const Style& style) {
   for (const Point goal : scene.goals) {
     if (on_map(scene, goal)) draw_goal_mark(context, view.to_picture(goal), sizes, style);
   }

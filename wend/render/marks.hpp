@@ -16,14 +16,23 @@ struct MarkSizes {
   double mark = 8;    // radius of start and goal
 };
 
+/// How far the mark of the narrowest place reaches, in radii of the other marks.
+inline constexpr double kNarrowestReach = 2.3;
+
 /// Sizes for a picture with so many pixels a cell.
 MarkSizes mark_sizes(double scale);
 
 void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
 void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
+/// A ring with four ticks.
 void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style);
 
+/// The path, and the robot to scale at its start.
+void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
+               const Style& style);
+
+/// Start, goals and the narrowest place.
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wend/render/footer.hpp"
+
 namespace wend {
 namespace {
 
@@ -23,6 +25,28 @@ int scaled(int cells, double scale) {
 }
 
 }  // namespace
+
+MapView fitted_view(const GridMap& map, int most_width, int most_height, double crisp_from) {
+  double scale = std::min(static_cast<double>(most_width) / map.width(),
+                          static_cast<double>(most_height) / map.height());
+  if (scale >= crisp_from) scale = std::floor(scale);
+  const auto scaled = [scale](int cells, int most) {
+    return std::clamp(static_cast<int>(std::lround(cells * scale)), 1, most);
+  };
+  return {.left = 0,
+          .top = 0,
+          .width = scaled(map.width(), most_width),
+          .height = scaled(map.height(), most_height),
+          .columns = map.width(),
+          .rows = map.height(),
+          .y_up = map.frame().y_up};
+}
+
+Point PictureLayout::footer() const {
+  return {kMargin, view.top + view.height + (kMargin + kFooter) / 2.0};
+}
+
+void PictureLayout::add_footer_lines(int lines) { height += lines * Footer::kLine; }
 
 PictureLayout picture_layout(const GridMap& map) {
   const double scale = scale_of(std::max(map.width(), map.height()));

@@ -22,6 +22,7 @@ Style dark() {
           .goal_region = colour_from(0x80421A),
           .heat_colours = {colour_from(0x2B2A55), colour_from(0x4F3A86), colour_from(0x86489A),
                            colour_from(0xC0608F), colour_from(0xE08C7A)},
+          .arrows = colour_from(0xE4E7EC),
           .path = colour_from(0x62BDF5),
           .start = colour_from(0x2FD6A3),
           .goal = colour_from(0xFF8B45),
@@ -48,6 +49,7 @@ Style print() {
           .goal_region = colour_from(0x939393),
           .heat_colours = {colour_from(0xE8E8E8), colour_from(0xC0C0C0), colour_from(0x989898),
                            colour_from(0x747474), colour_from(0x525252)},
+          .arrows = kBlack,
           .path = kBlack,
           .start = kBlack,
           .goal = kBlack,
@@ -64,6 +66,11 @@ std::uint32_t rgb_of(const Colour& colour) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255));
   };
   return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
+}
+
+Colour readable_on(const Colour& colour) {
+  const double luma = 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue;
+  return colour_from(luma > 0.5 ? 0x000000 : 0xFFFFFF);
 }
 
 Colour Style::heat(double share) const {

@@ -40,6 +40,9 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
           a.blue + share * (b.blue - a.blue)};
 }
 
+/// Black or white: what is better to read on that colour.
+Colour readable_on(const Colour& colour);
+
 /// The light style, unless changed.
 struct Style {
   // Cells.
@@ -64,6 +67,7 @@ struct Style {
                                      colour_from(0xB0559A)};
 
   // Marks.
+  Colour arrows = colour_from(0x3C4047);
   Colour path = colour_from(0x0072B2);
   Colour start = colour_from(0x009E73);
   Colour goal = colour_from(0xD55E00);

@@ -7,11 +7,13 @@
 #include <memory>
 #include <string_view>
 
+#include "wend/render/arrows.hpp"
 #include "wend/render/ascii_picture.hpp"
 #include "wend/render/cairo_objects.hpp"
 #include "wend/render/cell_paints.hpp"
 #include "wend/render/map_image.hpp"
 #include "wend/render/marks.hpp"
+#include "wend/render/picture_layout.hpp"
 
 namespace wend {
 namespace {
@@ -74,23 +76,6 @@ CharacterSize character_size(const Terminal& terminal) {
           std::clamp(terminal.cell_height, 1, kMostPixels)};
 }
 
-/// The map as large as fits; from that many pixels a cell on, in whole pixels.
-MapView fitted_view(const GridMap& map, int most_width, int most_height, double crisp_from) {
-  double scale = std::min(static_cast<double>(most_width) / map.width(),
-                          static_cast<double>(most_height) / map.height());
-  if (scale >= crisp_from) scale = std::floor(scale);
-  const auto scaled = [scale](int cells, int most) {
-    return std::clamp(static_cast<int>(std::lround(cells * scale)), 1, most);
-  };
-  return {.left = 0,
-          .top = 0,
-          .width = scaled(map.width(), most_width),
-          .height = scaled(map.height(), most_height),
-          .columns = map.width(),
-          .rows = map.height(),
-          .y_up = map.frame().y_up};
-}
-
 /// The scene on an image of `width` x `height` pixels; what the map does not cover is transparent.
 CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int height,
                          const MarkSizes& sizes, const Style& style) {
@@ -102,6 +87,10 @@ CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int
       image_of(map_image(CellPaints(scene, style), view.width, view.height, view.y_up));
   cairo_set_source_surface(context.get(), map.get(), view.left, view.top);
   cairo_paint(context.get());
+  if (scene.arrows && sizes.halo > 0) {  // half blocks have no room for arrows
+    draw_arrows(context.get(), *scene.arrows, view, false, style);
+  }
+  draw_path(context.get(), scene, view, sizes, style);
   draw_marks(context.get(), scene, view, sizes, style);
   cairo_surface_flush(surface.get());
   return surface;
@@ -119,16 +108,6 @@ CairoSurface enlarged(cairo_surface_t* image, int across, int down) {
   cairo_paint(context.get());
   cairo_surface_flush(surface.get());
   return surface;
-}
-
-/// With sixteen colours the marks take the pure ones, or they would all come out as one.
-Style suited(Style style, TerminalColours colours) {
-  if (colours == TerminalColours::sixteen) {
-    style.path = colour_from(0x0000FF);
-    style.start = colour_from(0x00A000);
-    style.goal = colour_from(0xE00000);
-  }
-  return style;
 }
 
 ChafaCanvasMode canvas_mode(const Terminal& terminal) {
@@ -201,6 +180,15 @@ Terminal detect_terminal(const char* const* environment) {
   terminal.graphics = graphics_of(info.get());
   terminal.colours = colours_of(info.get());
   return terminal;
+}
+
+Style suited(Style style, TerminalColours colours) {
+  if (colours == TerminalColours::sixteen) {
+    style.path = colour_from(0x0000FF);
+    style.start = colour_from(0x00A000);
+    style.goal = colour_from(0xE00000);
+  }
+  return style;
 }
 
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,

@@ -35,4 +35,14 @@ Terminal detect_terminal(const char* const* environment);
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
                              const Style& style = {});
 
+/// The style as terminal_picture() draws it: with sixteen colours the marks take the pure ones, or
+/// they would all come out as one.
+Style suited(Style style, TerminalColours colours);
+
+/// Lines for below that picture: what its colours mean, with the heatmap's title, its least and its
+/// greatest value; in ASCII, what its characters mean. No longer than `columns`, unless one entry
+/// is. Empty where there is nothing to explain.
+std::string terminal_legend(const Scene& scene, int columns, const Terminal& terminal,
+                            const Style& style = {});
+
 }  // namespace wend

@@ -111,6 +111,38 @@ TEST(TerminalPicture, SpeaksSixelAndKitty) {
   EXPECT_TRUE(kitty.ends_with("\x1b\\\n"));
 }
 
+TEST(TerminalPicture, ShowsHeatAsDigitsInAscii) {
+  Scene scene{.space = FreeSpace(map_of({"...#", "...#"}))};
+  scene.heatmap = {"cost", Grid<double>(4, 2)};
+  for (int y = 0; y < 2; ++y) {
+    scene.heatmap->values[{1, y}] = 55;
+    scene.heatmap->values[{2, y}] = 100;
+    scene.heatmap->values[{3, y}] = 100;  // a wall
+  }
+  EXPECT_EQ(terminal_picture(scene, 4, 1, {}), "059#\n");
+  EXPECT_EQ(terminal_legend(scene, 80, {}), "0-9 cost, 0 to 100\n");
+}
+
+TEST(TerminalLegend, ExplainsTheColoursOfThePicture) {
+  Scene scene = room();
+  scene.path = {};
+  scene.heatmap = {"order of expansion", Grid<double>(40, 20, 7.0)};
+  scene.heatmap->values[{3, 3}] = 8321;
+  const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};
+  const std::string legend = terminal_legend(scene, 200, terminal);
+  EXPECT_TRUE(legend.starts_with("order of expansion  7 \x1b[48;2;255;243;191m "));
+  EXPECT_NE(legend.find("\x1b[48;2;176;85;154m \x1b[0m 8321"), std::string::npos);
+  EXPECT_NE(legend.find("\x1b[48;2;0;158;115m  \x1b[0m start"), std::string::npos);
+  EXPECT_NE(legend.find("\x1b[48;2;198;201;206m  \x1b[0m unknown"), std::string::npos);
+  EXPECT_EQ(legend.find("path"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(legend, '\n'), 1);
+  EXPECT_EQ(std::ranges::count(terminal_legend(scene, 60, terminal), '\n'), 2);
+}
+
+TEST(TerminalLegend, IsEmptyWhereThereIsNothingToExplain) {
+  EXPECT_EQ(terminal_legend({.space = FreeSpace(map_of({".#"}))}, 80, {}), "");
+}
+
 RC_GTEST_PROP(TerminalPicture, StaysWithinColumnsAndRows, ()) {
   const int width = *rc::gen::inRange(1, 300);
   const int height = *rc::gen::inRange(1, 300);

@@ -1,5 +1,6 @@
 #include "wend/render/text_glyphs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,10 +33,10 @@ Glyph glyph_of(const FreeSpace& space, Cell cell) {
   return glyph_of_terrain(space.terrain(cell));
 }
 
-Glyph arrow(Direction direction) {
+Glyph arrow(Direction direction, Meaning meaning) {
   static constexpr std::array<std::string_view, kDirections> kArrows{"↓", "↘", "→", "↗",
                                                                      "↑", "↖", "←", "↙"};
-  return {kArrows[static_cast<std::size_t>(direction)], Meaning::path};
+  return {kArrows[static_cast<std::size_t>(direction)], meaning};
 }
 
 Glyph glyph_of(CellRole role) {
@@ -54,6 +55,11 @@ Glyph glyph_of(CellRole role) {
   return {};
 }
 
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
 Direction drawn_direction(Cell from, Cell to, bool y_up) {
   const double right = static_cast<double>(to.x) - from.x;
   const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
@@ -67,6 +73,17 @@ std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
     return std::nullopt;
   }
   return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+}
+
+void put_arrows(const Scene& scene, Grid<Glyph>& glyphs) {
+  if (!scene.arrows) return;
+  for (int y = 0; y < glyphs.height(); ++y) {
+    for (int x = 0; x < glyphs.width(); ++x) {
+      Glyph& glyph = glyphs[{x, y}];
+      const auto direction = (*scene.arrows)[{x, y}];
+      if (direction && glyph.meaning != Meaning::obstacle) glyph = arrow(*direction, Meaning::move);
+    }
+  }
 }
 
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {

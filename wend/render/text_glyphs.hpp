@@ -24,12 +24,13 @@ enum class Meaning : unsigned char {
   current,
   start_region,
   goal_region,
+  move,
   path,
   narrowest,
   start,
   goal,
 };
-inline constexpr int kMeanings = 14;
+inline constexpr int kMeanings = 15;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8
@@ -39,7 +40,10 @@ struct Glyph {
 /// What the map and the robot make of a cell.
 Glyph glyph_of(const FreeSpace& space, Cell cell);
 
-Glyph arrow(Direction direction);
+Glyph arrow(Direction direction, Meaning meaning);
+
+/// Characters, not bytes, of UTF-8.
+std::size_t characters(std::string_view text);
 
 Glyph glyph_of(CellRole role);
 
@@ -48,6 +52,9 @@ Direction drawn_direction(Cell from, Cell to, bool y_up);
 
 /// The cell that a point in grid coordinates lies in, if it is one of the map.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);
+
+/// Writes the scene's arrows over what is there, except over obstacles.
+void put_arrows(const Scene& scene, Grid<Glyph>& glyphs);
 
 /// Writes S, G and ! (the narrowest place) over what is there.
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs);

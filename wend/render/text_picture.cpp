@@ -27,6 +27,7 @@ constexpr std::array<LegendEntry, kMeanings> kLegend{{
     {Meaning::expanded, "* expanded"},
     {Meaning::start_region, "s start's region"},
     {Meaning::goal_region, "g goal's region"},
+    {Meaning::move, "→ way to move"},
     {Meaning::obstacle, "# obstacle"},
     {Meaning::too_close, ": too close for the robot"},
     {Meaning::unknown, "? unknown"},
@@ -60,6 +61,8 @@ constexpr std::string_view ansi_of(Meaning meaning) {
       return "\x1b[32m";
     case Meaning::goal_region:
       return "\x1b[31m";
+    case Meaning::move:
+      return "\x1b[34m";
     case Meaning::path:
       return "\x1b[1;34m";
     case Meaning::start:
@@ -86,7 +89,7 @@ void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
   const bool y_up = scene.space.map().frame().y_up;
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
     if (!glyphs.contains(cells[i]) || cells[i] == cells[i + 1]) continue;
-    glyphs[cells[i]] = arrow(drawn_direction(cells[i], cells[i + 1], y_up));
+    glyphs[cells[i]] = arrow(drawn_direction(cells[i], cells[i + 1], y_up), Meaning::path);
   }
 }
 
@@ -126,6 +129,7 @@ void append_legend(std::string& text, const Grid<Glyph>& glyphs, bool colours) {
 std::string text_picture(const Scene& scene, const TextStyle& style) {
   Grid<Glyph> glyphs = glyphs_of(scene.space);
   put_roles(scene, glyphs);
+  put_arrows(scene, glyphs);
   put_path(scene, glyphs);
   put_marks(scene, glyphs);
 

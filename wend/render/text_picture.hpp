@@ -9,6 +9,8 @@
 //   *  expanded     +  frontier     @  being expanded     s  start's region     g  goal's region
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
 //
+// A scene's arrows are shown too, its heatmap is not: see text_numbers() in text_layers.hpp.
+//
 // UTF-8, '\n' after every row. O(cells).
 
 #include <string>

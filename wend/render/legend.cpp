@@ -1,0 +1,67 @@
+#include "wend/render/legend.hpp"
+
+#include <algorithm>
+
+#include "wend/render/cell_paints.hpp"
+#include "wend/render/text_glyphs.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kTypicallyRough = 3;  // the multiplier whose colour the legend shows
+
+/// Some cells that are no obstacles may not be entered.
+bool has_too_close_cells(const FreeSpace& space) {
+  return space.passable().count() + space.obstacles().count() < space.map().size();
+}
+
+bool has_arrows(const Scene& scene) {
+  return scene.arrows && std::ranges::any_of(scene.arrows->values(),
+                                             [](const auto& arrow) { return arrow.has_value(); });
+}
+
+void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
+  const auto add = [&](bool wanted, Swatch swatch, const Colour& colour, const char* label,
+                       char character) {
+    if (wanted) items.push_back({swatch, colour, label, {}, character});
+  };
+  add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
+  add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
+  add(scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
+  add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
+}
+
+void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
+  const auto add = [&](const Colour& colour, const char* label, char character) {
+    items.push_back({Swatch::cell, colour, label, {}, character});
+  };
+  if (has_too_close_cells(scene.space)) add(style.too_close, "too close", ':');
+  if (!scene.space.uniform_terrain()) {
+    add(mixed(style.slightly_rough, style.very_rough, roughness(kTypicallyRough)), "rough", ' ');
+  }
+  if (scene.space.map().unknown().count() > 0) add(style.unknown, "unknown", '?');
+}
+
+}  // namespace
+
+std::vector<LegendItem> legend_of(const Scene& scene, const Style& style) {
+  std::vector<LegendItem> items;
+  if (scene.heatmap) {
+    if (const auto range = range_of(*scene.heatmap)) {
+      items.push_back({Swatch::heat, style.heat(1), scene.heatmap->title, *range});
+    }
+  }
+  add_marks(scene, style, items);
+  for (const CellRole role : roles_in(scene)) {
+    items.push_back({Swatch::cell,
+                     style.of(role),
+                     std::string(describe(role)),
+                     {},
+                     glyph_of(role).text.front()});
+  }
+  if (has_arrows(scene)) items.push_back({Swatch::arrow, style.arrows, "way to move"});
+  add_cells(scene, style, items);
+  return items;
+}
+
+}  // namespace wend

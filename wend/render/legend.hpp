@@ -1,0 +1,29 @@
+#pragma once
+
+// The legend of a scene: what its marks and colours mean, only of those that occur. Pictures draw
+// it below the map, terminals print it.
+
+#include <string>
+#include <vector>
+
+#include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend {
+
+enum class Swatch : unsigned char { heat, start, goal, narrowest, path, arrow, cell };
+
+struct LegendItem {
+  Swatch swatch;
+  Colour colour;  // of all but heat
+  std::string label;
+  HeatRange range{};     // of heat
+  char character = ' ';  // in ASCII pictures; heat has digits
+
+  friend bool operator==(const LegendItem&, const LegendItem&) = default;
+};
+
+/// Most interesting first. O(cells).
+std::vector<LegendItem> legend_of(const Scene& scene, const Style& style);
+
+}  // namespace wend

@@ -1,0 +1,98 @@
+#include "wend/render/scene_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "wend/render/arrows.hpp"
+#include "wend/render/cell_numbers.hpp"
+#include "wend/render/cell_paints.hpp"
+#include "wend/render/map_image.hpp"
+#include "wend/render/map_rectangles.hpp"
+#include "wend/render/marks.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kGridLinesFrom = 12;          // pixels a cell
+constexpr std::size_t kMostRectangles = 4000;  // about 50 bytes each in an SVG
+
+void draw_map_image(cairo_t* context, const CellPaints& paints, const MapView& view) {
+  const CairoSurface image = image_of(map_image(paints, view.width, view.height, view.y_up));
+  cairo_set_source_surface(context, image.get(), view.left, view.top);
+  cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_NEAREST);
+  cairo_rectangle(context, view.left, view.top, view.width, view.height);
+  cairo_fill(context);
+}
+
+void draw_map_rectangles(cairo_t* context, const std::vector<MapRectangle>& rectangles,
+                         const MapView& view, const Style& style) {
+  set_source(context, style.free);
+  cairo_rectangle(context, view.left, view.top, view.width, view.height);
+  for (std::size_t i = 0; i < rectangles.size(); ++i) {
+    const MapRectangle& cells = rectangles[i];
+    if (i == 0 || cells.colour != rectangles[i - 1].colour) {
+      cairo_fill(context);
+      set_source(context, cells.colour);
+    }
+    const double x = cells.x;
+    const double y = cells.y;
+    const Point a = view.to_picture({x, y});
+    const Point b = view.to_picture({x + cells.width, y + cells.height});
+    cairo_rectangle(context, a.x, std::min(a.y, b.y), b.x - a.x, std::abs(b.y - a.y));
+  }
+  cairo_fill(context);
+}
+
+void draw_map(cairo_t* context, const Scene& scene, const MapView& view, const Style& style,
+              MapForm form) {
+  const CellPaints paints(scene, style);
+  if (form == MapForm::rectangles_if_few) {
+    if (const auto rectangles = map_rectangles(paints, style.free, kMostRectangles)) {
+      return draw_map_rectangles(context, *rectangles, view, style);
+    }
+  }
+  draw_map_image(context, paints, view);
+}
+
+void draw_grid_lines(cairo_t* context, const MapView& view, const Style& style) {
+  if (view.scale() < kGridLinesFrom) return;
+  set_source(context, style.grid_lines, 0.13);
+  cairo_set_line_width(context, 1);
+  for (int x = 1; x < view.columns; ++x) {
+    const double at = view.left + x * view.scale() + 0.5;
+    cairo_move_to(context, at, view.top);
+    cairo_line_to(context, at, view.top + view.height);
+  }
+  for (int y = 1; y < view.rows; ++y) {
+    const double at = view.top + y * view.scale() + 0.5;
+    cairo_move_to(context, view.left, at);
+    cairo_line_to(context, view.left + view.width, at);
+  }
+  cairo_stroke(context);
+}
+
+void draw_frame(cairo_t* context, const MapView& view, const Style& style) {
+  set_source(context, style.ink);
+  cairo_set_line_width(context, 1);
+  cairo_rectangle(context, view.left - 0.5, view.top - 0.5, view.width + 1, view.height + 1);
+  cairo_stroke(context);
+}
+
+}  // namespace
+
+void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const Style& style,
+                MapForm form) {
+  const MarkSizes sizes = mark_sizes(view.scale());
+  draw_map(context, scene, view, style, form);
+  draw_grid_lines(context, view, style);
+  draw_frame(context, view, style);
+  if (scene.arrows) {
+    draw_arrows(context, *scene.arrows, view, shows_cell_numbers(context, scene, view), style);
+  }
+  draw_path(context, scene, view, sizes, style);
+  draw_cell_numbers(context, scene, view, style);
+  draw_marks(context, scene, view, sizes, style);
+}
+
+}  // namespace wend
