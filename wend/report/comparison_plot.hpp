@@ -1,0 +1,48 @@
+#pragma once
+
+// A comparison of planners on many queries as a picture, drawn by gnuplot (5.4 or later): time and
+// expansions against the length of the path, and the share of queries that was solved within a time
+// and within a number of expansions. Axes are logarithmic where the values span decades.
+//
+// The script holds its data and writes the picture to standard output:
+//
+//   gnuplot compare.gnuplot > compare.png
+//
+// Planners differ in colour and in the shape of their marks.
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "wend/report/comparison.hpp"
+
+namespace wend {
+
+enum class PlotKind { png, svg, pdf };
+
+/// Colours as 0xRRGGBB.
+struct PlotColours {
+  std::uint32_t page;
+  std::uint32_t ink;
+  std::uint32_t grid;
+  std::array<std::uint32_t, 7> planners;
+};
+
+/// Okabe and Ito's colours, which colour-blind eyes can tell apart, as far as they show on the page.
+inline constexpr PlotColours kLightPlot{
+    0xFFFFFF, 0x3C4047, 0xE3E5E8, {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0}};
+inline constexpr PlotColours kDarkPlot{
+    0x1B1E24,
+    0xD8DBE0,
+    0x343941,
+    {0x56B4E9, 0xE69F00, 0x009E73, 0xCC79A7, 0xF0E442, 0xD55E00, 0xFFFFFF}};
+/// Dark grid lines and ink, for paper.
+inline constexpr PlotColours kPrintPlot{
+    0xFFFFFF, 0x000000, 0xC8C8C8, {0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0}};
+
+/// The text of the script. Queries that a planner did not solve are in no plot of it, and its share
+/// of solved ones stays below 100 %. O(n log n) in the rows.
+std::string comparison_plot(const Comparison& comparison, PlotKind kind,
+                            const PlotColours& colours = kLightPlot);
+
+}  // namespace wend
