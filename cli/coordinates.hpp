@@ -44,10 +44,8 @@ class Coordinates {
   /// What the map covers: "the cells with x from 0 to 9 and y from 0 to 4".
   std::string extent() const;
 
-  /// A radius in the user's units, in metres.
-  double radius_in_metres(double radius) const {
-    return metric_ ? radius : radius * frame_.resolution;
-  }
+  /// A length in the user's units, in metres.
+  double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
 
  private:
   Cell cell_at(Point metres) const;

@@ -4,13 +4,15 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/io/load_map.hpp"
 
 namespace wend::cli {
 namespace {
 
 constexpr OptionRange kResolutions{1e-6, 1e6};
-constexpr OptionRange kRadii{0, 1e9};
+constexpr OptionRange kDistances{0, 1e9};
+constexpr OptionRange kCosts{0, 1e6};
 
 }  // namespace
 
@@ -38,9 +40,16 @@ LoadedMap MapFileArguments::load() const {
 
 void MapArguments::add_to(CLI::App& app) {
   MapFileArguments::add_to(app, "MAP");
-  add_number(app, "--robot-radius", robot_radius, kRadii,
+  add_number(app, "--robot-radius", robot_radius, kDistances,
              "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
              "for others and with --cells (default 0, a point)");
+  add_number(app, "--keep-away", keep_away, kDistances,
+             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
+             "more (units as --robot-radius; default 0, off)");
+  add_number(app, "--keep-away-cost", keep_away_cost, kCosts,
+             "How many times more a cell costs where the robot would touch an obstacle, fading to "
+             "nothing at --keep-away (default " +
+                 format_number(keep_away_cost) + ")");
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
                             "What unknown cells are (default blocked)");
@@ -48,8 +57,11 @@ void MapArguments::add_to(CLI::App& app) {
 }
 
 FreeSpace MapArguments::free_space(const GridMap& map) const {
-  return FreeSpace(
-      map, {.robot_radius = coordinates(map).radius_in_metres(robot_radius), .unknown = unknown});
+  const Coordinates units = coordinates(map);
+  return FreeSpace(map, {.robot_radius = units.in_metres(robot_radius),
+                         .unknown = unknown,
+                         .keep_away = units.in_metres(keep_away),
+                         .keep_away_cost = keep_away_cost});
 }
 
 }  // namespace wend::cli

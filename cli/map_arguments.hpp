@@ -26,6 +26,8 @@ struct MapFileArguments {
 struct MapArguments : MapFileArguments {
   double robot_radius = 0;  // in the user's units
   UnknownPolicy unknown = UnknownPolicy::blocked;
+  double keep_away = 0;  // in the user's units
+  double keep_away_cost = FreeSpaceOptions{}.keep_away_cost;
   bool cells = false;
 
   void add_to(CLI::App& app);

@@ -77,6 +77,19 @@ TEST_F(PlanCommand, HasTheJsonOfItsSchema) {
   EXPECT_GT(metrics.at("time_us"), 0);
 }
 
+TEST_F(PlanCommand, KeepsAwayFromObstaclesWhenAsked) {
+  map_ = folder_.write("wall.txt", "......\n......\n......\n.####.\n");
+  const json close = plan_json("0,2", "5,2");
+  EXPECT_EQ(close.at("path").at(2), json({2, 2}));
+  EXPECT_EQ(plan_json("0,2", "5,2", {"--keep-away", "0"}).at("path"), close.at("path"));
+  EXPECT_EQ(plan_json("0,2", "5,2", {"--keep-away", "2", "--keep-away-cost", "0"}).at("cost"), 5);
+  const json away = plan_json("0,2", "5,2", {"--keep-away", "2", "--keep-away-cost", "10"});
+  EXPECT_LT(away.at("path").at(2).at(1), 2);
+  EXPECT_GT(away.at("cost"), away.at("length_cells"));
+  EXPECT_EQ(away.at("bound"), 1);
+  EXPECT_THAT(plan("0,2", "5,2", {"--keep-away", "-1"}).err, HasSubstr("--keep-away"));
+}
+
 TEST_F(PlanCommand, FailsWithTheReasonAndTheMetrics) {
   struct Case {
     std::string start, goal;
@@ -259,6 +272,13 @@ TEST_F(MetricPlan, CountsInCellsWhenAsked) {
   EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.6"}).at("status"),
             "unreachable");
   EXPECT_EQ(plan_json("-0.4,-0.6", "0.3,-0.6", {"--robot-radius", "0.1"}).at("status"), "found");
+}
+
+TEST_F(MetricPlan, KeepsAwayInTheUnitsTyped) {
+  const json in_metres = plan_json("-0.4,-0.9", "0.1,-0.99", {"--keep-away", "0.5"});
+  const json in_cells = plan_json("0,0", "2,0", {"--cells", "--keep-away", "2"});
+  EXPECT_GT(in_metres.at("cost"), in_metres.at("length_cells"));
+  EXPECT_EQ(in_metres.at("cost"), in_cells.at("cost"));
 }
 
 TEST_F(MetricPlan, TalksInTheUnitsTyped) {

@@ -142,6 +142,18 @@ TEST(Info, TakesTheRobotIntoAccount) {
   EXPECT_EQ(json::parse(wend(arguments).out).at("passable"), 4);
 }
 
+TEST(Info, SaysWhereTheRobotKeepsAwayBesideWhatTheFileSays) {
+  const TemporaryFolder folder;
+  const std::string map = folder.write("grid.txt", "#....\n");
+  const std::vector<std::string> arguments{"info", map, "--keep-away", "2"};
+  EXPECT_THAT(wend(arguments).out, AllOf(HasSubstr("costs the same everywhere"),
+                                         HasSubstr("2 cells (50.0 %) cost more: an obstacle is "
+                                                   "within 2 cells of the robot")));
+  const json info = json::parse(wend({"info", map, "--keep-away", "2", "--format", "json"}).out);
+  EXPECT_EQ(info.at("keep_away"), json({{"distance", 2.0}, {"cells", 2}}));
+  EXPECT_EQ(info.at("terrain").at("greatest"), 1.0);
+}
+
 TEST(Info, CountsInMetresWhereAnImageIsGivenAResolution) {
   const TemporaryFolder folder;
   const std::string map = folder.write("map.pgm", "P2\n2 1\n255\n255 0\n");

@@ -68,9 +68,10 @@ class Conformance : public ::testing::TestWithParam<std::string> {
 
   /// A planner for a trial, or none where it says that it does not plan on terrain.
   std::unique_ptr<Planner> make(const Trial& trial) const {
-    auto made = info().make(FreeSpace(trial.map, trial.robot), trial.options);
+    const FreeSpace space(trial.map, trial.robot);
+    auto made = info().make(space, trial.options);
     if (made) return *std::move(made);
-    const bool may_refuse = !trial.map.uniform_terrain() && !info().plans_on_terrain &&
+    const bool may_refuse = !space.uniform_terrain() && !info().plans_on_terrain &&
                             made.error().status == Status::unsupported_map;
     EXPECT_TRUE(may_refuse) << made.error().message();
     return nullptr;

@@ -88,12 +88,16 @@ inline GridMap random_map(Random& random) {
   return random.chance(0.5) ? random_map(random, width, height) : random_map(random, height, width);
 }
 
-/// Mostly a point, else a disc; radii that touch squares exactly are among them.
+/// Mostly a point, else a disc; radii that touch squares exactly are among them. Some keep away.
 inline FreeSpaceOptions random_robot(Random& random, double resolution) {
   const double radius = one_of<double>(
       random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 3.3});
+  const double keep_away =
+      one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.4, 0.5, 1.0, 2.5, 7.0});
   return {.robot_radius = radius * resolution,
-          .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free};
+          .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
+          .keep_away = keep_away * resolution,
+          .keep_away_cost = one_of<double>(random, std::array{0.0, 0.5, 4.0, 4.0, 100.0})};
 }
 
 /// The map as text, the top row as drawn first, for messages.

@@ -1,7 +1,8 @@
 #pragma once
 
 // Textbook: what the rules of a grid say, by brute force, to check planners against. It shares no
-// code with what it checks: of wend it reads the states and terrain of a GridMap and nothing else.
+// code with what it checks: of wend it reads the states and terrain of a GridMap, and the options of
+// a robot.
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +15,23 @@
 #include <utility>
 #include <vector>
 
-#include "wend/map/grid_map.hpp"
+#include "wend/map/free_space.hpp"
 
 namespace wend::test {
 
 struct Robot {
   double radius = 0;  // cells
   bool enters_unknown = false;
+  double keep_away = 0;  // cells
+  double keep_away_cost = 0;
 };
+
+inline Robot robot_in_cells(const FreeSpaceOptions& options, double resolution) {
+  return {.radius = options.robot_radius / resolution,
+          .enters_unknown = options.unknown == UnknownPolicy::free,
+          .keep_away = options.keep_away / resolution,
+          .keep_away_cost = options.keep_away_cost};
+}
 
 struct Rules {
   bool diagonals = true;
@@ -64,8 +74,14 @@ inline double distance_to_square(Cell from, Cell to, Cell square) {
 class Textbook {
  public:
   Textbook(const GridMap& map, Robot robot, Rules rules)
-      : map_(map), robot_(robot), rules_(rules), passable_(map.size()), edges_(map.size()) {
+      : map_(map),
+        robot_(robot),
+        rules_(rules),
+        passable_(map.size()),
+        terrain_(map.size()),
+        edges_(map.size()) {
     for_all_cells([&](Cell cell) { passable_[number(cell)] = far_from_obstacles(cell); });
+    for_all_cells([&](Cell cell) { terrain_[number(cell)] = terrain_of(cell); });
     for_all_cells([&](Cell cell) { find_edges(cell); });
   }
 
@@ -80,8 +96,11 @@ class Textbook {
 
   /// Length times the mean of the two terrain multipliers.
   double step_cost(Cell from, Cell to) const {
-    return std::hypot(from.x - to.x, from.y - to.y) * (map_.terrain(from) + map_.terrain(to)) / 2;
+    return std::hypot(from.x - to.x, from.y - to.y) * (terrain(from) + terrain(to)) / 2;
   }
+
+  /// The map's multiplier, and more where the robot keeps away from an obstacle.
+  double terrain(Cell cell) const { return terrain_[number(cell)]; }
 
   double cost_of(std::span<const Cell> path) const {
     double cost = 0;
@@ -136,16 +155,34 @@ class Textbook {
     return state == CellState::occupied || (state == CellState::unknown && !robot_.enters_unknown);
   }
 
+  /// The least that `distance` says of the obstacles that can be so near to `around`.
+  template <class Distance>
+  double least_distance(Cell around, double near, Distance&& distance) const {
+    const int reach = static_cast<int>(std::ceil(near)) + 2;
+    const Cell last{std::min(around.x + reach, map_.width() - 1),
+                    std::min(around.y + reach, map_.height() - 1)};
+    double least = kInfinite;
+    for (int y = std::max(around.y - reach, 0); y <= last.y; ++y) {
+      for (int x = std::max(around.x - reach, 0); x <= last.x; ++x) {
+        if (is_obstacle({x, y})) least = std::min(least, distance(Cell{x, y}));
+      }
+    }
+    return least;
+  }
+
   /// Do all obstacles near `around` keep the robot's radius from what `distance` measures?
   template <class Distance>
   bool kept_clear(Cell around, Distance&& distance) const {
-    const int reach = static_cast<int>(std::ceil(robot_.radius)) + 2;
-    for (int y = around.y - reach; y <= around.y + reach; ++y) {
-      for (int x = around.x - reach; x <= around.x + reach; ++x) {
-        if (is_obstacle({x, y}) && distance(Cell{x, y}) < robot_.radius - 1e-7) return false;
-      }
-    }
-    return true;
+    return least_distance(around, robot_.radius, distance) >= robot_.radius - 1e-7;
+  }
+
+  double terrain_of(Cell cell) const {
+    if (robot_.keep_away == 0 || !passable(cell)) return map_.terrain(cell);
+    const double clearance = least_distance(
+        cell, robot_.radius + robot_.keep_away,
+        [&](Cell square) { return distance_to_square(cell.x + 0.5, cell.y + 0.5, square); });
+    const double share = std::min(std::max(0.0, clearance - robot_.radius) / robot_.keep_away, 1.0);
+    return map_.terrain(cell) * (1 + robot_.keep_away_cost * std::pow(1 - share, 2));
   }
 
   bool far_from_obstacles(Cell cell) const {
@@ -200,6 +237,7 @@ class Textbook {
   Robot robot_;
   Rules rules_;
   std::vector<bool> passable_;
+  std::vector<double> terrain_;
   std::vector<std::vector<Edge>> edges_;
 };
 

@@ -34,7 +34,8 @@ inline std::string text_of(const Trial& trial, std::uint64_t seed) {
   std::ostringstream text;
   text << "seed " << seed << ", radius " << trial.robot.robot_radius << " m, resolution "
        << trial.map.frame().resolution << (trial.map.uniform_terrain() ? "" : ", terrain")
-       << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "")
+       << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "") << ", keeps away "
+       << trial.robot.keep_away << " m at " << trial.robot.keep_away_cost
        << ", options: " << test::text_of(trial.options) << '\n'
        << drawing_of(trial.map);
   return text.str();
@@ -47,9 +48,7 @@ inline Textbook textbook_for(const Trial& trial, const PlannerInfo& info) {
                     .corners_cut = corners == "both"  ? 2
                                    : corners == "one" ? 1
                                                       : 0};
-  const Robot robot{.radius = trial.robot.robot_radius / trial.map.frame().resolution,
-                    .enters_unknown = trial.robot.unknown == UnknownPolicy::free};
-  return Textbook(trial.map, robot, rules);
+  return Textbook(trial.map, robot_in_cells(trial.robot, trial.map.frame().resolution), rules);
 }
 
 /// Where a planner goes from and to in a test: cells that are mostly passable.

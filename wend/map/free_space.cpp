@@ -44,6 +44,56 @@ double least_squared_half_cells(double radius_in_cells) {
   return std::fmax(1, exact * (1 - kRelativeRounding));
 }
 
+/// From a cell's centre to the nearest obstacle square, in cells.
+double cells_from(std::uint32_t squared_half_cells) {
+  if (squared_half_cells == kNoObstacle) return std::numeric_limits<double>::infinity();
+  return std::sqrt(static_cast<double>(squared_half_cells)) / 2;
+}
+
+/// How many times more a cell costs because of the obstacles near it.
+class KeepAway {
+ public:
+  KeepAway(const FreeSpaceOptions& options, double resolution)
+      : radius_(options.robot_radius / resolution),
+        distance_(options.keep_away / resolution),
+        cost_(options.keep_away_cost) {}
+
+  bool needed() const { return distance_ > 0 && cost_ > 0; }
+
+  double factor(std::uint32_t clearance) const {
+    const double from_edge = std::fmax(0, cells_from(clearance) - radius_);
+    if (from_edge >= distance_) return 1;
+    const double inwards = 1 - from_edge / distance_;
+    return 1 + cost_ * inwards * inwards;
+  }
+
+ private:
+  double radius_;    // cells
+  double distance_;  // cells
+  double cost_;
+};
+
+/// The map's terrain times what keeping away costs; empty if that is the map's terrain.
+Grid<double> terrain_away_from_obstacles(const GridMap& map, const BitGrid& passable,
+                                         const Grid<std::uint32_t>& clearance,
+                                         const KeepAway& keep_away) {
+  Grid<double> terrain;
+  if (!keep_away.needed()) return terrain;
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const Cell cell{x, y};
+      const double factor = passable[cell] ? keep_away.factor(clearance[cell]) : 1;
+      if (factor == 1) continue;
+      if (terrain.empty()) {
+        terrain =
+            map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
+      }
+      terrain[cell] *= factor;
+    }
+  }
+  return terrain;
+}
+
 }  // namespace
 
 std::string_view describe(BlockReason reason) {
@@ -62,14 +112,18 @@ std::string_view describe(BlockReason reason) {
 
 FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
   assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
+  assert(options.keep_away >= 0 && std::isfinite(options.keep_away));
+  assert(options.keep_away_cost >= 0 && std::isfinite(options.keep_away_cost));
   const double least = least_squared_half_cells(options.robot_radius / map.frame().resolution);
   BitGrid obstacles = obstacles_of(map, options.unknown);
   Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
   BitGrid passable = cells_with_clearance(clearance, least);
   ConnectedRegions regions(passable);
+  Grid<double> terrain = terrain_away_from_obstacles(map, passable, clearance,
+                                                     KeepAway(options, map.frame().resolution));
   data_ = std::make_shared<const Data>(Data{std::move(map), options, least, std::move(obstacles),
                                             std::move(clearance), std::move(passable),
-                                            std::move(regions)});
+                                            std::move(regions), std::move(terrain)});
 }
 
 std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
@@ -80,10 +134,6 @@ std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
                                                       : BlockReason::obstacle;
 }
 
-double FreeSpace::clearance(Cell cell) const {
-  const std::uint32_t squared = data_->clearance[cell];
-  if (squared == kNoObstacle) return std::numeric_limits<double>::infinity();
-  return std::sqrt(static_cast<double>(squared)) / 2;
-}
+double FreeSpace::clearance(Cell cell) const { return cells_from(data_->clearance[cell]); }
 
 }  // namespace wend

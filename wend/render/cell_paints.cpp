@@ -54,7 +54,7 @@ Paint CellPaints::operator[](Cell cell) const {
   if (const auto colour = heat(cell)) return {*colour};
   if (state == CellState::unknown) return {style_.unknown};
   if (!space.passable()[cell]) return {style_.too_close};
-  const double multiplier = space.terrain(cell);
+  const double multiplier = space.map().terrain(cell);
   if (multiplier == 1) return {style_.free};
   return {mixed(style_.slightly_rough, style_.very_rough, roughness(multiplier))};
 }

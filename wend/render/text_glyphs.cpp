@@ -30,7 +30,7 @@ Glyph glyph_of(const FreeSpace& space, Cell cell) {
       break;
   }
   if (!space.passable(cell)) return {":", Meaning::too_close};
-  return glyph_of_terrain(space.terrain(cell));
+  return glyph_of_terrain(space.map().terrain(cell));
 }
 
 Glyph arrow(Direction direction, Meaning meaning) {

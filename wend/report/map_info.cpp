@@ -19,7 +19,8 @@ void add_terrain(MapInfo& info, const FreeSpace& space) {
   for (int y = 0; y < space.height(); ++y) {
     for (int x = 0; x < space.width(); ++x) {
       if (!space.passable({x, y})) continue;
-      const double terrain = space.terrain({x, y});
+      const double terrain = space.map().terrain({x, y});
+      info.near_obstacles += space.terrain({x, y}) > terrain ? 1 : 0;
       sum += terrain;
       least = std::min(least, terrain);
       info.greatest_terrain = std::max(info.greatest_terrain, terrain);
@@ -82,6 +83,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpace& spa
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
   info.robot_radius = space.options().robot_radius;
+  info.keep_away = space.options().keep_away;
   info.passable = space.passable().count();
   const auto components = space.regions().sizes(Adjacency::edges);
   info.components = components.size();
@@ -107,6 +109,7 @@ std::string map_info_json(const MapInfo& info) {
                     {"greatest", info.greatest_terrain}}},
                   {"robot_radius", info.robot_radius},
                   {"passable", info.passable},
+                  {"keep_away", {{"distance", info.keep_away}, {"cells", info.near_obstacles}}},
                   {"components", {{"count", info.components}, {"largest", info.largest_component}}},
                   {"frame",
                    {{"resolution", info.frame.resolution},
@@ -119,6 +122,7 @@ std::string map_info_json(const MapInfo& info) {
 
 std::string map_info_text(const MapInfo& info) {
   const std::size_t all = info.free + info.occupied + info.unknown;
+  const std::string_view unit = info.frame.metric ? " m" : " cells";
   std::string text = fmt::format("{}: {}\n", info.file, to_string(info.format));
   const auto line = [&text](std::string_view name, const std::string& what) {
     text += fmt::format("  {:<12}{}\n", name, what);
@@ -129,9 +133,13 @@ std::string map_info_text(const MapInfo& info) {
   line("unknown", share(info.unknown, all));
   line("terrain", terrain_text(info));
   if (info.robot_radius > 0) {
-    line("passable", share(info.passable, all) + fmt::format(" for a robot of radius {:.4g}{}",
-                                                             info.robot_radius,
-                                                             info.frame.metric ? " m" : " cells"));
+    line("passable", share(info.passable, all) +
+                         fmt::format(" for a robot of radius {:.4g}{}", info.robot_radius, unit));
+  }
+  if (info.keep_away > 0) {
+    line("keep away", share(info.near_obstacles, info.passable) +
+                          fmt::format(" cost more: an obstacle is within {:.4g}{} of the robot",
+                                      info.keep_away, unit));
   }
   line("components", components_text(info));
   line("frame", frame_text(info.frame));

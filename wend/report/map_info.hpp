@@ -19,11 +19,13 @@ struct MapInfo {
   std::size_t free = 0;
   std::size_t occupied = 0;
   std::size_t unknown = 0;
-  double least_terrain = 1;  // of the cells where the robot may be
+  double least_terrain = 1;  // as the file says, of the cells where the robot may be
   double mean_terrain = 1;
   double greatest_terrain = 1;
   double robot_radius = 0;            // metres (cells, where the map has no resolution)
+  double keep_away = 0;               // units as robot_radius
   std::size_t passable = 0;           // cells where the robot may be
+  std::size_t near_obstacles = 0;     // of them: those that keep-away makes cost more
   std::size_t components = 0;         // regions of them, joined by edges
   std::size_t largest_component = 0;  // cells
   Frame frame;

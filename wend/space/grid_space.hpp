@@ -45,7 +45,7 @@ struct TerrainSteps {
   using Cost = double;
   static constexpr double kUnitsPerCell = 1;
 
-  explicit TerrainSteps(const FreeSpace& space) : terrain(space.map().terrain().values().data()) {}
+  explicit TerrainSteps(const FreeSpace& space) : terrain(space.terrain().values().data()) {}
 
   Cost cost(const GridState& from, const GridState& to, bool diagonal) const {
     const double mean = (terrain[from.number] + terrain[to.number]) / 2;

@@ -1,0 +1,126 @@
+// What cells near obstacles cost a robot that keeps away from them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/textbook.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/map/random_bits_test.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::array kDistances{0.0, 0.3, 0.5, 1.0, 2.0, 3.7, 20.0, 1e6};  // cells
+constexpr std::array kCosts{0.0, 0.01, 1.0, 4.0, 1e6};
+
+/// Calls check(map, options, space) for random maps, radii, distances and costs.
+template <class Check>
+void on_random_spaces(Check&& check) {
+  for (std::uint64_t seed = 1; seed <= 600 && !::testing::Test::HasFailure(); ++seed) {
+    Random random(seed);
+    const GridMap map = test::random_map(random);
+    FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
+    options.keep_away = test::one_of(random, kDistances) * map.frame().resolution;
+    options.keep_away_cost = test::one_of(random, kCosts);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", keeps away " +
+                 std::to_string(options.keep_away) + " m at " +
+                 std::to_string(options.keep_away_cost) + "\n" + test::drawing_of(map));
+    check(map, options, FreeSpace(map, options));
+  }
+}
+
+TEST(KeepAway, NeverMakesACellCostLess) {
+  on_random_spaces([](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
+    for (const Cell cell : test::all_cells(map.width(), map.height())) {
+      ASSERT_GE(space.terrain(cell), map.terrain(cell));
+      ASSERT_TRUE(std::isfinite(space.terrain(cell)));
+    }
+  });
+}
+
+TEST(KeepAway, CostsWhatItsFormulaSays) {
+  int raised = 0;
+  on_random_spaces([&](const GridMap& map, const FreeSpaceOptions& options,
+                       const FreeSpace& space) {
+    const test::Textbook textbook(map, test::robot_in_cells(options, map.frame().resolution), {});
+    for (const Cell cell : test::all_cells(map.width(), map.height())) {
+      if (!space.passable(cell)) continue;
+      const double expected = textbook.terrain(cell);
+      raised += expected > map.terrain(cell) ? 1 : 0;
+      ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
+    }
+  });
+  EXPECT_GT(raised, 5000);
+}
+
+TEST(KeepAway, IsNothingWithoutADistanceOrACost) {
+  on_random_spaces([](const GridMap& map, FreeSpaceOptions options, const FreeSpace&) {
+    for (const auto& [distance, cost] : {std::pair{0.0, 4.0}, {0.0, 1e6}, {3.0, 0.0}}) {
+      options.keep_away = distance;
+      options.keep_away_cost = cost;
+      const FreeSpace space(map, options);
+      ASSERT_EQ(&space.terrain(), &space.map().terrain()) << "the map's own grid";
+      ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain());
+    }
+  });
+}
+
+/// A grid of its own exists where a passable cell costs more, and only there.
+TEST(KeepAway, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
+  std::array<int, 2> seen{};
+  on_random_spaces([&](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
+    const auto cells = test::all_cells(map.width(), map.height());
+    const bool raises = std::any_of(cells.begin(), cells.end(), [&](Cell cell) {
+      return space.passable(cell) && space.terrain(cell) > map.terrain(cell);
+    });
+    ASSERT_EQ(&space.terrain() != &space.map().terrain(), raises);
+    ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain() && !raises);
+    ++seen[raises ? 1 : 0];
+  });
+  EXPECT_GT(seen[0], 100);
+  EXPECT_GT(seen[1], 100);
+}
+
+TEST(KeepAway, IsMeasuredFromTheRobotsEdgeInMetres) {
+  // Cells of half a metre, an obstacle on the left: cell x is (x - 0.5) / 2 m from it.
+  const GridMap map = test::drawn_map("#.........", {.resolution = 0.5, .metric = true});
+  const FreeSpace space(map, {.robot_radius = 0.75, .keep_away = 2, .keep_away_cost = 8});
+  EXPECT_EQ(space.terrain({1, 0}), 1) << "the robot cannot stand there";
+  EXPECT_DOUBLE_EQ(space.terrain({2, 0}), 9) << "it touches";
+  EXPECT_DOUBLE_EQ(space.terrain({4, 0}), 3) << "1 m away";
+  EXPECT_DOUBLE_EQ(space.terrain({5, 0}), 1.5) << "1.5 m away";
+  EXPECT_EQ(space.terrain({6, 0}), 1) << "2 m away";
+  EXPECT_EQ(space.terrain({9, 0}), 1);
+}
+
+TEST(KeepAway, MultipliesTheMapsTerrain) {
+  const FreeSpace space = test::drawn_space("#33.", {.keep_away = 1, .keep_away_cost = 4});
+  EXPECT_DOUBLE_EQ(space.terrain({1, 0}), 3 * 2) << "half a cell away: 1 + 4 / 4";
+  EXPECT_EQ(space.terrain({2, 0}), 3);
+}
+
+TEST(KeepAway, FadesLessAndLess) {
+  const FreeSpace space(test::drawn_map("#" + std::string(200, '.')),
+                        {.keep_away = 100, .keep_away_cost = 5});
+  double before = space.terrain({1, 0});
+  double slope = 0.2;
+  for (int x = 2; x <= 200; ++x) {
+    const double terrain = space.terrain({x, 0});
+    const double fall = before - terrain;
+    ASSERT_GE(fall, 0) << x;
+    ASSERT_LE(fall, slope + 1e-12) << "falls less and less, at " << x;
+    before = terrain;
+    slope = fall;
+  }
+  EXPECT_EQ(before, 1);
+}
+
+}  // namespace
+}  // namespace wend
