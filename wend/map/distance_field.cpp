@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <ranges>
 #include <vector>
 
@@ -111,6 +113,11 @@ void nearest_columns(std::span<const CellCount> in_column, std::vector<Column>& 
 }
 
 }  // namespace
+
+double distance_in_cells(std::uint32_t squared_half_cells) {
+  if (squared_half_cells == kNoObstacle) return std::numeric_limits<double>::infinity();
+  return std::sqrt(static_cast<double>(squared_half_cells)) / 2;
+}
 
 Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
   const Grid<CellCount> in_column = column_distances(blocked);

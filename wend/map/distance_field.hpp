@@ -16,6 +16,9 @@ namespace wend {
 /// Farther than any distance that a field holds (32768 cells): there is no obstacle, or none near.
 inline constexpr std::uint32_t kNoObstacle = UINT32_MAX;
 
+/// Such a squared distance as a distance in cells; infinite for kNoObstacle.
+double distance_in_cells(std::uint32_t squared_half_cells);
+
 /// For every cell the squared distance, in half-cell units, from its centre to the nearest set cell
 /// of `blocked` as a closed square; 0 in a set cell. The outside of the map does not count.
 ///

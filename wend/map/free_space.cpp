@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "wend/map/distance_field.hpp"
 
@@ -44,12 +43,6 @@ double least_squared_half_cells(double radius_in_cells) {
   return std::fmax(1, exact * (1 - kRelativeRounding));
 }
 
-/// From a cell's centre to the nearest obstacle square, in cells.
-double cells_from(std::uint32_t squared_half_cells) {
-  if (squared_half_cells == kNoObstacle) return std::numeric_limits<double>::infinity();
-  return std::sqrt(static_cast<double>(squared_half_cells)) / 2;
-}
-
 /// How many times more a cell costs because of the obstacles near it.
 class KeepAway {
  public:
@@ -61,7 +54,7 @@ class KeepAway {
   bool needed() const { return distance_ > 0 && cost_ > 0; }
 
   double factor(std::uint32_t clearance) const {
-    const double from_edge = std::fmax(0, cells_from(clearance) - radius_);
+    const double from_edge = std::fmax(0, distance_in_cells(clearance) - radius_);
     if (from_edge >= distance_) return 1;
     const double inwards = 1 - from_edge / distance_;
     return 1 + cost_ * inwards * inwards;
@@ -134,6 +127,6 @@ std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
                                                       : BlockReason::obstacle;
 }
 
-double FreeSpace::clearance(Cell cell) const { return cells_from(data_->clearance[cell]); }
+double FreeSpace::clearance(Cell cell) const { return distance_in_cells(data_->clearance[cell]); }
 
 }  // namespace wend
