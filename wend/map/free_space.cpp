@@ -1,5 +1,6 @@
 #include "wend/map/free_space.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -25,8 +26,7 @@ BitGrid obstacles_of(const GridMap& map, UnknownPolicy unknown) {
 /// The cells whose clearance is large enough.
 BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
   BitGrid passable(clearance.width(), clearance.height());
-  const auto threshold =
-      static_cast<std::uint32_t>(std::fmin(std::ceil(least), static_cast<double>(kNoObstacle)));
+  const auto threshold = static_cast<std::uint32_t>(std::ceil(least));
   for (int y = 0; y < clearance.height(); ++y) {
     const auto row = clearance.row(y);
     const auto words = passable.row_words(y);
@@ -37,10 +37,11 @@ BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least)
   return passable;
 }
 
-/// The robot's radius as a squared distance in half-cells; a point must still not be in a square.
+/// The robot's radius as a squared distance in half-cells; a point must still not be in a square,
+/// and the largest robot may stand where there is no obstacle.
 double least_squared_half_cells(double radius_in_cells) {
   const double exact = 4 * radius_in_cells * radius_in_cells;
-  return std::fmax(1, exact * (1 - kRelativeRounding));
+  return std::clamp<double>(exact * (1 - kRelativeRounding), 1, kNoObstacle);
 }
 
 /// How many times more a cell costs because of the obstacles near it.

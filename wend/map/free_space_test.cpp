@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "wend/map/distance_field.hpp"
 #include "wend/map/random_bits_test.hpp"
 
 namespace wend {
@@ -196,6 +197,8 @@ TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
   const FreeSpace space(row_behind_an_obstacle(5, 0.01), {.robot_radius = 1e9});
   EXPECT_EQ(space.passable().count(), 0U);
   EXPECT_EQ(space.regions().count(Adjacency::edges), 0U);
+  EXPECT_FALSE(space.far_enough(kNoObstacle - 1.0));
+  EXPECT_TRUE(space.far_enough(kNoObstacle)) << "where there is none it may stand";
 }
 
 TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {

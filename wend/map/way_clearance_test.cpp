@@ -83,6 +83,21 @@ TEST(WayClearance, OfAnyTwoCellsIsTheDistanceOfTheWholeWay) {
   });
 }
 
+/// So where no corner is cut the way of a disc along a diagonal step need not be looked at.
+TEST(WayClearance, IsWideEnoughForAnyRobotThatMayStandOnAllFourCells) {
+  on_random_spaces(400, [](Random&, const FreeSpace& space) {
+    const auto& clearance = space.squared_half_cell_clearance();
+    for (int y = 0; y + 1 < space.height(); ++y) {
+      for (int x = 0; x + 1 < space.width(); ++x) {
+        const std::uint32_t least = std::min({clearance[{x, y}], clearance[{x + 1, y}],
+                                              clearance[{x, y + 1}], clearance[{x + 1, y + 1}]});
+        ASSERT_GE(squared_half_cell_way_clearance(space, {x, y}, {x + 1, y + 1}), least);
+        ASSERT_GE(squared_half_cell_way_clearance(space, {x + 1, y}, {x, y + 1}), least);
+      }
+    }
+  });
+}
+
 TEST(WayClearance, IsNothingWhereACornerIsCut) {
   const FreeSpace space = test::drawn_space("...\n.#.\n...");
   EXPECT_EQ(squared_half_cell_way_clearance(space, {1, 0}, {2, 1}), 0U);

@@ -2,11 +2,16 @@
 
 #include <utility>
 
+#include "wend/map/way_clearance.hpp"
+
 namespace wend {
 namespace {
 
-bool cuts_corners(GridMoves moves) {
-  return moves.connectivity == Connectivity::eight && moves.corner_rule != CornerRule::none;
+/// Where no corner is cut, a disc is safe on the way between cells where it may stand: it may stand
+/// beside the step, too. A point may touch corners.
+bool sweeps_diagonals(const FreeSpace& space, GridMoves moves) {
+  return moves.connectivity == Connectivity::eight && moves.corner_rule != CornerRule::none &&
+         space.radius_in_cells() > 0;
 }
 
 }  // namespace
@@ -18,9 +23,8 @@ GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning
       steps_(space_),
       width_(static_cast<StateId>(space_.width())),
       down_(space_.map().frame().y_up ? -1 : 1),
-      table_(moves, cuts_corners(moves) && space_.radius_in_cells() > 0 ? MoveTable::Pruning::none
-                                                                        : pruning),
-      swept_(space_, cuts_corners(moves)) {
+      table_(moves, sweeps_diagonals(space_, moves) ? MoveTable::Pruning::none : pruning),
+      sweeps_(sweeps_diagonals(space_, moves)) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     offsets_[i] = step({}, static_cast<Direction>(i), space_.map().frame().y_up);
     id_offsets_[i] =
@@ -33,7 +37,10 @@ MoveSet GridSpace<Steps>::without_unsafe(Cell cell, MoveSet moves) const {
   unsigned safe = moves;
   for (unsigned left = moves & 0b10101010U; left != 0; left &= left - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(left));
-    if (!swept_.free(cell, static_cast<Direction>(direction))) safe &= ~(1U << direction);
+    const Cell to{cell.x + offsets_[direction].x, cell.y + offsets_[direction].y};
+    if (!space_.far_enough(squared_half_cell_way_clearance(space_, cell, to))) {
+      safe &= ~(1U << direction);
+    }
   }
   return static_cast<MoveSet>(safe);
 }

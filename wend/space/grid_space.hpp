@@ -17,7 +17,6 @@
 #include "wend/space/grid_moves.hpp"
 #include "wend/space/move_table.hpp"
 #include "wend/space/octile_units.hpp"
-#include "wend/space/swept_diagonal.hpp"
 
 namespace wend {
 
@@ -99,7 +98,7 @@ class GridSpace {
  private:
   MoveSet moves_from(Cell cell, Move arrival) const {
     const MoveSet moves = table_.moves(arrival, passable_->block(cell, down_));
-    return swept_.needed() ? without_unsafe(cell, moves) : moves;
+    return sweeps_ ? without_unsafe(cell, moves) : moves;
   }
 
   State neighbour(const State& state, unsigned direction) const {
@@ -116,7 +115,7 @@ class GridSpace {
   StateId width_;
   int down_;  // the step in y that is down as drawn
   MoveTable table_;
-  SweptDiagonal swept_;
+  bool sweeps_;  // is the way along a diagonal step to be checked?
   std::array<Cell, kDirections> offsets_{};
   std::array<StateId, kDirections> id_offsets_{};  // modulo 2^32
 };

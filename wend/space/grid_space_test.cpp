@@ -126,6 +126,12 @@ TEST(GridSpace, HasTheStepsThatTheTextbookHas) {
       });
 }
 
+/// However large the robot: where there are no obstacles it fits between them.
+TEST(GridSpace, LetsAVastDiscCutCorners) {
+  const FreeSpace space(GridMap(Grid<CellState>(4, 4, CellState::free)), {.robot_radius = 1e9});
+  EXPECT_TRUE(ExactGrid(space, {Connectivity::eight, CornerRule::both}).is_step({1, 1}, {2, 2}));
+}
+
 TEST(GridSpace, ChargesWhatTheTextbookCharges) {
   on_random_spaces(
       300, [](const FreeSpace& space, GridMoves moves, const test::Textbook& textbook) {
