@@ -21,8 +21,10 @@
 #include "wend/map/generators.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/layer.hpp"
+#include "wend/planner/no_path.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
+#include "wend/planner/widest_path.hpp"
 #include "wend/render/gif.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
@@ -215,6 +217,25 @@ TEST(Snippets, OfPosthocTrace) {
   EXPECT_NE(text.find("type: end"), std::string::npos);
 }
 
+void report_width(double radius) { reported = radius == 0.5 ? "half a cell" : "another width"; }
+void suggest(const wend::Way& way) {
+  reported = way.smaller_robot ? "a smaller robot" : "something else";
+}
+
+TEST(Snippets, OfWidestPathAndNoPath) {
+  wend::Grid<wend::CellState> cells(5, 3, wend::CellState::free);
+  cells[{2, 0}] = cells[{2, 2}] = wend::CellState::occupied;
+  const wend::FreeSpace space(wend::GridMap(cells), {.robot_radius = 0.75});
+  const wend::Cell start{0, 1};
+  const wend::Cell goal{4, 1};
+  if (const auto widest = wend::widest_path(space, start, goal)) report_width(widest->radius);
+  EXPECT_EQ(reported, "half a cell");
+
+  const wend::NoPath why = wend::explain_no_path(space, start, goal);
+  for (const wend::Way& way : why.ways) suggest(way);
+  EXPECT_EQ(reported, "a smaller robot");
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -253,7 +274,8 @@ TEST(Snippets, OfHeadersStandHere) {
        {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
         "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
         "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp",
-        "report/posthoc_trace.hpp", "render/gif.hpp"}) {
+        "report/posthoc_trace.hpp", "render/gif.hpp", "planner/widest_path.hpp",
+        "planner/no_path.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

@@ -1,0 +1,51 @@
+#pragma once
+
+// NoPath: why no path joins two cells, as data: how large the two regions are, how wide a robot
+// would get through, and what would have to change.
+//
+// Three things can change without another map: unknown cells count as free, the robot squeezes
+// diagonally between two obstacles (8 neighbours, corner rule `both`), the robot is smaller. More
+// neighbours alone and the corner rule `one` never make a path where there is none: around a
+// diagonal step with a passable cell beside it lead two straight ones.
+//
+//   const wend::NoPath why = wend::explain_no_path(space, start, goal);
+//   for (const wend::Way& way : why.ways) suggest(way);
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "wend/map/free_space.hpp"
+#include "wend/planner/widest_path.hpp"
+#include "wend/space/grid_moves.hpp"
+
+namespace wend {
+
+/// A set of changes under which there is a path, though there is none under a part of them.
+struct Way {
+  bool unknown_free = false;
+  bool squeeze = false;
+  bool smaller_robot = false;
+
+  /// Under these changes, for a robot of any size. Its radius is smaller than the robot's if
+  /// smaller_robot is set, else at least as large.
+  WidestPath widest;
+};
+
+struct NoPath {
+  /// Cells that can be reached from each, itself among them; 0 where the robot cannot stand.
+  std::size_t start_region = 0;
+  std::size_t goal_region = 0;
+
+  /// For a robot of any size, and nothing else changed.
+  std::optional<WidestPath> widest;
+
+  /// Fewest changes first. Empty if nothing of this helps: an obstacle is on the start or goal, or
+  /// walls surround one of them. If there is a path after all: one way, without any change.
+  std::vector<Way> ways;
+};
+
+/// Both cells are on the map and may be blocked. O(cells log cells).
+NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {});
+
+}  // namespace wend

@@ -1,0 +1,133 @@
+#include "wend/planner/widest_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/base/options.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/map/distance_field.hpp"
+#include "wend/map/way_clearance.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/search/min_heap.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::int64_t kNotReached = -1;
+
+/// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
+/// the goal.
+struct Reached {
+  std::uint32_t width;  // as squared half-cells
+  int to_goal;
+  Cell cell;
+
+  friend bool operator<(const Reached& a, const Reached& b) {
+    if (a.width != b.width) return a.width > b.width;
+    if (a.to_goal != b.to_goal) return a.to_goal < b.to_goal;
+    return a.cell < b.cell;
+  }
+};
+
+/// Prim's algorithm from the start, until it reaches the goal.
+class WidestSearch {
+ public:
+  WidestSearch(const FreeSpace& space, Cell goal, Adjacency adjacency)
+      : space_(space),
+        goal_(goal),
+        stride_(adjacency == Adjacency::edges ? 2 : 1),  // even directions are straight
+        widths_(space.width(), space.height(), kNotReached) {}
+
+  std::optional<std::uint32_t> run(Cell start) {
+    const auto& clearance = space_.squared_half_cell_clearance();
+    if (clearance[start] == 0 || clearance[goal_] == 0) return std::nullopt;
+    // No path is wider than this. Capped by it, all that is wide enough is equally wide.
+    reach(start, std::min(clearance[start], clearance[goal_]));
+    while (!frontier_.empty()) {
+      const Reached next = min_heap::pop(frontier_);
+      if (next.cell == goal_) return next.width;
+      if (widths_[next.cell] == next.width) expand(next);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void expand(const Reached& from) {
+    for (int direction = 0; direction < kDirections; direction += stride_) {
+      const Cell to = step(from.cell, static_cast<Direction>(direction), false);
+      if (!space_.contains(to) || space_.obstacles()[to]) continue;
+      reach(to, std::min(from.width, squared_half_cell_way_clearance(space_, from.cell, to)));
+    }
+  }
+
+  void reach(Cell cell, std::uint32_t width) {
+    if (widths_[cell] >= width) return;
+    widths_[cell] = width;
+    const int to_goal = std::abs(cell.x - goal_.x) + std::abs(cell.y - goal_.y);
+    min_heap::push(frontier_, Reached{width, to_goal, cell});
+  }
+
+  const FreeSpace& space_;
+  Cell goal_;
+  int stride_;
+  Grid<std::int64_t> widths_;
+  std::vector<Reached> frontier_;
+};
+
+Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
+  const OptionValues options{{"connectivity", std::string(choice_name(moves.connectivity))},
+                             {"corner_rule", std::string(choice_name(moves.corner_rule))}};
+  const auto planner = make_planner("astar", space, options);
+  if (!planner) return {};
+  auto plan = (*planner)->plan(Query::between(start, goal));
+  return plan ? std::move(plan->path) : Path{};
+}
+
+/// Where a path that is so wide is no wider.
+Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width) {
+  const auto& clearance = space.squared_half_cell_clearance();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (clearance[cells[i]] <= width) return centre_of(cells[i]);
+    if (i > 0 && squared_half_cell_way_clearance(space, cells[i - 1], cells[i]) <= width) {
+      const Point from = centre_of(cells[i - 1]);
+      const Point to = centre_of(cells[i]);
+      return {(from.x + to.x) / 2, (from.y + to.y) / 2};
+    }
+  }
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    for (const Cell beside : {Cell{cells[i - 1].x, cells[i].y}, Cell{cells[i].x, cells[i - 1].y}}) {
+      if (clearance[beside] <= width) return centre_of(beside);
+    }
+  }
+  return {};  // of an empty path
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
+                                                     GridMoves moves) {
+  assert(space.contains(start) && space.contains(goal));
+  return WidestSearch(space, goal, moves.adjacency()).run(start);
+}
+
+std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
+                                      GridMoves moves) {
+  const auto width = squared_half_cell_width(space, start, goal, moves);
+  if (!width) return std::nullopt;
+  // Where there is no obstacle, the farthest that a FreeSpace looks.
+  const double cells = std::sqrt(static_cast<double>(*width)) / 2;
+  const FreeSpace widest(space.map(), {.robot_radius = cells * space.map().frame().resolution,
+                                       .unknown = space.options().unknown});
+  Path path = cheapest_path(widest, start, goal, moves);
+  const Point narrowest = narrowest_point(widest, path.cells(), *width);
+  return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};
+}
+
+}  // namespace wend
