@@ -1,0 +1,77 @@
+#pragma once
+
+// ComparisonRun: runs planners on the same queries, one after the other, times and measures them.
+//
+//   auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
+//   if (!run) return report(run.error().message());
+//   for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
+//   const std::string table = wend::comparison_table(run->comparison());
+//
+// One thread. The clock is passed in; times are as good as it is.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/search_recorder.hpp"
+#include "wend/report/comparison.hpp"
+
+namespace wend {
+
+struct CellPair {
+  Cell start;
+  Cell goal;
+};
+
+/// Pairs of different cells that a path joins whatever the moves: the start is any cell that can be
+/// left, the goal any that can be reached from it. The same seed gives the same pairs. Empty where
+/// there is no such pair. O(cells + count).
+std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, std::uint64_t seed);
+
+class ComparisonRun {
+ public:
+  /// Fails for a planner that does not take its options; one that cannot be made for another reason
+  /// answers every query with that.
+  static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
+                                                    std::vector<PlannerSpec> specs, Clock clock);
+
+  /// Every planner's answer to one query, added to the comparison. Limits are for each planner. The
+  /// first query is asked twice, and the second answer timed: a planner's memory is fresh at first.
+  void answer(const CellPair& cells, const Limits& limits = {});
+
+  /// `reason` is set only for planners that could not be made.
+  Comparison& comparison() { return comparison_; }
+  const Comparison& comparison() const { return comparison_; }
+
+  const std::vector<PlannerSpec>& planners() const { return specs_; }
+
+  /// What a planner's search of an answered query looks like, as far as it went.
+  SearchRecorder record(std::size_t planner, std::size_t query) const;
+
+  /// The path that the planner finds for it; empty if it finds none.
+  Path path(std::size_t planner, std::size_t query) const;
+
+ private:
+  ComparisonRun(FreeSpace space, Clock clock)
+      : space_(std::move(space)), clock_(std::move(clock)) {}
+
+  ComparisonRow answer_of(std::size_t planner, const CellPair& cells, const Limits& limits);
+  Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
+
+  FreeSpace space_;
+  Clock clock_;
+  std::vector<PlannerSpec> specs_;
+  std::vector<std::unique_ptr<Planner>> planners_;  // none where one cannot be made
+  std::vector<PlannerError> errors_;                // why
+  Comparison comparison_;
+  Plan plan_;
+};
+
+}  // namespace wend

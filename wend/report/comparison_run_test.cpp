@@ -1,0 +1,116 @@
+#include "wend/report/comparison_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+/// Every look at it is a second later.
+Clock ticking_clock() {
+  return [now = 0.0]() mutable { return now += 1; };
+}
+
+ComparisonRun run_of(const FreeSpace& space, std::string_view planners) {
+  return *ComparisonRun::make(space, *parse_planner_specs(planners), ticking_clock());
+}
+
+TEST(RandomPairs, AreConnectedDifferentAndFree) {
+  int maps_with_pairs = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const FreeSpace space(test::random_map(random));
+    const auto pairs = random_pairs(space, 20, seed);
+    maps_with_pairs += pairs.empty() ? 0 : 1;
+    for (const CellPair& cells : pairs) {
+      EXPECT_NE(cells.start, cells.goal);
+      EXPECT_TRUE(space.regions().connected(cells.start, cells.goal, Adjacency::edges));
+    }
+    const auto sizes = space.regions().sizes(Adjacency::edges);
+    const bool some = !sizes.empty() && sizes.front() > 1;
+    EXPECT_EQ(pairs.size(), some ? 20U : 0U);
+  }
+  EXPECT_GT(maps_with_pairs, 100);
+}
+
+TEST(RandomPairs, ReachAllCellsAndComeAgainWithTheSameSeed) {
+  const FreeSpace space = test::drawn_space("..#..\n..#.#\n");
+  std::set<Cell> seen;
+  const auto pairs = random_pairs(space, 500, 3);
+  for (const CellPair& cells : pairs) seen.insert({cells.start, cells.goal});
+  EXPECT_EQ(seen.size(), 7U);
+  const auto again = random_pairs(space, 500, 3);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_EQ(pairs[i].start, again[i].start);
+    EXPECT_EQ(pairs[i].goal, again[i].goal);
+  }
+}
+
+TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {
+  const FreeSpace space = test::drawn_space(
+      "........\n"
+      ".######.\n"
+      "........\n");
+  ComparisonRun run = run_of(space, "astar:w=2,bfs:connectivity=4,dfs");
+  const std::array<CellPair, 2> queries{{{{0, 2}, {7, 0}}, {{3, 0}, {3, 2}}}};
+  for (const CellPair& cells : queries) run.answer(cells);
+
+  ASSERT_EQ(run.comparison().queries.size(), 2U);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    for (std::size_t planner = 0; planner < 3; ++planner) {
+      const ComparisonRow& row = run.comparison().queries[i].rows[planner];
+      const PlannerSpec& spec = run.planners()[planner];
+      SCOPED_TRACE(spec.text);
+      const auto alone = make_planner(spec.name, space, spec.options);
+      const auto plan = (*alone)->plan(Query::between(queries[i].start, queries[i].goal));
+      ASSERT_TRUE(plan && row.found());
+      const PathMetrics metrics = measure(plan->path, space);
+      EXPECT_EQ(row.planner, spec.text);
+      EXPECT_EQ(row.cost, plan->cost);
+      EXPECT_EQ(row.length, metrics.length);
+      EXPECT_EQ(row.turning, degrees_from(metrics.turning));
+      EXPECT_EQ(row.smallest_clearance, metrics.smallest_clearance);
+      EXPECT_EQ(row.expanded, plan->metrics.expanded);
+      EXPECT_EQ(row.generated, plan->metrics.generated);
+      EXPECT_EQ(row.max_frontier, plan->metrics.max_frontier);
+      EXPECT_EQ(row.seconds, 1) << "two looks at the clock";
+      EXPECT_EQ(run.path(planner, i), plan->path);
+      EXPECT_EQ(run.record(planner, i).expansions().size(), row.expanded);
+    }
+  }
+}
+
+TEST(ComparisonRun, RepeatsASearchThatWasStoppedAsFarAsItWent) {
+  const FreeSpace space = test::open_space(30, 30);
+  ComparisonRun run = run_of(space, "dijkstra");
+  Limits limits;
+  limits.expansions = 40;
+  run.answer({{0, 0}, {29, 29}}, limits);
+  const ComparisonRow& row = run.comparison().queries[0].rows[0];
+  EXPECT_EQ(row.status, Status::expansion_limit);
+  EXPECT_EQ(row.expanded, 40U);
+  EXPECT_EQ(run.record(0, 0).expansions().size(), 40U);
+  EXPECT_TRUE(run.path(0, 0).empty());
+}
+
+TEST(ComparisonRun, RefusesOptionsThatThePlannerDoesNotTake) {
+  const auto run = ComparisonRun::make(
+      test::open_space(3, 3), *parse_planner_specs("bfs,astar:weight=-1"), ticking_clock());
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().status, Status::invalid_option);
+  EXPECT_EQ(run.error().what, "astar:weight=-1: option 'weight': '-1' is not between 0 and 1e+06");
+}
+
+}  // namespace
+}  // namespace wend
