@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
@@ -45,6 +46,13 @@ constexpr Direction opposite(Direction direction) {
 constexpr Cell step(Cell cell, Direction direction, bool y_up) {
   const Cell drawn = kDrawnSteps[static_cast<std::size_t>(direction)];
   return {cell.x + drawn.x, y_up ? cell.y - drawn.y : cell.y + drawn.y};
+}
+
+/// "down", "down_right", ... as drawn.
+constexpr std::string_view to_string(Direction direction) {
+  constexpr std::array<std::string_view, kDirections> kNames{
+      "down", "down_right", "right", "up_right", "up", "up_left", "left", "down_left"};
+  return kNames[static_cast<std::size_t>(direction)];
 }
 
 /// The direction nearest to the way from one cell to another, which is another one.

@@ -27,6 +27,8 @@ struct Way {
   bool squeeze = false;
   bool smaller_robot = false;
 
+  int changes() const { return int{unknown_free} + int{squeeze} + int{smaller_robot}; }
+
   /// Under these changes, for a robot of any size. Its radius is smaller than the robot's if
   /// smaller_robot is set, else at least as large.
   WidestPath widest;
@@ -39,6 +41,11 @@ struct NoPath {
 
   /// For a robot of any size, and nothing else changed.
   std::optional<WidestPath> widest;
+
+  /// Is there a path after all?
+  bool path_exists() const {
+    return start_region > 0 && !ways.empty() && ways.front().changes() == 0;
+  }
 
   /// Fewest changes first. Empty if nothing of this helps: an obstacle is on the start or goal, or
   /// walls surround one of them. If there is a path after all: one way, without any change.

@@ -1,6 +1,5 @@
 #include "wend/report/field_report.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "wend/base/parse.hpp"
@@ -18,23 +17,14 @@ Json json_of_start(const FieldStart& from, const Frame& frame) {
 
 Json json_of_grid(const CostToGo& field) {
   const Grid<double>& costs = field.costs();
-  Json cost_rows = Json::array();
-  Json policy_rows = Json::array();
+  Grid<std::optional<Direction>> policy(costs.width(), costs.height());
   for (int y = 0; y < costs.height(); ++y) {
-    Json cost_row = Json::array();
-    Json policy_row = Json::array();
-    for (int x = 0; x < costs.width(); ++x) {
-      cost_row.push_back(costs[{x, y}]);
-      const auto move = field.policy({x, y});
-      policy_row.push_back(move ? Json(to_string(*move)) : Json());
-    }
-    cost_rows.push_back(std::move(cost_row));
-    policy_rows.push_back(std::move(policy_row));
+    for (int x = 0; x < costs.width(); ++x) policy[{x, y}] = field.policy({x, y});
   }
   return {{"width", costs.width()},
           {"height", costs.height()},
-          {"costs", std::move(cost_rows)},
-          {"policy", std::move(policy_rows)}};
+          {"costs", json_of(costs)},
+          {"policy", json_of(policy)}};
 }
 
 }  // namespace
@@ -64,12 +54,6 @@ std::string field_csv(const CostToGo& field) {
     }
   }
   return csv;
-}
-
-std::string_view to_string(Direction direction) {
-  static constexpr std::array<std::string_view, kDirections> kNames{
-      "down", "down_right", "right", "up_right", "up", "up_left", "left", "down_left"};
-  return kNames[static_cast<std::size_t>(direction)];
 }
 
 }  // namespace wend

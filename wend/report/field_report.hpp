@@ -36,7 +36,4 @@ std::string field_json(const FieldReport& report, const Frame& frame, const Cost
 /// goal.
 std::string field_csv(const CostToGo& field);
 
-/// "down", "down_right", ... as drawn.
-std::string_view to_string(Direction direction);
-
 }  // namespace wend

@@ -12,6 +12,26 @@ Json json_of(std::span<const Cell> cells) {
   return json;
 }
 
+Json json_of(const Grid<double>& numbers) {
+  Json rows = Json::array();
+  for (int y = 0; y < numbers.height(); ++y) {
+    Json& row = rows.emplace_back(Json::array());
+    for (const double number : numbers.row(y)) row.push_back(number);
+  }
+  return rows;
+}
+
+Json json_of(const Grid<std::optional<Direction>>& directions) {
+  Json rows = Json::array();
+  for (int y = 0; y < directions.height(); ++y) {
+    Json& row = rows.emplace_back(Json::array());
+    for (const auto& direction : directions.row(y)) {
+      row.push_back(direction ? Json(to_string(*direction)) : Json());
+    }
+  }
+  return rows;
+}
+
 Json json_of(const SearchMetrics& metrics, double seconds) {
   const double nanoseconds = std::round(seconds * 1e9);
   return {{"expanded", metrics.expanded},

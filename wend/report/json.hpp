@@ -4,12 +4,15 @@
 // reports themselves need no JSON library.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
 
 namespace wend {
@@ -22,6 +25,12 @@ Json json_of(Cell cell);
 
 /// [[x, y], ...]
 Json json_of(std::span<const Cell> cells);
+
+/// A list of rows, row 0 first. Numbers that are not finite are null.
+Json json_of(const Grid<double>& numbers);
+
+/// The same of directions, by name; null where there is none.
+Json json_of(const Grid<std::optional<Direction>>& directions);
 
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
