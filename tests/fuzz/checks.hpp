@@ -22,7 +22,7 @@ namespace wend::test {
 inline const std::string kFuzzedFile = "fuzzed";
 
 /// Saving and loading larger maps would take too long.
-inline constexpr std::size_t kLargestSavedMap = std::size_t{1} << 14;
+inline constexpr std::size_t kLargestSavedMap = std::size_t{1} << 10;
 
 /// An error's text is short, printable and says something.
 inline std::string check_text(std::string_view what) {
