@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "wend/planner/cost_to_go.hpp"
 
@@ -115,8 +116,10 @@ NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves 
     const bool minimal = std::none_of(why.ways.begin(), why.ways.end(),
                                       [&](const Way& way) { return changes.contain(way); });
     if (!minimal || !widths.path_under(changes)) continue;
-    why.ways.push_back(
-        {changes.unknown_free, changes.squeeze, changes.smaller_robot, *widths.path(changes)});
+    if (auto widest = widths.path(changes)) {
+      why.ways.push_back(
+          {changes.unknown_free, changes.squeeze, changes.smaller_robot, *std::move(widest)});
+    }
   }
   return why;
 }
