@@ -8,15 +8,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/random.hpp"
 #include "wend/io/load_map.hpp"
+#include "wend/io/write_file.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/planner/cost_to_go.hpp"
@@ -25,7 +28,11 @@
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
 #include "wend/planner/widest_path.hpp"
+#include "wend/render/drawing.hpp"
 #include "wend/render/gif.hpp"
+#include "wend/render/panels.hpp"
+#include "wend/render/terminal_picture.hpp"
+#include "wend/render/text_picture.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace {
@@ -191,6 +198,49 @@ TEST(Snippets, OfLayer) {
   EXPECT_EQ(first, 1);
 }
 
+TEST(Snippets, OfScene) {
+  const wend::FreeSpace& space = open_space();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  wend::Scene scene{.space = space};
+  scene.path = plan->path;
+  scene.start = wend::centre_of({1, 1});
+  scene.goals = {wend::centre_of({8, 5})};
+  wend::BitGrid cells(space.width(), space.height());
+  cells.set({1, 1}, true);
+  scene.marked = {{wend::CellRole::expanded, cells}};
+  scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
+  std::cout << wend::text_picture(scene);
+  const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
+  EXPECT_TRUE(svg);
+}
+
+TEST(Snippets, OfDrawing) {
+  const OfficeInWorkingFolder office;
+  const wend::Scene scene{.space = open_space()};
+  const auto png = wend::draw_png(scene);
+  if (png) wend::write_file("plan.png", *png);
+  EXPECT_TRUE(fs::exists("plan.png"));
+}
+
+TEST(Snippets, OfTerminalPicture) {
+  const wend::Scene scene{.space = open_space()};
+  const bool is_terminal = isatty(STDOUT_FILENO) == 1;
+  wend::Terminal terminal;  // plain ASCII
+  if (is_terminal) terminal = wend::detect_terminal(environ);
+  std::cout << wend::terminal_picture(scene, 80, 24, terminal);
+  std::cout << wend::terminal_legend(scene, 80, terminal);
+}
+
+TEST(Snippets, OfPanels) {
+  const wend::Scene with_astar{.space = open_space()};
+  const wend::Scene with_dijkstra{.space = open_space()};
+  const std::vector<wend::Panel> panels{{"A*", with_astar, "412 cells expanded"},
+                                        {"Dijkstra", with_dijkstra, "8321 cells expanded"}};
+  const auto svg = wend::draw_panels(panels, wend::PictureKind::svg);
+  EXPECT_TRUE(svg);
+}
+
 TEST(Snippets, OfGif) {
   const int width = 3;
   const int height = 2;
@@ -270,12 +320,26 @@ void expect_here(const fs::path& file, std::string_view code) {
 }
 
 TEST(Snippets, OfHeadersStandHere) {
-  for (const std::string_view header :
-       {"base/expected.hpp", "base/options.hpp", "base/random.hpp", "map/grid_map.hpp",
-        "map/free_space.hpp", "map/generators.hpp", "io/load_map.hpp", "planner/planner.hpp",
-        "planner/cost_to_go.hpp", "planner/search_recorder.hpp", "planner/layer.hpp",
-        "report/posthoc_trace.hpp", "render/gif.hpp", "planner/widest_path.hpp",
-        "planner/no_path.hpp"}) {
+  for (const std::string_view header : {"base/expected.hpp",
+                                        "base/options.hpp",
+                                        "base/random.hpp",
+                                        "map/grid_map.hpp",
+                                        "map/free_space.hpp",
+                                        "map/generators.hpp",
+                                        "io/load_map.hpp",
+                                        "planner/planner.hpp",
+                                        "planner/cost_to_go.hpp",
+                                        "planner/search_recorder.hpp",
+                                        "planner/layer.hpp",
+                                        "report/posthoc_trace.hpp",
+                                        "render/gif.hpp",
+                                        "render/scene.hpp",
+                                        "render/style.hpp",
+                                        "render/drawing.hpp",
+                                        "render/terminal_picture.hpp",
+                                        "render/panels.hpp",
+                                        "planner/widest_path.hpp",
+                                        "planner/no_path.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

@@ -32,7 +32,7 @@ void draw_rim(cairo_t* context, Point baseline, const std::string& number, const
   cairo_move_to(context, baseline.x, baseline.y);
   cairo_text_path(context, number.c_str());
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_width(context, 3);
+  cairo_set_line_width(context, 5);
   set_source(context, colour);
   cairo_stroke(context);
 }

@@ -12,7 +12,8 @@ namespace wend {
 namespace {
 
 constexpr double kLongestBar = 200;
-constexpr int kMostPixels = 16384;  // across and down; cairo refuses more than twice that
+constexpr double kLegendMargin = 8;  // of pictures for animations, left and right
+constexpr int kMostPixels = 16384;   // across and down; cairo refuses more than twice that
 
 /// A map of one cell needs none.
 std::optional<ScaleBar> bar_for(const Scene& scene, const MapView& view, double room) {
@@ -60,8 +61,7 @@ Grid<std::uint32_t> draw_pixels(const Scene& scene, int most_width, int most_hei
   int footer_height = 0;
   int width = 0;
   if (legend == PixelLegend::below) {
-    constexpr double kSide = 8;
-    footer.emplace(legend_of(scene, style), std::nullopt, most_width - 2 * kSide);
+    footer.emplace(legend_of(scene, style), std::nullopt, most_width - 2 * kLegendMargin);
     footer_height = std::min(footer->lines() * Footer::kLine, most_height - 1);
     width = most_width;
   }
@@ -75,7 +75,7 @@ Grid<std::uint32_t> draw_pixels(const Scene& scene, int most_width, int most_hei
   cairo_paint(context.get());
   draw_scene(context.get(), scene, view, style, MapForm::image);
   if (footer) {
-    footer->draw(context.get(), {8, view.height + Footer::kLine / 2.0}, style);
+    footer->draw(context.get(), {kLegendMargin, view.height + Footer::kLine / 2.0}, style);
   }
   return pixels_of(image.get());
 }

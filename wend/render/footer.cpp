@@ -83,6 +83,7 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
       return cairo_stroke(context);
     case Swatch::arrow:
       return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
+    case Swatch::role:
     case Swatch::cell:
       cairo_rectangle(context, centre.x - kSwatch, centre.y - kSwatch, 2 * kSwatch, 2 * kSwatch);
       set_source(context, item.colour);

@@ -27,8 +27,9 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   };
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
-  add(scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
+  add(scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
+  add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
 }
 
 void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
@@ -53,13 +54,12 @@ std::vector<LegendItem> legend_of(const Scene& scene, const Style& style) {
   }
   add_marks(scene, style, items);
   for (const CellRole role : roles_in(scene)) {
-    items.push_back({Swatch::cell,
+    items.push_back({Swatch::role,
                      style.of(role),
                      std::string(describe(role)),
                      {},
                      glyph_of(role).text.front()});
   }
-  if (has_arrows(scene)) items.push_back({Swatch::arrow, style.arrows, "way to move"});
   add_cells(scene, style, items);
   return items;
 }

@@ -11,7 +11,8 @@
 
 namespace wend {
 
-enum class Swatch : unsigned char { heat, start, goal, narrowest, path, arrow, cell };
+/// In the order of the legend: most interesting first.
+enum class Swatch : unsigned char { heat, start, goal, narrowest, path, arrow, role, cell };
 
 struct LegendItem {
   Swatch swatch;
@@ -23,7 +24,7 @@ struct LegendItem {
   friend bool operator==(const LegendItem&, const LegendItem&) = default;
 };
 
-/// Most interesting first. O(cells).
+/// In the order of their swatches. O(cells).
 std::vector<LegendItem> legend_of(const Scene& scene, const Style& style);
 
 }  // namespace wend

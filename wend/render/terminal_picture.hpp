@@ -7,6 +7,7 @@
 //   wend::Terminal terminal;  // plain ASCII
 //   if (is_terminal) terminal = wend::detect_terminal(environ);
 //   std::cout << wend::terminal_picture(scene, 80, 24, terminal);
+//   std::cout << wend::terminal_legend(scene, 80, terminal);
 
 #include <string>
 

@@ -1,0 +1,157 @@
+#include "wend/render/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <map>
+#include <vector>
+
+#include "wend/render/canvas.hpp"
+#include "wend/render/footer.hpp"
+#include "wend/render/labels.hpp"
+#include "wend/render/panel_layout.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kTitleSize = 20;
+constexpr double kCaptionSize = 16;
+constexpr std::size_t kCaptionLines = 2;
+constexpr double kLongestBar = 200;
+constexpr int kPad = 12;  // around a panel on a page of its own
+
+/// The panels, heatmaps of one title with one range.
+std::vector<Panel> with_shared_ranges(std::span<const Panel> panels) {
+  std::map<std::string, HeatRange> ranges;
+  for (const Panel& panel : panels) {
+    const auto& heatmap = panel.scene.heatmap;
+    const auto range = heatmap ? range_of(*heatmap) : std::nullopt;
+    if (!range) continue;
+    HeatRange& shared = ranges.emplace(heatmap->title, *range).first->second;
+    shared = {std::min(shared.least, range->least), std::max(shared.greatest, range->greatest)};
+  }
+  std::vector<Panel> shared(panels.begin(), panels.end());
+  for (Panel& panel : shared) {
+    auto& heatmap = panel.scene.heatmap;
+    if (heatmap && ranges.contains(heatmap->title)) heatmap->range = ranges[heatmap->title];
+  }
+  return shared;
+}
+
+/// What the panels that share a style show, each entry once, in the order of one legend.
+std::vector<LegendItem> shared_legend(std::span<const Panel> panels, const Style& style) {
+  std::vector<LegendItem> items;
+  for (const Panel& panel : panels) {
+    if (panel.style) continue;
+    for (LegendItem& item : legend_of(panel.scene, style)) {
+      if (std::ranges::find(items, item) == items.end()) items.push_back(std::move(item));
+    }
+  }
+  std::ranges::stable_sort(items, {}, &LegendItem::swatch);
+  return items;
+}
+
+/// Where all panels have the same one.
+std::optional<ScaleBar> shared_bar(std::span<const Panel> panels, const PanelLayout& layout) {
+  std::optional<ScaleBar> shared;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const MapView& view = layout.places[i].view;
+    ScaleBar bar = scale_bar(panels[i].scene.space.map().frame(), view.scale(), kLongestBar);
+    const bool same = !shared || (bar.pixels == shared->pixels && bar.label == shared->label);
+    if (!same || bar.pixels > layout.width / 3.0) return std::nullopt;
+    shared = std::move(bar);
+  }
+  return shared;
+}
+
+/// The text's lines, broken between words, the last one shortened.
+std::vector<std::string> caption_lines(cairo_t* context, std::string_view text, double room) {
+  std::vector<std::string> lines;
+  while (!text.empty() && lines.size() < kCaptionLines) {
+    std::size_t end = std::min(text.find('\n'), text.size());
+    const bool last = lines.size() + 1 == kCaptionLines;
+    while (!last && text_width(context, text.substr(0, end)) > room) {
+      const std::size_t blank = text.substr(0, end).rfind(' ');
+      if (blank == std::string_view::npos || blank == 0) break;
+      end = blank;
+    }
+    lines.push_back(shortened(context, text.substr(0, end), room));
+    text.remove_prefix(std::min(text.size(), end + 1));
+  }
+  return lines;
+}
+
+/// The legend of a panel with a style of its own.
+Footer own_footer(const Panel& panel, double width) {
+  return {legend_of(panel.scene, *panel.style), std::nullopt, width};
+}
+
+double caption_height(std::span<const Panel> panels) {
+  const bool any = std::ranges::any_of(panels, [](const auto& p) { return !p.caption.empty(); });
+  return any ? static_cast<double>(kCaptionLines) * PanelLayout::kCaptionLine + 4 : 0;
+}
+
+/// Legends of panels need room below the maps, and how much depends on how wide the panels are.
+PanelLayout layout_of(std::span<const Panel> panels) {
+  const double captions = caption_height(panels);
+  PanelLayout layout = panel_layout(panels, captions);
+  int lines = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (!panels[i].style) continue;
+    lines = std::max(lines, own_footer(panels[i], layout.places[i].width).lines());
+  }
+  if (lines == 0) return layout;
+  const auto columns = static_cast<int>(std::ranges::count_if(
+      layout.places, [&](const PanelPlace& place) { return place.top == layout.places[0].top; }));
+  return panel_layout(panels, captions + lines * Footer::kLine, columns);
+}
+
+void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, const Style& style,
+                PictureKind kind) {
+  if (panel.style) {
+    set_source(context, style.page);
+    cairo_rectangle(context, place.left - kPad, place.top - kPad, place.width + 2 * kPad,
+                    place.height + 2 * kPad);
+    cairo_fill(context);
+  }
+  select_label_font(context, kTitleSize);
+  draw_text(context, {place.left, place.top + kTitleSize},
+            shortened(context, panel.title, place.width), style.ink);
+  draw_scene(context, panel.scene, place.view, style, map_form(kind));
+  double y = place.view.top + place.view.height + PanelLayout::kCaptionLine;
+  select_label_font(context, kCaptionSize);
+  for (const std::string& line : caption_lines(context, panel.caption, place.width)) {
+    draw_text(context, {place.left, y}, line, style.ink);
+    y += PanelLayout::kCaptionLine;
+  }
+  if (!panel.style) return;
+  const Footer footer = own_footer(panel, place.width);
+  const double middle = (footer.lines() - 0.5) * Footer::kLine;
+  footer.draw(context, {place.left, place.top + place.height - middle}, style);
+}
+
+}  // namespace
+
+Expected<std::string, RenderError> draw_panels(std::span<const Panel> panels, PictureKind kind,
+                                               const Style& style) {
+  assert(!panels.empty());
+  const std::vector<Panel> shared = with_shared_ranges(panels);
+  const PanelLayout layout = layout_of(shared);
+  const double room = layout.width - 2 * PanelLayout::kMargin;
+  std::vector<LegendItem> legend = shared_legend(shared, style);
+  std::optional<ScaleBar> bar = shared_bar(shared, layout);
+  const bool explains = !legend.empty() || bar;
+  const Footer footer(std::move(legend), std::move(bar), room);
+  const int height = layout.height + (explains ? footer.lines() * Footer::kLine : 0);
+  return drawn_file(kind, layout.width, height, [&](cairo_t* context) {
+    set_source(context, style.page);
+    cairo_paint(context);
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+      draw_panel(context, shared[i], layout.places[i], shared[i].style.value_or(style), kind);
+    }
+    const double below = layout.height - PanelLayout::kMargin / 2.0 + Footer::kLine / 2.0;
+    footer.draw(context, {PanelLayout::kMargin, below}, style);
+  });
+}
+
+}  // namespace wend
