@@ -14,7 +14,7 @@ constexpr int kLargestMap = 800;
 constexpr int kNarrowestPanel = 300;
 constexpr int kNarrowestPicture = 600;  // the legend needs room
 constexpr double kPleasant = 1.5;       // width to height
-constexpr double kEmptyPlace = 0.6;     // as bad as proportions that are wrong by that much
+constexpr double kEmptyPlace = 1;       // as bad as proportions that are wrong by that much
 
 int rows_of(std::size_t panels, int columns) {
   return (static_cast<int>(panels) + columns - 1) / columns;

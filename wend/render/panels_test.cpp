@@ -66,6 +66,7 @@ TEST(PanelLayout, FillsRows) {
   EXPECT_EQ(columns(1, 100, 100), 1);
   EXPECT_EQ(columns(2, 100, 100), 2);
   EXPECT_EQ(columns(3, 100, 100), 3);
+  EXPECT_EQ(columns(3, 160, 100), 3) << "none is left empty";
   EXPECT_EQ(columns(4, 100, 80), 2);
   EXPECT_EQ(columns(6, 100, 100), 3);
   EXPECT_EQ(columns(2, 100, 10), 1) << "long maps lie one above the other";
