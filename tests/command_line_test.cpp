@@ -93,15 +93,22 @@ TEST(Planners, AreListedForPeople) {
     EXPECT_THAT(listing.out, HasSubstr(name + "\n"));
   }
   EXPECT_THAT(listing.out, AllOf(HasSubstr("Hart, Nilsson, Raphael 1968"),
-                                 HasSubstr("weight (or lambda, w) = 1: 0 to 1e+06")));
+                                 HasSubstr("weight (or lambda, w) = 1: 0 to 1e+06"),
+                                 HasSubstr("\n  memory         16 bytes a cell and 4"),
+                                 HasSubstr("\n  when           The default")));
+  std::istringstream lines(listing.out);
+  for (std::string line; std::getline(lines, line);) {
+    const bool of_option = line.starts_with("    ") && !line.starts_with(std::string(17, ' '));
+    EXPECT_TRUE(of_option || line.size() <= 90) << line;
+  }
 }
 
 TEST(Planners, AreListedForPrograms) {
   const json listing = json::parse(wend({"planners", "--format", "json"}).out);
   ASSERT_EQ(listing.size(), 6U);
   for (const json& planner : listing) {
-    for (const char* key :
-         {"name", "summary", "guarantee", "promise", "preprocessing", "citation"}) {
+    for (const char* key : {"name", "summary", "idea", "guarantee", "promise", "time", "memory",
+                            "when", "preprocessing", "citation"}) {
       EXPECT_FALSE(planner.at(key).get<std::string>().empty()) << planner.at("name") << key;
     }
     for (const json& option : planner.at("options")) {

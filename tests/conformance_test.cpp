@@ -302,8 +302,12 @@ TEST_P(Conformance, TakesItsDefaultsAndRefusesWhatIsOutOfRange) {
 
 TEST_P(Conformance, SaysWhatItIs) {
   EXPECT_NE(info().summary, "");
+  EXPECT_NE(info().idea, "");
   EXPECT_NE(info().citation, "");
   EXPECT_NE(info().guarantee, "");
+  EXPECT_NE(info().time, "");
+  EXPECT_NE(info().memory, "");
+  EXPECT_NE(info().when, "");
   EXPECT_EQ(info().summary.find('\n'), std::string::npos);
 }
 

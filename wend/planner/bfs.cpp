@@ -38,10 +38,21 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& option
 PlannerInfo bfs_planner() {
   return {.name = "bfs",
           .summary = "Breadth-first: cells in the order in which they are reached",
+          .idea =
+              "Cells wait in a queue and are expanded in the order in which they were "
+              "reached: all that are one step away, then all at two steps. The first path to "
+              "the goal therefore has the fewest steps.",
           .citation = "Moore 1959",
           .guarantee =
               "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
               "sqrt(2) times the optimum on 8",
+          .time = "O(n) in the n cells expanded",
+          .memory = "16 bytes a cell and 4 an open cell",
+          .when =
+              "Where the number of moves counts, or on 4 neighbours and uniform terrain, "
+              "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
+              "neighbours it takes a diagonal step for no longer than a straight one; it "
+              "ignores terrain.",
           .promise = Promise::fewest_steps,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

@@ -29,8 +29,17 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& option
 PlannerInfo dfs_planner() {
   return {.name = "dfs",
           .summary = "Depth-first: the cell that was reached last",
+          .idea =
+              "Cells wait on a stack and the one that was reached last is expanded first: the "
+              "search runs on until it is stuck, then goes back to the last cell left open.",
           .citation = "Trémaux 1882",
           .guarantee = "complete; the path is rarely short",
+          .time = "O(n) in the n cells expanded",
+          .memory = "16 bytes a cell and 4 an open cell",
+          .when =
+              "To see what a stack does in place of a queue, and to find some way through a "
+              "maze, where there is only one. In open space its paths wander through "
+              "everything: do not drive them.",
           .promise = Promise::complete,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

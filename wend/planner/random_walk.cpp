@@ -195,8 +195,17 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
 PlannerInfo random_walk_planner() {
   return {.name = "random_walk",
           .summary = "A random walk with a short memory, on 4 neighbours",
+          .idea =
+              "At every step it moves to a random one of the 4 neighbours, and not back to a "
+              "cell that it has just left if there is another. It keeps no frontier and does "
+              "not know where the goal is.",
           .citation = "Pearson 1905",
           .guarantee = "none: it may run out of steps",
+          .time = "O(s) in the s steps taken; max_steps is the only bound on s",
+          .memory = "8 bytes a cell and 8 a step",
+          .when =
+              "As what every planner has to beat, and to test what becomes of a planner that "
+              "fails. Never to drive.",
           .promise = Promise::none,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

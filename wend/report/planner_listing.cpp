@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "wend/base/parse.hpp"
 #include "wend/report/json.hpp"
 
@@ -15,13 +18,34 @@ std::string option_text(const OptionInfo& option) {
                      range_text(option), option.help);
 }
 
+constexpr std::size_t kTitleWidth = 15;
+constexpr std::size_t kTextWidth = 73;
+
+/// "  title   text", with the words of a long text below one another.
+std::string entry(std::string_view title, std::string_view text) {
+  std::string lines = fmt::format("  {:<{}}", title, kTitleWidth);
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    const bool fits = column + word.size() <= kTextWidth;
+    if (column > 0) lines += fits ? " " : "\n" + std::string(2 + kTitleWidth, ' ');
+    column = (fits ? column : 0) + word.size() + 1;
+    lines += word;
+  }
+  return lines + '\n';
+}
+
 std::string planner_text(const PlannerInfo& planner) {
   std::string text = fmt::format("{}\n  {}\n", planner.name, planner.summary);
-  text += fmt::format("  guarantee      {}\n", planner.guarantee);
-  text += fmt::format("  terrain        {}\n",
-                      planner.plans_on_terrain ? "costs count" : "costs are ignored");
-  text += fmt::format("  preprocessing  {}\n", to_string(planner.preprocessing));
-  text += fmt::format("  paper          {}\n", planner.citation);
+  text += entry("idea", planner.idea);
+  text += entry("guarantee", planner.guarantee);
+  text += entry("time", planner.time);
+  text += entry("memory", planner.memory);
+  text += entry("when", planner.when);
+  text += entry("terrain", planner.plans_on_terrain ? "costs count" : "costs are ignored");
+  text += entry("preprocessing", to_string(planner.preprocessing));
+  text += entry("paper", planner.citation);
   if (!planner.options.empty()) text += "  options\n";
   for (const OptionInfo& option : planner.options) text += option_text(option);
   return text;
@@ -57,8 +81,12 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
     for (const OptionInfo& option : planner.options) options.push_back(json_of(option));
     json.push_back({{"name", planner.name},
                     {"summary", planner.summary},
+                    {"idea", planner.idea},
                     {"guarantee", planner.guarantee},
                     {"promise", to_string(planner.promise)},
+                    {"time", planner.time},
+                    {"memory", planner.memory},
+                    {"when", planner.when},
                     {"plans_on_terrain", planner.plans_on_terrain},
                     {"preprocessing", to_string(planner.preprocessing)},
                     {"can_step", planner.can_step},

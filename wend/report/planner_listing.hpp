@@ -10,11 +10,13 @@
 
 namespace wend {
 
-/// Each planner with what it guarantees, its options with ranges and defaults, and its paper.
+/// Each planner with what it guarantees and costs, when to choose it, its options with ranges and
+/// defaults, and its paper. Paragraphs have at most 90 columns.
 std::string planner_listing_text(const Registry<PlannerInfo>& planners);
 
-/// A list of {"name", "summary", "guarantee", "promise", "plans_on_terrain", "preprocessing",
-/// "can_step", "citation", "options"}. One line with its line end.
+/// A list of {"name", "summary", "idea", "guarantee", "promise", "time", "memory", "when",
+/// "plans_on_terrain", "preprocessing", "can_step", "citation", "options"}. One line with its line
+/// end.
 std::string planner_listing_json(const Registry<PlannerInfo>& planners);
 
 /// The range of an option: "0 to 1e+06", "4 or 8", "true or false".
