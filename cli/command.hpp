@@ -18,6 +18,9 @@ Command add_bench(CLI::App& app);
 Command add_planners(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_generate(CLI::App& app);
+Command add_compare(CLI::App& app);
+Command add_explain(CLI::App& app);
+Command add_view(CLI::App& app);
 Command add_convert(CLI::App& app);
 
 /// Completes the subcommands that have been added to `app` before.

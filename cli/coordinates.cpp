@@ -66,7 +66,21 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
 
 std::string Coordinates::text(Cell cell) const {
   if (!metric_) return cell_text(cell);
-  return metres(frame_.to_metres(centre_of(cell))) + ", cell " + cell_text(cell);
+  return text(centre_of(cell));
+}
+
+std::string Coordinates::text(Point point) const {
+  const Cell cell{static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
+  if (metric_) return metres(frame_.to_metres(point)) + ", cell " + cell_text(cell);
+  if (point == centre_of(cell)) return "cell " + cell_text(cell);
+  return fmt::format("({:g},{:g}), cell {}", point.x, point.y, cell_text(cell));
+}
+
+std::string Coordinates::radius_argument(double cells) const {
+  // What is a whole number of these but for rounding stays one.
+  constexpr double kDigits = 1e4;
+  const double radius = metric_ ? cells * frame_.resolution : cells;
+  return format_number(std::floor(radius * kDigits * (1 + 1e-9)) / kDigits);
 }
 
 std::string Coordinates::length(double cells) const {

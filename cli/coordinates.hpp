@@ -32,8 +32,17 @@ class Coordinates {
   /// "X,Y": a place in the map's frame, or a cell. Throws InputError for any other text.
   Place parse(const std::string& name, const std::string& typed) const;
 
+  /// A place that is known by its cell.
+  Place place(const std::string& name, Cell cell) const { return {name, cell, text(cell)}; }
+
   /// A cell as the user counts.
   std::string text(Cell cell) const;
+
+  /// A point in grid coordinates, and the cell that it lies in: "(1.25,3.4) m, cell (25,68)".
+  std::string text(Point point) const;
+
+  /// A radius in cells as --robot-radius takes it, rounded down.
+  std::string radius_argument(double cells) const;
 
   /// A length given in cells: "2.83 cells" or "0.14 m".
   std::string length(double cells) const;

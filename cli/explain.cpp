@@ -1,101 +1,199 @@
-#include "explain.hpp"
+// wend explain: why there is no path, and what would make one.
 
 #include <fmt/format.h>
 
-#include "wend/geometry/pose.hpp"
-#include "wend/map/nearest_passable.hpp"
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "explainer.hpp"
+#include "flags.hpp"
+#include "map_arguments.hpp"
+#include "option_flags.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "picture.hpp"
+#include "picture_files.hpp"
+#include "wend/planner/no_path.hpp"
+#include "wend/report/no_path_json.hpp"
 
 namespace wend::cli {
+namespace {
 
-std::string Explainer::explain(Status status, const Ends& ends, const Limits& limits,
-                               const SearchMetrics& metrics) const {
-  switch (status) {
-    case Status::start_outside:
-      return outside(ends.start);
-    case Status::goal_outside:
-      return outside(ends.goal);
-    case Status::start_blocked:
-      return blocked_end(ends.start, ends.goal);
-    case Status::goal_blocked:
-      return blocked_end(ends.goal, ends.start);
-    case Status::unreachable:
-      return unreachable(ends);
-    default:
-      return explain_limit(status, limits, metrics);
+struct ExplainArguments {
+  MapArguments map;
+  std::string start;
+  std::string goal;
+  OptionFlags options{"move"};
+  Format format = Format::text;
+  PictureArguments pictures;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6
+  wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
+  wend explain grid.txt --start 0,0 --goal 9,9 --format json
+
+The picture shows what can be reached from the start, from where the goal can be reached, and
+the widest way between them with its narrowest place. Exit codes: 0 there is a path after all,
+1 there is none, 2 bad usage or input.)";
+
+/// One question, from its arguments to its answer.
+class ExplainRun {
+ public:
+  ExplainRun(const ExplainArguments& arguments, GridMoves moves, FreeSpace space)
+      : arguments_(arguments),
+        moves_(moves),
+        space_(std::move(space)),
+        coordinates_(arguments.map.coordinates(space_.map())),
+        explainer_(space_, coordinates_, moves_),
+        ends_{coordinates_.parse("start", arguments.start),
+              coordinates_.parse("goal", arguments.goal)} {
+    for (const Place& place : {ends_.start, ends_.goal}) {
+      if (!space_.contains(place.cell)) throw InputError(explainer_.outside(place));
+    }
+    why_ = explain_no_path(space_, ends_.start.cell, ends_.goal.cell, moves_);
   }
+
+  ExitCode report() const;
+
+ private:
+  std::string text() const;
+  std::string headline() const;
+  std::string region(const Place& place) const;
+  std::string causes() const;
+  Scene scene() const;
+  BitGrid region_cells(Cell cell) const;
+
+  const ExplainArguments& arguments_;
+  GridMoves moves_;
+  FreeSpace space_;
+  Coordinates coordinates_;
+  Explainer explainer_;
+  Ends ends_;
+  NoPath why_;
+};
+
+std::string line(std::string_view name, const std::string& what) {
+  return fmt::format("{:<16}{}\n", name, what);
 }
 
-std::string Explainer::outside(const Place& place) const {
-  return fmt::format("the {} {} lies outside the map, which covers {}", place.name, place.text,
-                     coordinates_.extent());
-}
-
-std::string Explainer::blocked(const Place& place) const {
-  const auto reason = space_.why_blocked(place.cell);
-  if (!reason) return {};
-  if (*reason == BlockReason::outside) return outside(place);
-  return fmt::format("the {} {} is blocked: {}", place.name, place.text, why(place, *reason));
-}
-
-std::string Explainer::why(const Place& place, BlockReason reason) const {
-  switch (reason) {
-    case BlockReason::obstacle:
-      return "it lies on an obstacle";
-    case BlockReason::unknown:
-      return "the cell is unknown (--unknown free takes such cells for free)";
-    case BlockReason::too_close:
-      return fmt::format("the nearest obstacle is {} away, the robot's radius is {}",
-                         coordinates_.length(space_.clearance(place.cell)),
-                         coordinates_.length(space_.radius_in_cells()));
-    case BlockReason::outside:
-      break;
+std::string ExplainRun::headline() const {
+  if (why_.path_exists()) {
+    return fmt::format("there is a path from {} to {}\n", ends_.start.text, ends_.goal.text);
   }
-  return std::string(describe(reason));
+  return fmt::format("no path joins start {} and goal {}\n", ends_.start.text, ends_.goal.text);
 }
 
-std::string Explainer::blocked_end(const Place& place, const Place& other) const {
-  std::string text = blocked(place);
-  if (!space_.passable(other.cell)) text += ". Also, " + blocked(other);
-  return text + ". " + nearest(place, other);
+std::string ExplainRun::region(const Place& place) const {
+  const std::string blocked = explainer_.blocked(place);
+  return blocked.empty() ? explainer_.region(place.cell) : blocked;
 }
 
-std::string Explainer::nearest(const Place& place, const Place& other) const {
-  const bool other_is_free = space_.passable(other.cell);
-  const auto cell = other_is_free ? nearest_passable(space_, place.cell, other.cell, adjacency_)
-                                  : nearest_passable(space_, place.cell);
-  if (!cell) return "No cell of the map is free for this robot";
-  const double away = distance(centre_of(*cell), centre_of(place.cell));
-  const std::string connected = other_is_free ? " that is connected to the " + other.name : "";
-  return fmt::format("The nearest free cell{} is {}, {} away: --nearest plans {} that cell",
-                     connected, coordinates_.text(*cell), coordinates_.length(away),
-                     place.name == "start" ? "from" : "to");
+/// What is in the way, and what is not, by every reason that there could be.
+std::string ExplainRun::causes() const {
+  const auto says = [this](bool Way::* change, std::string_view what) {
+    const auto has = [change](const Way& way) { return way.*change; };
+    const auto way = std::find_if(why_.ways.begin(), why_.ways.end(), has);
+    if (way == why_.ways.end()) return line(what, "not the cause");
+    return line(what, way->changes() == 1 ? "the cause: without it there is a path"
+                                          : "a part of the cause");
+  };
+  return says(&Way::smaller_robot, "robot's size") + says(&Way::unknown_free, "unknown cells") +
+         says(&Way::squeeze, "corner rule") +
+         line("connectivity", "not the cause: 8 neighbours alone reach what 4 reach");
 }
 
-std::string Explainer::unreachable(const Ends& ends) const {
-  return fmt::format(
-      "no path joins start {} and goal {}: the start's region has {}, the goal's has {}",
-      ends.start.text, ends.goal.text, region(ends.start.cell), region(ends.goal.cell));
-}
-
-std::string Explainer::region(Cell cell) const {
-  return coordinates_.area(space_.regions().size_of_region(cell, adjacency_));
-}
-
-std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics) {
-  switch (status) {
-    case Status::expansion_limit:
-      return fmt::format("gave up after {} expansions (--limit-expansions {})", metrics.expanded,
-                         limits.expansions);
-    case Status::time_limit:
-      return fmt::format("gave up after {:g} s and {} expansions (--limit-time {:g})",
-                         limits.seconds, metrics.expanded, limits.seconds);
-    case Status::cancelled:
-      return fmt::format("cancelled after {} expansions", metrics.expanded);
-    case Status::step_limit:
-      return fmt::format("the walk used up its {} steps (--max-steps)", metrics.expanded - 1);
-    default:
-      return std::string(describe(status));
+std::string ExplainRun::text() const {
+  std::string text = headline();
+  text += picture(scene(), detect_screen(), arguments_.pictures);
+  text += line("start's region", region(ends_.start)) + line("goal's region", region(ends_.goal));
+  text +=
+      line("widest path", why_.widest ? "for a robot " + explainer_.width(*why_.widest)
+                                      : "none: obstacles part the two, whatever the robot's size");
+  if (why_.path_exists()) return text;
+  text += causes();
+  for (const Way& way : why_.ways) {
+    text += line(way.widest.path.empty() ? "" : "would help", explainer_.change(way));
   }
+  if (why_.ways.empty()) text += line("would help", "nothing but another map");
+  return text;
+}
+
+BitGrid ExplainRun::region_cells(Cell cell) const {
+  BitGrid cells(space_.width(), space_.height());
+  const ConnectedRegions& regions = space_.regions();
+  for (int y = 0; y < space_.height(); ++y) {
+    for (int x = 0; x < space_.width(); ++x) {
+      cells.set({x, y}, regions.connected(cell, {x, y}, moves_.adjacency()));
+    }
+  }
+  return cells;
+}
+
+Scene ExplainRun::scene() const {
+  Scene scene{.space = space_};
+  scene.start = centre_of(ends_.start.cell);
+  scene.goals = {centre_of(ends_.goal.cell)};
+  scene.marked = {{CellRole::start_region, region_cells(ends_.start.cell)}};
+  if (!why_.path_exists()) {
+    scene.marked.push_back({CellRole::goal_region, region_cells(ends_.goal.cell)});
+  }
+  // The way that asks for the least, or, where the robot fits, the widest one.
+  if (!why_.ways.empty()) {
+    const WidestPath& widest = why_.ways.front().widest;
+    scene.path = widest.path;
+    scene.narrowest = widest.narrowest;
+  }
+  return scene;
+}
+
+ExitCode ExplainRun::report() const {
+  if (arguments_.format == Format::json) {
+    print(no_path_json(why_, space_.map().frame()));
+  } else {
+    print(text());
+  }
+  auto writers = picture_writers({{{}, scene(), {}}}, arguments_.pictures.style);
+  writers[".json"] = [this](const std::string& file) {
+    return write_bytes(file, no_path_json(why_, space_.map().frame()));
+  };
+  arguments_.output.write(writers);
+  return why_.path_exists() ? success : no_plan;
+}
+
+int run(const ExplainArguments& arguments) {
+  arguments.output.check();
+  const auto moves = parse_options<GridMoves>(arguments.options.values_for("explain"));
+  if (!moves) throw InputError(moves.error().message());
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  return ExplainRun(arguments, *moves, arguments.map.free_space(loaded.map)).report();
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& app) {
+  CLI::App& explain =
+      *app.add_subcommand("explain", "Say why there is no path, and what would make one");
+  const auto arguments = std::make_shared<ExplainArguments>();
+  arguments->map.add_to(explain);
+  explain.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+      ->required()
+      ->type_name("X,Y");
+  explain.add_option("--goal", arguments->goal, "To where")->required()->type_name("X,Y");
+  add_format(explain, arguments->format);
+  arguments->pictures.add_to(explain);
+  arguments->output.add_to(explain, {".png", ".svg", ".pdf", ".json"},
+                           "Also write a picture (.png, .svg, .pdf) or the JSON; may be given "
+                           "several times");
+  arguments->options.collect("explain", option_schema<GridMoves>());
+  arguments->options.add_to(explain);
+  explain.footer(kExamples);
+  return {&explain, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
-#include "explain.hpp"
+#include "explainer.hpp"
 #include "field_text.hpp"
 #include "flags.hpp"
 #include "limit_arguments.hpp"
@@ -55,7 +55,7 @@ class FieldRun {
         moves_(moves),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        explainer_(space_, coordinates_, moves_.adjacency()) {
+        explainer_(space_, coordinates_, moves_) {
     for (const auto& typed : arguments.goals) goals_.push_back(coordinates_.parse("goal", typed));
     for (const auto& typed : arguments.starts) {
       starts_.push_back(coordinates_.parse("start", typed));

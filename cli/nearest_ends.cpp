@@ -47,9 +47,10 @@ bool is_blocked(const FreeSpace& space, Cell cell) {
 }  // namespace
 
 std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,
-                                         const Coordinates& coordinates, Adjacency adjacency) {
+                                         const Coordinates& coordinates, GridMoves moves) {
   std::vector<std::string> notes;
-  const Explainer explainer(space, coordinates, adjacency);
+  const Explainer explainer(space, coordinates, moves);
+  const Adjacency adjacency = moves.adjacency();
   const auto move = [&](Place& place, std::optional<Cell> cell, std::string_view preposition) {
     if (!cell || *cell == place.cell) return;
     notes.push_back(fmt::format("{}; planning {} {}, {} away", explainer.blocked(place),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coordinates.hpp"
-#include "explain.hpp"
+#include "explainer.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend::cli {
@@ -14,6 +14,6 @@ namespace wend::cli {
 /// Moves blocked ends to the nearest passable cells that are connected to the other end; says so,
 /// a line for each. Ends outside the map stay where they are.
 std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,
-                                         const Coordinates& coordinates, Adjacency adjacency);
+                                         const Coordinates& coordinates, GridMoves moves);
 
 }  // namespace wend::cli

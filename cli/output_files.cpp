@@ -38,6 +38,14 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
   }
 }
 
+void check_folder(const std::filesystem::path& file, const std::string& name) {
+  const auto folder = file.parent_path();
+  std::error_code error;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    throw InputError(fmt::format("{}: there is no folder {}", name, folder.string()));
+  }
+}
+
 void OutputFiles::add_to(CLI::App& app, std::vector<std::string> extensions,
                          const std::string& help) {
   extensions_ = std::move(extensions);
@@ -50,12 +58,14 @@ void OutputFiles::check() const {
     if (std::find(extensions_.begin(), extensions_.end(), extension) == extensions_.end()) {
       throw InputError(fmt::format("-o {}: the name must end in {}", file, or_list(extensions_)));
     }
-    const auto folder = std::filesystem::path(file).parent_path();
-    std::error_code error;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-      throw InputError(fmt::format("-o {}: there is no folder {}", file, folder.string()));
-    }
+    check_folder(file, "-o " + file);
   }
+}
+
+bool OutputFiles::any(const std::string& extension) const {
+  return std::any_of(files_.begin(), files_.end(), [&extension](const std::string& file) {
+    return extension_of(file) == extension;
+  });
 }
 
 void OutputFiles::check_not_among(const std::vector<std::filesystem::path>& inputs) const {

@@ -19,6 +19,9 @@ using FileWriter = std::function<std::string(const std::string& file)>;
 void check_not_among(const std::vector<std::filesystem::path>& inputs,
                      const std::filesystem::path& file, const std::string& name);
 
+/// Throws InputError if a file is to lie in a folder that is not there.
+void check_folder(const std::filesystem::path& file, const std::string& name);
+
 class OutputFiles {
  public:
   /// -o, once for each file. `extensions` are those that the command can write: {".png", ".csv"}.
@@ -38,6 +41,9 @@ class OutputFiles {
   void write_all(const FileWriter& writer) const;
 
   const std::vector<std::string>& files() const { return files_; }
+
+  /// Is there a file with that extension?
+  bool any(const std::string& extension) const;
 
  private:
   std::vector<std::string> extensions_;

@@ -15,13 +15,46 @@ constexpr int kFewestRows = 8;
 
 }  // namespace
 
-void add_picture(CLI::App& app, PictureWhen& when) {
+void PictureArguments::add_to(CLI::App& app) {
   add_choice<PictureWhen>(app, "--picture", when,
                           {{"auto", PictureWhen::automatic},
                            {"always", PictureWhen::always},
                            {"never", PictureWhen::never}},
                           "Show the map: auto, the default, shows small ones (up to 80 x 40 cells) "
                           "always and large ones on a terminal only");
+  add_style(app, style,
+            "Colours of pictures: light (the default), dark, or print, which survives "
+            "a black-and-white printer");
+}
+
+void add_style(CLI::App& app, StyleName& style, const std::string& help) {
+  NamedValues<StyleName> styles;
+  for (const auto& choice : choice_names(StyleName{})) {
+    styles.emplace_back(choice.name, choice.value);
+  }
+  add_choice<StyleName>(app, "--style", style, styles, help);
+}
+
+void add_styles(CLI::App& app, std::vector<StyleName>& styles) {
+  const auto add = [&styles](const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      std::vector<std::string> known;
+      for (const auto& choice : choice_names(StyleName{})) {
+        known.emplace_back(choice.name);
+        if (choice.name == name) styles.push_back(choice.value);
+      }
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        refuse_value("--style", option_text::unknown_choice(name, known));
+      }
+    }
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--style", add,
+         wrapped("Colours: light (the default), dark or print; several with commas between come "
+                 "side by side"))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("STYLE[,STYLE...]");
 }
 
 bool is_small(const GridMap& map, const Screen& screen) {
@@ -29,15 +62,22 @@ bool is_small(const GridMap& map, const Screen& screen) {
   return fits_as_text(map, columns, kSmallRows);
 }
 
-std::string picture(const Scene& scene, const Screen& screen, PictureWhen when) {
-  if (when == PictureWhen::never) return {};
-  if (is_small(scene.space.map(), screen)) {
-    const bool colours = screen.terminal.colours != TerminalColours::none;
-    return text_picture(scene, {.colours = colours, .legend = true});
-  }
-  if (when == PictureWhen::automatic && !screen.is_terminal) return {};
+std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments) {
+  if (!is_small(scene.space.map(), screen)) return large_picture(scene, screen, arguments);
+  if (arguments.when == PictureWhen::never) return {};
+  const bool colours = screen.terminal.colours != TerminalColours::none;
+  return text_picture(scene, {.colours = colours, .legend = true});
+}
+
+std::string large_picture(const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments) {
+  const bool seen = arguments.when == PictureWhen::always ||
+                    (arguments.when == PictureWhen::automatic && screen.is_terminal);
+  if (!seen) return {};
   const int rows = std::max(screen.rows - kRowsForSummary, kFewestRows);
-  return terminal_picture(scene, screen.columns, rows, screen.terminal);
+  const Style style = style_of(arguments.style);
+  return terminal_picture(scene, screen.columns, rows, screen.terminal, style) +
+         terminal_legend(scene, screen.columns, screen.terminal, style);
 }
 
 }  // namespace wend::cli

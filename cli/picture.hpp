@@ -5,22 +5,39 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 #include "terminal.hpp"
 #include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
 
 namespace wend::cli {
 
 /// When to show a large map. Small ones always are.
 enum class PictureWhen { automatic, always, never };
 
-/// --picture auto|always|never
-void add_picture(CLI::App& app, PictureWhen& when);
+struct PictureArguments {
+  PictureWhen when = PictureWhen::automatic;
+  StyleName style = StyleName::light;
+
+  /// --picture auto|always|never and --style light|dark|print
+  void add_to(CLI::App& app);
+};
+
+/// --style light|dark|print
+void add_style(CLI::App& app, StyleName& style, const std::string& help);
+
+/// --style light,dark,print: one or more.
+void add_styles(CLI::App& app, std::vector<StyleName>& styles);
 
 /// Is the map small enough for one character a cell?
 bool is_small(const GridMap& map, const Screen& screen);
 
 /// The map as text or as a picture; empty where it is not to be shown.
-std::string picture(const Scene& scene, const Screen& screen, PictureWhen when);
+std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments);
+
+/// The map as a picture, however small it is; empty where it is not to be shown.
+std::string large_picture(const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments);
 
 }  // namespace wend::cli

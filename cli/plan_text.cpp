@@ -23,13 +23,13 @@ std::string bound_text(const Plan& plan) {
   return "no claim: a cheaper path may exist";
 }
 
+}  // namespace
+
 std::string time_text(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
   if (seconds < 1) return fmt::format("{:.2f} ms", seconds * 1e3);
   return fmt::format("{:.2f} s", seconds);
 }
-
-}  // namespace
 
 std::string path_line(const Path& path) {
   std::string text;

@@ -9,6 +9,9 @@
 
 namespace wend::cli {
 
+/// "3.5 us", "12.25 ms", "1.50 s"
+std::string time_text(double seconds);
+
 /// "(1,1)>(2,1)>(3,1)" and a line end
 std::string path_line(const Path& path);
 

@@ -8,6 +8,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
+#include "wend/planner/no_path.hpp"
 #include "wend/planner/plan.hpp"
 
 namespace wend::cli {
@@ -20,9 +21,9 @@ struct Ends {
 
 class Explainer {
  public:
-  /// `adjacency`: which cells the robot's moves connect. All must outlive the explainer.
-  Explainer(const FreeSpace& space, const Coordinates& coordinates, Adjacency adjacency)
-      : space_(space), coordinates_(coordinates), adjacency_(adjacency) {}
+  /// All must outlive the explainer.
+  Explainer(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves)
+      : space_(space), coordinates_(coordinates), moves_(moves) {}
 
   /// Why a query failed, in one or more sentences.
   std::string explain(Status status, const Ends& ends, const Limits& limits,
@@ -37,6 +38,12 @@ class Explainer {
   /// What a region that a cell belongs to measures: "57 cells (0.14 m2)".
   std::string region(Cell cell) const;
 
+  /// What would make a path: "unknown cells taken as free (--unknown free)".
+  std::string change(const Way& way) const;
+
+  /// The widest path, how wide and where it is narrowest: "a robot with a radius of up to 0.3 m".
+  std::string width(const WidestPath& widest) const;
+
  private:
   std::string blocked_end(const Place& place, const Place& other) const;
   std::string nearest(const Place& place, const Place& other) const;
@@ -45,7 +52,7 @@ class Explainer {
 
   const FreeSpace& space_;
   const Coordinates& coordinates_;
-  Adjacency adjacency_;
+  GridMoves moves_;
 };
 
 /// Why a search was stopped: "gave up after 1000 expansions, the limit".

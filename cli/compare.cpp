@@ -1,0 +1,252 @@
+// wend compare: planners beside each other, on one query or on many.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "explainer.hpp"
+#include "flags.hpp"
+#include "gnuplot.hpp"
+#include "interrupt.hpp"
+#include "limit_arguments.hpp"
+#include "map_arguments.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "picture.hpp"
+#include "picture_files.hpp"
+#include "plan_text.hpp"
+#include "planner_argument.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/comparison.hpp"
+#include "wend/report/comparison_plot.hpp"
+#include "wend/report/comparison_run.hpp"
+
+namespace wend::cli {
+namespace {
+
+enum class ComparisonFormat { text, json, csv };
+
+struct CompareArguments {
+  MapArguments map;
+  std::string start;
+  std::string goal;
+  std::string planners;  // empty: all
+  std::uint64_t random = 0;
+  std::uint64_t seed = 1;
+  LimitArguments limits;
+  ComparisonFormat format = ComparisonFormat::text;
+  StyleName style = StyleName::light;
+  OutputFiles output;
+  std::string plot;
+};
+
+constexpr std::uint64_t kMostQueries = 1'000'000;
+
+constexpr const char* kExamples = R"(Examples:
+  wend compare office.yaml --start 1,1 --goal 15,9
+  wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
+  wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,heuristic=euclidean,bfs
+  wend compare office.yaml --random 200 --seed 7 --planner astar,dijkstra --plot plots.png
+
+All planners, or those named, on the same query or on N random connected pairs. The picture has
+a panel for each planner, with what it expanded. Plots need gnuplot. Exit codes: 0 a path was
+found, 1 none was, 2 bad usage or input.)";
+
+std::vector<PlannerSpec> all_planners() {
+  std::vector<PlannerSpec> specs;
+  for (const PlannerInfo& info : planners()) specs.push_back({info.name, info.name, {}});
+  return specs;
+}
+
+void check(const CompareArguments& arguments) {
+  const bool pair = !arguments.start.empty() || !arguments.goal.empty();
+  if (pair && arguments.random > 0) {
+    throw InputError("--random chooses start and goal: leave out --start and --goal");
+  }
+  if (arguments.random == 0 && (arguments.start.empty() || arguments.goal.empty())) {
+    throw InputError("name a query with --start X,Y --goal X,Y, or many with --random N");
+  }
+  if (arguments.random > kMostQueries) {
+    throw InputError(fmt::format("--random {}: at most {}", arguments.random, kMostQueries));
+  }
+  const bool picture =
+      std::any_of(kPictureExtensions.begin(), kPictureExtensions.end(),
+                  [&](const std::string& extension) { return arguments.output.any(extension); });
+  if (picture && arguments.random > 0) {
+    throw InputError("-o with a picture is for one query; of many, --plot draws the statistics");
+  }
+  if (arguments.plot.empty()) return;
+  if (arguments.random == 0) throw InputError("--plot is for many queries: add --random N");
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
+std::vector<CellPair> queries_of(const CompareArguments& arguments, const FreeSpace& space) {
+  if (arguments.random > 0) {
+    auto pairs = random_pairs(space, arguments.random, arguments.seed);
+    if (pairs.empty()) throw InputError("--random: no two cells of this map are connected");
+    return pairs;
+  }
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  return {{coordinates.parse("start", arguments.start).cell,
+           coordinates.parse("goal", arguments.goal).cell}};
+}
+
+/// Answers all queries; false if Ctrl-C came.
+bool answer_all(ComparisonRun& run, const std::vector<CellPair>& queries,
+                const LimitArguments& limits) {
+  const auto& cancelled = cancel_on_interrupt();
+  ProgressBar progress("comparing", queries.size());
+  ProgressBar within_a_query("", 0);
+  for (std::size_t i = 0; i < queries.size() && !cancelled; ++i) {
+    run.answer(queries[i], limits.limits(within_a_query));
+    progress.update(i + 1);
+  }
+  return !cancelled;
+}
+
+/// Says why planners found nothing, as `wend plan` does.
+void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  Limits limits;
+  limits.expansions = arguments.limits.expansions;
+  limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
+  for (ComparedQuery& query : run.comparison().queries) {
+    const Ends ends{coordinates.place("start", query.start), coordinates.place("goal", query.goal)};
+    for (std::size_t i = 0; i < query.rows.size(); ++i) {
+      ComparisonRow& row = query.rows[i];
+      if (row.found() || !row.reason.empty()) continue;
+      const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
+      row.reason = Explainer(space, coordinates, moves_of(run.planners()[i]))
+                       .explain(row.status, ends, limits, metrics);
+    }
+  }
+}
+
+std::string caption_of(const ComparisonRow& row) {
+  if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
+  return fmt::format("cost {:.6g}, {} expanded, {}", row.cost, row.expanded,
+                     time_text(row.seconds));
+}
+
+/// A panel for each planner: what it expanded for the first query, and its path.
+std::vector<Panel> panels_of(const ComparisonRun& run, const FreeSpace& space) {
+  const ComparedQuery& query = run.comparison().queries.front();
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < query.rows.size(); ++i) {
+    const SearchSnapshot snapshot = run.record(i, 0).snapshot();
+    Scene scene{.space = space, .path = run.path(i, 0)};
+    scene.start = centre_of(query.start);
+    scene.goals = {centre_of(query.goal)};
+    scene.marked = {{CellRole::expanded, snapshot.expanded},
+                    {CellRole::frontier, snapshot.frontier}};
+    panels.push_back({query.rows[i].planner, std::move(scene), caption_of(query.rows[i])});
+  }
+  return panels;
+}
+
+void write_files(const CompareArguments& arguments, const ComparisonRun& run,
+                 const FreeSpace& space) {
+  const Comparison& comparison = run.comparison();
+  std::map<std::string, FileWriter> writers;
+  if (arguments.random == 0) writers = picture_writers(panels_of(run, space), arguments.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, comparison_json(comparison));
+  };
+  writers[".csv"] = [&](const std::string& file) {
+    return write_bytes(file, comparison_csv(comparison));
+  };
+  arguments.output.write(writers);
+  if (arguments.plot.empty()) return;
+  const std::string script =
+      comparison_plot(comparison, plot_kind_of(arguments.plot), plot_colours_of(arguments.style));
+  const std::string wrong = write_bytes(arguments.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+std::string text_of(const Comparison& comparison, ComparisonFormat format) {
+  switch (format) {
+    case ComparisonFormat::text:
+      return comparison_table(comparison);
+    case ComparisonFormat::json:
+      return comparison_json(comparison);
+    case ComparisonFormat::csv:
+      return comparison_csv(comparison);
+  }
+  return {};
+}
+
+bool found_any(const Comparison& comparison) {
+  return std::any_of(comparison.queries.begin(), comparison.queries.end(), [](const auto& query) {
+    return std::any_of(query.rows.begin(), query.rows.end(),
+                       [](const ComparisonRow& row) { return row.found(); });
+  });
+}
+
+int run(const CompareArguments& arguments) {
+  arguments.output.check();
+  check(arguments);
+  std::vector<PlannerSpec> specs =
+      arguments.planners.empty() ? all_planners() : parse_planners(arguments.planners);
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  if (!arguments.plot.empty()) {
+    check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
+  }
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  auto made = ComparisonRun::make(space, std::move(specs), steady_seconds);
+  if (!made) throw InputError(made.error().message());
+  ComparisonRun& run = *made;
+  if (!answer_all(run, queries_of(arguments, space), arguments.limits)) {
+    complain("cancelled");
+    return no_plan;
+  }
+  give_reasons(run, arguments, space);
+  print(text_of(run.comparison(), arguments.format));
+  write_files(arguments, run, space);
+  return found_any(run.comparison()) ? success : no_plan;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& app) {
+  CLI::App& compare =
+      *app.add_subcommand("compare", "Compare planners on the same query, or on many");
+  const auto arguments = std::make_shared<CompareArguments>();
+  arguments->map.add_to(compare);
+  compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+      ->type_name("X,Y");
+  compare.add_option("--goal", arguments->goal, "To where")->type_name("X,Y");
+  compare
+      .add_option("--planner", arguments->planners,
+                  wrapped("Planners with commas between, options after a colon: "
+                          "astar:w=2,heuristic=euclidean,bfs (default: all)"))
+      ->type_name(kPlannerType);
+  add_count(compare, "--random", arguments->random,
+            "Compare on so many random pairs of cells that a path joins");
+  add_count(compare, "--seed", arguments->seed, "Another seed, other pairs (default 1)");
+  arguments->limits.add_to(compare);
+  add_choice<ComparisonFormat>(compare, "--format", arguments->format,
+                               {{"text", ComparisonFormat::text},
+                                {"json", ComparisonFormat::json},
+                                {"csv", ComparisonFormat::csv}},
+                               "A table for people (the default), or one for programs");
+  add_style(compare, arguments->style, "Colours of pictures and plots (default light)");
+  arguments->output.add_to(compare, {".png", ".svg", ".pdf", ".json", ".csv"},
+                           "Also write a picture with a panel for each planner (.png, .svg, "
+                           ".pdf), or the table (.csv, .json); may be given several times");
+  compare
+      .add_option("--plot", arguments->plot,
+                  wrapped("Of many queries: time and expansions against length, and their "
+                          "distributions, as .png, .svg or .pdf"))
+      ->type_name(kFileType);
+  compare.footer(kExamples);
+  return {&compare, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+// Keyboard: single keys from standard input, without waiting for a line where that is a terminal.
+
+#include <termios.h>
+
+#include <optional>
+
+namespace wend::cli {
+
+class Keyboard {
+ public:
+  /// From now on keys come at once and are not echoed.
+  Keyboard();
+  /// As it was before.
+  ~Keyboard();
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+
+  /// Waits for a key; nothing at the end of the input and after Ctrl-C.
+  std::optional<char> read() const;
+
+ private:
+  std::optional<termios> before_;  // where it is a terminal
+};
+
+}  // namespace wend::cli

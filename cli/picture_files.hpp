@@ -1,0 +1,28 @@
+#pragma once
+
+// Pictures as files: the writers for -o that every command with pictures has.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "output_files.hpp"
+#include "wend/render/panels.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend::cli {
+
+/// What pictures can be written as.
+inline const std::vector<std::string> kPictureExtensions{".png", ".svg", ".pdf"};
+
+/// Writers that draw the panels side by side; they copy what they are given.
+std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);
+
+/// Writes text or bytes; what went wrong, empty if nothing did.
+std::string write_bytes(const std::string& file, const std::string& bytes);
+
+/// The same of a picture, if it could be drawn.
+std::string write_picture(const std::string& file,
+                          const Expected<std::string, RenderError>& picture);
+
+}  // namespace wend::cli

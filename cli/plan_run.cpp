@@ -1,0 +1,236 @@
+#include "plan_run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "narrator.hpp"
+#include "nearest_ends.hpp"
+#include "observer_list.hpp"
+#include "output.hpp"
+#include "picture_files.hpp"
+#include "plan_text.hpp"
+#include "planner_argument.hpp"
+#include "search_frames.hpp"
+#include "stepper.hpp"
+#include "wend/io/path_csv.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/plan_json.hpp"
+
+namespace wend::cli {
+
+PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space)
+    : arguments_(arguments),
+      spec_(std::move(planner)),
+      space_(std::move(space)),
+      coordinates_(arguments.map.coordinates(space_.map())),
+      ends_{coordinates_.parse("start", arguments.start),
+            coordinates_.parse("goal", arguments.goal)} {}
+
+GridMoves PlanRun::moves() const { return moves_of(spec_); }
+
+/// On large maps a search is slowed down only for those who ask for what it did.
+bool PlanRun::records() const {
+  const WatchArguments& watch = arguments_.watch;
+  return is_small(space_.map(), Screen{}) || watch.step || watch.animate ||
+         arguments_.layers.any_from(LayerSource::search) || arguments_.output.any(".gif");
+}
+
+void PlanRun::plan() {
+  result_.planner = spec_.name;
+  if (arguments_.nearest) {
+    for (const auto& note : move_to_nearest(ends_, space_, coordinates_, moves())) {
+      complain(note);
+    }
+  }
+  auto planner = info_of(spec_).make(space_, spec_.options);
+  if (planner) {
+    planner_ = *std::move(planner);
+    search();
+  } else if (planner.error().status == Status::invalid_option) {
+    throw InputError(planner.error().message());
+  } else {
+    fail(planner.error().status, planner.error().message());
+  }
+}
+
+void PlanRun::search() {
+  ProgressBar progress("planning", space_.passable().count());
+  Query query = Query::between(ends_.start.cell, ends_.goal.cell);
+  query.limits = arguments_.limits.limits(progress);
+  ObserverList observers;
+  Narrator narrator;
+  if (arguments_.watch.verbose) observers.add(narrator);
+  if (records()) observers.add(recorder_.emplace(space_));
+  std::optional<PosthocTrace> trace;
+  if (!arguments_.watch.trace.empty()) {
+    observers.add(trace.emplace(space_, ends_.start.cell, std::array{ends_.goal.cell},
+                                arguments_.watch.trace_form(), arguments_.watch.trace_limit));
+  }
+  if (!observers.empty()) query.observer = &observers;
+  result_.status = arguments_.watch.step ? search_in_steps(query) : search_to_the_end(query);
+  if (result_.status != Status::found) {
+    const Explainer explainer(space_, coordinates_, moves());
+    fail(result_.status,
+         explainer.explain(result_.status, ends_, query.limits, result_.plan.metrics));
+  }
+  if (trace) write_trace(*trace);
+  make_layers(query.limits);
+}
+
+Status PlanRun::search_to_the_end(const Query& query) {
+  const double begin = steady_seconds();
+  const Status status = planner_->plan(query, result_.plan);
+  result_.seconds = steady_seconds() - begin;
+  return status;
+}
+
+/// Only the search is timed, not the person.
+Status PlanRun::search_in_steps(const Query& query) {
+  if (!info_of(spec_).can_step) {
+    throw InputError(fmt::format("--step: the planner {} cannot be stepped", spec_.name));
+  }
+  double begin = steady_seconds();
+  auto outcome = planner_->begin(query, result_.plan);
+  if (outcome) return *outcome;
+  Stepper stepper(screen_);
+  for (;;) {
+    outcome = planner_->step(result_.plan);
+    result_.seconds += steady_seconds() - begin;
+    if (outcome) return *outcome;
+    const std::uint64_t expanded = result_.plan.metrics.expanded;
+    if (stepper.asks_after(expanded)) stepper.ask(step_text(), expanded);
+    if (stepper.quit()) return Status::cancelled;
+    begin = steady_seconds();
+  }
+}
+
+void PlanRun::make_layers(const Limits& limits) {
+  std::optional<CostToGo> field;
+  if (arguments_.layers.any_from(LayerSource::cost_to_go)) {
+    if (auto made = CostToGo::make(space_, std::array{ends_.goal.cell}, moves(), limits)) {
+      field = *std::move(made);
+    }
+  }
+  layers_.clear();
+  for (const LayerKind kind : arguments_.layers.kinds()) {
+    switch (source_of(kind)) {
+      case LayerSource::search:
+        layers_.push_back(search_layer(kind, *planner_, *recorder_));
+        break;
+      case LayerSource::cost_to_go:
+        if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
+        break;
+      case LayerSource::map:
+        layers_.push_back(map_layer(kind, space_));
+        break;
+    }
+  }
+}
+
+void PlanRun::fail(Status status, std::string reason) {
+  result_.status = status;
+  result_.reason = std::move(reason);
+}
+
+Scene PlanRun::ends() const {
+  Scene scene{.space = space_};
+  scene.start = centre_of(ends_.start.cell);
+  scene.goals = {centre_of(ends_.goal.cell)};
+  return scene;
+}
+
+/// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
+/// path: the cells that they visited are shown instead.
+Scene PlanRun::outcome() const {
+  Scene scene = ends();
+  const bool walked = spec_.name == "random_walk" && recorder_;
+  if (!walked && !result_.plan.path.empty()) {
+    scene.path = result_.plan.path;
+  } else if (recorder_ && !recorder_->expansions().empty()) {
+    scene.marked = {{CellRole::expanded, recorder_->snapshot().expanded}};
+  }
+  return scene;
+}
+
+std::string PlanRun::step_text() const {
+  const SearchSnapshot snapshot = recorder_->snapshot();
+  const Scene scene = with_snapshot(ends(), snapshot);
+  std::string text = picture(scene, screen_, {PictureWhen::always, arguments_.pictures.style});
+  for (const LayerKind kind : arguments_.layers.kinds()) {
+    if (source_of(kind) != LayerSource::search) continue;
+    text += layer_text(ends(), search_layer(kind, *planner_, *recorder_), screen_,
+                       {PictureWhen::always, arguments_.pictures.style});
+  }
+  const SearchLayers& known = recorder_->layers();
+  const Cell cell = snapshot.current.value_or(ends_.start.cell);
+  return text + fmt::format("expansion {}: {} f={:.6g} g={:.6g} h={:.6g}, frontier {}\n",
+                            recorder_->expansions().size(), cell_text(cell), known.f[cell],
+                            known.g[cell], known.h[cell], snapshot.frontier.count());
+}
+
+std::string PlanRun::text() const {
+  std::string text;
+  const bool found = result_.status == Status::found;
+  const bool small = is_small(space_.map(), screen_);
+  if (found && small) text += path_line(result_.plan.path);
+  for (const Layer& layer : layers_) {
+    text += layer_text(outcome(), layer, screen_, arguments_.pictures);
+  }
+  // Of a failure there is something to see where a search has begun.
+  if (layers_.empty() && (found || (small && result_.plan.metrics.expanded > 0))) {
+    text += picture(outcome(), screen_, arguments_.pictures);
+  }
+  if (found) text += plan_summary(result_, space_.map().frame());
+  return text;
+}
+
+void PlanRun::write_trace(PosthocTrace& trace) const {
+  const WatchArguments& watch = arguments_.watch;
+  const std::string wrong = write_bytes(watch.trace, trace.finish(result_.plan.path));
+  if (!wrong.empty()) throw InputError(wrong);
+  if (trace.dropped() == 0) return;
+  complain(fmt::format("{}: the trace ends after {} events, {} more are left out (--trace-limit)",
+                       watch.trace, watch.trace_limit, trace.dropped()));
+}
+
+void PlanRun::write_files() const {
+  const Frame& frame = space_.map().frame();
+  const StyleName style = arguments_.pictures.style;
+  auto writers = picture_writers(layer_panels(outcome(), layers_), style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, plan_json(result_, frame, layers_));
+  };
+  if (recorder_ && !recorder_->expansions().empty()) {
+    writers[".gif"] = [&](const std::string& file) {
+      return write_picture(file,
+                           gif_of(outcome(), *recorder_, arguments_.watch.speed, style_of(style)));
+    };
+  }
+  if (result_.status == Status::found) {
+    writers[".csv"] = [&](const std::string& file) {
+      const auto written = save_path_csv(result_.plan.path, frame, file);
+      return written ? std::string() : written.error().message();
+    };
+  }
+  arguments_.output.write(writers);
+}
+
+ExitCode PlanRun::report() {
+  const bool searched = recorder_ && !recorder_->expansions().empty();
+  if (arguments_.watch.animate && searched) {
+    play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
+  }
+  if (arguments_.format == Format::json) {
+    print(plan_json(result_, space_.map().frame(), layers_));
+  } else {
+    print(text());
+  }
+  write_files();
+  if (result_.status == Status::found) return success;
+  complain(result_.reason);
+  return no_plan;
+}
+
+}  // namespace wend::cli

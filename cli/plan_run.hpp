@@ -1,0 +1,82 @@
+#pragma once
+
+// One query of `wend plan`, from its arguments to its outcome.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coordinates.hpp"
+#include "exit_code.hpp"
+#include "explainer.hpp"
+#include "flags.hpp"
+#include "limit_arguments.hpp"
+#include "map_arguments.hpp"
+#include "option_flags.hpp"
+#include "output_files.hpp"
+#include "picture.hpp"
+#include "shown_layers.hpp"
+#include "watching.hpp"
+#include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/search_recorder.hpp"
+#include "wend/report/plan_result.hpp"
+
+namespace wend::cli {
+
+struct PlanArguments {
+  MapArguments map;
+  std::string start;
+  std::string goal;
+  std::string planner = "astar";
+  OptionFlags options{"planner"};
+  LimitArguments limits;
+  bool nearest = false;
+  Format format = Format::text;
+  PictureArguments pictures;
+  ShownLayers layers;
+  WatchArguments watch;
+  OutputFiles output;
+};
+
+class PlanRun {
+ public:
+  PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space);
+
+  /// Plans. Throws InputError for options out of range.
+  void plan();
+
+  /// Prints and writes what came out.
+  ExitCode report();
+
+ private:
+  void search();
+  Status search_to_the_end(const Query& query);
+  Status search_in_steps(const Query& query);
+  void make_layers(const Limits& limits);
+  void fail(Status status, std::string reason);
+
+  bool records() const;
+  GridMoves moves() const;
+  Scene ends() const;
+  Scene outcome() const;
+  std::string text() const;
+  std::string step_text() const;
+  void write_files() const;
+  void write_trace(PosthocTrace& trace) const;
+
+  const PlanArguments& arguments_;
+  Screen screen_ = detect_screen();
+  PlannerSpec spec_;
+  FreeSpace space_;
+  Coordinates coordinates_;
+  Ends ends_;
+  std::unique_ptr<Planner> planner_;
+  std::optional<SearchRecorder> recorder_;
+  std::vector<Layer> layers_;
+  PlanResult result_;
+};
+
+}  // namespace wend::cli

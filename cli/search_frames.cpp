@@ -1,0 +1,105 @@
+#include "search_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <thread>
+
+#include "display.hpp"
+#include "interrupt.hpp"
+#include "narrator.hpp"
+#include "picture.hpp"
+#include "wend/render/drawing.hpp"
+#include "wend/render/gif.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr double kSeconds = 6;  // that a film takes unless somebody wants another speed
+constexpr std::size_t kMostFilmFrames = 36'000;  // half an hour
+constexpr std::size_t kMostGifFrames = 400;
+constexpr int kGifWidth = 800;  // pixels at most
+constexpr int kGifHeight = 640;
+constexpr int kFrameHundredths = 100 / kFramesPerSecond;
+constexpr int kOutcomeHundredths = 250;
+constexpr std::size_t kPaletteSamples = 4;
+
+std::string progress_line(const SearchSnapshot& snapshot, std::size_t expansions) {
+  return fmt::format("expansion {}, frontier {}\n", expansions, snapshot.frontier.count());
+}
+
+Scene without_path(Scene scene) {
+  scene.path = {};
+  return scene;
+}
+
+}  // namespace
+
+Scene with_snapshot(Scene scene, const SearchSnapshot& snapshot) {
+  scene.marked = {{CellRole::expanded, snapshot.expanded}, {CellRole::frontier, snapshot.frontier}};
+  if (snapshot.current) {
+    BitGrid current(scene.space.width(), scene.space.height());
+    current.set(*snapshot.current, true);
+    scene.marked.push_back({CellRole::current, std::move(current)});
+  }
+  return scene;
+}
+
+std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<double> speed,
+                                     std::size_t most) {
+  const auto total = static_cast<double>(expansions);
+  const double a_frame = speed ? *speed / kFramesPerSecond : total / (kSeconds * kFramesPerSecond);
+  // A frame that shows nothing new would only take time where the speed is not asked for.
+  const double step =
+      std::max({speed ? a_frame : std::max(a_frame, 1.0), total / static_cast<double>(most)});
+  std::vector<std::size_t> times;
+  for (double at = 0; at < total; at += step) times.push_back(static_cast<std::size_t>(at));
+  times.push_back(expansions);
+  return times;
+}
+
+void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& screen,
+          const PictureArguments& pictures, std::optional<double> speed) {
+  const auto& cancelled = cancel_on_interrupt();
+  const PictureArguments always{PictureWhen::always, pictures.style};
+  const Scene base = without_path(outcome);
+  Display display(screen);
+  auto next = std::chrono::steady_clock::now();
+  for (const std::size_t expansions :
+       frame_times(recorder.expansions().size(), speed, kMostFilmFrames)) {
+    if (cancelled) break;
+    const SearchSnapshot snapshot = recorder.snapshot(expansions);
+    display.show(picture(with_snapshot(base, snapshot), screen, always) +
+                 progress_line(snapshot, expansions));
+    next += std::chrono::milliseconds(1000 / kFramesPerSecond);
+    std::this_thread::sleep_until(next);
+  }
+  display.show(picture(with_snapshot(outcome, recorder.snapshot()), screen, always));
+}
+
+Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchRecorder& recorder,
+                                          std::optional<double> speed, const Style& style) {
+  const Scene base = without_path(outcome);
+  const auto pixels_after = [&](std::size_t expansions) {
+    return draw_pixels(with_snapshot(base, recorder.snapshot(expansions)), kGifWidth, kGifHeight,
+                       style);
+  };
+  const std::size_t total = recorder.expansions().size();
+  const Grid<std::uint32_t> last =
+      draw_pixels(with_snapshot(outcome, recorder.snapshot()), kGifWidth, kGifHeight, style);
+  std::vector<Grid<std::uint32_t>> samples{last};
+  for (std::size_t i = 0; i < kPaletteSamples; ++i) {
+    samples.push_back(pixels_after(total * i / kPaletteSamples));
+  }
+  GifAnimation animation(last.width(), last.height(), palette_of(samples));
+  for (const std::size_t expansions : frame_times(total, speed, kMostGifFrames)) {
+    animation.add(pixels_after(expansions), kFrameHundredths);
+  }
+  animation.add(last, kOutcomeHundredths);
+  return animation.finish();
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,115 @@
+#include "shown_layers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "flags.hpp"
+#include "wend/render/text_layers.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr int kColumnsAnArrow = 2;
+
+const char* const kHelp =
+    "Show this of every cell, as numbers or arrows where the map is small, else as a picture; "
+    "several with commas between. Of the search: expansion, generation (orders), g, heuristic, f, "
+    "closed, frontier, parent; of the costs to the goal: cost, policy; of the map: occupied, "
+    "clearance, terrain";
+
+std::vector<std::string> layer_names() {
+  std::vector<std::string> names;
+  for (const auto& choice : choice_names(LayerKind{})) names.emplace_back(choice.name);
+  return names;
+}
+
+LayerKind parse_layer(const std::string& text) {
+  for (const auto& choice : choice_names(LayerKind{})) {
+    if (choice.name == text) return choice.value;
+  }
+  refuse_value("--show", option_text::unknown_choice(text, layer_names()));
+}
+
+/// Are the numbers only yes or no? Then a picture marks the cells.
+std::optional<CellRole> role_of(LayerKind kind) {
+  if (kind == LayerKind::closed) return CellRole::expanded;
+  if (kind == LayerKind::frontier) return CellRole::frontier;
+  return std::nullopt;
+}
+
+BitGrid cells_that_are_one(const Grid<double>& numbers) {
+  BitGrid cells(numbers.width(), numbers.height());
+  for (int y = 0; y < numbers.height(); ++y) {
+    for (int x = 0; x < numbers.width(); ++x) cells.set({x, y}, numbers[{x, y}] == 1);
+  }
+  return cells;
+}
+
+int columns_of(const Layer& layer) {
+  if (layer.numbers.empty()) return layer.arrows.width() * kColumnsAnArrow;
+  return layer.numbers.width() * columns_a_number(layer.numbers);
+}
+
+std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
+                      const Style& style) {
+  if (layer.numbers.empty()) {
+    scene.arrows = layer.arrows;
+    return text_arrows(scene, colours, style);
+  }
+  scene.heatmap = Heatmap{std::string(title_of(layer.kind)), layer.numbers};
+  return text_numbers(scene, colours, style);
+}
+
+}  // namespace
+
+void ShownLayers::add_to(CLI::App& app) {
+  const auto add = [this](const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      const LayerKind kind = parse_layer(name);
+      if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
+    }
+  };
+  app.add_option_function<std::vector<std::string>>("--show", add, wrapped(kHelp))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("LAYER");
+}
+
+bool ShownLayers::any_from(LayerSource source) const {
+  return std::any_of(kinds_.begin(), kinds_.end(),
+                     [source](LayerKind kind) { return source_of(kind) == source; });
+}
+
+Scene with_layer(Scene scene, const Layer& layer) {
+  if (layer.kind == LayerKind::occupied) return scene;
+  if (const auto role = role_of(layer.kind)) {
+    scene.marked.push_back({*role, cells_that_are_one(layer.numbers)});
+  } else if (layer.numbers.empty()) {
+    scene.arrows = layer.arrows;
+  } else {
+    scene.heatmap = Heatmap{std::string(title_of(layer.kind)), layer.numbers};
+  }
+  return scene;
+}
+
+std::string layer_text(const Scene& scene, const Layer& layer, const Screen& screen,
+                       const PictureArguments& arguments) {
+  const std::string title = std::string(title_of(layer.kind)) + "\n";
+  const bool too_wide = screen.is_terminal && columns_of(layer) > screen.columns;
+  if (!is_small(scene.space.map(), screen) || too_wide) {
+    const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
+    return drawn.empty() ? "" : title + drawn + "\n";
+  }
+  return title + grid_text(scene, layer, screen.terminal.colours, style_of(arguments.style)) + "\n";
+}
+
+std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {
+  std::vector<Panel> panels;
+  for (const Layer& layer : layers) {
+    panels.push_back({std::string(title_of(layer.kind)), with_layer(scene, layer), {}});
+  }
+  if (panels.empty()) panels.push_back({{}, scene, {}});
+  return panels;
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+// Stepper: --step. Shows a search after an expansion and asks how to go on.
+
+#include <cstdint>
+#include <string>
+
+#include "display.hpp"
+#include "keyboard.hpp"
+
+namespace wend::cli {
+
+class Stepper {
+ public:
+  explicit Stepper(const Screen& screen) : display_(screen) {}
+
+  /// Is somebody to be asked after that many expansions?
+  bool asks_after(std::uint64_t expansions) const { return expansions >= next_; }
+
+  /// Shows how the search stands after so many expansions and waits for a key.
+  void ask(const std::string& picture, std::uint64_t expansions);
+
+  /// Does the person want to stop here?
+  bool quit() const { return quit_; }
+
+ private:
+  Display display_;
+  Keyboard keyboard_;
+  std::uint64_t next_ = 1;
+  bool quit_ = false;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,181 @@
+// wend view: maps, and paths on them, as pictures.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "map_arguments.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "picture.hpp"
+#include "picture_files.hpp"
+#include "shown_layers.hpp"
+#include "wend/io/load_map.hpp"
+#include "wend/io/load_path.hpp"
+#include "wend/path/path_metrics.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct ViewArguments {
+  MapArguments map;
+  std::vector<std::string> paths;
+  std::vector<std::string> beside;
+  ShownLayers layers;
+  PictureWhen when = PictureWhen::always;
+  std::vector<StyleName> styles;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend view office.yaml
+  wend view office.yaml plan.csv -o plan.pdf
+  wend view office.yaml a.json b.json -o side_by_side.png
+  wend view office.yaml plan.csv --style light,dark,print -o styles.png
+  wend view office.yaml --show clearance -o clearance.png
+  wend view a.map --beside b.map -o both.png
+
+Paths are those that `wend plan -o` writes (.csv, .json). Several paths, maps, layers or styles
+come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
+
+/// The title of a panel that shows a file.
+std::string name_of(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+std::string size_text(const GridMap& map) {
+  const Frame& frame = map.frame();
+  std::string text = fmt::format("{} x {} cells", map.width(), map.height());
+  if (frame.metric) {
+    text += fmt::format(", {:.4g} x {:.4g} m", map.width() * frame.resolution,
+                        map.height() * frame.resolution);
+  }
+  return text;
+}
+
+Path load_path_on(const FreeSpace& space, const std::string& file) {
+  auto path = load_path(file);
+  if (!path) throw InputError(path.error().message());
+  const auto cells = path->cells();
+  const auto outside = std::find_if(cells.begin(), cells.end(),
+                                    [&space](Cell cell) { return !space.contains(cell); });
+  if (outside == cells.end()) return *std::move(path);
+  throw InputError(fmt::format("{}: the cell {} does not lie on the map, which has {}", file,
+                               cell_text(*outside), size_text(space.map())));
+}
+
+Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const std::string& file) {
+  Scene scene{.space = space, .path = load_path_on(space, file)};
+  scene.start = centre_of(scene.path.cells().front());
+  scene.goals = {centre_of(scene.path.cells().back())};
+  const PathMetrics metrics = measure(scene.path, space);
+  return {name_of(file), std::move(scene),
+          fmt::format("length {}, clearance {}", coordinates.length(metrics.length),
+                      coordinates.length(metrics.smallest_clearance))};
+}
+
+/// A panel for each path and layer, or one of the map alone.
+std::vector<Panel> panels_of(const ViewArguments& arguments, const GridMap& map) {
+  const FreeSpace space = arguments.map.free_space(map);
+  const Coordinates coordinates = arguments.map.coordinates(map);
+  std::vector<Panel> panels;
+  for (const std::string& file : arguments.paths) {
+    panels.push_back(path_panel(space, coordinates, file));
+  }
+  for (const LayerKind kind : arguments.layers.kinds()) {
+    panels.push_back({std::string(title_of(kind)),
+                      with_layer(Scene{.space = space}, map_layer(kind, space)),
+                      {}});
+  }
+  if (panels.empty()) {
+    panels.push_back({name_of(arguments.map.file), Scene{.space = space}, size_text(map)});
+  }
+  return panels;
+}
+
+/// Each panel in each style.
+std::vector<Panel> in_styles(const std::vector<Panel>& panels,
+                             const std::vector<StyleName>& styles) {
+  std::vector<Panel> styled;
+  for (const Panel& panel : panels) {
+    for (const StyleName style : styles) {
+      styled.push_back(panel);
+      styled.back().style = style_of(style);
+    }
+  }
+  return styled;
+}
+
+void check(const ViewArguments& arguments) {
+  arguments.output.check();
+  for (const LayerKind kind : arguments.layers.kinds()) {
+    if (source_of(kind) == LayerSource::map) continue;
+    throw InputError(fmt::format("--show {}: there is no search here; `wend plan --show` shows it",
+                                 choice_name(kind)));
+  }
+}
+
+int run(const ViewArguments& arguments) {
+  check(arguments);
+  std::vector<LoadedMap> maps{arguments.map.load()};
+  for (const std::string& file : arguments.beside) {
+    auto loaded = load_map(file);
+    if (!loaded) throw InputError(loaded.error().message());
+    maps.push_back(*std::move(loaded));
+  }
+  for (const LoadedMap& loaded : maps) arguments.output.check_not_among(loaded.files);
+  for (const std::string& path : arguments.paths) arguments.output.check_not_among({path});
+
+  std::vector<Panel> panels = panels_of(arguments, maps.front().map);
+  for (std::size_t i = 0; i < arguments.beside.size(); ++i) {
+    const GridMap& map = maps[i + 1].map;
+    panels.push_back({name_of(arguments.beside[i]), Scene{.space = arguments.map.free_space(map)},
+                      size_text(map)});
+  }
+  const StyleName first = arguments.styles.empty() ? StyleName::light : arguments.styles.front();
+  const Screen screen = detect_screen();
+  for (const Panel& panel : panels) {
+    const std::string drawn = picture(panel.scene, screen, {arguments.when, first});
+    if (drawn.empty()) continue;
+    const std::string caption = panel.caption.empty() ? "" : " (" + panel.caption + ")";
+    print(panel.title + caption + "\n" + drawn);
+  }
+  if (arguments.styles.size() > 1) panels = in_styles(panels, arguments.styles);
+  arguments.output.write(picture_writers(std::move(panels), first));
+  return success;
+}
+
+}  // namespace
+
+Command add_view(CLI::App& app) {
+  CLI::App& view = *app.add_subcommand("view", "Show a map, and paths on it");
+  const auto arguments = std::make_shared<ViewArguments>();
+  arguments->map.add_to(view);
+  view.add_option("PATH", arguments->paths,
+                  wrapped("Paths on it, as `wend plan -o` writes them (.csv, .json)"))
+      ->type_name(kFileType);
+  add_texts(view, "--beside", arguments->beside,
+            "Another map, to be shown beside it; may be given "
+            "several times")
+      ->type_name(kFileType);
+  arguments->layers.add_to(view);
+  add_choice<PictureWhen>(view, "--picture", arguments->when,
+                          {{"auto", PictureWhen::automatic},
+                           {"always", PictureWhen::always},
+                           {"never", PictureWhen::never}},
+                          "Show the map here: always (the default), on a terminal only (auto), "
+                          "or never");
+  add_styles(view, arguments->styles);
+  arguments->output.add_to(view, kPictureExtensions,
+                           "Write the picture, as .png, .svg or .pdf; "
+                           "may be given several times");
+  view.footer(kExamples);
+  return {&view, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

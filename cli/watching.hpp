@@ -1,0 +1,32 @@
+#pragma once
+
+// How a person follows a search: told line by line, step by step, played, or kept as a trace.
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "terminal.hpp"
+#include "wend/report/posthoc_trace.hpp"
+
+namespace wend::cli {
+
+struct WatchArguments {
+  bool verbose = false;
+  bool step = false;
+  bool animate = false;
+  std::optional<double> speed;          // expansions a second
+  std::string trace;                    // a file; empty: none
+  std::uint64_t trace_limit = 200'000;  // events, some 20 MB
+
+  void add_to(CLI::App& app);
+
+  /// Throws InputError where the flags cannot be honoured.
+  void check(const Screen& screen) const;
+
+  /// What the trace's name asks for.
+  TraceForm trace_form() const;
+};
+
+}  // namespace wend::cli

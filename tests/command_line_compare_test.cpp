@@ -1,0 +1,165 @@
+// `wend compare`, from outside.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command_line/run_program.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kGrid =
+    "........\n"
+    ".####.#.\n"
+    ".....3#.\n"
+    "..#...#.\n"
+    "..#..###\n"
+    "..#..#..\n";
+
+class CompareCommand : public testing::Test {
+ protected:
+  Outcome compare(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"compare", map_});
+    return wend(std::move(more));
+  }
+
+  /// The rows of the one query.
+  json rows(std::vector<std::string> more) const {
+    more.insert(more.end(), {"--format", "json"});
+    return json::parse(compare(std::move(more)).out).at("queries")[0].at("planners");
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("grid.txt", kGrid);
+};
+
+TEST_F(CompareCommand, RunsAllPlannersOnTheSameQuery) {
+  const Outcome outcome = compare({"--start", "0,0", "--goal", "4,5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  for (const PlannerInfo& info : planners()) EXPECT_THAT(outcome.out, HasSubstr(info.name));
+  EXPECT_THAT(outcome.out, HasSubstr("* best"));
+}
+
+TEST_F(CompareCommand, AgreesWithPlan) {
+  for (const json& row : rows({"--start", "0,0", "--goal", "4,5", "--planner",
+                               "astar:w=2,heuristic=euclidean,bfs:connectivity=4,dijkstra"})) {
+    const auto planner = row.at("planner").get<std::string>();
+    SCOPED_TRACE(planner);
+    const json plan = json::parse(wend({"plan", map_, "--start", "0,0", "--goal", "4,5",
+                                        "--planner", planner, "--format", "json"})
+                                      .out);
+    for (const char* key : {"status", "cost", "length_cells"}) EXPECT_EQ(row.at(key), plan.at(key));
+    for (const char* key : {"expanded", "generated", "max_frontier"}) {
+      EXPECT_EQ(row.at("metrics").at(key), plan.at("metrics").at(key)) << key;
+    }
+  }
+}
+
+TEST_F(CompareCommand, SaysWhyThereIsNoPath) {
+  const Outcome outcome =
+      compare({"--start", "0,0", "--goal", "7,5", "--planner", "astar,bfs:corner_rule=both"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("unreachable"), HasSubstr("region has")));
+  const json limited =
+      rows({"--start", "0,0", "--goal", "4,5", "--planner", "dijkstra", "--limit-expansions", "3"});
+  EXPECT_EQ(limited[0].at("status"), "expansion_limit");
+  EXPECT_THAT(limited[0].at("reason").get<std::string>(), HasSubstr("--limit-expansions 3"));
+}
+
+TEST_F(CompareCommand, ShowsHowFarKeepAwayCostKeepsAPathFromWalls) {
+  const std::string office = folder_ / "office.yaml";
+  ASSERT_EQ(wend({"generate", "office", "--size", "100x80", "--seed", "4", "-o", office}).code, 0);
+  const auto mean_clearance = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"compare", office, "--random", "40", "--planner", "astar",
+                               "--robot-radius", "0.1", "--format", "json"});
+    return json::parse(wend(std::move(more)).out)
+        .at("statistics")[0]
+        .at("clearance_cells")
+        .at("mean")
+        .get<double>();
+  };
+  EXPECT_GT(mean_clearance({"--keep-away", "0.6"}), mean_clearance({}));
+}
+
+TEST_F(CompareCommand, TakesRandomPairsFromASeed) {
+  const std::vector<std::string> some{"--random",  "30",        "--seed",   "5",
+                                      "--planner", "astar,bfs", "--format", "csv"};
+  const auto without_time = [](const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t reason = line.rfind(',');
+      text += line.substr(0, line.rfind(',', reason - 1)) + line.substr(reason) + "\n";
+    }
+    return text;
+  };
+  const Outcome first = compare(some);
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(std::count(first.out.begin(), first.out.end(), '\n'), 61);
+  EXPECT_EQ(without_time(first.out), without_time(compare(some).out));
+  std::vector<std::string> other = some;
+  other[3] = "6";
+  EXPECT_NE(without_time(first.out), without_time(compare(other).out));
+  EXPECT_THAT(compare({"--random", "30"}).out, AllOf(HasSubstr("median"), HasSubstr("99 %")));
+}
+
+TEST_F(CompareCommand, DrawsAPanelForEachPlanner) {
+  const std::string svg = folder_ / "panels.svg";
+  EXPECT_EQ(compare({"--start", "0,0", "--goal", "4,5", "--planner", "astar,dfs", "-o", svg, "-o",
+                     folder_ / "table.csv", "-o", folder_ / "table.json"})
+                .code,
+            0);
+  EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
+  EXPECT_THAT(bytes_of(folder_ / "table.csv"), HasSubstr("astar"));
+  EXPECT_EQ(json::parse(bytes_of(folder_ / "table.json")).at("queries").size(), 1U);
+}
+
+TEST_F(CompareCommand, PlotsManyQueries) {
+  const std::string plot = folder_ / "plot.svg";
+  const Outcome outcome = compare({"--random", "30", "--planner", "astar,bfs", "--plot", plot});
+  if (outcome.err.find("needs the program gnuplot") != std::string::npos) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(bytes_of(plot), HasSubstr("</svg>"));
+}
+
+TEST_F(CompareCommand, RefusesWhatItCannotDo) {
+  const auto error_of = [&](std::vector<std::string> arguments) {
+    const Outcome outcome = compare(std::move(arguments));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  };
+  EXPECT_THAT(error_of({}), HasSubstr("--start X,Y --goal X,Y"));
+  EXPECT_THAT(error_of({"--start", "0,0"}), HasSubstr("--goal"));
+  EXPECT_THAT(error_of({"--start", "0,0", "--goal", "1,0", "--random", "3"}),
+              HasSubstr("--random"));
+  EXPECT_THAT(error_of({"--random", "3", "-o", folder_ / "x.png"}), HasSubstr("--plot"));
+  EXPECT_THAT(error_of({"--start", "0,0", "--goal", "1,0", "--plot", folder_ / "x.png"}),
+              HasSubstr("--random"));
+  EXPECT_THAT(error_of({"--random", "3", "--plot", folder_ / "x.gif"}),
+              HasSubstr(".png, .svg or .pdf"));
+  EXPECT_THAT(error_of({"--random", "3", "--planner", "astar:w=-1"}),
+              AllOf(HasSubstr("astar:w=-1"), HasSubstr("not between")));
+  EXPECT_THAT(error_of({"--random", "2000000"}), HasSubstr("at most 1000000"));
+  const std::string full = folder_.write("full.txt", "#.#\n");
+  const Outcome none = wend({"compare", full, "--random", "3"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no two cells of this map are connected"));
+}
+
+}  // namespace
+}  // namespace wend::test

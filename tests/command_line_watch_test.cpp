@@ -1,0 +1,259 @@
+// `wend plan` where somebody watches the search: layers, lines, steps, films and traces.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command_line/run_program.hpp"
+#include "tests/testing/drawn_map.hpp"
+#include "wend/planner/layer.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/render/drawing.hpp"
+#include "wend/render/gif_test_support.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kGrid =
+    ".....\n"
+    ".##..\n"
+    "...#.\n";
+constexpr Cell kStart{0, 1};
+constexpr Cell kGoal{4, 2};
+
+std::size_t count_of(std::string_view text, std::string_view what) {
+  std::size_t count = 0;
+  for (auto at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+class Watching : public testing::Test {
+ protected:
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"plan", map_, "--start", "0,1", "--goal", "4,2"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  Outcome plan(const std::vector<std::string>& more) const { return wend(arguments(more)); }
+
+  /// With keys from standard input.
+  Outcome step(const std::string& keys, const std::string& more = "") const {
+    return shell("printf '" + keys + "' | \"$WEND\" plan '" + map_ +
+                 "' --start 0,1 --goal 4,2 --step " + more);
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("grid.txt", kGrid);
+};
+
+TEST_F(Watching, ShowsLayersAsAlignedGrids) {
+  const Outcome outcome =
+      plan({"--planner", "bfs", "--connectivity", "4", "--show", "g,parent,occupied"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("g, cost from the start\n"
+                                           "1 2 3 4 5\n"
+                                           "0 # # 5 6\n"
+                                           "1 2 3 # 7\n"),
+                                 HasSubstr("parent\n"
+                                           "↓ ← ← ← ←\n"
+                                           "S # # ↑ ←\n"
+                                           "↑ ← ← # G\n"),
+                                 HasSubstr("occupied\n"
+                                           "0 0 0 0 0\n"
+                                           "0 # # 0 0\n"
+                                           "0 0 0 # 0\n")));
+}
+
+TEST_F(Watching, TakesEveryLayerByItsName) {
+  for (const auto& choice : choice_names(LayerKind{})) {
+    const Outcome outcome = plan({"--show", std::string(choice.name)});
+    EXPECT_EQ(outcome.code, 0) << choice.name << ": " << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(std::string(title_of(choice.value)) + "\n"));
+  }
+  const Outcome unknown = plan({"--show", "expansions"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, AllOf(HasSubstr("--show"), HasSubstr("'expansions'"),
+                                 HasSubstr("expansion, generation, g, heuristic")));
+}
+
+TEST_F(Watching, GivesLayersToPrograms) {
+  const Outcome outcome =
+      plan({"--show", "expansion,heuristic,frontier,policy", "--format", "json"});
+  const json layers = json::parse(outcome.out).at("layers");
+  const FreeSpace space = drawn_space(kGrid);
+  const auto planner = make_planner("astar", space);
+  SearchRecorder recorder(space);
+  Query query = Query::between(kStart, kGoal);
+  query.observer = &recorder;
+  ASSERT_TRUE((*planner)->plan(query));
+  for (const LayerKind kind : {LayerKind::expansion, LayerKind::heuristic, LayerKind::frontier}) {
+    const Layer layer = search_layer(kind, **planner, recorder);
+    const json& rows = layers.at(std::string(choice_name(kind)));
+    ASSERT_EQ(rows.size(), 3U);
+    for (int y = 0; y < 3; ++y) {
+      for (int x = 0; x < 5; ++x) {
+        const json& value = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+        const double expected = layer.numbers[{x, y}];
+        if (std::isnan(expected)) {
+          EXPECT_TRUE(value.is_null()) << choice_name(kind) << " " << x << "," << y;
+        } else {
+          EXPECT_EQ(value, expected) << choice_name(kind) << " " << x << "," << y;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(layers.at("policy")[0][4], "down");
+  EXPECT_TRUE(layers.at("policy")[2][4].is_null());
+}
+
+TEST_F(Watching, DrawsLayersSideBySide) {
+  const std::string one = folder_ / "one.png";
+  const std::string two = folder_ / "two.svg";
+  EXPECT_EQ(plan({"--show", "clearance", "-o", one}).code, 0);
+  EXPECT_EQ(plan({"--show", "expansion,policy", "-o", two, "--style", "dark"}).code, 0);
+  EXPECT_THAT(bytes_of(one), StartsWith("\x89PNG"));
+  EXPECT_THAT(bytes_of(two), HasSubstr("<svg"));
+}
+
+TEST_F(Watching, TellsEveryEventOnStandardError) {
+  const Outcome outcome = plan({"--verbose", "--format", "json"});
+  const json metrics = json::parse(outcome.out).at("metrics");
+  EXPECT_THAT(outcome.err, StartsWith("  generate (0,1) f="));
+  EXPECT_THAT(outcome.err, HasSubstr("\nexpand (0,1) f="));
+  EXPECT_THAT(outcome.err, HasSubstr(" g=0 h="));
+  EXPECT_EQ(count_of(outcome.err, "expand ("), metrics.at("expanded").get<std::size_t>());
+  EXPECT_EQ(count_of(outcome.err, "generate ("), metrics.at("generated").get<std::size_t>());
+}
+
+TEST_F(Watching, WaitsForAKeyAfterEachExpansion) {
+  const Outcome outcome = step("nn ", "--show g");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("expansion 1: (0,1)"), HasSubstr("expansion 2: "),
+                                 HasSubstr("expansion 4: "), Not(HasSubstr("expansion 5: "))))
+      << "three keys, and the end of the input runs on";
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("g, cost from the start\n"), HasSubstr("quality")));
+}
+
+TEST_F(Watching, RunsToTheEndOrLeapsOrQuitsWhenAsked) {
+  const Outcome to_the_end = step("r");
+  EXPECT_EQ(to_the_end.code, 0);
+  EXPECT_THAT(to_the_end.out, AllOf(HasSubstr("expansion 1:"), Not(HasSubstr("expansion 2:"))));
+  const Outcome leap = step("t", "--planner dijkstra");
+  EXPECT_EQ(leap.code, 0);
+  EXPECT_THAT(leap.out, AllOf(HasSubstr("expansion 1:"), Not(HasSubstr("expansion 2:")),
+                              HasSubstr("expansion 11:")));
+  const Outcome quit = step("nq");
+  EXPECT_EQ(quit.code, 1);
+  EXPECT_THAT(quit.err, HasSubstr("cancelled after 2 expansions"));
+}
+
+TEST_F(Watching, StepsThroughEveryPlanner) {
+  for (const PlannerInfo& info : planners()) {
+    const Outcome outcome = step("nnq", "--planner " + info.name);
+    EXPECT_EQ(outcome.code, info.can_step ? 1 : 2) << info.name << ": " << outcome.err;
+    EXPECT_EQ(count_of(outcome.out, "expansion 3:"), info.can_step ? 1U : 0U);
+  }
+}
+
+TEST_F(Watching, PlaysFilmsOnATerminalOnly) {
+  const Outcome outcome = plan({"--animate"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("-o search.gif"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_EQ(plan({"--speed", "0"}).code, 2);
+}
+
+/// What the last frame of a film shows.
+Scene outcome_scene() {
+  const FreeSpace space = drawn_space(kGrid);
+  const auto planner = make_planner("astar", space);
+  SearchRecorder recorder(space);
+  Query query = Query::between(kStart, kGoal);
+  query.observer = &recorder;
+  const auto plan = (*planner)->plan(query);
+  const SearchSnapshot last = recorder.snapshot();
+  BitGrid current(space.width(), space.height());
+  current.set(*last.current, true);
+  Scene scene{.space = space, .path = plan->path};
+  scene.start = centre_of(kStart);
+  scene.goals = {centre_of(kGoal)};
+  scene.marked = {{CellRole::expanded, last.expanded},
+                  {CellRole::frontier, last.frontier},
+                  {CellRole::current, current}};
+  return scene;
+}
+
+/// The largest difference of two pictures in any colour channel.
+int difference(const Image& a, const Image& b) {
+  int most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const auto channel = [&](const Image& image) {
+        return static_cast<int>((image.values()[i] >> shift) & 255U);
+      };
+      most = std::max(most, std::abs(channel(a) - channel(b)));
+    }
+  }
+  return most;
+}
+
+TEST_F(Watching, KeepsTheSearchAsAFilm) {
+  const std::string film = folder_ / "search.gif";
+  const Outcome outcome = plan({"-o", film, "--speed", "20", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto expanded = json::parse(outcome.out).at("metrics").at("expanded").get<std::size_t>();
+  const Decoded decoded = test::decoded(bytes_of(film));
+  // 20 expansions and 20 frames a second: one before each expansion, the end, and the outcome.
+  EXPECT_EQ(decoded.frames.size(), expanded + 2);
+  const Image expected = draw_pixels(outcome_scene(), 800, 640);
+  const Image& last = decoded.frames.back().image;
+  ASSERT_EQ(last.width(), expected.width());
+  ASSERT_EQ(last.height(), expected.height());
+  EXPECT_LE(difference(last, expected), 64) << "a GIF has 256 colours";
+  EXPECT_GT(difference(decoded.frames.front().image, expected), 100);
+}
+
+TEST_F(Watching, WritesATraceWithALimit) {
+  const std::string all = folder_ / "all.trace.json";
+  const Outcome outcome = plan({"--trace", all, "--format", "json"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  const json trace = json::parse(bytes_of(all));
+  const auto expanding = [](const json& events) {
+    std::size_t count = 0;
+    for (const json& event : events) count += event.at("type") == "expanding" ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(expanding(trace.at("events")),
+            json::parse(outcome.out).at("metrics").at("expanded").get<std::size_t>());
+
+  const std::string few = folder_ / "few.trace.yaml";
+  const Outcome limited = plan({"--trace", few, "--trace-limit", "5"});
+  EXPECT_EQ(limited.code, 0);
+  EXPECT_THAT(limited.err, AllOf(HasSubstr("few.trace.yaml"), HasSubstr("ends after 5 events"),
+                                 HasSubstr("--trace-limit")));
+  EXPECT_THAT(bytes_of(few), StartsWith("version: 1.4.0"));
+}
+
+TEST_F(Watching, RefusesATraceThatPosthocWouldNotOpen) {
+  const Outcome name = plan({"--trace", folder_ / "trace.txt"});
+  EXPECT_EQ(name.code, 2);
+  EXPECT_THAT(name.err, HasSubstr(".trace.yaml or .trace.json"));
+  const Outcome folder = plan({"--trace", "/no/such/folder/a.trace.yaml"});
+  EXPECT_EQ(folder.code, 2);
+  EXPECT_THAT(folder.err, HasSubstr("there is no folder /no/such/folder"));
+}
+
+}  // namespace
+}  // namespace wend::test
