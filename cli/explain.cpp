@@ -95,15 +95,17 @@ std::string ExplainRun::region(const Place& place) const {
 
 /// What is in the way, and what is not, by every reason that there could be.
 std::string ExplainRun::causes() const {
-  const auto says = [this](bool Way::* change, std::string_view what) {
+  const auto says = [this](bool Way::* change, std::string_view what, std::string_view otherwise) {
     const auto has = [change](const Way& way) { return way.*change; };
     const auto way = std::find_if(why_.ways.begin(), why_.ways.end(), has);
     if (way == why_.ways.end()) return line(what, "not the cause");
-    return line(what, way->changes() == 1 ? "the cause: without it there is a path"
-                                          : "a part of the cause");
+    if (way->changes() > 1) return line(what, "a part of the cause");
+    return line(what, fmt::format("the cause: {}", otherwise));
   };
-  return says(&Way::smaller_robot, "robot's size") + says(&Way::unknown_free, "unknown cells") +
-         says(&Way::squeeze, "corner rule") +
+  return says(&Way::smaller_robot, "robot's size", "a smaller robot gets through") +
+         says(&Way::unknown_free, "unknown cells", "a way leads through them") +
+         says(&Way::squeeze, "corner rule",
+              "a way leads between obstacles that touch with their corners") +
          line("connectivity", "not the cause: 8 neighbours alone reach what 4 reach");
 }
 

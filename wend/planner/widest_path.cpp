@@ -12,6 +12,7 @@
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/map/bit_grid.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/map/way_clearance.hpp"
 #include "wend/planner/planners.hpp"
@@ -90,23 +91,47 @@ Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves move
   return plan ? std::move(plan->path) : Path{};
 }
 
-/// Where a path that is so wide is no wider.
-Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width) {
+/// The cells that a robot wider than `width` can reach from the start. O(cells).
+BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t width,
+                               Adjacency adjacency) {
+  const int stride = adjacency == Adjacency::edges ? 2 : 1;
+  BitGrid reached(space.width(), space.height());
+  std::vector<Cell> open;
+  const auto reach = [&](Cell from, Cell to) {
+    if (reached[to] || squared_half_cell_way_clearance(space, from, to) <= width) return;
+    reached.set(to, true);
+    open.push_back(to);
+  };
+  reach(start, start);
+  while (!open.empty()) {
+    const Cell from = open.back();
+    open.pop_back();
+    for (int direction = 0; direction < kDirections; direction += stride) {
+      const Cell to = step(from, static_cast<Direction>(direction), false);
+      if (space.contains(to)) reach(from, to);
+    }
+  }
+  return reached;
+}
+
+/// Where a wider robot is stuck that comes along the path as far as it can. (Elsewhere the path may
+/// be as narrow without need.)
+Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width,
+                      Adjacency adjacency) {
+  if (cells.empty()) return {};
   const auto& clearance = space.squared_half_cell_clearance();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (clearance[cells[i]] <= width) return centre_of(cells[i]);
-    if (i > 0 && squared_half_cell_way_clearance(space, cells[i - 1], cells[i]) <= width) {
-      const Point from = centre_of(cells[i - 1]);
-      const Point to = centre_of(cells[i]);
-      return {(from.x + to.x) / 2, (from.y + to.y) / 2};
-    }
+  const BitGrid wider = reach_of_a_wider_robot(space, cells.front(), width, adjacency);
+  std::size_t next = cells.size() - 1;
+  while (next > 0 && !wider[cells[next - 1]]) --next;
+  const Cell to = cells[next];
+  if (next == 0 || clearance[to] <= width) return centre_of(to);
+  const Cell from = cells[next - 1];
+  if (squared_half_cell_way_clearance(space, from, to) <= width) {
+    return {(from.x + to.x + 1) / 2.0, (from.y + to.y + 1) / 2.0};
   }
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    for (const Cell beside : {Cell{cells[i - 1].x, cells[i].y}, Cell{cells[i].x, cells[i - 1].y}}) {
-      if (clearance[beside] <= width) return centre_of(beside);
-    }
-  }
-  return {};  // of an empty path
+  // A diagonal step: the ways around it lead over the cells beside it.
+  const Cell beside{from.x, to.y};
+  return centre_of(clearance[beside] <= width ? beside : Cell{to.x, from.y});
 }
 
 }  // namespace
@@ -126,7 +151,7 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   const FreeSpace widest(space.map(), {.robot_radius = cells * space.map().frame().resolution,
                                        .unknown = space.options().unknown});
   Path path = cheapest_path(widest, start, goal, moves);
-  const Point narrowest = narrowest_point(widest, path.cells(), *width);
+  const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};
 }
 

@@ -21,7 +21,7 @@ struct WidestPath {
   /// obstacles that touch with their corners. Infinite where no obstacle is in the way of any disc.
   double radius;
 
-  /// In grid coordinates, where a larger robot is stuck: a point as far from the nearest obstacle as
+  /// In grid coordinates, where a larger robot that comes from the start is stuck: a point as far from the nearest obstacle as
   /// the radius. On the path, or in the centre of a cell beside one of its diagonal steps where
   /// those must be passable.
   Point narrowest;

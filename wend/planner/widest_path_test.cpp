@@ -145,6 +145,42 @@ TEST(WidestPath, IsNarrowestWhereAnObstacleIsAsFarAsTheRadius) {
   });
 }
 
+/// A robot that is a little wider comes to it from the start, but not past it.
+TEST(WidestPath, IsNarrowestWhereAWiderRobotIsStuck) {
+  int stuck_on_the_way = 0;
+  on_random_errands(400, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
+    if (!widest || widest->radius == test::kInfinite) return;
+    const test::Textbook wider = truth.textbook(widest->radius + 1e-5);
+    const auto reached = wider.costs_from(truth.start);
+    if (!wider.passable(truth.start)) {
+      ASSERT_EQ(widest->narrowest, centre_of(truth.start));
+      return;
+    }
+    ++stuck_on_the_way;
+    const auto cells = widest->path.cells();
+    std::size_t last = cells.size() - 1;
+    while (reached[wider.number(cells[last])] == test::kInfinite) --last;
+    ASSERT_LT(last, cells.size() - 1) << "the wider robot gets through";
+    ASSERT_LE(distance(centre_of(cells[last]), widest->narrowest), std::numbers::sqrt2 + kExact);
+    ASSERT_LE(distance(centre_of(cells[last + 1]), widest->narrowest), 1);
+  });
+  EXPECT_GT(stuck_on_the_way, 50);
+}
+
+TEST(WidestPath, IsNarrowestAtAGoalInANicheThoughThePathHugsAWall) {
+  const FreeSpace space = test::drawn_space(R"(
+..........
+.........#
+..........
+....#....#
+..........
+)");
+  const auto widest = widest_path(space, {1, 2}, {9, 2});
+  ASSERT_TRUE(widest);
+  EXPECT_EQ(widest->radius, 0.5);
+  EXPECT_EQ(widest->narrowest, (Point{9.5, 2.5}));
+}
+
 /// In metres and with rounding: a FreeSpace lets a robot of that radius through, and none larger.
 TEST(WidestPath, AgreesWithAPlannerOnAFreeSpaceOfThatRadius) {
   on_random_errands(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
