@@ -23,13 +23,14 @@ double order_or_nothing(std::uint32_t order) {
   return order == 0 ? kNothing : static_cast<double>(order);
 }
 
+double unless_blocked(const FreeSpace& space, Cell cell, double value) {
+  return space.passable(cell) ? value : kNothing;
+}
+
 Grid<double> search_numbers(LayerKind kind, const Planner& planner,
                             const SearchRecorder& recorder) {
   const FreeSpace& space = planner.free_space();
   const SearchLayers& layers = recorder.layers();
-  const auto unless_blocked = [&](Cell cell, double value) {
-    return space.passable(cell) ? value : kNothing;
-  };
   switch (kind) {
     case LayerKind::expansion:
       return grid_of(space, [&](Cell cell) { return order_or_nothing(layers.expansion[cell]); });
@@ -40,16 +41,16 @@ Grid<double> search_numbers(LayerKind kind, const Planner& planner,
     case LayerKind::f:
       return layers.f;
     case LayerKind::heuristic:
-      return grid_of(space,
-                     [&](Cell cell) { return unless_blocked(cell, planner.heuristic(cell)); });
+      return grid_of(
+          space, [&](Cell cell) { return unless_blocked(space, cell, planner.heuristic(cell)); });
     case LayerKind::closed:
       return grid_of(space, [&](Cell cell) {
-        return unless_blocked(cell, layers.expansion[cell] != 0 ? 1 : 0);
+        return unless_blocked(space, cell, layers.expansion[cell] != 0 ? 1 : 0);
       });
     case LayerKind::frontier:
       return grid_of(space, [&](Cell cell) {
         const bool open = layers.generation[cell] != 0 && layers.expansion[cell] == 0;
-        return unless_blocked(cell, open ? 1 : 0);
+        return unless_blocked(space, cell, open ? 1 : 0);
       });
     default:
       assert(false && "not a layer of a search");
@@ -128,7 +129,7 @@ Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& f
   if (kind == LayerKind::policy) {
     return {kind, {}, grid_of(space, [&](Cell cell) { return field.policy(cell); })};
   }
-  const auto cost = [&](Cell cell) { return space.passable(cell) ? field.cost(cell) : kNothing; };
+  const auto cost = [&](Cell cell) { return unless_blocked(space, cell, field.cost(cell)); };
   return {kind, grid_of(space, cost), {}};
 }
 
@@ -139,8 +140,8 @@ Layer map_layer(LayerKind kind, const FreeSpace& space) {
     return {kind, grid_of(space, [&](Cell cell) { return occupied_or_free(map.state(cell)); }), {}};
   }
   const auto number = [&](Cell cell) {
-    if (space.obstacles()[cell]) return kNothing;
-    return kind == LayerKind::clearance ? space.clearance(cell) : space.terrain(cell);
+    if (kind == LayerKind::terrain) return unless_blocked(space, cell, space.terrain(cell));
+    return space.obstacles()[cell] ? kNothing : space.clearance(cell);
   };
   return {kind, grid_of(space, number), {}};
 }

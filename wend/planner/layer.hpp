@@ -38,7 +38,7 @@ enum class LayerKind {
   // Of the map and the robot.
   occupied,   // 1 occupied, 0 free
   clearance,  // distance to the nearest obstacle, in cells
-  terrain,    // what a unit of length costs
+  terrain,    // what a unit of length costs this robot
 };
 
 constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
@@ -77,7 +77,8 @@ Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder&
 /// Of a cost-to-go field for the same space.
 Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& field);
 
-/// Of the map and the robot. Obstacles have no clearance and no terrain.
+/// Of the map and the robot. Obstacles have no clearance, and cells where the robot may not be no
+/// terrain.
 Layer map_layer(LayerKind kind, const FreeSpace& space);
 
 }  // namespace wend

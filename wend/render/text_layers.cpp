@@ -48,13 +48,18 @@ class TextGrid {
   CellPaints paints_;
 };
 
+/// Digits of terrain would be taken for what the layer knows.
+Glyph unless_rough(Glyph glyph) {
+  return glyph.meaning == Meaning::rough ? Glyph{".", Meaning::free} : glyph;
+}
+
 std::string number_of(const Scene& scene, Cell cell, const NumberText& text) {
   const double number = scene.heatmap->values[cell];
   const Glyph glyph = glyph_of(scene.space, cell);
   if (glyph.meaning == Meaning::obstacle) return std::string(glyph.text);
   if (std::isfinite(number)) return text(number);
   if (std::isinf(number) && scene.space.passable()[cell]) return "-";
-  return std::string(glyph.text);
+  return std::string(unless_rough(glyph).text);
 }
 
 }  // namespace
@@ -62,6 +67,9 @@ std::string number_of(const Scene& scene, Cell cell, const NumberText& text) {
 std::string text_arrows(const Scene& scene, TerminalColours colours, const Style& style) {
   assert(scene.arrows);
   Grid<Glyph> glyphs = glyphs_of(scene.space);
+  for (int y = 0; y < glyphs.height(); ++y) {
+    for (Glyph& glyph : glyphs.row(y)) glyph = unless_rough(glyph);
+  }
   put_arrows(scene, glyphs);
   put_marks(scene, glyphs);
   return TextGrid(scene, colours, style).text(1, [&](Cell cell) { return glyphs[cell].text; });

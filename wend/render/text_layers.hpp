@@ -10,7 +10,8 @@
 //
 // The one rule for what stands in a cell: an obstacle is "#" whatever is known of it; what has an
 // arrow or a finite number shows it; a passable cell whose number is infinite (no path leads from
-// there) shows "-"; any other looks as in text_picture(), "?", ":" or "." say.
+// there) shows "-"; any other is "?", ":" or ".", as in text_picture() but for rough terrain, whose
+// digits would be taken for numbers.
 
 #include <string>
 

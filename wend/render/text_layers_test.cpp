@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/testing/drawn_map.hpp"
 #include "wend/render/text_map_test.hpp"
 
 namespace wend {
@@ -66,6 +67,16 @@ TEST(TextNumbers, AlignsWholeNumbersWithoutDecimals) {
                                      "100   #   -",
                                  }));
   EXPECT_EQ(columns_a_number(costs), 4);
+}
+
+/// A 3 would be read as a cost of 3.
+TEST(TextNumbers, ShowNoDigitsOfTerrain) {
+  Scene scene = numbered(test::drawn_space("23#"));
+  scene.heatmap->values[{0, 0}] = 7;
+  scene.heatmap->values[{1, 0}] = kNaN;
+  EXPECT_EQ(text_numbers(scene), "7 . #\n");
+  scene.arrows = ArrowField(3, 1);
+  EXPECT_EQ(text_arrows(scene), ". . #\n");
 }
 
 TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
