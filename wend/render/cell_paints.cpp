@@ -55,7 +55,8 @@ Paint CellPaints::operator[](Cell cell) const {
   if (state == CellState::unknown) return {style_.unknown};
   if (!space.passable()[cell]) return {style_.too_close};
   const double multiplier = space.map().terrain(cell);
-  if (multiplier == 1) return {style_.free};
+  // The colours of rough ground would be taken for heat.
+  if (multiplier == 1 || scene_.heatmap) return {style_.free};
   return {mixed(style_.slightly_rough, style_.very_rough, roughness(multiplier))};
 }
 

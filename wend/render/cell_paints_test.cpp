@@ -53,6 +53,14 @@ TEST(CellPaints, SpreadHeatFromTheLeastToTheGreatestFiniteValue) {
   EXPECT_EQ((paints[{8, 0}].colour), style.free);
 }
 
+TEST(CellPaints, DrawRoughGroundOnlyWhereNoHeatIs) {
+  Scene scene{.space = FreeSpace(map_of({"29"}))};
+  const Style style;
+  EXPECT_NE((CellPaints(scene, style)[{1, 0}].colour), style.free);
+  scene.heatmap = {"cost", row({1, kNaN})};
+  EXPECT_EQ((CellPaints(scene, style)[{1, 0}].colour), style.free);
+}
+
 TEST(CellPaints, DrawAConstantLayerAsTheLeastAndAnEmptyOneNotAtAll) {
   Scene scene{.space = FreeSpace(map_of({".."}))};
   const Style style;

@@ -37,7 +37,7 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
   if (has_too_close_cells(scene.space)) add(style.too_close, "too close", ':');
-  if (!scene.space.map().uniform_terrain()) {
+  if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
     add(mixed(style.slightly_rough, style.very_rough, roughness(kTypicallyRough)), "rough", ' ');
   }
   if (scene.space.map().unknown().count() > 0) add(style.unknown, "unknown", '?');

@@ -27,6 +27,10 @@ TEST(Legend, ExplainsAllThatOccurs) {
                   {CellRole::expanded, marked_of({"...*..."}, '*')}};
   EXPECT_EQ(labels_of(scene),
             (std::vector<std::string>{"cost", "start", "goal", "narrowest", "path", "way to move",
+                                      "expanded", "frontier", "too close", "unknown"}));
+  scene.heatmap.reset();
+  EXPECT_EQ(labels_of(scene),
+            (std::vector<std::string>{"start", "goal", "narrowest", "path", "way to move",
                                       "expanded", "frontier", "too close", "rough", "unknown"}));
 }
 

@@ -17,7 +17,7 @@
 //   scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
 //
 // In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
-// the map says. A plain value. Copies share the map, not the layers. Whatever lies outside the map
+// the map says; beside heat, rough ground looks like any other. A plain value. Copies share the map, not the layers. Whatever lies outside the map
 // is not drawn.
 
 #include <optional>
