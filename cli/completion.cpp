@@ -9,7 +9,9 @@
 #include "flags.hpp"
 #include "output.hpp"
 #include "wend/map/generators.hpp"
+#include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/render/style.hpp"
 
 namespace wend::cli {
 namespace {
@@ -34,10 +36,19 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+template <class Value>
+std::vector<std::string> names_of() {
+  std::vector<std::string> names;
+  for (const auto& choice : choice_names(Value{})) names.emplace_back(choice.name);
+  return names;
+}
+
 /// The words that complete a value of that type; none where files do, or nothing.
 std::vector<std::string> words_of(const std::string& type) {
   if (type == kPlannerType) return planners().names();
   if (type == kGeneratorType) return generators().names();
+  if (type == kLayerType) return names_of<LayerKind>();
+  if (type == kStyleType) return names_of<StyleName>();
   return type.find('|') == std::string::npos ? std::vector<std::string>{} : split(type, '|');
 }
 

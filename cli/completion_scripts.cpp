@@ -103,7 +103,7 @@ std::string bash_completion(const std::vector<Subcommand>& subcommands) {
   return fmt::format(R"(# bash completion for wend
 _wend() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}}
-  local flags='' words='' value=''
+  local flags='' words='' value='' before=''
   if [[ $current == '=' ]]; then
     current=''
   elif [[ $previous == '=' ]]; then
@@ -118,7 +118,8 @@ _wend() {{
   case "${{COMP_WORDS[1]}} $previous" in
 {}  esac
   if [[ -z $value && $current == -* ]]; then words=$flags; fi
-  COMPREPLY=($(compgen -W "$words" -- "$current"))
+  if [[ -n $value && $current == *,* ]]; then before=${{current%,*}},; fi
+  COMPREPLY=($(compgen -P "$before" -W "$words" -- "${{current#"$before"}}"))
 }}
 complete -o bashdefault -o default -F _wend wend
 )",

@@ -54,7 +54,7 @@ void add_styles(CLI::App& app, std::vector<StyleName>& styles) {
                  "side by side"))
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("STYLE[,STYLE...]");
+      ->type_name(kStyleType);
 }
 
 bool is_small(const GridMap& map, const Screen& screen) {

@@ -72,7 +72,7 @@ void ShownLayers::add_to(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>("--show", add, wrapped(kHelp))
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("LAYER");
+      ->type_name(kLayerType);
 }
 
 bool ShownLayers::any_from(LayerSource source) const {
