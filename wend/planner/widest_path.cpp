@@ -23,6 +23,9 @@ namespace {
 
 constexpr std::int64_t kNotReached = -1;
 
+// No detour over wide cells is as long as this.
+constexpr double kDear = 1e9;
+
 /// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
 /// the goal.
 struct Reached {
@@ -82,6 +85,23 @@ class WidestSearch {
   std::vector<Reached> frontier_;
 };
 
+/// The map with the cells on which no wider robot can stand so dear that the cheapest path enters as
+/// few of them as it can.
+GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
+  const GridMap& map = space.map();
+  const auto& clearance = space.squared_half_cell_clearance();
+  Grid<CellState> states(map.width(), map.height());
+  Grid<double> terrain(map.width(), map.height(), 1);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const Cell cell{x, y};
+      states[cell] = map.state(cell);
+      if (clearance[cell] <= width) terrain[cell] = kDear;
+    }
+  }
+  return GridMap(states, map.frame(), std::move(terrain));
+}
+
 Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
   const OptionValues options{{"connectivity", std::string(choice_name(moves.connectivity))},
                              {"corner_rule", std::string(choice_name(moves.corner_rule))}};
@@ -114,8 +134,7 @@ BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t
   return reached;
 }
 
-/// Where a wider robot is stuck that comes along the path as far as it can. (Elsewhere the path may
-/// be as narrow without need.)
+/// Where a wider robot is stuck that comes along the path as far as it can.
 Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width,
                       Adjacency adjacency) {
   if (cells.empty()) return {};
@@ -148,8 +167,9 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   if (!width) return std::nullopt;
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
-  const FreeSpace widest(space.map(), {.robot_radius = cells * space.map().frame().resolution,
-                                       .unknown = space.options().unknown});
+  const FreeSpace widest(
+      with_narrow_cells_dear(space, *width),
+      {.robot_radius = cells * space.map().frame().resolution, .unknown = space.options().unknown});
   Path path = cheapest_path(widest, start, goal, moves);
   const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};

@@ -26,8 +26,9 @@ struct WidestPath {
   /// those must be passable.
   Point narrowest;
 
-  /// The cheapest path for a robot of that radius, so a shortest one on uniform terrain. Empty if
-  /// there was no memory for the search.
+  /// A path for a robot of that radius which enters as few cells as possible where no larger one
+  /// can stand; of those a shortest. The terrain does not matter. Empty if there was no memory for
+  /// the search.
   Path path;
 };
 
