@@ -79,24 +79,53 @@ Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const s
                       coordinates.length(metrics.smallest_clearance))};
 }
 
-/// A panel for each path and layer, or one of the map alone.
-std::vector<Panel> panels_of(const ViewArguments& arguments, const GridMap& map) {
-  const FreeSpace space = arguments.map.free_space(map);
-  const Coordinates coordinates = arguments.map.coordinates(map);
-  std::vector<Panel> panels;
-  for (const std::string& file : arguments.paths) {
-    panels.push_back(path_panel(space, coordinates, file));
-  }
-  for (const LayerKind kind : arguments.layers.kinds()) {
-    panels.push_back({std::string(title_of(kind)),
-                      with_layer(Scene{.space = space}, map_layer(kind, space)),
-                      {}});
-  }
-  if (panels.empty()) {
-    panels.push_back({name_of(arguments.map.file), Scene{.space = space}, size_text(map)});
-  }
-  return panels;
+Panel map_panel(const FreeSpace& space, const std::string& file) {
+  return {name_of(file), Scene{.space = space}, size_text(space.map())};
 }
+
+/// Shows the panels on standard output as it makes them: of each path and layer, or of the map
+/// alone, then of the maps beside it.
+class Viewing {
+ public:
+  Viewing(const ViewArguments& arguments, FreeSpace space)
+      : arguments_(arguments), space_(std::move(space)) {}
+
+  void add_paths() {
+    const Coordinates coordinates = arguments_.map.coordinates(space_.map());
+    std::vector<Panel> loaded;  // all of them, before the first is shown
+    for (const std::string& file : arguments_.paths) {
+      loaded.push_back(path_panel(space_, coordinates, file));
+    }
+    for (Panel& panel : loaded) add(std::move(panel));
+  }
+
+  void add_layers() {
+    const Scene scene{.space = space_};
+    for (const LayerKind kind : arguments_.layers.kinds()) {
+      const Layer layer = map_layer(kind, space_);
+      panels_.push_back({std::string(title_of(kind)), with_layer(scene, layer), {}});
+      if (look_.when != PictureWhen::never) print(layer_text(scene, layer, screen_, look_));
+    }
+  }
+
+  void add(Panel panel) {
+    const std::string drawn = picture(panel.scene, screen_, look_);
+    const std::string caption = panel.caption.empty() ? "" : " (" + panel.caption + ")";
+    if (!drawn.empty()) print(panel.title + caption + "\n" + drawn);
+    panels_.push_back(std::move(panel));
+  }
+
+  StyleName style() const { return look_.style; }
+  const std::vector<Panel>& panels() const { return panels_; }
+
+ private:
+  const ViewArguments& arguments_;
+  FreeSpace space_;
+  Screen screen_ = detect_screen();
+  PictureArguments look_{arguments_.when,
+                         arguments_.styles.empty() ? StyleName::light : arguments_.styles.front()};
+  std::vector<Panel> panels_;
+};
 
 /// Each panel in each style.
 std::vector<Panel> in_styles(const std::vector<Panel>& panels,
@@ -131,22 +160,17 @@ int run(const ViewArguments& arguments) {
   for (const LoadedMap& loaded : maps) arguments.output.check_not_among(loaded.files);
   for (const std::string& path : arguments.paths) arguments.output.check_not_among({path});
 
-  std::vector<Panel> panels = panels_of(arguments, maps.front().map);
+  const FreeSpace space = arguments.map.free_space(maps.front().map);
+  Viewing viewing(arguments, space);
+  viewing.add_paths();
+  viewing.add_layers();
+  if (viewing.panels().empty()) viewing.add(map_panel(space, arguments.map.file));
   for (std::size_t i = 0; i < arguments.beside.size(); ++i) {
-    const GridMap& map = maps[i + 1].map;
-    panels.push_back({name_of(arguments.beside[i]), Scene{.space = arguments.map.free_space(map)},
-                      size_text(map)});
+    viewing.add(map_panel(arguments.map.free_space(maps[i + 1].map), arguments.beside[i]));
   }
-  const StyleName first = arguments.styles.empty() ? StyleName::light : arguments.styles.front();
-  const Screen screen = detect_screen();
-  for (const Panel& panel : panels) {
-    const std::string drawn = picture(panel.scene, screen, {arguments.when, first});
-    if (drawn.empty()) continue;
-    const std::string caption = panel.caption.empty() ? "" : " (" + panel.caption + ")";
-    print(panel.title + caption + "\n" + drawn);
-  }
-  if (arguments.styles.size() > 1) panels = in_styles(panels, arguments.styles);
-  arguments.output.write(picture_writers(std::move(panels), first));
+  const bool many = arguments.styles.size() > 1;
+  arguments.output.write(picture_writers(
+      many ? in_styles(viewing.panels(), arguments.styles) : viewing.panels(), viewing.style()));
   return success;
 }
 

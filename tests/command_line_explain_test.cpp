@@ -143,6 +143,14 @@ TEST_F(ViewCommand, ShowsAMapAndThePathsOnIt) {
                                HasSubstr("b.json (length"), HasSubstr(".S→→→→→→→G.")));
 }
 
+TEST_F(ViewCommand, ShowsTheNumbersOfLayers) {
+  const Outcome outcome = view({"--show", "clearance"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("clearance in cells\n"
+                                      "4.50 3.50 2.50 1.50 0.50    # 0.50"));
+  EXPECT_THAT(view({"--show", "clearance", "--picture", "never"}).out, IsEmpty());
+}
+
 TEST_F(ViewCommand, WritesPanelsForPathsMapsLayersAndStyles) {
   const std::string other = folder_.write("other.txt", "..\n..\n");
   const std::string file = folder_ / "all.svg";
