@@ -21,7 +21,8 @@ bool as_large_as(const Layer& layer, const FreeSpace& space) {
   return layer.width() == space.width() && layer.height() == space.height();
 }
 
-bool fits(const Scene& scene) {
+// Only an assertion asks.
+[[maybe_unused]] bool fits(const Scene& scene) {
   const auto marks = [&](const MarkedCells& marked) {
     return as_large_as(marked.cells, scene.space);
   };
