@@ -39,7 +39,7 @@ std::string metres(Point point) {
   const auto rounded = [](double value) {
     return format_number(std::round(value * 1e4) / 1e4 + 0.0);
   };
-  return "(" + rounded(point.x) + "," + rounded(point.y) + ") m";
+  return fmt::format("({},{}) m", rounded(point.x), rounded(point.y));
 }
 
 }  // namespace

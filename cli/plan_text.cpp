@@ -33,8 +33,11 @@ std::string time_text(double seconds) {
 
 std::string path_line(const Path& path) {
   std::string text;
-  for (const Cell cell : path.cells()) text += (text.empty() ? "" : ">") + cell_text(cell);
-  return text + "\n";
+  for (const Cell cell : path.cells()) {
+    if (!text.empty()) text += '>';
+    text += cell_text(cell);
+  }
+  return text + '\n';
 }
 
 std::string plan_summary(const PlanResult& result, const Frame& frame) {

@@ -8,7 +8,7 @@
 namespace wend {
 namespace {
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string quoted(std::string_view text) { return '\'' + std::string(text) + '\''; }
 
 std::string out_of_range(std::string_view text, OptionRange range) {
   return quoted(text) + " is not between " + format_number(range.least) + " and " +

@@ -40,15 +40,15 @@ Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string
     const std::string_view name = take_until(rest, ':');
     const bool continues = !specs.empty() && name.find('=') != std::string_view::npos;
     if (continues) {
-      specs.back().text += "," + std::string(word);
+      specs.back().text.append(",").append(word);
       if (!add_option(word, specs.back()))
-        return refused("'" + std::string(word) + "' is no option");
+        return refused('\'' + std::string(word) + "' is no option");
       continue;
     }
     if (planners().find(name) == nullptr) return refused(planners().unknown("planner", name));
     specs.push_back({std::string(word), std::string(name), {}});
     if (word.size() > name.size() && !add_option(rest, specs.back())) {
-      return refused("'" + std::string(rest) + "' in '" + std::string(word) +
+      return refused('\'' + std::string(rest) + "' in '" + std::string(word) +
                      "' is not of the form option=value");
     }
   }

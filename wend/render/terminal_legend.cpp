@@ -33,7 +33,7 @@ Piece plain_piece(const LegendItem& item) {
 /// The title, the least value, a bar, and the greatest.
 Piece heat_piece(const LegendItem& item, TerminalColours colours, const Style& style) {
   const std::string before = item.label + "  " + short_number(item.range.least) + " ";
-  const std::string after = " " + short_number(item.range.greatest);
+  const std::string after = ' ' + short_number(item.range.greatest);
   std::string bar;
   for (int i = 0; i < kBar; ++i) {
     bar += ansi_background(style.heat(static_cast<double>(i) / (kBar - 1)), colours) + " ";

@@ -69,7 +69,8 @@ std::string range_text(const OptionInfo& option) {
 std::string planner_listing_text(const Registry<PlannerInfo>& planners) {
   std::string text;
   for (const PlannerInfo& planner : planners) {
-    text += (text.empty() ? "" : "\n") + planner_text(planner);
+    if (!text.empty()) text += '\n';
+    text += planner_text(planner);
   }
   return text;
 }

@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 std::string text_of(Cell cell) {
-  return "(" + std::to_string(cell.x) + "," + std::to_string(cell.y) + ")";
+  return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
 }
 
 bool is_diagonal_step(Cell from, Cell to) { return from.x != to.x && from.y != to.y; }
