@@ -56,7 +56,9 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
   const double step =
       std::max({speed ? a_frame : std::max(a_frame, 1.0), total / static_cast<double>(most)});
   std::vector<std::size_t> times;
-  for (double at = 0; at < total; at += step) times.push_back(static_cast<std::size_t>(at));
+  for (std::size_t i = 0; static_cast<double>(i) * step < total; ++i) {
+    times.push_back(static_cast<std::size_t>(static_cast<double>(i) * step));
+  }
   times.push_back(expansions);
   return times;
 }
