@@ -32,12 +32,11 @@ class ScratchFile {
   /// Writes a text, to be read by somebody else from its beginning.
   void put(std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), file_.get());
-    std::fflush(file_.get());
-    std::rewind(file_.get());
+    to_the_beginning();
   }
 
   std::string text() {
-    std::rewind(file_.get());
+    to_the_beginning();
     std::string text;
     std::array<char, 65536> block{};
     for (std::size_t got = 1; got > 0;) {
@@ -48,6 +47,13 @@ class ScratchFile {
   }
 
  private:
+  /// For whoever shares the descriptor, too: what was put is written first.
+  void to_the_beginning() {
+    if (std::fseek(file_.get(), 0, SEEK_SET) != 0) {
+      throw InputError("--plot: a temporary file cannot be written");
+    }
+  }
+
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
