@@ -73,9 +73,9 @@ void check(const CompareArguments& arguments) {
   if (arguments.random > kMostQueries) {
     throw InputError(fmt::format("--random {}: at most {}", arguments.random, kMostQueries));
   }
-  const bool picture =
-      std::any_of(kPictureExtensions.begin(), kPictureExtensions.end(),
-                  [&](const std::string& extension) { return arguments.output.any(extension); });
+  const bool picture = std::ranges::any_of(picture_extensions(), [&](const std::string& extension) {
+    return arguments.output.any(extension);
+  });
   if (picture && arguments.random > 0) {
     throw InputError("-o with a picture is for one query; of many, --plot draws the statistics");
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "picture.hpp"
 #include "plan_text.hpp"
@@ -18,10 +19,11 @@ Scene scene_of(const CostToGo& field, const FreeSpace& space, const FieldReport&
   Scene scene{.space = space};
   for (const Cell goal : report.goals) scene.goals.push_back(centre_of(goal));
   scene.heatmap = {"cost to the goal", field.costs()};
-  scene.arrows.emplace(space.width(), space.height());
+  ArrowField arrows(space.width(), space.height());
   for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) (*scene.arrows)[{x, y}] = field.policy({x, y});
+    for (int x = 0; x < space.width(); ++x) arrows[{x, y}] = field.policy({x, y});
   }
+  scene.arrows = std::move(arrows);
   return scene;
 }
 
@@ -30,10 +32,10 @@ bool fits(const FreeSpace& space, int columns_a_cell, const Screen& screen) {
   return space.width() * columns_a_cell <= std::max(screen.columns, 80);
 }
 
-std::string grids(const Scene& scene, const Screen& screen) {
+std::string grids(const CostToGo& field, const Scene& scene, const Screen& screen) {
   const TerminalColours colours = screen.terminal.colours;
   std::string text;
-  if (fits(scene.space, columns_a_number(scene.heatmap->values), screen)) {
+  if (fits(scene.space, columns_a_number(field.costs()), screen)) {
     text += "cost to the goal\n" + text_numbers(scene, colours) + "\n";
   }
   text += "which way to move\n";
@@ -69,7 +71,7 @@ std::string field_text(const CostToGo& field, const FreeSpace& space, const Fiel
                        const Screen& screen) {
   std::string text;
   const bool small = is_small(space.map(), screen);
-  if (small) text += grids(scene_of(field, space, report), screen);
+  if (small) text += grids(field, scene_of(field, space, report), screen);
   for (const FieldStart& start : report.starts) text += start_text(start, small);
   return text + reach_text(field, space) + work_lines(report.metrics, report.seconds);
 }

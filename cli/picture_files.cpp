@@ -19,6 +19,8 @@ Expected<std::string, RenderError> drawn(const std::vector<Panel>& panels, Pictu
 
 }  // namespace
 
+std::vector<std::string> picture_extensions() { return {".png", ".svg", ".pdf"}; }
+
 std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style) {
   const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
   const auto writer_of = [&](PictureKind kind) {

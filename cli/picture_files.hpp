@@ -13,7 +13,7 @@
 namespace wend::cli {
 
 /// What pictures can be written as.
-inline const std::vector<std::string> kPictureExtensions{".png", ".svg", ".pdf"};
+std::vector<std::string> picture_extensions();
 
 /// Writers that draw the panels side by side; they copy what they are given.
 std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);

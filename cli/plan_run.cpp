@@ -69,7 +69,8 @@ void PlanRun::search() {
                                 arguments_.watch.trace_form(), arguments_.watch.trace_limit));
   }
   if (!observers.empty()) query.observer = &observers;
-  result_.status = arguments_.watch.step ? search_in_steps(query) : search_to_the_end(query);
+  const bool steps = arguments_.watch.step && recorder_;
+  result_.status = steps ? search_in_steps(query, *recorder_) : search_to_the_end(query);
   if (result_.status != Status::found) {
     const Explainer explainer(space_, coordinates_, moves());
     fail(result_.status,
@@ -87,7 +88,7 @@ Status PlanRun::search_to_the_end(const Query& query) {
 }
 
 /// Only the search is timed, not the person.
-Status PlanRun::search_in_steps(const Query& query) {
+Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& recorder) {
   if (!info_of(spec_).can_step) {
     throw InputError(fmt::format("--step: the planner {} cannot be stepped", spec_.name));
   }
@@ -100,7 +101,7 @@ Status PlanRun::search_in_steps(const Query& query) {
     result_.seconds += steady_seconds() - begin;
     if (outcome) return *outcome;
     const std::uint64_t expanded = result_.plan.metrics.expanded;
-    if (stepper.asks_after(expanded)) stepper.ask(step_text(), expanded);
+    if (stepper.asks_after(expanded)) stepper.ask(step_text(recorder), expanded);
     if (stepper.quit()) return Status::cancelled;
     begin = steady_seconds();
   }
@@ -117,7 +118,7 @@ void PlanRun::make_layers(const Limits& limits) {
   for (const LayerKind kind : arguments_.layers.kinds()) {
     switch (source_of(kind)) {
       case LayerSource::search:
-        layers_.push_back(search_layer(kind, *planner_, *recorder_));
+        if (recorder_) layers_.push_back(search_layer(kind, *planner_, *recorder_));
         break;
       case LayerSource::cost_to_go:
         if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
@@ -154,19 +155,19 @@ Scene PlanRun::outcome() const {
   return scene;
 }
 
-std::string PlanRun::step_text() const {
-  const SearchSnapshot snapshot = recorder_->snapshot();
+std::string PlanRun::step_text(const SearchRecorder& recorder) const {
+  const SearchSnapshot snapshot = recorder.snapshot();
   const Scene scene = with_snapshot(ends(), snapshot);
   std::string text = picture(scene, screen_, {PictureWhen::always, arguments_.pictures.style});
   for (const LayerKind kind : arguments_.layers.kinds()) {
     if (source_of(kind) != LayerSource::search) continue;
-    text += layer_text(ends(), search_layer(kind, *planner_, *recorder_), screen_,
+    text += layer_text(ends(), search_layer(kind, *planner_, recorder), screen_,
                        {PictureWhen::always, arguments_.pictures.style});
   }
-  const SearchLayers& known = recorder_->layers();
+  const SearchLayers& known = recorder.layers();
   const Cell cell = snapshot.current.value_or(ends_.start.cell);
   return text + fmt::format("expansion {}: {} f={:.6g} g={:.6g} h={:.6g}, frontier {}\n",
-                            recorder_->expansions().size(), cell_text(cell), known.f[cell],
+                            recorder.expansions().size(), cell_text(cell), known.f[cell],
                             known.g[cell], known.h[cell], snapshot.frontier.count());
 }
 

@@ -54,7 +54,7 @@ class PlanRun {
  private:
   void search();
   Status search_to_the_end(const Query& query);
-  Status search_in_steps(const Query& query);
+  Status search_in_steps(const Query& query, const SearchRecorder& recorder);
   void make_layers(const Limits& limits);
   void fail(Status status, std::string reason);
 
@@ -63,7 +63,7 @@ class PlanRun {
   Scene ends() const;
   Scene outcome() const;
   std::string text() const;
-  std::string step_text() const;
+  std::string step_text(const SearchRecorder& recorder) const;
   void write_files() const;
   void write_trace(PosthocTrace& trace) const;
 

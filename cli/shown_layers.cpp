@@ -105,6 +105,7 @@ std::string layer_text(const Scene& scene, const Layer& layer, const Screen& scr
 
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {
   std::vector<Panel> panels;
+  panels.reserve(layers.size());
   for (const Layer& layer : layers) {
     panels.push_back({std::string(title_of(layer.kind)), with_layer(scene, layer), {}});
   }

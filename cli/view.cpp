@@ -93,6 +93,7 @@ class Viewing {
   void add_paths() {
     const Coordinates coordinates = arguments_.map.coordinates(space_.map());
     std::vector<Panel> loaded;  // all of them, before the first is shown
+    loaded.reserve(arguments_.paths.size());
     for (const std::string& file : arguments_.paths) {
       loaded.push_back(path_panel(space_, coordinates, file));
     }
@@ -195,7 +196,7 @@ Command add_view(CLI::App& app) {
                           "Show the map here: always (the default), on a terminal only (auto), "
                           "or never");
   add_styles(view, arguments->styles);
-  arguments->output.add_to(view, kPictureExtensions,
+  arguments->output.add_to(view, picture_extensions(),
                            "Write the picture, as .png, .svg or .pdf; "
                            "may be given several times");
   view.footer(kExamples);

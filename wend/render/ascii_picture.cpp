@@ -64,7 +64,9 @@ class AsciiCanvas {
     for (int y = 0; y < space_.height(); ++y) {
       for (int x = 0; x < space_.width(); ++x) {
         const double value = heatmap.values[{x, y}];
-        if (std::isfinite(value)) means[*block_at(centre_of(Cell{x, y}))].add(range->share(value));
+        if (!std::isfinite(value)) continue;
+        if (const auto block = block_at(centre_of(Cell{x, y})))
+          means[*block].add(range->share(value));
       }
     }
     for (int row = 0; row < rows_; ++row) {

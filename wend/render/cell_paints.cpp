@@ -41,8 +41,10 @@ CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), 
 }
 
 std::optional<Colour> CellPaints::heat(Cell cell) const {
-  if (!range_ || scene_.space.map().state(cell) == CellState::occupied) return std::nullopt;
-  const double value = scene_.heatmap->values[cell];
+  const auto& heatmap = scene_.heatmap;
+  if (!heatmap || !range_) return std::nullopt;
+  if (scene_.space.map().state(cell) == CellState::occupied) return std::nullopt;
+  const double value = heatmap->values[cell];
   if (!std::isfinite(value)) return std::nullopt;
   return style_.heat(range_->share(value));
 }

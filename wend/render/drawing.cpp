@@ -17,7 +17,7 @@ constexpr int kMostPixels = 16384;   // across and down; cairo refuses more than
 
 /// A map of one cell needs none.
 std::optional<ScaleBar> bar_for(const Scene& scene, const MapView& view, double room) {
-  const ScaleBar bar = scale_bar(scene.space.map().frame(), view.scale(), kLongestBar);
+  ScaleBar bar = scale_bar(scene.space.map().frame(), view.scale(), kLongestBar);
   if (bar.pixels > room / 2) return std::nullopt;
   return bar;
 }
@@ -67,7 +67,8 @@ Grid<std::uint32_t> draw_pixels(const Scene& scene, int most_width, int most_hei
   }
   MapView view = fitted_view(scene.space.map(), most_width, most_height - footer_height, 1);
   width = std::max(width, view.width);
-  view.left = (width - view.width) / 2;
+  const int margin = (width - view.width) / 2;  // whole pixels
+  view.left = margin;
   const CairoSurface image(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, view.height + footer_height));
   const CairoContext context(cairo_create(image.get()));

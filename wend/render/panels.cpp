@@ -44,10 +44,11 @@ std::vector<LegendItem> shared_legend(std::span<const Panel> panels, const Style
   for (const Panel& panel : panels) {
     if (panel.style) continue;
     for (LegendItem& item : legend_of(panel.scene, style)) {
-      if (std::ranges::find(items, item) == items.end()) items.push_back(std::move(item));
+      if (std::ranges::find(items, item) != items.end()) continue;
+      const auto place = std::ranges::upper_bound(items, item.swatch, {}, &LegendItem::swatch);
+      items.insert(place, std::move(item));
     }
   }
-  std::ranges::stable_sort(items, {}, &LegendItem::swatch);
   return items;
 }
 
@@ -82,8 +83,8 @@ std::vector<std::string> caption_lines(cairo_t* context, std::string_view text, 
 }
 
 /// The legend of a panel with a style of its own.
-Footer own_footer(const Panel& panel, double width) {
-  return {legend_of(panel.scene, *panel.style), std::nullopt, width};
+Footer own_footer(const Scene& scene, const Style& style, double width) {
+  return {legend_of(scene, style), std::nullopt, width};
 }
 
 double caption_height(std::span<const Panel> panels) {
@@ -97,8 +98,9 @@ PanelLayout layout_of(std::span<const Panel> panels) {
   PanelLayout layout = panel_layout(panels, captions);
   int lines = 0;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    if (!panels[i].style) continue;
-    lines = std::max(lines, own_footer(panels[i], layout.places[i].width).lines());
+    const Panel& panel = panels[i];
+    if (!panel.style) continue;
+    lines = std::max(lines, own_footer(panel.scene, *panel.style, layout.places[i].width).lines());
   }
   if (lines == 0) return layout;
   const auto columns = static_cast<int>(std::ranges::count_if(
@@ -125,7 +127,7 @@ void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, c
     y += PanelLayout::kCaptionLine;
   }
   if (!panel.style) return;
-  const Footer footer = own_footer(panel, place.width);
+  const Footer footer = own_footer(panel.scene, *panel.style, place.width);
   const double middle = (footer.lines() - 0.5) * Footer::kLine;
   footer.draw(context, {place.left, place.top + place.height - middle}, style);
 }

@@ -53,12 +53,11 @@ Glyph unless_rough(Glyph glyph) {
   return glyph.meaning == Meaning::rough ? Glyph{".", Meaning::free} : glyph;
 }
 
-std::string number_of(const Scene& scene, Cell cell, const NumberText& text) {
-  const double number = scene.heatmap->values[cell];
-  const Glyph glyph = glyph_of(scene.space, cell);
+std::string shown(double number, const FreeSpace& space, Cell cell, const NumberText& text) {
+  const Glyph glyph = glyph_of(space, cell);
   if (glyph.meaning == Meaning::obstacle) return std::string(glyph.text);
   if (std::isfinite(number)) return text(number);
-  if (std::isinf(number) && scene.space.passable()[cell]) return "-";
+  if (std::isinf(number) && space.passable()[cell]) return "-";
   return std::string(unless_rough(glyph).text);
 }
 
@@ -77,9 +76,10 @@ std::string text_arrows(const Scene& scene, TerminalColours colours, const Style
 
 std::string text_numbers(const Scene& scene, TerminalColours colours, const Style& style) {
   assert(scene.heatmap);
-  const NumberText text(scene.heatmap->values);
+  const Grid<double>& numbers = scene.heatmap->values;
+  const NumberText text(numbers);
   return TextGrid(scene, colours, style).text(std::max(1, text.columns()), [&](Cell cell) {
-    return number_of(scene, cell, text);
+    return shown(numbers[cell], scene.space, cell, text);
   });
 }
 
