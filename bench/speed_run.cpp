@@ -50,15 +50,6 @@ Contestant make_boost(const FreeSpace& space) {
           }};
 }
 
-std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
-                                          std::size_t count) {
-  if (queries.size() <= count) return queries;
-  std::vector<ScenarioQuery> sample;
-  sample.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) sample.push_back(queries[i * queries.size() / count]);
-  return sample;
-}
-
 bool answers(const ScenarioQuery& query, double cost) {
   if (query.says_no_path()) return std::isinf(cost);
   return length_matches(query, cost);

@@ -176,6 +176,15 @@ Expected<fs::path, IoError> scenario_map_path(const Scenario& scenario) {
                     fmt::format("its map {} is not in the same folder", quote(*name)));
 }
 
+std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
+                                          std::size_t count) {
+  if (queries.size() <= count) return queries;
+  std::vector<ScenarioQuery> sample;
+  sample.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) sample.push_back(queries[i * queries.size() / count]);
+  return sample;
+}
+
 bool length_matches(const ScenarioQuery& query, double found) {
   const bool fixed = query.decimals == 2 || query.decimals == 8;
   const double half_unit = fixed ? 0.5 * std::pow(10, -query.decimals) : 0;

@@ -57,6 +57,10 @@ Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int 
 /// the last part of the map column. Either way a file in the scenario's own folder, else an error.
 Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
 
+/// So many of them, evenly spread and in their order; all where there are no more.
+std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
+                                          std::size_t count);
+
 /// Whether a path of the length `found` is as long as the query says: off by no more than 1e-5 of
 /// it or, where the file prints 2 or 8 decimals, half a unit of the last one.
 bool length_matches(const ScenarioQuery& query, double found);

@@ -110,6 +110,20 @@ TEST(Scenario, MapsOfAnotherSizeAreRefused) {
   EXPECT_FALSE(check_map_size(*scenario, 4, 5));
 }
 
+TEST(EvenlySampled, KeepsTheOrderAndSpreadsTheGaps) {
+  std::vector<ScenarioQuery> queries(10, query_in(with_length("5")));
+  for (std::size_t i = 0; i < queries.size(); ++i) queries[i].line = i;
+  const auto lines_of = [&](std::size_t count) {
+    std::vector<std::size_t> lines;
+    for (const ScenarioQuery& query : evenly_sampled(queries, count)) lines.push_back(query.line);
+    return lines;
+  };
+  EXPECT_EQ(lines_of(4), (std::vector<std::size_t>{0, 2, 5, 7}));
+  EXPECT_EQ(lines_of(0), std::vector<std::size_t>{});
+  EXPECT_EQ(lines_of(10).size(), 10U);
+  EXPECT_EQ(lines_of(11), lines_of(10));
+}
+
 TEST(LengthMatches, AllowsOneInAHundredThousand) {
   const ScenarioQuery query = query_in(with_length("1000.5"));
   EXPECT_TRUE(length_matches(query, 1000.5 + 0.01));
