@@ -46,8 +46,8 @@ PlannerInfo greedy_planner() {
           .memory = "16 bytes a cell and 24 an entry of the frontier",
           .when =
               "Where any path will do and the first one should come soon. It ignores terrain, "
-              "and its paths hug whatever it ran into: smooth or shorten them, or take astar "
-              "with a weight, which has a bound.",
+              "and its paths hug whatever it ran into: smooth them, or take astar with a "
+              "weight, which has a bound.",
           .promise = Promise::complete,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

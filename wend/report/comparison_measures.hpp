@@ -1,6 +1,6 @@
 #pragma once
 
-// What planners are compared by. Only for the sources of this module.
+// What planners are compared by.
 
 #include <cstddef>
 #include <span>

@@ -1,0 +1,54 @@
+#include "docs/planner_page/family.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "wend/planner/planners.hpp"
+
+namespace wend::planner_page {
+namespace {
+
+constexpr std::array<std::string_view, 2> kVariants{"astar:weight=2", "astar:heuristic=euclidean"};
+
+PlannerSpec spec_of(const std::string& text) {
+  auto specs = parse_planner_specs(text);
+  assert(specs && specs->size() == 1);
+  return specs->front();
+}
+
+bool has_option(const PlannerInfo& planner, std::string_view name) {
+  return std::any_of(planner.options.begin(), planner.options.end(),
+                     [name](const OptionInfo& option) { return option.name == name; });
+}
+
+}  // namespace
+
+std::vector<Configuration> configurations(std::string_view option) {
+  std::vector<std::string> roles;
+  for (const PlannerInfo& planner : planners()) {
+    if (planner.promise != Promise::none) roles.push_back(planner.name);
+  }
+  roles.insert(roles.end(), kVariants.begin(), kVariants.end());
+
+  const std::string_view name = option.substr(0, option.find('='));
+  std::vector<Configuration> all;
+  for (const std::string& role : roles) {
+    const PlannerSpec plain = spec_of(role);
+    if (option.empty()) {
+      all.push_back({role, plain});
+    } else if (has_option(*planners().find(plain.name), name)) {
+      const char separator = plain.options.empty() ? ':' : ',';
+      all.push_back({role, spec_of(role + separator + std::string(option))});
+    }
+  }
+  return all;
+}
+
+std::vector<Configuration> all_planners() {
+  std::vector<Configuration> all;
+  for (const std::string& name : planners().names()) all.push_back({name, spec_of(name)});
+  return all;
+}
+
+}  // namespace wend::planner_page

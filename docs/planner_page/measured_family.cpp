@@ -1,0 +1,120 @@
+#include "docs/planner_page/measured_family.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <limits>
+
+#include "wend/report/comparison_measures.hpp"
+#include "wend/report/statistics.hpp"
+
+namespace wend::planner_page {
+namespace {
+
+Comparison compared(const Family& family) {
+  std::vector<PlannerSpec> specs;
+  specs.reserve(family.planners.size());
+  for (const Configuration& planner : family.planners) specs.push_back(planner.spec);
+  auto run = ComparisonRun::make(family.space, std::move(specs), steady_seconds);
+  assert(run);
+  for (const CellPair& query : family.queries) run->answer(query);
+  return std::move(run->comparison());
+}
+
+/// The same answers, each with the less of both times.
+void keep_fastest(Comparison& comparison, const Comparison& other) {
+  for (std::size_t query = 0; query < comparison.queries.size(); ++query) {
+    auto& rows = comparison.queries[query].rows;
+    for (std::size_t planner = 0; planner < rows.size(); ++planner) {
+      const ComparisonRow& row = other.queries[query].rows[planner];
+      rows[planner].seconds = std::min(rows[planner].seconds, row.seconds);
+    }
+  }
+}
+
+/// The queries that the statistics are about.
+Comparison without_partly_solved(Comparison comparison) {
+  if (solved_by_all(comparison) == 0) return comparison;
+  std::erase_if(comparison.queries, [](const ComparedQuery& query) {
+    return !std::all_of(query.rows.begin(), query.rows.end(),
+                        [](const ComparisonRow& row) { return row.found(); });
+  });
+  return comparison;
+}
+
+std::vector<double> values_of(const Comparison& comparison, std::string_view key,
+                              std::size_t planner) {
+  std::vector<double> values;
+  values.reserve(comparison.queries.size());
+  for (const ComparedQuery& query : comparison.queries) {
+    values.push_back(measure(key).of(comparison, query, planner));
+  }
+  return values;
+}
+
+MeasuredPlanner measured(const Comparison& comparison, std::size_t planner) {
+  const auto median = [&](std::string_view key) {
+    return summary_of(values_of(comparison, key, planner)).median;
+  };
+  MeasuredPlanner row;
+  row.cost = median("cost_ratio");
+  row.expanded = median("expanded");
+  row.us = median("time_us");
+  row.clearance = median("clearance_cells");
+  const std::vector<double> costs = values_of(comparison, "cost_ratio", planner);
+  row.worst_cost = *std::max_element(costs.begin(), costs.end());
+  const double expanded = summary_of(values_of(comparison, "expanded", planner)).mean;
+  row.ns_an_expansion =
+      1000 * summary_of(values_of(comparison, "time_us", planner)).mean / expanded;
+  return row;
+}
+
+}  // namespace
+
+bool MeasuredPlanner::always_cheapest() const {
+  constexpr double kRounding = 1e-9;
+  return worst_cost <= 1 + kRounding;
+}
+
+const MeasuredPlanner* MeasuredFamily::find(std::string_view role) const {
+  const auto place =
+      std::find_if(planners.begin(), planners.end(),
+                   [role](const MeasuredPlanner& planner) { return planner.role == role; });
+  return place == planners.end() ? nullptr : &*place;
+}
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+int rounds(Effort effort) { return effort == Effort::full ? 3 : 1; }
+
+MeasuredFamily measure_planners(const Family& family, Effort effort) {
+  Comparison comparison = compared(family);
+  for (int round = 1; round < rounds(effort); ++round) {
+    keep_fastest(comparison, compared(family));
+  }
+
+  MeasuredFamily result;
+  result.title = family.title;
+  result.about = family.about;
+  result.is_maze = family.is_maze;
+  result.uniform_terrain = family.space.uniform_terrain();
+  result.eight_neighbours = family.planners.front().spec.text == family.planners.front().role;
+  result.queries = comparison.queries.size();
+  result.solved_by_all = solved_by_all(comparison);
+  const Comparison fair = without_partly_solved(comparison);
+  for (std::size_t i = 0; i < family.planners.size(); ++i) {
+    MeasuredPlanner row = measured(fair, i);
+    row.role = family.planners[i].role;
+    row.planner = family.planners[i].spec.text;
+    row.solved = solved_by(comparison, i);
+    result.planners.push_back(std::move(row));
+  }
+  const MeasuredPlanner* const astar = result.find("astar");
+  for (MeasuredPlanner& row : result.planners) row.us_of_astar = row.us / astar->us;
+  return result;
+}
+
+}  // namespace wend::planner_page
