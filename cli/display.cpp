@@ -26,7 +26,7 @@ std::string over_the_last(const std::string& picture) {
 
 }  // namespace
 
-Display::Display(const Screen& screen) : in_place_(screen.is_terminal) {
+Display::Display(bool in_place) : in_place_(in_place) {
   if (in_place_) print(std::string(kHideCursor) + kClearScreen);
 }
 
@@ -38,6 +38,10 @@ Display::~Display() {
 void Display::show(const std::string& picture) {
   print(in_place_ ? over_the_last(picture) : picture + "\n");
   std::fflush(stdout);
+}
+
+void Display::clear() {
+  if (in_place_) print(over_the_last(""));
 }
 
 }  // namespace wend::cli

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSmallColumns = 80;
 constexpr int kSmallRows = 40;
-constexpr int kRowsForSummary = 10;  // below the picture
-constexpr int kFewestRows = 8;
+constexpr int kRowsForSummary = 9;  // below picture and legend
+constexpr int kFewestRows = 2;
 
 }  // namespace
 
@@ -62,22 +62,38 @@ bool is_small(const GridMap& map, const Screen& screen) {
   return fits_as_text(map, columns, kSmallRows);
 }
 
+SmallPicture small_picture(const Scene& scene, const Screen& screen) {
+  TextStyle style;
+  style.colours = screen.terminal.colours != TerminalColours::none;
+  const std::string map = text_picture(scene, style);
+  style.legend = true;
+  if (screen.is_terminal) style.columns = screen.columns;
+  return {map, text_picture(scene, style).substr(map.size())};
+}
+
 std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments) {
   if (!is_small(scene.space.map(), screen)) return large_picture(scene, screen, arguments);
   if (arguments.when == PictureWhen::never) return {};
-  const bool colours = screen.terminal.colours != TerminalColours::none;
-  return text_picture(scene, {.colours = colours, .legend = true});
+  const SmallPicture small = small_picture(scene, screen);
+  return small.map + small.legend;
 }
 
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments) {
+  return large_picture(scene, screen, arguments, screen.rows - kRowsForSummary);
+}
+
+std::string large_picture(const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments, int rows) {
   const bool seen = arguments.when == PictureWhen::always ||
                     (arguments.when == PictureWhen::automatic && screen.is_terminal);
   if (!seen) return {};
-  const int rows = std::max(screen.rows - kRowsForSummary, kFewestRows);
   const Style style = style_of(arguments.style);
-  return terminal_picture(scene, screen.columns, rows, screen.terminal, style) +
-         terminal_legend(scene, screen.columns, screen.terminal, style);
+  const std::string legend = terminal_legend(scene, screen.columns, screen.terminal, style);
+  const auto legend_rows = static_cast<int>(std::count(legend.begin(), legend.end(), '\n'));
+  return terminal_picture(scene, screen.columns, std::max(rows - legend_rows, kFewestRows),
+                          screen.terminal, style) +
+         legend;
 }
 
 }  // namespace wend::cli

@@ -33,11 +33,23 @@ void add_styles(CLI::App& app, std::vector<StyleName>& styles);
 /// Is the map small enough for one character a cell?
 bool is_small(const GridMap& map, const Screen& screen);
 
+struct SmallPicture {
+  std::string map;     // a line a row
+  std::string legend;  // lines
+};
+
+/// A small map as text.
+SmallPicture small_picture(const Scene& scene, const Screen& screen);
+
 /// The map as text or as a picture; empty where it is not to be shown.
 std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments);
 
 /// The map as a picture, however small it is; empty where it is not to be shown.
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments);
+
+/// The same in at most so many rows, the legend's included.
+std::string large_picture(const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments, int rows);
 
 }  // namespace wend::cli

@@ -27,6 +27,9 @@ arrows; large ones a summary and, on a terminal, a picture. Exit codes: 0 found,
 int run(const PlanArguments& arguments) {
   arguments.output.check();
   arguments.watch.check(detect_screen());
+  if (arguments.watch.step && arguments.format == Format::json) {
+    throw InputError("--step and --format json: choose one");
+  }
   PlannerSpec planner = parse_planner(arguments.planner);
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());

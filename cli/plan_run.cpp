@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "frame.hpp"
 #include "narrator.hpp"
 #include "nearest_ends.hpp"
 #include "observer_list.hpp"
@@ -19,6 +20,12 @@
 #include "wend/report/plan_json.hpp"
 
 namespace wend::cli {
+
+namespace {
+
+constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
+
+}  // namespace
 
 PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space)
     : arguments_(arguments),
@@ -95,14 +102,21 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
   double begin = steady_seconds();
   auto outcome = planner_->begin(query, result_.plan);
   if (outcome) return *outcome;
-  Stepper stepper(screen_);
+  // Lines of --verbose would come in between.
+  Stepper stepper(screen_.is_terminal && !(arguments_.watch.verbose && progress_is_seen()));
   for (;;) {
     outcome = planner_->step(result_.plan);
     result_.seconds += steady_seconds() - begin;
-    if (outcome) return *outcome;
+    if (outcome) {
+      stepper.finish();
+      return *outcome;
+    }
     const std::uint64_t expanded = result_.plan.metrics.expanded;
     if (stepper.asks_after(expanded)) stepper.ask(step_text(recorder), expanded);
-    if (stepper.quit()) return Status::cancelled;
+    if (stepper.quit()) {
+      outcome_is_shown_ = stepper.in_place();
+      return Status::cancelled;
+    }
     begin = steady_seconds();
   }
 }
@@ -157,13 +171,14 @@ Scene PlanRun::outcome() const {
 
 std::string PlanRun::step_text(const SearchRecorder& recorder) const {
   const SearchSnapshot snapshot = recorder.snapshot();
-  const Scene scene = with_snapshot(ends(), snapshot);
-  std::string text = picture(scene, screen_, {PictureWhen::always, arguments_.pictures.style});
+  std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
-    if (source_of(kind) != LayerSource::search) continue;
-    text += layer_text(ends(), search_layer(kind, *planner_, recorder), screen_,
-                       {PictureWhen::always, arguments_.pictures.style});
+    if (source_of(kind) == LayerSource::search) {
+      layers.push_back(search_layer(kind, *planner_, recorder));
+    }
   }
+  const std::string text = frame_text(with_snapshot(ends(), snapshot), layers, screen_,
+                                      arguments_.pictures.style, kRowsOfStep);
   const SearchLayers& known = recorder.layers();
   const Cell cell = snapshot.current.value_or(ends_.start.cell);
   return text + fmt::format("expansion {}: {} f={:.6g} g={:.6g} h={:.6g}, frontier {}\n",
@@ -175,12 +190,15 @@ std::string PlanRun::text() const {
   std::string text;
   const bool found = result_.status == Status::found;
   const bool small = is_small(space_.map(), screen_);
+  const bool quit = arguments_.watch.step && outcome_is_shown_;
+  if (quit) return text;
   if (found && small) text += path_line(result_.plan.path);
   for (const Layer& layer : layers_) {
     text += layer_text(outcome(), layer, screen_, arguments_.pictures);
   }
   // Of a failure there is something to see where a search has begun.
-  if (layers_.empty() && (found || (small && result_.plan.metrics.expanded > 0))) {
+  if (layers_.empty() && !outcome_is_shown_ &&
+      (found || (small && result_.plan.metrics.expanded > 0))) {
     text += picture(outcome(), screen_, arguments_.pictures);
   }
   if (found) text += plan_summary(result_, space_.map().frame());
@@ -222,6 +240,7 @@ ExitCode PlanRun::report() {
   const bool searched = recorder_ && !recorder_->expansions().empty();
   if (arguments_.watch.animate && searched) {
     play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
+    outcome_is_shown_ = true;
   }
   if (arguments_.format == Format::json) {
     print(plan_json(result_, space_.map().frame(), layers_));

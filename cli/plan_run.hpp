@@ -77,6 +77,7 @@ class PlanRun {
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;
   PlanResult result_;
+  bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };
 
 }  // namespace wend::cli

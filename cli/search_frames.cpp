@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "display.hpp"
+#include "frame.hpp"
 #include "interrupt.hpp"
 #include "narrator.hpp"
 #include "picture.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double kSeconds = 6;  // that a film takes unless somebody wants another speed
 constexpr std::size_t kMostFilmFrames = 36'000;  // half an hour
+constexpr int kRowsBelow = 9;                    // for the summary, and the prompt after it
 constexpr std::size_t kMostGifFrames = 400;
 constexpr int kGifWidth = 800;  // pixels at most
 constexpr int kGifHeight = 640;
@@ -66,20 +68,21 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
 void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& screen,
           const PictureArguments& pictures, std::optional<double> speed) {
   const auto& cancelled = cancel_on_interrupt();
-  const PictureArguments always{PictureWhen::always, pictures.style};
+  const auto frame = [&](const Scene& scene) {
+    return frame_text(scene, {}, screen, pictures.style, kRowsBelow);
+  };
   const Scene base = without_path(outcome);
-  Display display(screen);
+  Display display(true);
   auto next = std::chrono::steady_clock::now();
   for (const std::size_t expansions :
        frame_times(recorder.expansions().size(), speed, kMostFilmFrames)) {
     if (cancelled) break;
     const SearchSnapshot snapshot = recorder.snapshot(expansions);
-    display.show(picture(with_snapshot(base, snapshot), screen, always) +
-                 progress_line(snapshot, expansions));
+    display.show(frame(with_snapshot(base, snapshot)) + progress_line(snapshot, expansions));
     next += std::chrono::milliseconds(1000 / kFramesPerSecond);
     std::this_thread::sleep_until(next);
   }
-  display.show(picture(with_snapshot(outcome, recorder.snapshot()), screen, always));
+  display.show(frame(with_snapshot(outcome, recorder.snapshot())));
 }
 
 Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchRecorder& recorder,

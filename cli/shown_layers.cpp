@@ -92,15 +92,19 @@ Scene with_layer(Scene scene, const Layer& layer) {
   return scene;
 }
 
+std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, const Screen& screen,
+                                      StyleName style) {
+  const bool too_wide = screen.is_terminal && columns_of(layer) > screen.columns;
+  if (!is_small(scene.space.map(), screen) || too_wide) return std::nullopt;
+  return std::string(title_of(layer.kind)) + "\n" +
+         grid_text(scene, layer, screen.terminal.colours, style_of(style));
+}
+
 std::string layer_text(const Scene& scene, const Layer& layer, const Screen& screen,
                        const PictureArguments& arguments) {
-  const std::string title = std::string(title_of(layer.kind)) + "\n";
-  const bool too_wide = screen.is_terminal && columns_of(layer) > screen.columns;
-  if (!is_small(scene.space.map(), screen) || too_wide) {
-    const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
-    return drawn.empty() ? "" : title + drawn + "\n";
-  }
-  return title + grid_text(scene, layer, screen.terminal.colours, style_of(arguments.style)) + "\n";
+  if (const auto grid = layer_grid(scene, layer, screen, arguments.style)) return *grid + "\n";
+  const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
+  return drawn.empty() ? "" : std::string(title_of(layer.kind)) + "\n" + drawn + "\n";
 }
 
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {

@@ -3,6 +3,7 @@
 // --show: layers of a search, of the costs to the goal and of the map, instead of the path alone.
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ class ShownLayers {
 
 /// The scene with the layer drawn on the map.
 Scene with_layer(Scene scene, const Layer& layer);
+
+/// A title and an aligned grid of numbers or arrows; nothing where the map is too large for it.
+std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, const Screen& screen,
+                                      StyleName style);
 
 /// A title and an aligned grid of numbers or arrows where the map is small enough for it, else a
 /// picture; empty where that is not to be shown.

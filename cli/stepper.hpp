@@ -12,13 +12,20 @@ namespace wend::cli {
 
 class Stepper {
  public:
-  explicit Stepper(const Screen& screen) : display_(screen) {}
+  /// In place: each picture takes the place of the one before.
+  explicit Stepper(bool in_place) : display_(in_place) {}
 
   /// Is somebody to be asked after that many expansions?
   bool asks_after(std::uint64_t expansions) const { return expansions >= next_; }
 
   /// Shows how the search stands after so many expansions and waits for a key.
   void ask(const std::string& picture, std::uint64_t expansions);
+
+  /// Makes room for the outcome.
+  void finish() { display_.clear(); }
+
+  /// Does the last picture stand where the outcome will be shown?
+  bool in_place() const { return display_.in_place(); }
 
   /// Does the person want to stop here?
   bool quit() const { return quit_; }

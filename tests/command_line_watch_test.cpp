@@ -174,6 +174,81 @@ TEST_F(Watching, PlaysFilmsOnATerminalOnly) {
   EXPECT_EQ(plan({"--speed", "0"}).code, 2);
 }
 
+TEST_F(Watching, KeepsStepsApartFromJson) {
+  const Outcome outcome = step("r", "--format json");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--step and --format json"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+}
+
+/// What a terminal of 80 x 24 characters is told while somebody types keys; frame by frame.
+class OnATerminal : public Watching {
+ protected:
+  void SetUp() override {
+    if (shell("command -v script").code != 0) GTEST_SKIP() << "there is no script(1)";
+  }
+
+  std::vector<std::string> frames(const std::string& arguments, const std::string& keys) const {
+    const std::string log = folder_ / "log";
+    shell("printf '" + keys +
+          "' | env -u NO_COLOR TERM=xterm-256color script -qec \"stty rows 24 " +
+          "cols 80; $WEND plan " + arguments + "\" " + log + " >/dev/null");
+    const std::string seen = bytes_of(log);
+    const std::string home = "\x1b[H";
+    std::vector<std::string> frames;
+    for (auto at = seen.find(home); at != std::string::npos;) {
+      const auto next = seen.find(home, at + 1);
+      frames.push_back(seen.substr(at, next == std::string::npos ? next : next - at));
+      at = next;
+    }
+    return frames;
+  }
+
+  std::string high_query() const {
+    std::string grid;
+    for (int y = 0; y < 30; ++y) grid += std::string(70, '.') + "\n";
+    return folder_.write("high.txt", grid) + " --start 1,1 --goal 60,20";
+  }
+
+  std::string low_query() const { return map_ + " --start 0,1 --goal 4,2"; }
+};
+
+TEST_F(OnATerminal, StepsNeverScroll) {
+  for (const std::string& query : {high_query(), low_query()}) {
+    for (const char* layers : {"", " --show g", " --show parent,g,f,closed,frontier,expansion"}) {
+      const auto seen = frames(query + " --step" + layers, "nntq");
+      ASSERT_GE(seen.size(), 4U) << query << layers;
+      for (const std::string& frame : seen) {
+        const auto end = frame.find("q: quit");
+        if (end == std::string::npos) continue;
+        EXPECT_LT(count_of(frame.substr(0, end), "\n"), 23U) << query << layers << "\n" << frame;
+      }
+    }
+  }
+}
+
+TEST_F(OnATerminal, StepsShowLayersBesideTheMap) {
+  const auto seen = frames(low_query() + " --step --show g --planner bfs --connectivity 4", "q");
+  ASSERT_FALSE(seen.empty());
+  EXPECT_THAT(seen.front(), HasSubstr("   g, cost from the start"));
+  EXPECT_EQ(count_of(seen.back(), "S start"), 1U) << "quitting leaves the last frame alone";
+}
+
+TEST_F(OnATerminal, StepsEndWithTheOutcomeAlone) {
+  const std::string last = frames(low_query() + " --step", "nr").back();
+  EXPECT_THAT(last, AllOf(HasSubstr("quality"), HasSubstr("→ path"), Not(HasSubstr("any key"))));
+}
+
+TEST_F(OnATerminal, FilmsFitAndAreNotFollowedByTheSamePicture) {
+  for (const std::string& query : {high_query(), low_query()}) {
+    const auto seen = frames(query + " --animate --speed 1e6", "");
+    ASSERT_GE(seen.size(), 2U);
+    EXPECT_LT(count_of(seen.front(), "\n"), 24U);
+    EXPECT_THAT(seen.back(), AllOf(HasSubstr("quality"), HasSubstr("\x1b[?25h")));
+    EXPECT_EQ(count_of(seen.back(), " goal"), 1U) << seen.back();
+  }
+}
+
 /// What the last frame of a film shows.
 Scene outcome_scene() {
   const FreeSpace space = drawn_space(kGrid);

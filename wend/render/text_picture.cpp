@@ -108,18 +108,22 @@ void append_row(std::string& text, std::span<const Glyph> row, bool colours) {
   text += '\n';
 }
 
-void append_legend(std::string& text, const Grid<Glyph>& glyphs, bool colours) {
+void append_legend(std::string& text, const Grid<Glyph>& glyphs, const TextStyle& style) {
+  constexpr std::string_view kGap = "   ";
+  const auto columns = static_cast<std::size_t>(style.columns);
   Meanings seen;
   for (const Glyph& glyph : glyphs.values()) seen.set(index_of(glyph.meaning));
-  std::string_view gap;
+  std::size_t used = 0;
   for (const LegendEntry& entry : kLegend) {
     if (!seen.test(index_of(entry.meaning))) continue;
-    const std::string_view colour = colours ? ansi_of(entry.meaning) : "";
-    text += gap;
+    const std::size_t width = characters(entry.text);
+    const bool fits = used + kGap.size() + width <= columns;
+    if (used > 0) text += fits ? kGap : "\n";
+    used = used > 0 && fits ? used + kGap.size() + width : width;
+    const std::string_view colour = style.colours ? ansi_of(entry.meaning) : "";
     text += colour;
     text += entry.text;
     if (!colour.empty()) text += kReset;
-    gap = "   ";
   }
   text += '\n';
 }
@@ -137,7 +141,7 @@ std::string text_picture(const Scene& scene, const TextStyle& style) {
   for (int n = 0; n < glyphs.height(); ++n) {
     append_row(text, std::as_const(glyphs).row(drawn_row(scene.space, n)), style.colours);
   }
-  if (style.legend) append_legend(text, glyphs, style.colours);
+  if (style.legend) append_legend(text, glyphs, style);
   return text;
 }
 

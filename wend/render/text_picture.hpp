@@ -13,6 +13,7 @@
 //
 // UTF-8, '\n' after every row. O(cells).
 
+#include <limits>
 #include <string>
 
 #include "wend/map/grid_map.hpp"
@@ -23,6 +24,7 @@ namespace wend {
 struct TextStyle {
   bool colours = false;  // ANSI colours
   bool legend = false;   // one more line: what the characters in the picture mean
+  int columns = std::numeric_limits<int>::max();  // a longer legend takes several lines
 };
 
 std::string text_picture(const Scene& scene, const TextStyle& style = {});

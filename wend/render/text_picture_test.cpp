@@ -129,6 +129,15 @@ TEST(TextPicture, ExplainsOnlyWhatIsInThePicture) {
             lines_of({"S.#", "S start   # obstacle   . free"}));
 }
 
+TEST(TextPicture, BreaksALegendThatIsTooLong) {
+  Scene scene{.space = FreeSpace(map_of({"..#"}))};
+  scene.start = centre_of({0, 0});
+  EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 20}),
+            lines_of({"S.#", "S start   # obstacle", ". free"}));
+  EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 19}),
+            lines_of({"S.#", "S start", "# obstacle   . free"}));
+}
+
 TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
   const std::vector<std::string_view> drawn{"**+@#", "s.g!."};
   Scene scene{.space = FreeSpace(map_of(drawn))};

@@ -1,0 +1,21 @@
+#pragma once
+
+// A frame: a search as it stands, with layers of it, fitted to the terminal so that nothing
+// scrolls. Small maps are text, side by side where there is room; what is too high for the terminal
+// is drawn smaller, as a picture.
+
+#include <string>
+#include <vector>
+
+#include "picture.hpp"
+#include "shown_layers.hpp"
+#include "terminal.hpp"
+
+namespace wend::cli {
+
+/// `rows_below` rows of the terminal stay free for what is written below. Elsewhere there is room
+/// for everything.
+std::string frame_text(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
+                       StyleName style, int rows_below);
+
+}  // namespace wend::cli
