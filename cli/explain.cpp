@@ -65,6 +65,8 @@ class ExplainRun {
   std::string headline() const;
   std::string region(const Place& place) const;
   std::string causes() const;
+  std::string on_obstacles() const;
+  std::string parted() const;
   Scene scene() const;
   BitGrid region_cells(Cell cell) const;
 
@@ -106,22 +108,41 @@ std::string ExplainRun::causes() const {
          says(&Way::unknown_free, "unknown cells", "a way leads through them") +
          says(&Way::squeeze, "corner rule",
               "a way leads between obstacles that touch with their corners") +
-         line("connectivity", "not the cause: 8 neighbours alone reach what 4 reach");
+         line("connectivity",
+              "not the cause: unless corners are cut, 4 neighbours reach what 8 do");
+}
+
+/// The ends that lie on an obstacle: "start and goal"; empty where none does.
+std::string ExplainRun::on_obstacles() const {
+  std::string names;
+  for (const Place& place : {ends_.start, ends_.goal}) {
+    if (space_.why_blocked(place.cell) != BlockReason::obstacle) continue;
+    names += (names.empty() ? "" : " and ") + place.name;
+  }
+  return names;
+}
+
+/// Why no robot of any size gets from one to the other.
+std::string ExplainRun::parted() const {
+  const std::string names = on_obstacles();
+  return names.empty() ? "obstacles part the two" : "an obstacle lies on " + names;
 }
 
 std::string ExplainRun::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), arguments_.pictures);
   text += line("start's region", region(ends_.start)) + line("goal's region", region(ends_.goal));
-  text +=
-      line("widest path", why_.widest ? "for a robot " + explainer_.width(*why_.widest)
-                                      : "none: obstacles part the two, whatever the robot's size");
+  text += line("widest path", why_.widest ? "for a robot " + explainer_.width(*why_.widest)
+                                          : "none, whatever the robot's size: " + parted());
   if (why_.path_exists()) return text;
   text += causes();
   for (const Way& way : why_.ways) {
     text += line(way.widest.path.empty() ? "" : "would help", explainer_.change(way));
   }
-  if (why_.ways.empty()) text += line("would help", "nothing but another map");
+  if (why_.ways.empty()) {
+    text += line("would help",
+                 on_obstacles().empty() ? "nothing but another map" : "another " + on_obstacles());
+  }
   return text;
 }
 

@@ -112,6 +112,15 @@ TEST_F(ExplainCommand, ExplainsABlockedEnd) {
   EXPECT_THAT(outside.err, HasSubstr("lies outside the map"));
 }
 
+TEST_F(ExplainCommand, AsksForAnotherEndWhereOneLiesOnAnObstacle) {
+  const Outcome goal = explain(door_, {"--start", "1,2", "--goal", "5,0"});
+  EXPECT_EQ(goal.code, 1);
+  EXPECT_THAT(goal.out, AllOf(HasSubstr("an obstacle lies on goal\n"),
+                              HasSubstr("would help      another goal\n")));
+  EXPECT_THAT(explain(door_, {"--start", "5,1", "--goal", "5,0"}).out,
+              HasSubstr("would help      another start and goal\n"));
+}
+
 TEST_F(ExplainCommand, DrawsTheRegions) {
   const std::string svg = folder_ / "why.svg";
   explain(door_, {"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6", "-o", svg});
