@@ -77,6 +77,12 @@ TEST_F(CompareCommand, SaysWhyThereIsNoPath) {
   EXPECT_THAT(limited[0].at("reason").get<std::string>(), HasSubstr("--limit-expansions 3"));
 }
 
+TEST_F(CompareCommand, GivesTheSameReasonOnce) {
+  const Outcome outcome =
+      compare({"--start", "0,0", "--goal", "7,5", "--planner", "astar,bfs,dijkstra"});
+  EXPECT_THAT(outcome.out, HasSubstr("\nastar, bfs, dijkstra: no path joins"));
+}
+
 TEST_F(CompareCommand, ShowsHowFarKeepAwayCostKeepsAPathFromWalls) {
   const std::string office = folder_ / "office.yaml";
   ASSERT_EQ(wend({"generate", "office", "--size", "100x80", "--seed", "4", "-o", office}).code, 0);

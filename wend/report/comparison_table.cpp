@@ -50,6 +50,24 @@ Column column_of(const Comparison& comparison, const ComparedQuery& query, const
   return column;
 }
 
+/// A line for each reason, after the planners that it stopped.
+std::string reasons_of(const ComparedQuery& query) {
+  std::vector<std::pair<std::string, std::string>> lines;  // the reason, the planners
+  for (const ComparisonRow& row : query.rows) {
+    if (row.found() || row.reason.empty()) continue;
+    const auto line = std::find_if(lines.begin(), lines.end(),
+                                   [&](const auto& each) { return each.first == row.reason; });
+    if (line == lines.end()) {
+      lines.emplace_back(row.reason, row.planner);
+    } else {
+      line->second += ", " + row.planner;
+    }
+  }
+  std::string text;
+  for (const auto& [reason, planners] : lines) text.append(planners + ": " + reason + "\n");
+  return text;
+}
+
 std::string table_of_one(const Comparison& comparison) {
   const ComparedQuery& query = comparison.queries.front();
   std::vector<Column> columns;
@@ -60,15 +78,13 @@ std::string table_of_one(const Comparison& comparison) {
   std::vector<TextTable::Column> titles{{"planner"}, {"status"}};
   for (const Column& column : columns) titles.push_back({column.title(), Align::right});
   TextTable table(std::move(titles));
-  std::string reasons;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const ComparisonRow& row = query.rows[i];
     std::vector<std::string> fields{row.planner, std::string(to_string(row.status))};
     for (const Column& column : columns) fields.push_back(column.field(i));
     table.add(std::move(fields));
-    if (!row.found() && !row.reason.empty()) reasons += row.planner + ": " + row.reason + "\n";
   }
-  return table.text() + reasons + (has_marks(columns) ? "* best of its column\n" : "");
+  return table.text() + reasons_of(query) + (has_marks(columns) ? "* best of its column\n" : "");
 }
 
 /// Median, mean and 99th percentile of every planner.
