@@ -201,7 +201,7 @@ int run(const ExplainArguments& arguments) {
 
 Command add_explain(CLI::App& app) {
   CLI::App& explain =
-      *app.add_subcommand("explain", "Say why there is no path, and what would make one");
+      *app.add_subcommand("explain", "Say why there is no path, and what would help");
   const auto arguments = std::make_shared<ExplainArguments>();
   arguments->map.add_to(explain);
   explain.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))

@@ -178,8 +178,7 @@ int run(const FieldArguments& arguments) {
 }  // namespace
 
 Command add_field(CLI::App& app) {
-  CLI::App& field = *app.add_subcommand(
-      "field", "Compute the cost to a goal from every cell, and which way to move");
+  CLI::App& field = *app.add_subcommand("field", "Find cost and way to a goal from every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
   add_texts(field, "--goal", arguments->goals,

@@ -9,7 +9,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::size_t kHelpWidth = 66;
+constexpr std::size_t kHelpWidth = 46;  // beside the names, in 80 columns
 
 template <class Value>
 CLI::Option* add_number_to(CLI::App& app, const std::string& flags, Value& value, OptionRange range,

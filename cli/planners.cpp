@@ -26,8 +26,8 @@ int run(Format format) {
 }  // namespace
 
 Command add_planners(CLI::App& app) {
-  CLI::App& planners = *app.add_subcommand(
-      "planners", "List the planners, with what they guarantee, their options and papers");
+  CLI::App& planners =
+      *app.add_subcommand("planners", "List planners: guarantees, options and papers");
   const auto format = std::make_shared<Format>(Format::text);
   add_format(planners, *format);
   planners.footer(kExamples);

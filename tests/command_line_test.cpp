@@ -35,6 +35,16 @@ TEST(Usage, EverySubcommandHasHelpWithExamples) {
   }
 }
 
+TEST(Usage, HelpFitsAnOrdinaryTerminal) {
+  constexpr std::size_t kColumns = 80;
+  for (const std::string name :
+       {"", "plan", "field", "info", "generate", "convert", "compare", "explain", "view"}) {
+    const std::string help = wend({name.empty() ? "--help" : name, "--help"}).out;
+    std::istringstream flags(help.substr(0, help.find("Examples:")));
+    for (std::string line; std::getline(flags, line);) EXPECT_LE(line.size(), kColumns) << line;
+  }
+}
+
 TEST(Usage, VersionIsAResult) {
   const Outcome version = wend({"--version"});
   EXPECT_EQ(version.code, 0);
