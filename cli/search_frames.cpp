@@ -56,7 +56,7 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
   const double a_frame = speed ? *speed / kFramesPerSecond : total / (kSeconds * kFramesPerSecond);
   // A frame that shows nothing new would only take time where the speed is not asked for.
   const double step =
-      std::max({speed ? a_frame : std::max(a_frame, 1.0), total / static_cast<double>(most)});
+      std::max({speed ? a_frame : std::max(a_frame, 1.0), total / static_cast<double>(most - 1)});
   std::vector<std::size_t> times;
   for (std::size_t i = 0; static_cast<double>(i) * step < total; ++i) {
     times.push_back(static_cast<std::size_t>(static_cast<double>(i) * step));

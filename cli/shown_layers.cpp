@@ -104,7 +104,12 @@ std::string layer_text(const Scene& scene, const Layer& layer, const Screen& scr
                        const PictureArguments& arguments) {
   if (const auto grid = layer_grid(scene, layer, screen, arguments.style)) return *grid + "\n";
   const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
-  return drawn.empty() ? "" : std::string(title_of(layer.kind)) + "\n" + drawn + "\n";
+  if (drawn.empty()) return {};
+  const bool pixels = screen.terminal.graphics == TerminalGraphics::kitty ||
+                      screen.terminal.graphics == TerminalGraphics::sixel;
+  const bool no_room = layer.numbers.empty() && !pixels;
+  return std::string(title_of(layer.kind)) +
+         (no_room ? " (no room for arrows here: -o FILE.png draws them)\n" : "\n") + drawn + "\n";
 }
 
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {

@@ -33,6 +33,7 @@
 #include "wend/render/panels.hpp"
 #include "wend/render/terminal_picture.hpp"
 #include "wend/render/text_picture.hpp"
+#include "wend/report/comparison_run.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace {
@@ -286,6 +287,19 @@ TEST(Snippets, OfWidestPathAndNoPath) {
   EXPECT_EQ(reported, "a smaller robot");
 }
 
+std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {
+  const auto report = [](const std::string& what) { return what; };
+  auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
+  if (!run) return report(run.error().message());
+  for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
+  const std::string table = wend::comparison_table(run->comparison());
+  return table;
+}
+
+TEST(Snippets, OfComparisonRun) {
+  EXPECT_NE(compare(open_space(), [] { return 0.0; }).find("100 queries"), std::string::npos);
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -339,7 +353,8 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "render/terminal_picture.hpp",
                                         "render/panels.hpp",
                                         "planner/widest_path.hpp",
-                                        "planner/no_path.hpp"}) {
+                                        "planner/no_path.hpp",
+                                        "report/comparison_run.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

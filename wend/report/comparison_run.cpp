@@ -1,6 +1,6 @@
 #include "wend/report/comparison_run.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "wend/base/random.hpp"
@@ -23,6 +23,12 @@ std::vector<std::vector<Cell>> regions_with_pairs(const FreeSpace& space) {
     }
   }
   return cells;
+}
+
+/// Whole eighths of a turn come out as whole degrees.
+double without_rounding(double degrees) {
+  constexpr double kDigits = 1e6;
+  return std::round(degrees * kDigits) / kDigits;
 }
 
 }  // namespace
@@ -93,7 +99,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const CellPair& cell
   if (!row.found()) return row;
   const PathMetrics metrics = measure(plan_.path, space_);
   row.length = metrics.length;
-  row.turning = degrees_from(metrics.turning);
+  row.turning = without_rounding(degrees_from(metrics.turning));
   row.smallest_clearance = metrics.smallest_clearance;
   return row;
 }

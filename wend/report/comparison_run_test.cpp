@@ -79,7 +79,8 @@ TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {
       EXPECT_EQ(row.planner, spec.text);
       EXPECT_EQ(row.cost, plan->cost);
       EXPECT_EQ(row.length, metrics.length);
-      EXPECT_EQ(row.turning, degrees_from(metrics.turning));
+      EXPECT_NEAR(row.turning, degrees_from(metrics.turning), 1e-6);
+      EXPECT_EQ(row.turning, 45 * std::round(row.turning / 45)) << "whole eighths of a turn";
       EXPECT_EQ(row.smallest_clearance, metrics.smallest_clearance);
       EXPECT_EQ(row.expanded, plan->metrics.expanded);
       EXPECT_EQ(row.generated, plan->metrics.generated);

@@ -64,7 +64,7 @@ std::string reasons_of(const ComparedQuery& query) {
     }
   }
   std::string text;
-  for (const auto& [reason, planners] : lines) text.append(planners + ": " + reason + "\n");
+  for (const auto& [reason, planners] : lines) text += fmt::format("{}: {}\n", planners, reason);
   return text;
 }
 
