@@ -128,11 +128,12 @@ void PlanRun::make_layers(const Limits& limits) {
       field = *std::move(made);
     }
   }
+  const bool searched = recorder_ && !recorder_->expansions().empty();
   layers_.clear();
   for (const LayerKind kind : arguments_.layers.kinds()) {
     switch (source_of(kind)) {
       case LayerSource::search:
-        if (recorder_) layers_.push_back(search_layer(kind, *planner_, *recorder_));
+        if (searched) layers_.push_back(search_layer(kind, *planner_, *recorder_));
         break;
       case LayerSource::cost_to_go:
         if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));

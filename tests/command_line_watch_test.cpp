@@ -87,6 +87,15 @@ TEST_F(Watching, TakesEveryLayerByItsName) {
                                  HasSubstr("expansion, generation, g, heuristic")));
 }
 
+/// Without a search there is nothing that it knew, nor goals to estimate the way to.
+TEST_F(Watching, ShowsNoLayersOfASearchThatNeverBegan) {
+  const Outcome outcome =
+      wend({"plan", map_, "--start", "1,1", "--goal", "4,2", "--show", "heuristic,expansion,cost"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(Not(HasSubstr("estimate")), Not(HasSubstr("expansion")),
+                                 HasSubstr("cost to the goal")));
+}
+
 TEST_F(Watching, GivesLayersToPrograms) {
   const Outcome outcome =
       plan({"--show", "expansion,heuristic,frontier,policy", "--format", "json"});
