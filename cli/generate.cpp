@@ -111,7 +111,8 @@ Command add_generate(CLI::App& app) {
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {
-    kinds += (kinds.empty() ? "" : "\n") + wrapped(kind.name + ": " + kind.summary);
+    if (!kinds.empty()) kinds += '\n';
+    kinds += wrapped(kind.name + ": " + kind.summary);
     arguments->options.collect(kind.name, kind.options);
   }
   generate.add_option("KIND", arguments->kind, kinds)->required()->type_name(kGeneratorType);

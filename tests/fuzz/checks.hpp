@@ -26,7 +26,7 @@ inline constexpr std::size_t kLargestSavedMap = std::size_t{1} << 10;
 
 /// An error's text is short, printable and says something.
 inline std::string check_text(std::string_view what) {
-  constexpr std::size_t kLongest = 400;
+  constexpr std::size_t kLongest = 1400;  // a file name in it may have 1000 bytes
   if (what.empty()) return "the error says nothing";
   if (what.size() > kLongest) return "the error is too long: " + std::string(what);
   for (const char letter : what) {

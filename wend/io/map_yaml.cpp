@@ -52,6 +52,9 @@ bool is_known_tag(const std::string& tag) {
          type == "map" || type == "null";
 }
 
+// Errors repeat the name of the image.
+constexpr std::size_t kLongestName = 1000;
+
 /// Text without line ends and tabs, which would make a mess of messages.
 bool is_line(const std::string& text) {
   return !first_non_text(text) && text.find_first_of("\t\r\n") == std::string::npos;
@@ -142,6 +145,10 @@ class MapYamlReader {
     if (!node->IsScalar()) return failure(*node, "image must be a file name");
     if (node->Scalar().empty()) return failure(*node, "image is empty");
     if (!is_line(node->Scalar())) return failure(*node, "image is not a file name");
+    if (node->Scalar().size() > kLongestName) {
+      return failure(
+          *node, fmt::format("image is no file name: it is longer than {} bytes", kLongestName));
+    }
     yaml.image = node->Scalar();
     return {};
   }
