@@ -52,6 +52,9 @@ bool is_known_tag(const std::string& tag) {
          type == "map" || type == "null";
 }
 
+// What yaml-cpp says repeats words of the file.
+constexpr std::size_t kLongestComplaint = 200;
+
 // Errors repeat the name of the image.
 constexpr std::size_t kLongestName = 1000;
 
@@ -256,7 +259,7 @@ Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::st
   } catch (const YAML::Exception& error) {
     const std::size_t line =
         error.mark.is_null() ? 0 : static_cast<std::size_t>(error.mark.line) + 1;
-    return io_failure(file, line, "YAML: " + error.msg);
+    return io_failure(file, line, "YAML: " + printable(error.msg, kLongestComplaint));
   }
 }
 

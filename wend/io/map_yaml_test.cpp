@@ -79,6 +79,7 @@ TEST(MapYaml, ImageIsAFileName) {
   EXPECT_EQ(error_in(with("image", "image: \"m.pgm\\0.txt\"")), "y:1: image is not a file name");
   EXPECT_EQ(error_in(with("image", "image: \"m\\n.pgm\"")), "y:1: image is not a file name");
   EXPECT_EQ(error_in(with("image", "image: \"m\\e[2J.pgm\"")), "y:1: image is not a file name");
+  EXPECT_THAT(error_in("image: \"m\\"), testing::HasSubstr("unknown escape character: \\x"));
   EXPECT_EQ(error_in(with("image", "image: " + std::string(1001, 'm'))),
             "y:1: image is no file name: it is longer than 1000 bytes");
 }

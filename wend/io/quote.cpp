@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 namespace wend {
 namespace {
 
@@ -14,13 +12,17 @@ unsigned code_of(char letter) { return static_cast<unsigned char>(letter); }
 
 }  // namespace
 
-std::string quote(std::string_view text) {
-  std::string quoted = "'";
-  for (const char letter : text.substr(0, kLongest)) {
-    quoted +=
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string shown;
+  for (const char letter : text.substr(0, longest)) {
+    shown +=
         is_printable(letter) ? std::string(1, letter) : fmt::format("\\x{:02X}", code_of(letter));
   }
-  return quoted + (text.size() > kLongest ? "'..." : "'");
+  return shown;
+}
+
+std::string quote(std::string_view text) {
+  return fmt::format("'{}'{}", printable(text, kLongest), text.size() > kLongest ? "..." : "");
 }
 
 std::string quote(char letter) {

@@ -2,6 +2,7 @@
 
 // Quoting a file's own words in an error message: they may be long, or no text at all.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,10 @@ namespace wend {
 /// 'text' in single quotes: bytes that are not printable ASCII as \xNN, and no more than the first
 /// 40 bytes, then "...".
 std::string quote(std::string_view text);
+
+/// The same without quotes, and no more than the first `longest` bytes: for what a library says of
+/// a file.
+std::string printable(std::string_view text, std::size_t longest);
 
 /// A single letter: 'x', or 0x09 where it is not printable ASCII.
 std::string quote(char letter);

@@ -17,6 +17,11 @@ TEST(Quote, CutsLongTexts) {
   EXPECT_EQ(quote(std::string(41, 'a')), "'" + std::string(40, 'a') + "'...");
 }
 
+TEST(Quote, MakesWhatALibrarySaysPrintable) {
+  EXPECT_EQ(printable("unknown escape character: \x04", 200), "unknown escape character: \\x04");
+  EXPECT_EQ(printable("abcdef", 3), "abc");
+}
+
 TEST(Quote, ShowsALetterOrItsCode) {
   EXPECT_EQ(quote('x'), "'x'");
   EXPECT_EQ(quote('\0'), "0x00");
