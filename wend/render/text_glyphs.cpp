@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
@@ -58,13 +55,6 @@ Glyph glyph_of(CellRole role) {
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
-}
-
-Direction drawn_direction(Cell from, Cell to, bool y_up) {
-  const double right = static_cast<double>(to.x) - from.x;
-  const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
-  const double eighths = std::round(std::atan2(right, down) / (kPi / 4));  // in -4..4
-  return static_cast<Direction>((static_cast<int>(eighths) + kDirections) % kDirections);
 }
 
 std::optional<Cell> cell_under(const FreeSpace& space, Point point) {

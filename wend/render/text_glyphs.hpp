@@ -47,9 +47,6 @@ std::size_t characters(std::string_view text);
 
 Glyph glyph_of(CellRole role);
 
-/// The nearest of the eight directions as drawn; the cells differ.
-Direction drawn_direction(Cell from, Cell to, bool y_up);
-
 /// The cell that a point in grid coordinates lies in, if it is one of the map.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 

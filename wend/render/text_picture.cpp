@@ -89,7 +89,7 @@ void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
   const bool y_up = scene.space.map().frame().y_up;
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
     if (!glyphs.contains(cells[i]) || cells[i] == cells[i + 1]) continue;
-    glyphs[cells[i]] = arrow(drawn_direction(cells[i], cells[i + 1], y_up), Meaning::path);
+    glyphs[cells[i]] = arrow(nearest_direction(cells[i], cells[i + 1], y_up), Meaning::path);
   }
 }
 
