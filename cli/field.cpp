@@ -18,7 +18,6 @@
 #include "output_files.hpp"
 #include "plan_text.hpp"
 #include "terminal.hpp"
-#include "wend/io/write_file.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/report/field_report.hpp"
 
@@ -134,14 +133,12 @@ std::string FieldRun::json() const {
 }
 
 void FieldRun::write_files() const {
-  const auto write = [](const std::string& file, const std::string& text) {
-    const auto written = write_file(file, text);
-    return written ? std::string() : written.error().message();
-  };
   std::map<std::string, FileWriter> writers{
-      {".json", [&](const std::string& file) { return write(file, json()); }}};
+      {".json", [&](const std::string& file) { return write_bytes(file, json()); }}};
   if (field_) {
-    writers[".csv"] = [&](const std::string& file) { return write(file, field_csv(*field_)); };
+    writers[".csv"] = [&](const std::string& file) {
+      return write_bytes(file, field_csv(*field_));
+    };
   }
   arguments_.output.write(writers);
 }

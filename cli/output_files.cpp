@@ -10,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "wend/io/write_file.hpp"
 
 namespace wend::cli {
 namespace {
@@ -44,6 +45,11 @@ void check_folder(const std::filesystem::path& file, const std::string& name) {
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
     throw InputError(fmt::format("{}: there is no folder {}", name, folder.string()));
   }
+}
+
+std::string write_bytes(const std::string& file, const std::string& bytes) {
+  const auto written = write_file(file, bytes);
+  return written ? std::string() : written.error().message();
 }
 
 void OutputFiles::add_to(CLI::App& app, std::vector<std::string> extensions,

@@ -22,6 +22,9 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
 /// Throws InputError if a file is to lie in a folder that is not there.
 void check_folder(const std::filesystem::path& file, const std::string& name);
 
+/// Writes text or bytes; what went wrong, empty if nothing did.
+std::string write_bytes(const std::string& file, const std::string& bytes);
+
 class OutputFiles {
  public:
   /// -o, once for each file. `extensions` are those that the command can write: {".png", ".csv"}.

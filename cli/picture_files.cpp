@@ -3,8 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "wend/io/write_file.hpp"
-
 namespace wend::cli {
 namespace {
 
@@ -31,11 +29,6 @@ std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, Sty
   return {{".png", writer_of(PictureKind::png)},
           {".svg", writer_of(PictureKind::svg)},
           {".pdf", writer_of(PictureKind::pdf)}};
-}
-
-std::string write_bytes(const std::string& file, const std::string& bytes) {
-  const auto written = write_file(file, bytes);
-  return written ? std::string() : written.error().message();
 }
 
 std::string write_picture(const std::string& file,

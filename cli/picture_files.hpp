@@ -18,10 +18,7 @@ std::vector<std::string> picture_extensions();
 /// Writers that draw the panels side by side; they copy what they are given.
 std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);
 
-/// Writes text or bytes; what went wrong, empty if nothing did.
-std::string write_bytes(const std::string& file, const std::string& bytes);
-
-/// The same of a picture, if it could be drawn.
+/// Writes a picture, if it could be drawn; what went wrong, empty if nothing did.
 std::string write_picture(const std::string& file,
                           const Expected<std::string, RenderError>& picture);
 
