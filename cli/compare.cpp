@@ -140,9 +140,8 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const FreeSpace& space) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
-    Scene scene{.space = space, .path = run.path(i, 0)};
-    scene.start = centre_of(query.start);
-    scene.goals = {centre_of(query.goal)};
+    Scene scene = scene_between(space, query.start, query.goal);
+    scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
     panels.push_back({query.rows[i].planner, std::move(scene), caption_of(query.rows[i])});

@@ -158,9 +158,7 @@ BitGrid ExplainRun::region_cells(Cell cell) const {
 }
 
 Scene ExplainRun::scene() const {
-  Scene scene{.space = space_};
-  scene.start = centre_of(ends_.start.cell);
-  scene.goals = {centre_of(ends_.goal.cell)};
+  Scene scene = scene_between(space_, ends_.start.cell, ends_.goal.cell);
   scene.marked = {{CellRole::start_region, region_cells(ends_.start.cell)}};
   if (!why_.path_exists()) {
     scene.marked.push_back({CellRole::goal_region, region_cells(ends_.goal.cell)});

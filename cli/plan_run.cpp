@@ -150,12 +150,7 @@ void PlanRun::fail(Status status, std::string reason) {
   result_.reason = std::move(reason);
 }
 
-Scene PlanRun::ends() const {
-  Scene scene{.space = space_};
-  scene.start = centre_of(ends_.start.cell);
-  scene.goals = {centre_of(ends_.goal.cell)};
-  return scene;
-}
+Scene PlanRun::ends() const { return scene_between(space_, ends_.start.cell, ends_.goal.cell); }
 
 /// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
 /// path: the cells that they visited are shown instead.

@@ -70,9 +70,9 @@ Path load_path_on(const FreeSpace& space, const std::string& file) {
 }
 
 Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const std::string& file) {
-  Scene scene{.space = space, .path = load_path_on(space, file)};
-  scene.start = centre_of(scene.path.cells().front());
-  scene.goals = {centre_of(scene.path.cells().back())};
+  Path path = load_path_on(space, file);
+  Scene scene = scene_between(space, path.cells().front(), path.cells().back());
+  scene.path = std::move(path);
   const PathMetrics metrics = measure(scene.path, space);
   return {name_of(file), std::move(scene),
           fmt::format("length {}, clearance {}", coordinates.length(metrics.length),

@@ -40,10 +40,8 @@ Expected<Picture, RenderError> picture_of(const PlannerInfo& info, const FreeSpa
   Plan plan;
   const Status status = (*planner)->plan(query, plan);
 
-  Scene scene{.space = space};
+  Scene scene = scene_between(space, kStart, kGoal);
   scene.path = plan.path;
-  scene.start = centre_of(kStart);
-  scene.goals = {centre_of(kGoal)};
   scene.heatmap = {"order of expansion",
                    search_layer(LayerKind::expansion, **planner, recorder).numbers};
   auto png = draw_png(scene);

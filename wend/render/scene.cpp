@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <utility>
 
 namespace wend {
 
@@ -19,6 +20,13 @@ std::string_view describe(CellRole role) {
       return "goal's region";
   }
   return "";
+}
+
+Scene scene_between(FreeSpace space, Cell start, Cell goal) {
+  Scene scene{.space = std::move(space)};
+  scene.start = centre_of(start);
+  scene.goals = {centre_of(goal)};
+  return scene;
 }
 
 std::optional<CellRole> role_of(const Scene& scene, Cell cell) {

@@ -77,6 +77,9 @@ struct Scene {
   std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
 };
 
+/// The map with a start and a goal, at the centres of cells.
+Scene scene_between(FreeSpace space, Cell start, Cell goal);
+
 /// The role of a cell: that of the last layer which marks it.
 std::optional<CellRole> role_of(const Scene& scene, Cell cell);
 
