@@ -27,7 +27,7 @@
 #ifdef WEND_ADDRESS_SANITIZER
 // Of sanitizer/allocator_interface.h, which not every compiler's package has.
 extern "C" std::size_t
-__sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifier)
+__sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifier): its own name
 #endif
 
 namespace {
