@@ -63,12 +63,11 @@ class ExplainRun {
  private:
   std::string text() const;
   std::string headline() const;
-  std::string region(const Place& place) const;
+  std::string region(const Place& place, std::size_t cells) const;
   std::string causes() const;
   std::string on_obstacles() const;
   std::string parted() const;
   Scene scene() const;
-  BitGrid region_cells(Cell cell) const;
 
   const ExplainArguments& arguments_;
   GridMoves moves_;
@@ -90,9 +89,9 @@ std::string ExplainRun::headline() const {
   return fmt::format("no path joins start {} and goal {}\n", ends_.start.text, ends_.goal.text);
 }
 
-std::string ExplainRun::region(const Place& place) const {
+std::string ExplainRun::region(const Place& place, std::size_t cells) const {
   const std::string blocked = explainer_.blocked(place);
-  return blocked.empty() ? explainer_.region(place.cell) : blocked;
+  return blocked.empty() ? coordinates_.area(cells) : blocked;
 }
 
 /// What is in the way, and what is not, by every reason that there could be.
@@ -131,7 +130,8 @@ std::string ExplainRun::parted() const {
 std::string ExplainRun::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), arguments_.pictures);
-  text += line("start's region", region(ends_.start)) + line("goal's region", region(ends_.goal));
+  text += line("start's region", region(ends_.start, why_.start_region)) +
+          line("goal's region", region(ends_.goal, why_.goal_region));
   text += line("widest path", why_.widest ? "for a robot " + explainer_.width(*why_.widest)
                                           : "none, whatever the robot's size: " + parted());
   if (why_.path_exists()) return text;
@@ -146,22 +146,11 @@ std::string ExplainRun::text() const {
   return text;
 }
 
-BitGrid ExplainRun::region_cells(Cell cell) const {
-  BitGrid cells(space_.width(), space_.height());
-  const ConnectedRegions& regions = space_.regions();
-  for (int y = 0; y < space_.height(); ++y) {
-    for (int x = 0; x < space_.width(); ++x) {
-      cells.set({x, y}, regions.connected(cell, {x, y}, moves_.adjacency()));
-    }
-  }
-  return cells;
-}
-
 Scene ExplainRun::scene() const {
   Scene scene = scene_between(space_, ends_.start.cell, ends_.goal.cell);
-  scene.marked = {{CellRole::start_region, region_cells(ends_.start.cell)}};
+  scene.marked = {{CellRole::start_region, region_of(space_, ends_.start.cell, moves_)}};
   if (!why_.path_exists()) {
-    scene.marked.push_back({CellRole::goal_region, region_cells(ends_.goal.cell)});
+    scene.marked.push_back({CellRole::goal_region, region_of(space_, ends_.goal.cell, moves_)});
   }
   // The way that asks for the least, or, where the robot fits, the widest one.
   if (!why_.ways.empty()) {

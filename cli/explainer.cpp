@@ -79,7 +79,8 @@ std::string Explainer::unreachable(const Ends& ends) const {
   const NoPath why = explain_no_path(space_, ends.start.cell, ends.goal.cell, moves_);
   std::string text = fmt::format(
       "no path joins start {} and goal {}: the start's region has {}, the goal's has {}. ",
-      ends.start.text, ends.goal.text, region(ends.start.cell), region(ends.goal.cell));
+      ends.start.text, ends.goal.text, coordinates_.area(why.start_region),
+      coordinates_.area(why.goal_region));
   if (why.ways.empty()) return text + "Obstacles part the two, whatever the robot's size";
   text += "What would make one: ";
   for (std::size_t i = 0; i < why.ways.size(); ++i) {
@@ -108,10 +109,6 @@ std::string Explainer::width(const WidestPath& widest) const {
   if (std::isinf(widest.radius)) return "of any size: no obstacle is in the way";
   return fmt::format("with a radius of up to {}, narrowest at {}",
                      coordinates_.length(widest.radius), coordinates_.text(widest.narrowest));
-}
-
-std::string Explainer::region(Cell cell) const {
-  return coordinates_.area(space_.regions().size_of_region(cell, moves_.adjacency()));
 }
 
 std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics) {

@@ -35,9 +35,6 @@ class Explainer {
   /// "the start (3,4) is blocked: it lies on an obstacle"
   std::string blocked(const Place& place) const;
 
-  /// What a region that a cell belongs to measures: "57 cells (0.14 m2)".
-  std::string region(Cell cell) const;
-
   /// What would make a path: "unknown cells taken as free (--unknown free)".
   std::string change(const Way& way) const;
 

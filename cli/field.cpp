@@ -19,6 +19,7 @@
 #include "plan_text.hpp"
 #include "terminal.hpp"
 #include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/no_path.hpp"
 #include "wend/report/field_report.hpp"
 
 namespace wend::cli {
@@ -122,9 +123,12 @@ std::string FieldRun::explain_goals(const Limits& limits, const SearchMetrics& m
 
 std::string FieldRun::explain_start(Status status, const Place& start) const {
   if (status != Status::unreachable) return explainer_.blocked(start);
+  const auto region = [this](const Place& place) {
+    return coordinates_.area(region_size(space_, place.cell, moves_));
+  };
   return fmt::format("no path joins start {} and {}: the start's region has {}, the goal's has {}",
                      start.text, goals_.size() == 1 ? "goal " + goals_[0].text : "any goal",
-                     explainer_.region(start.cell), explainer_.region(goals_[0].cell));
+                     region(start), region(goals_[0]));
 }
 
 std::string FieldRun::json() const {

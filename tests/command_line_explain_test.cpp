@@ -84,6 +84,23 @@ TEST_F(ExplainCommand, NamesUnknownCellsAndTheCornerRule) {
               AllOf(HasSubstr("widest path     none"), HasSubstr("nothing but another map")));
 }
 
+/// Two cells that touch with their corners are one region for a point, but not for a disc.
+TEST_F(ExplainCommand, CountsWhatThisRobotCanReach) {
+  const std::string map = folder_.write("corners.txt", ".#\n#.\n");
+  const std::vector<std::string> query{"--start",       "0,0",  "--goal",         "1,1",
+                                       "--corner-rule", "both", "--robot-radius", "0.5"};
+  const Outcome outcome = explain(map, query);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("start's region  1 cell\n"), HasSubstr("goal's region   1 cell\n")));
+  for (const std::string command : {"plan", "field"}) {
+    std::vector<std::string> arguments{command, map};
+    arguments.insert(arguments.end(), query.begin(), query.end());
+    EXPECT_THAT(wend(arguments).err,
+                HasSubstr("the start's region has 1 cell, the goal's has 1 cell"));
+  }
+}
+
 TEST_F(ExplainCommand, SaysHowWideTheWayIsWhereThereIsOne) {
   const Outcome outcome = explain(door_, {"--start", "1,2", "--goal", "9,2"});
   EXPECT_EQ(outcome.code, 0);

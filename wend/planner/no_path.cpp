@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -93,17 +94,39 @@ class Widths {
   std::array<std::optional<std::uint32_t>, 4> widths_;
 };
 
-std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves) {
-  if (!space.passable(cell)) return 0;
-  const bool labels_are_exact =
-      moves.adjacency() == Adjacency::edges || space.radius_in_cells() == 0;
-  if (labels_are_exact) return space.regions().size_of_region(cell, moves.adjacency());
-  // A disc does not fit between all corners that a point does.
-  const auto field = CostToGo::make(space, std::span(&cell, 1), moves);
-  return field ? field->metrics().expanded : 0;
+/// Do the labels of the regions say what this robot can reach?
+bool labels_are_exact(const FreeSpace& space, GridMoves moves) {
+  return moves.adjacency() == Adjacency::edges || space.radius_in_cells() == 0;
+}
+
+/// The cells of the map that `holds` is true of.
+template <class Holds>
+BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
+  BitGrid cells(space.width(), space.height());
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) cells.set({x, y}, holds(Cell{x, y}));
+  }
+  return cells;
 }
 
 }  // namespace
+
+BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves) {
+  assert(space.contains(cell));
+  if (labels_are_exact(space, moves)) {
+    const ConnectedRegions& regions = space.regions();
+    return cells_where(
+        space, [&](Cell other) { return regions.connected(cell, other, moves.adjacency()); });
+  }
+  const auto field = CostToGo::make(space, std::span(&cell, 1), moves);
+  return cells_where(space, [&](Cell other) { return field && std::isfinite(field->cost(other)); });
+}
+
+std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves) {
+  assert(space.contains(cell));
+  return labels_are_exact(space, moves) ? space.regions().size_of_region(cell, moves.adjacency())
+                                        : region_of(space, cell, moves).count();
+}
 
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
   assert(space.contains(start) && space.contains(goal));

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "wend/map/bit_grid.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/widest_path.hpp"
 #include "wend/space/grid_moves.hpp"
@@ -35,7 +36,8 @@ struct Way {
 };
 
 struct NoPath {
-  /// Cells that can be reached from each, itself among them; 0 where the robot cannot stand.
+  /// Cells that can be reached from each (see region_of), itself among them; 0 where the robot
+  /// cannot stand.
   std::size_t start_region = 0;
   std::size_t goal_region = 0;
 
@@ -51,6 +53,15 @@ struct NoPath {
   /// walls surround one of them. If there is a path after all: one way, without any change.
   std::vector<Way> ways;
 };
+
+/// The cells that the robot can reach from a cell of the map, itself among them; none where it
+/// cannot stand. Exact, as the planners are, where ConnectedRegions counts too much: a disc does not
+/// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
+/// the corner rule `both`.
+BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
+
+/// How many cells region_of has. O(1) but for a disc under the corner rule `both`.
+std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
 /// Both cells are on the map and may be blocked. O(cells log cells).
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {});
