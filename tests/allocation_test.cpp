@@ -174,7 +174,7 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACell) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, Allocation, ::testing::ValuesIn(planners().names()),
+INSTANTIATE_TEST_SUITE_P(Registry, Allocation, ::testing::ValuesIn(planner_names(Motion::cells)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

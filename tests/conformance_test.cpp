@@ -322,7 +322,7 @@ TEST_P(Conformance, IsBoundedByDefaultIfItPromisesABound) {
   EXPECT_TRUE(!promised || plan->bound < Plan::kNoBound);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planners().names()),
+INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planner_names(Motion::cells)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

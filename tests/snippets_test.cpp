@@ -18,6 +18,9 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/random.hpp"
+#include "wend/geometry/arc.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/heading.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/io/write_file.hpp"
 #include "wend/map/free_space.hpp"
@@ -102,6 +105,23 @@ TEST(Snippets, OfRandom) {
   EXPECT_TRUE(die >= 1 && die <= 6);
 }
 
+TEST(Snippets, OfHeadingAndCarMove) {
+  const wend::Heading heading = wend::parse_heading("E").value();
+  const wend::Cell ahead = wend::ahead(heading, /*y_up=*/false);  // (1, 0)
+  EXPECT_EQ(ahead, (wend::Cell{1, 0}));
+
+  const wend::CornerPose from{{1, 0}, wend::Heading::east};
+  const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_right, /*y_up=*/false);
+  // to is (2,1) facing south
+  EXPECT_EQ(to, (wend::CornerPose{{2, 1}, wend::Heading::south}));
+}
+
+TEST(Snippets, OfArc) {
+  const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
+  const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
+  EXPECT_NEAR(middle.heading, wend::kPi / 4, 1e-12);
+}
+
 TEST(Snippets, OfMapsAndFreeSpace) {
   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
   cells[{3, 4}] = wend::CellState::occupied;
@@ -138,7 +158,7 @@ void make_planner_and_plan(const wend::FreeSpace& space) {
   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
   if (!planner) return report(planner.error().message());
   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
-  if (!plan) return report(wend::describe(plan.error().status));
+  if (!plan) return report(plan.error().reason);
   EXPECT_EQ(plan->path.cells().back(), (wend::Cell{8, 5}));
 }
 
@@ -146,6 +166,19 @@ const wend::FreeSpace& open_space() {
   static const wend::FreeSpace space(
       wend::GridMap(wend::Grid<wend::CellState>(10, 8, wend::CellState::free)));
   return space;
+}
+
+TEST(Snippets, OfPath) {
+  const auto astar = wend::make_planner("astar", open_space());
+  const auto plan = (*astar)->plan(wend::Query::between({1, 1}, {8, 5}));
+  std::vector<wend::Cell> cells;
+  for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
+  EXPECT_EQ(cells.size(), plan->path.size());
+
+  double length = 0;
+  const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+  for (const wend::Arc& arc : path.arcs()) length += arc.length;
+  EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
 }
 
 TEST(Snippets, OfPlanner) {
@@ -340,6 +373,10 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "map/grid_map.hpp",
                                         "map/free_space.hpp",
                                         "map/generators.hpp",
+                                        "geometry/heading.hpp",
+                                        "geometry/car_move.hpp",
+                                        "geometry/arc.hpp",
+                                        "path/path.hpp",
                                         "io/load_map.hpp",
                                         "planner/planner.hpp",
                                         "planner/cost_to_go.hpp",

@@ -27,7 +27,9 @@ bool has_option(const PlannerInfo& planner, std::string_view name) {
 std::vector<Configuration> configurations(std::string_view option) {
   std::vector<std::string> roles;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.promise != Promise::none) roles.push_back(planner.name);
+    if (planner.motion == Motion::cells && planner.promise != Promise::none) {
+      roles.push_back(planner.name);
+    }
   }
   roles.insert(roles.end(), kVariants.begin(), kVariants.end());
 
@@ -47,7 +49,7 @@ std::vector<Configuration> configurations(std::string_view option) {
 
 std::vector<Configuration> all_planners() {
   std::vector<Configuration> all;
-  for (const std::string& name : planners().names()) all.push_back({name, spec_of(name)});
+  for (const std::string& name : planner_names(Motion::cells)) all.push_back({name, spec_of(name)});
   return all;
 }
 

@@ -8,7 +8,18 @@
 
 namespace wend {
 
+Path Path::through(std::vector<Pose> poses) {
+  Path path;
+  path.poses_ = std::move(poses);
+  return path;
+}
+
 double Path::length() const {
+  if (driven()) {
+    double length = 0;
+    for (const Arc& arc : arcs()) length += std::abs(arc.length);
+    return length;
+  }
   std::uint64_t straight = 0;
   std::uint64_t diagonal = 0;
   double other = 0;
@@ -28,6 +39,7 @@ double Path::length() const {
 }
 
 std::vector<Pose> Path::poses() const {
+  if (driven()) return poses_;
   std::vector<Pose> poses;
   poses.reserve(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -40,13 +52,32 @@ std::vector<Pose> Path::poses() const {
   return poses;
 }
 
+std::vector<Arc> Path::arcs() const {
+  std::vector<Arc> arcs;
+  if (!driven()) return arcs;
+  arcs.reserve(poses_.size() - 1);
+  for (std::size_t i = 1; i < poses_.size(); ++i) {
+    arcs.push_back(arc_to(poses_[i - 1], poses_[i].point()));
+  }
+  return arcs;
+}
+
 std::vector<Point> Path::points_in_metres(const Frame& frame) const {
   std::vector<Point> points;
-  points.reserve(cells_.size());
+  points.reserve(size());
   for (const Cell cell : cells_) points.push_back(frame.to_metres(centre_of(cell)));
+  for (const Pose& pose : poses_) points.push_back(frame.to_metres(pose.point()));
   return points;
 }
 
-void Path::reverse() { std::reverse(cells_.begin(), cells_.end()); }
+void Path::clear() {
+  cells_.clear();
+  poses_.clear();
+}
+
+void Path::reverse() {
+  std::reverse(cells_.begin(), cells_.end());
+  std::reverse(poses_.begin(), poses_.end());
+}
 
 }  // namespace wend

@@ -1,15 +1,22 @@
 #pragma once
 
 // Path: the way from a start to a goal, both included, as its planner made it: a list of
-// neighbouring cells. Poses, and metres, are made from it on demand.
+// neighbouring cells, or the poses of a car. Poses, and metres, are made from it on demand.
 //
-//   for (const wend::Cell cell : plan->path.cells()) ...
+//   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
+//
+// Two poses of a car are joined by the arc that leaves the first one along its heading and ends in
+// the second (a line where the heading stays); in reverse, if the second lies behind.
+//
+//   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+//   for (const wend::Arc& arc : path.arcs()) length += arc.length;
 
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "wend/geometry/arc.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
@@ -21,30 +28,45 @@ class Path {
   Path() = default;
   explicit Path(std::vector<Cell> cells) : cells_(std::move(cells)) {}
 
-  bool empty() const { return cells_.empty(); }
-  std::size_t size() const { return cells_.size(); }
+  /// A path of poses, in grid coordinates.
+  static Path through(std::vector<Pose> poses);
+
+  bool empty() const { return cells_.empty() && poses_.empty(); }
+  std::size_t size() const { return cells_.size() + poses_.size(); }
+
+  /// Is it made of poses, not of cells?
+  bool driven() const { return !poses_.empty(); }
+
+  /// Of a path of cells; else empty.
   std::span<const Cell> cells() const { return cells_; }
 
-  /// Geometric length in cells: straight steps plus sqrt(2) times diagonal ones, counted exactly
-  /// (for cells farther apart: the Euclidean distance of their centres).
+  /// In cells. Of cells: straight steps plus sqrt(2) times diagonal ones, counted exactly (for
+  /// cells farther apart: the Euclidean distance of their centres). Of poses: the lengths of the
+  /// arcs, in reverse too.
   double length() const;
 
-  /// The cell centres in grid coordinates, each heading towards the next one (the last as the one
-  /// before it; a single cell heads along +x).
+  /// In grid coordinates. Of cells: their centres, each heading towards the next one (the last as
+  /// the one before it; a single cell heads along +x).
   std::vector<Pose> poses() const;
 
-  /// The cell centres in the map's frame, in metres.
+  /// What joins the poses of a driven path, one fewer than poses; else empty.
+  std::vector<Arc> arcs() const;
+
+  /// The points of the poses in the map's frame, in metres.
   std::vector<Point> points_in_metres(const Frame& frame) const;
 
-  /// For planners that write into a path they are given: memory is kept.
-  void clear() { cells_.clear(); }
+  /// For planners that write into a path they are given: memory is kept. A path has either cells or
+  /// poses.
+  void clear();
   void append(Cell cell) { cells_.push_back(cell); }
+  void drive_to(const Pose& pose) { poses_.push_back(pose); }
   void reverse();
 
   friend bool operator==(const Path&, const Path&) = default;
 
  private:
   std::vector<Cell> cells_;
+  std::vector<Pose> poses_;
 };
 
 }  // namespace wend

@@ -110,5 +110,32 @@ TEST(Path, IsWrittenCellByCell) {
   EXPECT_TRUE(path.empty());
 }
 
+TEST(DrivenPath, IsMadeOfPosesAndArcs) {
+  const Path path = Path::through({{0, 0, 0}, {1, 1, kPi / 2}, {1, 0, kPi / 2}});
+  EXPECT_TRUE(path.driven());
+  EXPECT_EQ(path.size(), 3U);
+  EXPECT_TRUE(path.cells().empty());
+  EXPECT_EQ(path.poses().size(), 3U);
+  ASSERT_EQ(path.arcs().size(), 2U);
+  EXPECT_NEAR(path.arcs()[0].turn(), kPi / 2, 1e-15);
+  EXPECT_NEAR(path.arcs()[1].length, -1, 1e-15);
+  EXPECT_NEAR(path.length(), kPi / 2 + 1, 1e-15);
+  Frame frame;
+  frame.resolution = 0.5;
+  EXPECT_EQ(path.points_in_metres(frame), (std::vector<Point>{{0, 0}, {0.5, 0.5}, {0.5, 0}}));
+}
+
+TEST(DrivenPath, IsWrittenIntoMemoryThatIsKept) {
+  Path path;
+  EXPECT_FALSE(path.driven());
+  path.drive_to({1, 1, 0});
+  path.drive_to({0, 1, 0});
+  EXPECT_FALSE(path.empty());
+  path.reverse();
+  EXPECT_EQ(path, Path::through({{0, 1, 0}, {1, 1, 0}}));
+  path.clear();
+  EXPECT_TRUE(path.empty());
+}
+
 }  // namespace
 }  // namespace wend

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "wend/base/parse.hpp"
 #include "wend/planner/search_status.hpp"
 #include "wend/space/grid_path.hpp"
 
@@ -10,25 +11,42 @@ namespace wend {
 namespace {
 
 /// The cell that a pose lies in, if it is on the map.
-std::optional<Cell> cell_on_map(const FreeSpace& space, const Pose& pose) {
-  const bool inside = pose.x >= 0 && pose.y >= 0 && pose.x < space.width() &&
-                      pose.y < space.height();  // false for NaN
+std::optional<Cell> cell_on_map(const FreeSpace& space, Point point) {
+  const bool inside = point.x >= 0 && point.y >= 0 && point.x < space.width() &&
+                      point.y < space.height();  // false for NaN
   if (!inside) return std::nullopt;
-  return Cell{static_cast<int>(pose.x), static_cast<int>(pose.y)};
+  return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+}
+
+std::string text_of(Point point) {
+  return '(' + format_number(point.x) + ',' + format_number(point.y) + ')';
+}
+
+/// "the start, cell (3,4), is an obstacle"
+std::string end_in_cells(const FreeSpace& space, const std::string& name, Point point) {
+  const auto cell = cell_on_map(space, point);
+  if (!cell) {
+    return "the " + name + " " + text_of(point) + " lies outside the map of " +
+           std::to_string(space.width()) + " x " + std::to_string(space.height()) + " cells";
+  }
+  const std::string text =
+      "the " + name + ", cell (" + std::to_string(cell->x) + ',' + std::to_string(cell->y) + ")";
+  const auto blocked = space.why_blocked(*cell);
+  return blocked ? text + ", is " + std::string(describe(*blocked)) : text;
 }
 
 }  // namespace
 
 std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjacency,
                                         const Query& query) {
-  const auto start_cell = cell_on_map(space, query.start);
+  const auto start_cell = cell_on_map(space, query.start.point());
   if (!start_cell) return Status::start_outside;
   if (!space.passable(*start_cell)) return Status::start_blocked;
   start = *start_cell;
   goals.clear();
   std::optional<Status> why_none;  // of the first goal
-  for (const Pose& pose : query.goals) {
-    const auto goal = cell_on_map(space, pose);
+  for (const Goal& typed : query.goals) {
+    const auto goal = cell_on_map(space, typed.point);
     if (goal && space.regions().connected(start, *goal, adjacency)) {
       goals.push_back(*goal);
     } else if (!why_none) {
@@ -39,6 +57,22 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   }
   if (goals.empty()) return why_none;
   return std::nullopt;
+}
+
+std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status) {
+  switch (status) {
+    case Status::start_outside:
+    case Status::start_blocked:
+      return end_in_cells(space, "start", query.start.point());
+    case Status::goal_outside:
+    case Status::goal_blocked:
+      return end_in_cells(space, "goal", query.goals.front().point);
+    case Status::unreachable:
+      return "no path joins " + end_in_cells(space, "start", query.start.point()) + ", and " +
+             end_in_cells(space, "goal", query.goals.front().point);
+    default:
+      return {};
+  }
 }
 
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
@@ -78,7 +112,14 @@ Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
   return Status::found;
 }
 
-double GridPlanner::do_heuristic(Cell cell) const { return parts_.engine->heuristic(cell); }
+std::string GridPlanner::do_reason(const Query& query, Status status) const {
+  return reason_in_cells(free_space(), query, status);
+}
+
+double GridPlanner::do_heuristic(const Pose& pose) const {
+  const auto cell = cell_on_map(free_space(), pose.point());
+  return cell ? parts_.engine->heuristic(*cell) : 0;
+}
 
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
   parts_.engine.reset();  // its memory first

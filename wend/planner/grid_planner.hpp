@@ -24,6 +24,9 @@ struct GridQuery {
   std::optional<Status> assign(const FreeSpace& space, Adjacency adjacency, const Query& query);
 };
 
+/// Planner::reason() of a planner that moves from cell to cell.
+std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status);
+
 class GridPlanner final : public Planner {
  public:
   struct Parts {
@@ -44,7 +47,8 @@ class GridPlanner final : public Planner {
   Status do_plan(const Query& query, Plan& out) override;
   std::optional<Status> do_begin(const Query& query, Plan& out) override;
   std::optional<Status> do_step(Plan& out) override;
-  double do_heuristic(Cell cell) const override;
+  std::string do_reason(const Query& query, Status status) const override;
+  double do_heuristic(const Pose& pose) const override;
   void do_update(std::span<const Cell> changed) override;
 
   Status finish(SearchOutcome outcome, Plan& out) const;

@@ -6,16 +6,19 @@
 #include <optional>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/heading.hpp"
 
 namespace wend {
 
-/// One event. Costs are in cells; h is 0 where the planner has no heuristic.
+/// One event. Costs are as in Plan::cost; h is 0 where the planner has no heuristic.
 struct SearchEvent {
-  Cell cell;
+  Cell cell;                   // of a car: its corner
   std::optional<Cell> parent;  // none for the start
   double g;
   double h;
-  double f;  // the priority, as the planner orders its frontier
+  double f;                                 // the priority, as the planner orders its frontier
+  std::optional<Heading> heading{};         // of a car
+  std::optional<Heading> parent_heading{};  // of a car, where there is a parent
 };
 
 class SearchObserver {

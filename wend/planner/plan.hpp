@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/base/status.hpp"
@@ -12,14 +13,26 @@
 
 namespace wend {
 
+/// How far from what a query asked for a path begins or ends: grid planners take whole cells, a car
+/// the nearest corner and heading.
+struct Shift {
+  double distance = 0;  // cells; of a grid planner 0: any point of a cell is in it
+  double turn = 0;      // radians, not negative
+
+  friend bool operator==(const Shift&, const Shift&) = default;
+};
+
 struct Plan {
   /// What `bound` says where nothing is promised about the cost.
   static constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
   Path path;
-  double cost = 0;                 // recomputed from the path by its space
-  double bound = kNoBound;         // cost <= bound * the cheapest cost; 1: optimal
-  std::vector<std::string> moves;  // where the planner's space has named moves, else empty
+  /// Recomputed from the path by its space. In cells, times terrain; of a car its fuel, in units.
+  double cost = 0;
+  double bound = kNoBound;              // cost <= bound * the cheapest cost; 1: optimal
+  std::vector<std::string_view> moves;  // one fewer than poses, where moves have names
+  Shift start_shift;
+  Shift goal_shift;  // from the goal that was reached
   SearchMetrics metrics;
 
   bool optimal() const { return bound == 1; }
@@ -28,6 +41,7 @@ struct Plan {
 struct PlanFailure {
   Status status;          // never Status::found
   SearchMetrics metrics;  // of the search until then
+  std::string reason{};   // where and why, for people: Planner::reason()
 };
 
 }  // namespace wend

@@ -8,7 +8,9 @@ namespace wend {
 Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
   Plan out;
   const Status status = plan(query, out);
-  if (status != Status::found) return Unexpected<PlanFailure>({status, out.metrics});
+  if (status != Status::found) {
+    return Unexpected<PlanFailure>({status, out.metrics, reason(query, status)});
+  }
   return out;
 }
 
@@ -35,13 +37,22 @@ std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
 
 std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
 
-double Planner::do_heuristic(Cell /*cell*/) const { return 0; }
+std::string Planner::reason(const Query& query, Status status) const {
+  std::string reason = do_reason(query, status);
+  return reason.empty() ? std::string(describe(status)) : reason;
+}
+
+std::string Planner::do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
+
+double Planner::do_heuristic(const Pose& /*pose*/) const { return 0; }
 
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.path.clear();
   out.cost = std::numeric_limits<double>::infinity();
   out.bound = Plan::kNoBound;
   out.moves.clear();
+  out.start_shift = {};
+  out.goal_shift = {};
   out.metrics = {};
   if (query.goals.empty()) return Status::unsupported_query;
   return do_check(query);

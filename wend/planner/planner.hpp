@@ -9,10 +9,12 @@
 //   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
 //   if (!planner) return report(planner.error().message());
 //   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
-//   if (!plan) return report(wend::describe(plan.error().status));
+//   if (!plan) return report(plan.error().reason);
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "wend/base/expected.hpp"
 #include "wend/base/status.hpp"
@@ -45,9 +47,16 @@ class Planner {
   std::optional<Status> begin(const Query& query, Plan& out);
   std::optional<Status> step(Plan& out);
 
-  /// The estimate of the cost from a cell of the map to the goals of the search begun last, in
-  /// cells, as that search used it; 0 where the planner estimates nothing.
-  double heuristic(Cell cell) const { return do_heuristic(cell); }
+  /// Why a query of this planner ends with a status: in words, with where and what is there.
+  std::string reason(const Query& query, Status status) const;
+
+  /// The estimate of the cost from a pose on the map, in grid coordinates, to the goals of the
+  /// search begun last, as that search used it; 0 where the planner estimates nothing.
+  double heuristic(const Pose& pose) const { return do_heuristic(pose); }
+  double heuristic(Cell cell) const { return do_heuristic(pose_at(cell)); }
+
+  /// How many states there are in which the robot may be.
+  std::uint64_t state_count() const { return do_state_count(); }
 
   /// Plans on another FreeSpace from now on. `changed` names the cells in which it may differ, for
   /// planners that keep what the others do not touch; the size may only change if it is empty.
@@ -63,7 +72,10 @@ class Planner {
   virtual Status do_plan(const Query& query, Plan& out) = 0;
   virtual std::optional<Status> do_begin(const Query& query, Plan& out);
   virtual std::optional<Status> do_step(Plan& out);
-  virtual double do_heuristic(Cell cell) const;
+  /// Where and why; empty where there is no more to say than what the status does.
+  virtual std::string do_reason(const Query& query, Status status) const;
+  virtual double do_heuristic(const Pose& pose) const;
+  virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
   virtual void do_update(std::span<const Cell> changed) = 0;
 
   std::optional<Status> check(const Query& query, Plan& out);

@@ -18,6 +18,16 @@ std::string_view to_string(Promise promise) {
   return {};
 }
 
+std::string_view to_string(Motion motion) {
+  switch (motion) {
+    case Motion::cells:
+      return "cells";
+    case Motion::car:
+      return "car";
+  }
+  return {};
+}
+
 std::string_view to_string(Preprocessing preprocessing) {
   switch (preprocessing) {
     case Preprocessing::none:

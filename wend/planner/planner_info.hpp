@@ -29,6 +29,14 @@ enum class Promise {
 
 std::string_view to_string(Promise promise);
 
+/// What a planner moves.
+enum class Motion {
+  cells,  // a disc, from cell to neighbouring cell; headings do not matter
+  car,    // a car, from corner to corner, by the moves of car_move.hpp
+};
+
+std::string_view to_string(Motion motion);
+
 /// Work that is done for a map before the first query, beyond reading it.
 enum class Preprocessing {
   none,
@@ -61,6 +69,7 @@ struct PlannerInfo {
   bool plans_on_terrain;  // takes terrain costs into account
   Preprocessing preprocessing;
   bool can_step;  // Planner::begin and step work
+  Motion motion = Motion::cells;
   std::vector<OptionInfo> options;
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
 };

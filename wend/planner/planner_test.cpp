@@ -67,7 +67,7 @@ TEST_P(EveryPlanner, SaysWhyAQueryCannotBeAnswered) {
 TEST_P(EveryPlanner, TakesTheCellThatAPoseLiesIn) {
   const auto planner = make(test::drawn_space(kRooms));
   for (const Pose& pose : {Pose{1, 1}, Pose{1.999, 1.999}, Pose{1.5, 1.0, 3.0}}) {
-    const auto plan = planner->plan({pose, {{1.5, 1.5}}});
+    const auto plan = planner->plan({pose, {Goal(Point{1.5, 1.5})}});
     ASSERT_TRUE(plan);
     EXPECT_THAT(plan->path.cells(), ElementsAre(Cell{1, 1}));
   }
@@ -255,7 +255,7 @@ TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planners().names()),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planner_names(Motion::cells)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -15,6 +15,14 @@ const Registry<PlannerInfo>& planners() {
   return registry;
 }
 
+std::vector<std::string> planner_names(Motion motion) {
+  std::vector<std::string> names;
+  for (const PlannerInfo& info : planners()) {
+    if (info.motion == motion) names.push_back(info.name);
+  }
+  return names;
+}
+
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options) {
   const PlannerInfo* info = planners().find(name);

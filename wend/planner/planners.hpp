@@ -2,7 +2,9 @@
 
 // The planners there are. A new one is one file and one line in planners.def.
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
@@ -12,6 +14,9 @@
 namespace wend {
 
 const Registry<PlannerInfo>& planners();
+
+/// The names of those that move so.
+std::vector<std::string> planner_names(Motion motion);
 
 /// Makes a planner by name; an unknown name or option is Status::invalid_option.
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,

@@ -2,6 +2,7 @@
 
 // Query: from where, to where, with what limits, and who watches.
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,23 @@ namespace wend {
 
 class SearchObserver;
 
-/// Poses are in grid coordinates; a grid planner takes the cell that a pose lies in. With several
-/// goals the cheapest one is found.
+/// Where a path may end, in grid coordinates. A pose is a goal; a point is one with any heading.
+struct Goal {
+  Point point;
+  std::optional<double> heading;  // radians; nothing: any will do
+
+  Goal(const Pose& pose)
+      : point(pose.point()),
+        heading(pose.heading) {}  // NOLINT(google-explicit-constructor): a pose is a goal
+  explicit Goal(Point where) : point(where) {}
+};
+
+/// In grid coordinates. A grid planner takes the cells that start and goal lie in, whatever the
+/// headings; a car the nearest corners and headings of its lattice (Plan says how near). With
+/// several goals the cheapest one is found.
 struct Query {
   Pose start;
-  std::vector<Pose> goals;
+  std::vector<Goal> goals;
   Limits limits = {};
   SearchObserver* observer = nullptr;  // told every event of the search; not owned
 

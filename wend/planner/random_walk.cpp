@@ -83,6 +83,10 @@ class RandomWalkPlanner final : public Planner {
 
   std::optional<Status> do_step(Plan& out) override { return walk_on(out); }
 
+  std::string do_reason(const Query& query, Status status) const override {
+    return reason_in_cells(free_space(), query, status);
+  }
+
   void do_update(std::span<const Cell> /*changed*/) override {
     grid_ = ExactGrid(free_space(), kOrthogonal);
     memory_ = ShortMemory(free_space().map().size(), memory_length());

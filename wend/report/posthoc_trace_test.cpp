@@ -222,7 +222,7 @@ void check_map(const json& trace, const FreeSpace& space) {
 RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   Random random(seed);
-  const auto names = planners().names();
+  const auto names = planner_names(Motion::cells);
   const PlannerInfo& info = *planners().find(names[random.below(names.size())]);
   const test::Trial trial = test::random_trial(seed, info);
   const FreeSpace space(trial.map, trial.robot);

@@ -1,0 +1,36 @@
+#include "wend/geometry/arc.hpp"
+
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+
+Arc arc_to(const Pose& from, Point to) {
+  const double cosine = std::cos(from.heading);
+  const double sine = std::sin(from.heading);
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double along = cosine * dx + sine * dy;
+  const double across = cosine * dy - sine * dx;
+  const double squared = dx * dx + dy * dy;
+  // What is a hair off the line is on it: its circle would have no use.
+  constexpr double kStraight = 1e-12;
+  if (std::abs(across) <= kStraight * std::sqrt(squared)) return {from, along, 0};
+  const double curvature = 2 * across / squared;
+  const double turn = 2 * std::atan2(across, std::abs(along)) * (along < 0 ? -1 : 1);
+  return {from, turn / curvature, curvature};
+}
+
+Pose pose_on(const Arc& arc, double length) {
+  const Pose& from = arc.from;
+  const double turn = length * arc.curvature;
+  // The chord is as long as the arc times sin(turn / 2) / (turn / 2), and points half the turn on.
+  const double half = turn / 2;
+  const double shrink = half == 0 ? 1 : std::sin(half) / half;
+  const double chord = length * shrink;
+  return {from.x + chord * std::cos(from.heading + half),
+          from.y + chord * std::sin(from.heading + half), normalized_angle(from.heading + turn)};
+}
+
+}  // namespace wend
