@@ -19,7 +19,7 @@ namespace {
 constexpr Cell kFarOutside{-1, -1};
 
 /// The two finite numbers of "X,Y".
-std::optional<Point> parse_point(std::string_view typed) {
+std::optional<Point> two_numbers(std::string_view typed) {
   const std::size_t comma = typed.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
   const auto x = parse_number(typed.substr(0, comma));
@@ -29,6 +29,12 @@ std::optional<Point> parse_point(std::string_view typed) {
 }
 
 bool is_whole(double number) { return number == std::floor(number); }
+
+double whole_but_for_rounding(double number) {
+  constexpr double kRounding = 1e-9;
+  const double whole = std::round(number);
+  return std::abs(number - whole) < kRounding ? whole : number;
+}
 
 bool fits_cell(double number) {
   return std::abs(number) <= static_cast<double>(std::numeric_limits<int>::max());
@@ -45,23 +51,42 @@ std::string metres(Point point) {
 }  // namespace
 
 Place Coordinates::parse(const std::string& name, const std::string& typed) const {
-  const auto point = parse_point(typed);
+  if (has_heading(typed)) {
+    throw InputError(
+        fmt::format("--{}: {} has a heading, and a robot that moves from cell to cell has none: "
+                    "leave it out, or "
+                    "plan for a car (wend plan --planner car)",
+                    name, quote(typed)));
+  }
+  const Point point = parse_point(name, typed, "cell");
+  if (metric_) {
+    const auto cell = frame_.cell_at(point);
+    if (!cell) return {name, kFarOutside, metres(point)};
+    return {name, *cell, metres(point) + ", cell " + cell_text(*cell)};
+  }
+  if (!fits_cell(point.x) || !fits_cell(point.y)) return {name, kFarOutside, "(" + typed + ")"};
+  const Cell cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+  return {name, cell, cell_text(cell)};
+}
+
+Point Coordinates::parse_point(const std::string& name, const std::string& typed,
+                               std::string_view what) const {
+  const auto point = two_numbers(typed);
   if (!point) {
     throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
   }
-  if (metric_) {
-    const auto cell = frame_.cell_at(*point);
-    if (!cell) return {name, kFarOutside, metres(*point)};
-    return {name, *cell, metres(*point) + ", cell " + cell_text(*cell)};
-  }
-  if (!is_whole(point->x) || !is_whole(point->y)) {
-    throw InputError(fmt::format("--{}: {} is not a cell: cells are counted in whole numbers{}",
-                                 name, quote(typed),
+  if (!metric_ && (!is_whole(point->x) || !is_whole(point->y))) {
+    throw InputError(fmt::format("--{0}: {1} is not a {2}: {2}s are counted in whole numbers{3}",
+                                 name, quote(typed), what,
                                  frame_.metric ? "; without --cells, X,Y are metres" : ""));
   }
-  if (!fits_cell(point->x) || !fits_cell(point->y)) return {name, kFarOutside, "(" + typed + ")"};
-  const Cell cell{static_cast<int>(point->x), static_cast<int>(point->y)};
-  return {name, cell, cell_text(cell)};
+  return *point;
+}
+
+Point Coordinates::in_grid(Point typed) const {
+  if (!metric_) return typed;
+  const Point point = frame_.to_grid(typed);
+  return {whole_but_for_rounding(point.x), whole_but_for_rounding(point.y)};
 }
 
 std::string Coordinates::text(Cell cell) const {
@@ -113,6 +138,8 @@ std::string Coordinates::extent() const {
       corners[0].x, corners[0].y, corners[1].x, corners[1].y, corners[2].x, corners[2].y,
       corners[3].x, corners[3].y);
 }
+
+bool has_heading(std::string_view typed) { return std::count(typed.begin(), typed.end(), ',') > 1; }
 
 std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
 

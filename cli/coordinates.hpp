@@ -4,6 +4,7 @@
 // resolution, cells for the others and with --cells.
 
 #include <string>
+#include <string_view>
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
@@ -29,8 +30,18 @@ class Coordinates {
   /// Does the user count in metres?
   bool metric() const { return metric_; }
 
-  /// "X,Y": a place in the map's frame, or a cell. Throws InputError for any other text.
+  /// "X,Y": a place in the map's frame, or a cell. Throws InputError for any other text, for one with
+  /// a heading too.
   Place parse(const std::string& name, const std::string& typed) const;
+
+  /// The two numbers of "X,Y" in the user's units; `what` they name if these are no metres must have
+  /// whole ones: "cell". Throws InputError for any other text.
+  Point parse_point(const std::string& name, const std::string& typed, std::string_view what) const;
+
+  /// A point in the user's units in grid coordinates; a corner but for rounding is one.
+  Point in_grid(Point typed) const;
+
+  const Frame& frame() const { return frame_; }
 
   /// A place that is known by its cell.
   Place place(const std::string& name, Cell cell) const { return {name, cell, text(cell)}; }
@@ -57,13 +68,14 @@ class Coordinates {
   double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
 
  private:
-  Cell cell_at(Point metres) const;
-
   Frame frame_;
   int width_;
   int height_;
   bool metric_;
 };
+
+/// Has the text a heading, right or wrong, after X,Y?
+bool has_heading(std::string_view typed);
 
 /// "(3,4)"
 std::string cell_text(Cell cell);

@@ -47,12 +47,15 @@ Command add_plan(CLI::App& app) {
   CLI::App& plan = *app.add_subcommand("plan", "Plan a path from a start to a goal");
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->map.add_to(plan);
-  plan.add_option("--start", arguments->start,
+  plan.add_option("--start", arguments->ends.start,
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
                           "resolution, a cell for others and with --cells"))
       ->required()
       ->type_name("X,Y");
-  plan.add_option("--goal", arguments->goal, "Where it ends")->required()->type_name("X,Y");
+  add_texts(plan, "--goal", arguments->ends.goals,
+            "Where it ends; of several the cheapest to reach")
+      ->required()
+      ->type_name("X,Y");
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
                         "that is connected to the other end"));

@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 #include <utility>
 
 #include "frame.hpp"
 #include "narrator.hpp"
-#include "nearest_ends.hpp"
 #include "observer_list.hpp"
 #include "output.hpp"
 #include "picture_files.hpp"
-#include "plan_text.hpp"
 #include "planner_argument.hpp"
 #include "search_frames.hpp"
 #include "stepper.hpp"
@@ -25,17 +23,17 @@ namespace {
 
 constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
 
+Cell cell_of(Point point) {
+  return {static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
+}
+
 }  // namespace
 
 PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space)
     : arguments_(arguments),
       spec_(std::move(planner)),
       space_(std::move(space)),
-      coordinates_(arguments.map.coordinates(space_.map())),
-      ends_{coordinates_.parse("start", arguments.start),
-            coordinates_.parse("goal", arguments.goal)} {}
-
-GridMoves PlanRun::moves() const { return moves_of(spec_); }
+      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)) {}
 
 /// On large maps a search is slowed down only for those who ask for what it did.
 bool PlanRun::records() const {
@@ -47,9 +45,7 @@ bool PlanRun::records() const {
 void PlanRun::plan() {
   result_.planner = spec_.name;
   if (arguments_.nearest) {
-    for (const auto& note : move_to_nearest(ends_, space_, coordinates_, moves())) {
-      complain(note);
-    }
+    for (const auto& note : asked_->move_to_nearest()) complain(note);
   }
   auto planner = info_of(spec_).make(space_, spec_.options);
   if (planner) {
@@ -63,8 +59,8 @@ void PlanRun::plan() {
 }
 
 void PlanRun::search() {
-  ProgressBar progress("planning", space_.passable().count());
-  Query query = Query::between(ends_.start.cell, ends_.goal.cell);
+  ProgressBar progress("planning", planner_->state_count());
+  Query query = asked_->query();
   query.limits = arguments_.limits.limits(progress);
   ObserverList observers;
   Narrator narrator;
@@ -72,16 +68,17 @@ void PlanRun::search() {
   if (records()) observers.add(recorder_.emplace(space_));
   std::optional<PosthocTrace> trace;
   if (!arguments_.watch.trace.empty()) {
-    observers.add(trace.emplace(space_, ends_.start.cell, std::array{ends_.goal.cell},
+    std::vector<Cell> goals;
+    for (const Goal& goal : query.goals) goals.push_back(cell_of(goal.point));
+    observers.add(trace.emplace(space_, cell_of(query.start.point()), goals,
                                 arguments_.watch.trace_form(), arguments_.watch.trace_limit));
   }
   if (!observers.empty()) query.observer = &observers;
   const bool steps = arguments_.watch.step && recorder_;
   result_.status = steps ? search_in_steps(query, *recorder_) : search_to_the_end(query);
   if (result_.status != Status::found) {
-    const Explainer explainer(space_, coordinates_, moves());
     fail(result_.status,
-         explainer.explain(result_.status, ends_, query.limits, result_.plan.metrics));
+         asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
   }
   if (trace) write_trace(*trace);
   make_layers(query.limits);
@@ -123,11 +120,7 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
 
 void PlanRun::make_layers(const Limits& limits) {
   std::optional<CostToGo> field;
-  if (arguments_.layers.any_from(LayerSource::cost_to_go)) {
-    if (auto made = CostToGo::make(space_, std::array{ends_.goal.cell}, moves(), limits)) {
-      field = *std::move(made);
-    }
-  }
+  if (arguments_.layers.any_from(LayerSource::cost_to_go)) field = asked_->cost_to_go(limits);
   const bool searched = recorder_ && !recorder_->expansions().empty();
   layers_.clear();
   for (const LayerKind kind : arguments_.layers.kinds()) {
@@ -150,12 +143,10 @@ void PlanRun::fail(Status status, std::string reason) {
   result_.reason = std::move(reason);
 }
 
-Scene PlanRun::ends() const { return scene_between(space_, ends_.start.cell, ends_.goal.cell); }
-
 /// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
 /// path: the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
-  Scene scene = ends();
+  Scene scene = asked_->scene();
   const bool walked = spec_.name == "random_walk" && recorder_;
   if (!walked && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
@@ -173,10 +164,10 @@ std::string PlanRun::step_text(const SearchRecorder& recorder) const {
       layers.push_back(search_layer(kind, *planner_, recorder));
     }
   }
-  const std::string text = frame_text(with_snapshot(ends(), snapshot), layers, screen_,
+  const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
                                       arguments_.pictures.style, kRowsOfStep);
   const SearchLayers& known = recorder.layers();
-  const Cell cell = snapshot.current.value_or(ends_.start.cell);
+  const Cell cell = *snapshot.current;
   return text + fmt::format("expansion {}: {} f={:.6g} g={:.6g} h={:.6g}, frontier {}\n",
                             recorder.expansions().size(), cell_text(cell), known.f[cell],
                             known.g[cell], known.h[cell], snapshot.frontier.count());
@@ -188,7 +179,7 @@ std::string PlanRun::text() const {
   const bool small = is_small(space_.map(), screen_);
   const bool quit = arguments_.watch.step && outcome_is_shown_;
   if (quit) return text;
-  if (found && small) text += path_line(result_.plan.path);
+  if (found) text += asked_->steps(result_.plan, screen_);
   for (const Layer& layer : layers_) {
     text += layer_text(outcome(), layer, screen_, arguments_.pictures);
   }
@@ -197,7 +188,7 @@ std::string PlanRun::text() const {
       (found || (small && result_.plan.metrics.expanded > 0))) {
     text += picture(outcome(), screen_, arguments_.pictures);
   }
-  if (found) text += plan_summary(result_, space_.map().frame());
+  if (found) text += asked_->summary(result_);
   return text;
 }
 

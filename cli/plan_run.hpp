@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "coordinates.hpp"
 #include "exit_code.hpp"
-#include "explainer.hpp"
 #include "flags.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
@@ -17,8 +15,8 @@
 #include "output_files.hpp"
 #include "picture.hpp"
 #include "shown_layers.hpp"
+#include "typed_query.hpp"
 #include "watching.hpp"
-#include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/planner/search_recorder.hpp"
@@ -28,8 +26,7 @@ namespace wend::cli {
 
 struct PlanArguments {
   MapArguments map;
-  std::string start;
-  std::string goal;
+  EndArguments ends;
   std::string planner = "astar";
   OptionFlags options{"planner"};
   LimitArguments limits;
@@ -59,8 +56,6 @@ class PlanRun {
   void fail(Status status, std::string reason);
 
   bool records() const;
-  GridMoves moves() const;
-  Scene ends() const;
   Scene outcome() const;
   std::string text() const;
   std::string step_text(const SearchRecorder& recorder) const;
@@ -71,8 +66,7 @@ class PlanRun {
   Screen screen_ = detect_screen();
   PlannerSpec spec_;
   FreeSpace space_;
-  Coordinates coordinates_;
-  Ends ends_;
+  std::unique_ptr<TypedQuery> asked_;
   std::unique_ptr<Planner> planner_;
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;

@@ -40,6 +40,10 @@ std::string path_line(const Path& path) {
   return text + '\n';
 }
 
+std::string goal_line(const std::string& goal, std::size_t goals) {
+  return line("goal", fmt::format("{}, of {} goals", goal, goals));
+}
+
 std::string plan_summary(const PlanResult& result, const Frame& frame) {
   const Plan& plan = result.plan;
   return line("planner", result.planner) + line("cost", fmt::format("{:.6g}", plan.cost)) +

@@ -15,6 +15,9 @@ std::string time_text(double seconds);
 /// "(1,1)>(2,1)>(3,1)" and a line end
 std::string path_line(const Path& path);
 
+/// Which of several goals was reached: a line.
+std::string goal_line(const std::string& goal, std::size_t goals);
+
 /// What was found and what it took, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);
 

@@ -196,6 +196,31 @@ TEST_F(PlanCommand, NearestMovesBlockedEnds) {
   EXPECT_EQ(plan_json("0,0", "6,0", {"--nearest"}).at("status"), "unreachable");
 }
 
+TEST_F(PlanCommand, OfSeveralGoalsTheCheapestIsReached) {
+  const std::vector<std::string> goals{"--start", "0,0",    "--goal", "4,3",    "--goal",
+                                       "9,9",     "--goal", "2,0",    "--show", "cost"};
+  const Outcome outcome = plan(goals);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("(0,0)>(1,0)>(2,0)\n"), HasSubstr("(2,0), of 3 goals")));
+  const Outcome none = plan({"--start", "0,0", "--goal", "6,0", "--goal", "9,9", "--goal", "1,1"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, AllOf(HasSubstr("none of 3 goals can be reached: no path leads to the goal "
+                                        "(6,0); the goal (9,9) lies outside"),
+                              HasSubstr("; the goal (1,1) is blocked: it lies on an obstacle")));
+  const Outcome nearest = plan({"--start", "0,0", "--goal", "1,1", "--goal", "4,3", "--nearest"});
+  EXPECT_EQ(nearest.code, 2);
+  EXPECT_THAT(nearest.err, HasSubstr("--nearest"));
+}
+
+TEST_F(PlanCommand, FromCellToCellThereAreNoHeadings) {
+  for (const auto& [start, goal] : {std::pair{"0,0,E", "4,3"}, std::pair{"0,0", "4,3,any"}}) {
+    const Outcome outcome = plan(start, goal);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("has a heading"));
+  }
+}
+
 TEST_F(PlanCommand, UnknownCellsMayBeFree) {
   EXPECT_EQ(plan_json("6,0", "6,3").at("status"), "goal_blocked");
   EXPECT_EQ(plan_json("6,0", "6,3", {"--unknown", "free"}).at("length_cells"), 3);
