@@ -249,6 +249,16 @@ TEST(Snippets, OfScene) {
   EXPECT_TRUE(svg);
 }
 
+TEST(Snippets, OfSceneOfACar) {
+  const wend::FreeSpace& space = open_space();
+  wend::Scene yard{.space = space};
+  yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+  yard.start = yard.path.poses().front();
+  yard.unit = 1;
+  EXPECT_EQ(yard.start->point, (wend::Point{0, 0}));
+  EXPECT_EQ(yard.start->heading, 0);
+}
+
 TEST(Snippets, OfDrawing) {
   const OfficeInWorkingFolder office;
   const wend::Scene scene{.space = open_space()};

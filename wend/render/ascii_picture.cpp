@@ -174,8 +174,8 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
   for (std::size_t i = 1; i < cells.size(); ++i) {
     canvas.draw_line(centre_of(cells[i - 1]), centre_of(cells[i]), 'o');
   }
-  for (const Point goal : scene.goals) canvas.put(goal, 'G');
-  if (scene.start) canvas.put(*scene.start, 'S');
+  for (const ScenePlace& goal : scene.goals) canvas.put(goal.point, 'G');
+  if (scene.start) canvas.put(scene.start->point, 'S');
   if (scene.narrowest) canvas.put(*scene.narrowest, '!');
   return canvas.text();
 }

@@ -180,9 +180,9 @@ void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const 
   cairo_save(context);
   cairo_rectangle(context, view.left, view.top, view.width, view.height);
   cairo_clip(context);
-  if (scene.start && on_map(scene, *scene.start)) {
-    draw_robot(context, view.to_picture(*scene.start), scene.space.radius_in_cells() * view.scale(),
-               sizes, style);
+  if (scene.start && on_map(scene, scene.start->point)) {
+    draw_robot(context, view.to_picture(scene.start->point),
+               scene.space.radius_in_cells() * view.scale(), sizes, style);
   }
   if (!scene.path.empty()) draw_line(context, scene.path, view, sizes, style);
   cairo_restore(context);
@@ -190,11 +190,12 @@ void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const 
 
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style) {
-  for (const Point goal : scene.goals) {
-    if (on_map(scene, goal)) draw_goal_mark(context, view.to_picture(goal), sizes, style);
+  for (const ScenePlace& goal : scene.goals) {
+    if (on_map(scene, goal.point))
+      draw_goal_mark(context, view.to_picture(goal.point), sizes, style);
   }
-  if (scene.start && on_map(scene, *scene.start)) {
-    draw_start_mark(context, view.to_picture(*scene.start), sizes, style);
+  if (scene.start && on_map(scene, scene.start->point)) {
+    draw_start_mark(context, view.to_picture(scene.start->point), sizes, style);
   }
   if (scene.narrowest && on_map(scene, *scene.narrowest)) {
     draw_narrowest_mark(context, view.to_picture(*scene.narrowest), sizes, style);

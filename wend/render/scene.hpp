@@ -16,6 +16,13 @@
 //   scene.marked = {{wend::CellRole::expanded, cells}};
 //   scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
 //
+// A car stands on corners, with a heading:
+//
+//   wend::Scene yard{.space = space};
+//   yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+//   yard.start = yard.path.poses().front();
+//   yard.unit = 1;
+//
 // In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
 // the map says; beside heat, rough ground looks like any other. A plain value. Copies share the map, not the layers. Whatever lies outside the map
 // is not drawn.
@@ -66,15 +73,29 @@ struct Heatmap {
 /// Which way to move from a cell, as drawn. As large as the map.
 using ArrowField = Grid<std::optional<Direction>>;
 
+/// A start or a goal, in grid coordinates; of some, a heading matters too.
+struct ScenePlace {
+  Point point;
+  std::optional<double> heading{};  // radians, from +x towards +y
+
+  // NOLINTBEGIN(google-explicit-constructor): points and poses are places
+  ScenePlace(Point place) : point(place) {}
+  ScenePlace(const Pose& pose) : point(pose.point()), heading(pose.heading) {}
+  // NOLINTEND(google-explicit-constructor)
+
+  friend bool operator==(const ScenePlace&, const ScenePlace&) = default;
+};
+
 struct Scene {
   FreeSpace space;
-  Path path{};                         // empty: none is drawn
-  std::optional<Point> start{};        // grid coordinates
-  std::vector<Point> goals{};          // grid coordinates
+  Path path{};  // empty: none is drawn
+  std::optional<ScenePlace> start{};
+  std::vector<ScenePlace> goals{};
   std::vector<MarkedCells> marked{};   // later ones over earlier ones
   std::optional<Heatmap> heatmap{};    // under the marked cells
   std::optional<ArrowField> arrows{};  // under path and marks
   std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
+  std::optional<int> unit{};  // of a car on corners: they lie so many cells apart, 1 or more
 };
 
 /// The map with a start and a goal, at the centres of cells.

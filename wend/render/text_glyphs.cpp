@@ -83,12 +83,12 @@ void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
     }
   }
   if (scene.start) {
-    if (const auto cell = cell_under(scene.space, *scene.start)) {
+    if (const auto cell = cell_under(scene.space, scene.start->point)) {
       glyphs[*cell] = {"S", Meaning::start};
     }
   }
-  for (const Point goal : scene.goals) {
-    if (const auto cell = cell_under(scene.space, goal)) glyphs[*cell] = {"G", Meaning::goal};
+  for (const ScenePlace& goal : scene.goals) {
+    if (const auto cell = cell_under(scene.space, goal.point)) glyphs[*cell] = {"G", Meaning::goal};
   }
 }
 
