@@ -203,7 +203,8 @@ TEST(Generate, PrintsATextGridOrSavesAMap) {
 }
 
 TEST(Generate, MakesEveryKindFromASeed) {
-  for (const std::string kind : {"random", "maze", "rooms", "office", "warehouse", "rough"}) {
+  for (const std::string kind :
+       {"random", "maze", "rooms", "office", "warehouse", "rough", "car"}) {
     const TemporaryFolder folder;
     const std::string map = folder / "map.txt";
     const Outcome outcome = wend({"generate", kind, "--size", "180x160", "--seed", "5", "-o", map});
@@ -211,6 +212,23 @@ TEST(Generate, MakesEveryKindFromASeed) {
     const json info = json::parse(wend({"info", map, "--format", "json"}).out);
     EXPECT_EQ(info.at("width"), 180) << kind;
     EXPECT_GT(info.at("free"), 0) << kind;
+  }
+}
+
+TEST(Generate, KeepsRoughRoadInEveryFormatThatHasTerrain) {
+  const TemporaryFolder folder;
+  for (const std::string kind : {"car"}) {
+    const std::vector<std::string> command{"generate", kind, "--size", "40x30", "--seed", "5"};
+    const std::string printed = folder.write(kind + ".txt", wend(command).out);
+    std::vector<std::string> saving = command;
+    saving.insert(saving.end(), {"-o", folder / (kind + ".yaml")});
+    EXPECT_EQ(wend(saving).code, 0);
+    const json text = json::parse(wend({"info", printed, "--format", "json"}).out);
+    const json ros = json::parse(wend({"info", folder / (kind + ".yaml"), "--format", "json"}).out);
+    EXPECT_EQ(text.at("terrain").at("greatest"), 2);
+    for (const std::string key : {"width", "height", "free", "occupied", "terrain"}) {
+      EXPECT_EQ(text.at(key), ros.at(key)) << kind << ' ' << key;
+    }
   }
 }
 

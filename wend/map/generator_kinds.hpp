@@ -18,17 +18,26 @@ GeneratorInfo rooms_generator();
 GeneratorInfo office_generator();
 GeneratorInfo warehouse_generator();
 GeneratorInfo rough_generator();
+GeneratorInfo car_generator();
+
+/// What a step on a rough road costs, as `~` in text grids.
+inline constexpr double kRoughRoad = 2;
 
 struct MapSize {
   int width;
   int height;
 };
 
-/// What is wrong with a size, if anything: "a maze of 2 x 9 cells is too small: ...".
+/// The size, and what is wrong with it: "a map of kind 'maze' with 2 x 9 cells is too small: ...".
+GeneratorError size_error(std::string_view name, MapSize size, std::string_view wrong);
+
+/// What is wrong with a size, if anything.
 std::optional<GeneratorError> check_size(std::string_view name, MapSize size, MapSize least);
 
 /// What every generator has in common. Options is an option struct that also has a
-/// `MapSize least_size() const`; `generate` is called with checked options and sizes only.
+/// `MapSize least_size() const`, and a `std::string shortage(MapSize) const` if a map can be too
+/// small for it in another way: "too small: ..." or empty. `generate` is called with checked
+/// options and sizes only.
 template <class Options>
 GeneratorInfo generator_info(const std::string& name, std::string summary,
                              GridMap (*generate)(MapSize, const Options&, Random&)) {
@@ -47,6 +56,10 @@ GeneratorInfo generator_info(const std::string& name, std::string summary,
     const MapSize size{width, height};
     if (auto error = check_size(name, size, options->least_size())) {
       return Unexpected<GeneratorError>(*std::move(error));
+    }
+    if constexpr (requires { options->shortage(size); }) {
+      const std::string shortage = options->shortage(size);
+      if (!shortage.empty()) return Unexpected<GeneratorError>(size_error(name, size, shortage));
     }
     Random random(seed);  // NOLINT(misc-const-correctness): generate() draws from it
     return generate(size, *options, random);

@@ -11,15 +11,18 @@ std::string text_of(MapSize size) {
 
 }  // namespace
 
+GeneratorError size_error(std::string_view name, MapSize size, std::string_view wrong) {
+  return {"a map of kind '" + std::string(name) + "' with " + text_of(size) + " cells is " +
+          std::string(wrong)};
+}
+
 std::optional<GeneratorError> check_size(std::string_view name, MapSize size, MapSize least) {
-  const std::string such =
-      "a map of kind '" + std::string(name) + "' with " + text_of(size) + " cells is too ";
   if (size.width < least.width || size.height < least.height) {
-    return GeneratorError{such + "small: it needs at least " + text_of(least)};
+    return size_error(name, size, "too small: it needs at least " + text_of(least));
   }
   if (size.width > kMostGeneratedCells || size.height > kMostGeneratedCells) {
-    return GeneratorError{such + "large: it can have at most " +
-                          text_of({kMostGeneratedCells, kMostGeneratedCells})};
+    const MapSize most{kMostGeneratedCells, kMostGeneratedCells};
+    return size_error(name, size, "too large: it can have at most " + text_of(most));
   }
   return std::nullopt;
 }
@@ -32,6 +35,7 @@ const Registry<GeneratorInfo>& generators() {
       office_generator(),
       warehouse_generator(),
       rough_generator(),
+      car_generator(),
   });
   return registry;
 }

@@ -34,7 +34,7 @@ using GeneratorResult = Expected<GridMap, GeneratorError>;
 struct GeneratorInfo {
   std::string name;
   std::string summary;  // one line
-  int least_width;      // in cells, with default options
+  int least_width;      // in cells, with default options; a car's yard can also be narrow and long
   int least_height;
 
   /// All free cells are connected by their edges.
@@ -51,9 +51,10 @@ struct GeneratorInfo {
       make;
 };
 
-/// random, maze, rooms, office, warehouse, rough. The office and the warehouse are in metres, 0.1 m
-/// a cell, y up, the lower left corner at (0, 0) and unknown cells around and inside what stands
-/// there; the others have a plain frame.
+/// random, maze, rooms, office, warehouse, rough, car. The office and the warehouse are in
+/// metres, 0.1 m a cell, y up, the lower left corner at (0, 0) and unknown cells around and inside
+/// what stands there; the others have a plain frame. A car yard is for a car that
+/// stands on corners of cells and turns with a radius of one cell; rough road costs 2.
 const Registry<GeneratorInfo>& generators();
 
 }  // namespace wend

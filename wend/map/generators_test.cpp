@@ -8,37 +8,15 @@
 
 #include "wend/base/random.hpp"
 #include "wend/map/free_space.hpp"
+#include "wend/map/generated_map_test.hpp"
 #include "wend/map/random_bits_test.hpp"
 
 namespace wend {
 namespace {
 
-GridMap made(const std::string& name, int width, int height, std::uint64_t seed,
-             const OptionValues& options = {}) {
-  return generators().find(name)->make(width, height, seed, options).value();
-}
-
-std::string error_of(const std::string& name, int width, int height,
-                     const OptionValues& options = {}) {
-  const auto map = generators().find(name)->make(width, height, 1, options);
-  return map ? "no error" : map.error().message();
-}
-
-/// As people write grids: # for occupied, ? for unknown, digits for what costs more than 1.
-std::string drawn(const GridMap& map) {
-  std::string text;
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) {
-      const Cell cell{x, y};
-      const CellState state = map.state(cell);
-      const int cost = static_cast<int>(map.terrain(cell));
-      const char free = cost == 1 ? '.' : static_cast<char>('0' + cost);
-      text += state == CellState::occupied ? '#' : state == CellState::unknown ? '?' : free;
-    }
-    text += '\n';
-  }
-  return text;
-}
+using test::drawn;
+using test::error_of;
+using test::made;
 
 std::size_t free_cells(const GridMap& map) {
   return map.size() - map.occupied().count() - map.unknown().count();
@@ -100,10 +78,13 @@ TEST_P(EachGenerator, KeepsTheCornersForStartAndGoalFree) {
 }
 
 TEST_P(EachGenerator, RefusesSizesThatAreTooSmall) {
-  const auto error = info().make(info().least_width - 1, info().least_height, 1, {});
+  const auto error = info().make(info().least_width - 1, info().least_height - 1, 1, {});
   ASSERT_FALSE(error.has_value());
   EXPECT_NE(error.error().message().find("too small: it needs at least"), std::string::npos);
-  EXPECT_FALSE(info().make(info().least_width, info().least_height - 1, 1, {}).has_value());
+  if (info().name != "car") {  // which needs so many cells, in whatever shape
+    EXPECT_FALSE(info().make(info().least_width - 1, info().least_height, 1, {}).has_value());
+    EXPECT_FALSE(info().make(info().least_width, info().least_height - 1, 1, {}).has_value());
+  }
   EXPECT_FALSE(info().make(0, 0, 1, {}).has_value());
   EXPECT_FALSE(info().make(-5, 1000, 1, {}).has_value());
   EXPECT_FALSE(info().make(INT32_MIN, INT32_MIN, 1, {}).has_value());
@@ -142,9 +123,9 @@ TEST_P(EachGenerator, TakesBothEndsOfEveryRange) {
 INSTANTIATE_TEST_SUITE_P(Kinds, EachGenerator, testing::ValuesIn(generators().names()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(Generators, AreTheseSix) {
-  EXPECT_EQ(generators().names(),
-            (std::vector<std::string>{"random", "maze", "rooms", "office", "warehouse", "rough"}));
+TEST(Generators, AreTheseSeven) {
+  EXPECT_EQ(generators().names(), (std::vector<std::string>{"random", "maze", "rooms", "office",
+                                                            "warehouse", "rough", "car"}));
 }
 
 TEST(RandomGenerator, BlocksTheShareThatItIsTold) {
