@@ -36,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
   wend generate maze --size 41x21 --seed 3
   wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
   wend generate car --size 20x20 --obstacles 25 --rough 25 --seed 3 -o yard.txt
+  wend generate parking --size 60x40 --occupied 0.8 -o parking.yaml
 
 The same kind, size, options and seed give the same map everywhere.)";
 

@@ -204,7 +204,7 @@ TEST(Generate, PrintsATextGridOrSavesAMap) {
 
 TEST(Generate, MakesEveryKindFromASeed) {
   for (const std::string kind :
-       {"random", "maze", "rooms", "office", "warehouse", "rough", "car"}) {
+       {"random", "maze", "rooms", "office", "warehouse", "rough", "car", "parking"}) {
     const TemporaryFolder folder;
     const std::string map = folder / "map.txt";
     const Outcome outcome = wend({"generate", kind, "--size", "180x160", "--seed", "5", "-o", map});
@@ -217,7 +217,7 @@ TEST(Generate, MakesEveryKindFromASeed) {
 
 TEST(Generate, KeepsRoughRoadInEveryFormatThatHasTerrain) {
   const TemporaryFolder folder;
-  for (const std::string kind : {"car"}) {
+  for (const std::string kind : {"car", "parking"}) {
     const std::vector<std::string> command{"generate", kind, "--size", "40x30", "--seed", "5"};
     const std::string printed = folder.write(kind + ".txt", wend(command).out);
     std::vector<std::string> saving = command;

@@ -19,6 +19,7 @@ GeneratorInfo office_generator();
 GeneratorInfo warehouse_generator();
 GeneratorInfo rough_generator();
 GeneratorInfo car_generator();
+GeneratorInfo parking_generator();
 
 /// What a step on a rough road costs, as `~` in text grids.
 inline constexpr double kRoughRoad = 2;

@@ -36,6 +36,7 @@ const Registry<GeneratorInfo>& generators() {
       warehouse_generator(),
       rough_generator(),
       car_generator(),
+      parking_generator(),
   });
   return registry;
 }

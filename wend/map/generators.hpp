@@ -51,10 +51,10 @@ struct GeneratorInfo {
       make;
 };
 
-/// random, maze, rooms, office, warehouse, rough, car. The office and the warehouse are in
+/// random, maze, rooms, office, warehouse, rough, car, parking. The office and the warehouse are in
 /// metres, 0.1 m a cell, y up, the lower left corner at (0, 0) and unknown cells around and inside
-/// what stands there; the others have a plain frame. A car yard is for a car that
-/// stands on corners of cells and turns with a radius of one cell; rough road costs 2.
+/// what stands there; the others have a plain frame. A car and a parking yard are for cars that
+/// stand on corners of cells and turn with a radius of one cell; rough road costs 2.
 const Registry<GeneratorInfo>& generators();
 
 }  // namespace wend

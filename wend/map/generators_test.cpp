@@ -123,9 +123,10 @@ TEST_P(EachGenerator, TakesBothEndsOfEveryRange) {
 INSTANTIATE_TEST_SUITE_P(Kinds, EachGenerator, testing::ValuesIn(generators().names()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(Generators, AreTheseSeven) {
-  EXPECT_EQ(generators().names(), (std::vector<std::string>{"random", "maze", "rooms", "office",
-                                                            "warehouse", "rough", "car"}));
+TEST(Generators, AreTheseEight) {
+  EXPECT_EQ(generators().names(),
+            (std::vector<std::string>{"random", "maze", "rooms", "office", "warehouse", "rough",
+                                      "car", "parking"}));
 }
 
 TEST(RandomGenerator, BlocksTheShareThatItIsTold) {
