@@ -59,8 +59,9 @@ std::string size_text(const GridMap& map) {
 }
 
 Path load_path_on(const FreeSpace& space, const std::string& file) {
-  auto path = load_path(file);
+  auto path = load_path(file, space.map().frame());
   if (!path) throw InputError(path.error().message());
+  if (path->driven()) throw InputError(file + ": the path of a car, which cannot be shown yet");
   const auto cells = path->cells();
   const auto outside = std::find_if(cells.begin(), cells.end(),
                                     [&space](Cell cell) { return !space.contains(cell); });

@@ -23,7 +23,7 @@ TEST(PlanFile, GivesThePathBack) {
   for (const auto& cell : plan.at("path")) cells.push_back({cell.at(0), cell.at(1)});
   ASSERT_GE(cells.size(), 4U);
   for (const std::string& file : {csv, json, folder.write("printed", outcome.out)}) {
-    const auto path = load_path(file);
+    const auto path = load_path(file, {});
     ASSERT_TRUE(path) << path.error().message();
     EXPECT_EQ(*path, Path(cells)) << file;
   }
@@ -35,7 +35,7 @@ TEST(PlanFile, OfAPlanThatFailedIsAnError) {
   const Outcome outcome =
       wend({"plan", map, "--start", "0,0", "--goal", "2,0", "--format", "json"});
   ASSERT_EQ(outcome.code, 1);
-  const auto path = load_path(folder.write("plan.json", outcome.out));
+  const auto path = load_path(folder.write("plan.json", outcome.out), {});
   ASSERT_FALSE(path);
   EXPECT_THAT(path.error().message(), testing::HasSubstr("status is 'unreachable'"));
 }

@@ -56,17 +56,17 @@ inline std::string fuzz_scenario(std::string_view bytes) {
 /// A path that was read comes back from the CSV that wend writes of it.
 inline std::string check_path(const Expected<Path, IoError>& path) {
   if (!path) return check_error(path.error());
-  if (path->empty()) return "a path without cells";
-  const auto again = parse_path_csv(path_csv(*path, {}), kFuzzedFile);
+  if (path->empty()) return "a path of nothing";
+  const auto again = parse_path_csv(path_csv(*path, {}), kFuzzedFile, {});
   return again && *again == *path ? "" : "another path comes back";
 }
 
 inline std::string fuzz_path_csv(std::string_view bytes) {
-  return check_path(parse_path_csv(bytes, kFuzzedFile));
+  return check_path(parse_path_csv(bytes, kFuzzedFile, {}));
 }
 
 inline std::string fuzz_path_json(std::string_view bytes) {
-  return check_path(parse_path_json(bytes, kFuzzedFile));
+  return check_path(parse_path_json(bytes, kFuzzedFile, {}));
 }
 
 inline std::string fuzz_planner_specs(std::string_view bytes) {

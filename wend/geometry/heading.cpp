@@ -20,6 +20,13 @@ Heading nearest_heading(double radians, bool y_up) {
   return kTowardsSouth[static_cast<std::size_t>((quarters + kHeadings) % kHeadings)];
 }
 
+std::optional<Heading> exact_heading(double radians, bool y_up) {
+  for (const Heading heading : kAllHeadings) {
+    if (radians == radians_of(heading, y_up)) return heading;
+  }
+  return std::nullopt;
+}
+
 std::optional<Heading> parse_heading(std::string_view text) {
   if (text.size() != 1) return std::nullopt;
   for (const Heading heading : kAllHeadings) {

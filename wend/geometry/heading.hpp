@@ -51,6 +51,9 @@ double radians_of(Heading heading, bool y_up);
 /// The heading nearest to an angle in grid coordinates, which is finite.
 Heading nearest_heading(double radians, bool y_up);
 
+/// The heading that has exactly this angle, as radians_of() gives it; nothing for any other.
+std::optional<Heading> exact_heading(double radians, bool y_up);
+
 /// N, W, E, S, in capitals or not, or their numbers 0, 1, 2, 3; nothing for any other text.
 std::optional<Heading> parse_heading(std::string_view text);
 

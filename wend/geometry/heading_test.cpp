@@ -51,6 +51,17 @@ TEST(Heading, IsTheNearestOne) {
   }
 }
 
+TEST(Heading, IsExactOrNone) {
+  for (const bool y_up : {false, true}) {
+    for (const Heading heading : kAllHeadings) {
+      const double angle = radians_of(heading, y_up);
+      EXPECT_EQ(exact_heading(angle, y_up), heading);
+      EXPECT_EQ(exact_heading(angle + 1e-9, y_up), std::nullopt);
+      EXPECT_EQ(exact_heading(angle + 2 * kPi, y_up), std::nullopt);
+    }
+  }
+}
+
 TEST(Heading, IsReadFromLettersAndNumbers) {
   EXPECT_EQ(parse_heading("N"), Heading::north);
   EXPECT_EQ(parse_heading("w"), Heading::west);

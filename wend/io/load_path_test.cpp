@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/path_csv.hpp"
 
@@ -12,6 +16,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+
+const Frame kTurned{0.05, {-3, 7.5, 0.25}, true, true};
 
 Path any_path() {
   std::vector<Cell> cells;
@@ -30,17 +36,67 @@ std::string json_of(const Path& path) {
          R"(],"path_m":[[0.5,0.5],[1e3,-2]],"metrics":{"expanded":2,"path":7}})";
 }
 
+/// On corners facing one of the four headings, or anywhere facing anywhere.
+Path any_driven_path(bool y_up) {
+  std::vector<Pose> poses;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    const Cell corner{*rc::gen::inRange(0, (1 << 30) + 1), *rc::gen::inRange(0, (1 << 30) + 1)};
+    const auto heading = *rc::gen::elementOf(kAllHeadings);
+    const double aside = *rc::gen::inRange(0, 2) * *rc::gen::inRange(0, 1000) / 997.0;
+    const Pose pose = pose_of({corner, heading}, y_up);
+    poses.push_back({std::max(0.0, pose.x - aside), pose.y, pose.heading + 7 * aside});
+  }
+  return Path::through(poses);
+}
+
+/// Written here with another library than the one that writes plans.
+std::string json_of_driven(const Path& path, bool y_up) {
+  std::string points;
+  std::string headings;
+  for (const Pose& pose : path.poses()) {
+    points += fmt::format("[{:.17g},{:.17g}],", pose.x, pose.y);
+    const auto letter = nearest_heading(pose.heading, y_up);
+    headings += pose.heading == radians_of(letter, y_up) ? fmt::format("\"{}\",", to_string(letter))
+                                                         : fmt::format("{:.17g},", pose.heading);
+  }
+  points.pop_back();
+  headings.pop_back();
+  const std::string path_list = "\"path\":[" + points + "]";
+  const std::string heading_list = "\"headings\":[" + headings + "]";
+  const bool path_first = points.size() % 2 == 0;
+  return R"({"status":"found","moves":["FWD"],)" + (path_first ? path_list : heading_list) + "," +
+         (path_first ? heading_list : path_list) + R"(,"yaw":[0.25]})";
+}
+
 RC_GTEST_PROP(LoadPath, ACsvGivesTheCellsBack, ()) {
   const Path path = any_path();
-  const Frame frame{0.05, {-3, 7.5, 0.25}, true, true};
-  const auto parsed = parse_path_csv(path_csv(path, frame), "p.csv");
+  const auto parsed = parse_path_csv(path_csv(path, kTurned), "p.csv", kTurned);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, ACsvGivesThePosesBack, (bool y_up)) {
+  Frame frame = kTurned;
+  frame.y_up = y_up;
+  const Path path = any_driven_path(y_up);
+  const auto parsed = parse_path_csv(path_csv(path, frame), "p.csv", frame);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesThePosesBack, (bool y_up)) {
+  Frame frame = kTurned;
+  frame.y_up = y_up;
+  const Path path = any_driven_path(y_up);
+  const auto parsed = parse_path_json(json_of_driven(path, y_up), "p.json", frame);
   RC_ASSERT(error_of(parsed) == "no error");
   RC_ASSERT(*parsed == path);
 }
 
 RC_GTEST_PROP(LoadPath, JsonGivesTheCellsBack, ()) {
   const Path path = any_path();
-  const auto parsed = parse_path_json(json_of(path), "p.json");
+  const auto parsed = parse_path_json(json_of(path), "p.json", kTurned);
   RC_ASSERT(error_of(parsed) == "no error");
   RC_ASSERT(*parsed == path);
 }
@@ -54,22 +110,24 @@ TEST(LoadPath, GoesByTheNameThenByTheContent) {
                                    {"p.json", json_of(path)},
                                    {"plan", "\n " + json_of(path)},
                                    {"path", csv}}) {
-    const auto loaded = load_path(folder.write(name, text));
+    const auto loaded = load_path(folder.write(name, text), {});
     ASSERT_TRUE(loaded) << error_of(loaded);
     EXPECT_EQ(*loaded, path) << name;
   }
-  EXPECT_THAT(error_of(load_path(folder.write("q.csv", json_of(path)))),
-              HasSubstr("q.csv:1: the first line must be 'x,y,x_m,y_m', not '{\"planner\""));
-  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv))), HasSubstr("q.json:1: no JSON"));
-  EXPECT_THAT(error_of(load_path(folder / "missing.csv")), HasSubstr("cannot be opened"));
-  EXPECT_THAT(error_of(load_path("/dev/zero")), HasSubstr("not a regular file"));
+  EXPECT_THAT(
+      error_of(load_path(folder.write("q.csv", json_of(path)), {})),
+      HasSubstr("q.csv:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', "
+                "not '{\"planner\""));
+  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv), {})), HasSubstr("q.json:1: no JSON"));
+  EXPECT_THAT(error_of(load_path(folder / "missing.csv", {})), HasSubstr("cannot be opened"));
+  EXPECT_THAT(error_of(load_path("/dev/zero", {})), HasSubstr("not a regular file"));
 }
 
 TEST(LoadPath, RefusesAFileThatIsTooLargeWithoutReadingIt) {
   const TemporaryFolder folder;
   const auto file = folder.write("large.csv", "x,y,x_m,y_m\n");
   std::filesystem::resize_file(file, std::uintmax_t{10} << 30);  // a hole, no disk is used
-  EXPECT_THAT(error_of(load_path(file)), HasSubstr("bytes are too many"));
+  EXPECT_THAT(error_of(load_path(file, {})), HasSubstr("bytes are too many"));
 }
 
 struct Malformed {
@@ -80,8 +138,9 @@ struct Malformed {
 TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
   const std::string header = "x,y,x_m,y_m\n";
   const std::vector<Malformed> cases{
-      {"", "p:1: the first line must be 'x,y,x_m,y_m', not ''"},
-      {"x,y\n1,2\n", "p:1: the first line must be 'x,y,x_m,y_m', not 'x,y'"},
+      {"", "p:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', not ''"},
+      {"x,y\n1,2\n",
+       "p:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', not "},
       {"1,1,0.5,0.5\n", "p:1: the first line must be"},
       {header, "p: no cells: a path has at least one"},
       {header + "1,1,0.5,0.5\n2,1\n", "p:3: 2 columns, expected 4: x,y,x_m,y_m"},
@@ -97,12 +156,45 @@ TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
       {header + "1,1,0,\n", "p:2: y_m must be a finite number, not ''"},
   };
   for (const Malformed& wrong : cases) {
-    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p")), testing::StartsWith(wrong.error));
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
   }
 }
 
+TEST(ParsePathCsv, SaysWhatIsWrongWithPoses) {
+  const std::string header = "x,y,heading,x_m,y_m,yaw\n";
+  const std::string good = "1,0,E,0.05,0,0\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no poses: a path has at least one"},
+      {header + good + "2,1,0.1,0.05,1.5\n", "p:3: 5 columns, expected 6: x,y,heading,x_m,y_m,yaw"},
+      {header + "1,1,0.5,0.5\n", "p:2: 4 columns, expected 6"},
+      {header + "1,1,E,0,0,0,0\n", "p:2: 7 columns, expected 6"},
+      {header + "-0.5,1,E,0,0,0\n", "p:2: x must be a number in 0..1073741824, not '-0.5'"},
+      {header + "1,1073741824.5,E,0,0,0\n", "p:2: y must be a number in 0..1073741824, not"},
+      {header + "nan,1,E,0,0,0\n", "p:2: x must be a number in"},
+      {header + "1,1,,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not ''"},
+      {header + "1,1,e,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'e'"},
+      {header + "1,1,NE,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'NE'"},
+      {header + "1,1,inf,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'inf'"},
+      {header + good + "1,1,E,x,0,0\n", "p:3: x_m must be a finite number, not 'x'"},
+      {header + "1,1,E,0,inf,0\n", "p:2: y_m must be a finite number, not 'inf'"},
+      {header + "1,1,E,0,0,nan\n", "p:2: yaw must be a finite number, not 'nan'"},
+      {"x,y,x_m,y_m\n" + good, "p:2: 6 columns, expected 4"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, TurnsNorthAsTheMapDoes) {
+  const std::string text = "x,y,heading,x_m,y_m,yaw\n4,5,N,0,0,0\n4,5,1,0,0,0\n";
+  EXPECT_EQ(*parse_path_csv(text, "p", {.y_up = true}),
+            Path::through({{4, 5, kPi / 2}, {4, 5, 1}}));
+  EXPECT_EQ(*parse_path_csv(text, "p", {.y_up = false}),
+            Path::through({{4, 5, -kPi / 2}, {4, 5, 1}}));
+}
+
 TEST(ParsePathCsv, TakesWindowsLineEnds) {
-  EXPECT_EQ(*parse_path_csv("x,y,x_m,y_m\r\n1,2,0,0\r\n", "p"), Path({{1, 2}}));
+  EXPECT_EQ(*parse_path_csv("x,y,x_m,y_m\r\n1,2,0,0\r\n", "p", {}), Path({{1, 2}}));
 }
 
 TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
@@ -115,16 +207,16 @@ TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
       {"{\"path\":[[1,2]],\"a\":\"\xff\"}", "p:1: "},
       {"7", "p: the top level must be an object, with a list 'path'"},
       {"[[1,2]]", "p: the top level must be an object"},
-      {"{}", "p: 'path' is missing, a list of cells [x,y]"},
+      {"{}", "p: 'path' is missing, a list of [x,y]"},
       {R"({"a":{"path":[[1,2]]}})", "p: 'path' is missing"},
-      {R"({"path":[]})", "p: 'path' has no cells, at least one expected"},
-      {R"({"path":7})", "p: 'path' must be a list of cells [x,y], not '7'"},
-      {R"({"path":null})", "p: 'path' must be a list of cells [x,y], not 'null'"},
-      {R"({"path":{"x":1}})", "p: 'path' must be a list of cells [x,y], not '{'"},
-      {R"({"path":[7]})", "p: path[0] must be a cell [x,y], not '7'"},
-      {R"({"path":[[1,2],{"x":1}]})", "p: path[1] must be a cell [x,y], not '{'"},
-      {R"({"path":[[1,2],[3]]})", "p: path[1] must be a cell [x,y], not 1 numbers"},
-      {R"({"path":[[1,2,3]]})", "p: path[0] must be a cell [x,y], not 3 numbers"},
+      {R"({"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
+      {R"({"path":7})", "p: 'path' must be a list of [x,y], not '7'"},
+      {R"({"path":null})", "p: 'path' must be a list of [x,y], not 'null'"},
+      {R"({"path":{"x":1}})", "p: 'path' must be a list of [x,y], not '{'"},
+      {R"({"path":[7]})", "p: path[0] must be [x,y], not '7'"},
+      {R"({"path":[[1,2],{"x":1}]})", "p: path[1] must be [x,y], not '{'"},
+      {R"({"path":[[1,2],[3]]})", "p: path[1] must be [x,y], not 1 numbers"},
+      {R"({"path":[[1,2,3]]})", "p: path[0] must be [x,y], not 3 numbers"},
       {R"({"path":[[1,[2]]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '['"},
       {R"({"path":[[1,2.0]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '2.0'"},
       {R"({"path":[[-1,2]]})", "p: path[0][0] must be a whole number in 0..1073741823, not '-1'"},
@@ -133,9 +225,42 @@ TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
       {R"({"path":[["1",2]]})", "p: path[0][0] must be a whole number"},
       {R"({"path":[[true,2]]})", "p: path[0][0] must be a whole number"},
       {R"({"path":[[1,2]],"path":[[1,2]]})", "p: two keys 'path'"},
+      {R"({"path":[[1,2.5]],"a":[7},"b":1})", "p:1: no JSON from "},
+      {R"({"path":[[1,-2.5]],"a":[7},"b":1})", "p: path[0][1] must be a whole number"},
   };
   for (const Malformed& wrong : cases) {
-    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p")), testing::StartsWith(wrong.error))
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
+  const std::vector<Malformed> cases{
+      {R"({"path":[[1,2],[2,3]],"headings":["E"]})",
+       "p: 'headings' has 1, 'path' has 2 points: one for each expected"},
+      {R"({"headings":["E","S"],"path":[[1,2]]})", "p: 'headings' has 2, 'path' has 1 points"},
+      {R"({"headings":["E"],"path":[]})", "p: 'headings' has 1, 'path' has 0 points"},
+      {R"({"headings":[],"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
+      {R"({"headings":["E"]})", "p: 'path' is missing, a list of [x,y]"},
+      {R"({"path":[[1,2]],"headings":null})", "p: 'headings' must be a list, not 'null'"},
+      {R"({"path":[[1,2]],"headings":"E"})", "p: 'headings' must be a list, not 'E'"},
+      {R"({"path":[[1,2]],"headings":7})", "p: 'headings' must be a list, not '7'"},
+      {R"({"path":[[1,2]],"headings":{"E":1}})", "p: 'headings' must be a list, not '{'"},
+      {R"({"path":[[1,2]],"headings":["e"]})",
+       "p: headings[0] must be N, W, E, S or radians, not 'e'"},
+      {R"({"path":[[1,2],[2,3]],"headings":["E",["S"]]})",
+       "p: headings[1] must be N, W, E, S or radians, not '['"},
+      {R"({"path":[[1,2]],"headings":[null]})", "p: headings[0] must be N, W, E, S or radians"},
+      {R"({"path":[[1,2]],"headings":["E"],"headings":["E"]})", "p: two keys 'headings'"},
+      {R"({"path":[[-0.5,2]],"headings":["E"]})",
+       "p: path[0][0] must be a number in 0..1073741824, not '-0.5'"},
+      {R"({"headings":["E"],"path":[[1,1073741825]]})",
+       "p: path[0][1] must be a number in 0..10737"},
+      {R"({"headings":["E"],"path":[[1,"2"]]})", "p: path[0][1] must be a number in 0..1073741824"},
+      {R"({"headings":["E"],"path":[[1,2,3]]})", "p: path[0] must be [x,y], not 3 numbers"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {})), testing::StartsWith(wrong.error))
         << wrong.text;
   }
 }
@@ -144,15 +269,15 @@ TEST(ParsePathJson, OfAPlanThatFailedSaysSo) {
   for (const std::string text :
        {R"({"planner":"astar","status":"unreachable","reason":"walls","path":[],"path_m":[]})",
         R"({"path":[[1,2]],"status":"unreachable"})", R"({"status":"unreachable"})"}) {
-    EXPECT_EQ(error_of(parse_path_json(text, "p")),
+    EXPECT_EQ(error_of(parse_path_json(text, "p", {})),
               "p: there is no path: the plan's status is 'unreachable'");
   }
 }
 
 TEST(ParsePathJson, IsNotToldByDepth) {
   const std::string deep(1 << 20, '[');
-  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p")), HasSubstr("cut short"));
-  EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p")),
+  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p", {})), HasSubstr("cut short"));
+  EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p", {})),
               HasSubstr("path[0][0] must be a whole number"));
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wend/io/load_path.hpp"
-#include "wend/io/path_cells.hpp"
+#include "wend/io/path_coordinates.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend {
@@ -15,55 +15,59 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Takes the cells of a plan's "path" from the parser as it goes, without keeping the document.
+/// Takes "path" and "headings" of a plan from the parser as it goes, without keeping the document.
+/// Which numbers may be coordinates is known only at the end: those of poses have fractions.
 class PlanReader : public nlohmann::json_sax<Json> {
  public:
-  explicit PlanReader(std::string_view text) : text_(text) {}
+  PlanReader(std::string_view text, bool y_up) : text_(text), y_up_(y_up) {}
 
   bool null() override { return no_number("null"); }
   bool boolean(bool value) override { return no_number(value ? "true" : "false"); }
-  bool number_integer(number_integer_t value) override { return number(value); }
-  bool number_unsigned(number_unsigned_t value) override {
-    return value < static_cast<number_unsigned_t>(kCoordinateEnd)
-               ? number(static_cast<number_integer_t>(value))
-               : no_number(std::to_string(value));
+  bool number_integer(number_integer_t value) override {
+    const bool of_cell = value >= 0 && value < kCoordinateEnd;
+    return number(static_cast<double>(value), of_cell, std::to_string(value));
   }
-  bool number_float(number_float_t, const string_t& text) override { return no_number(text); }
+  bool number_unsigned(number_unsigned_t value) override {
+    const bool of_cell = value < static_cast<number_unsigned_t>(kCoordinateEnd);
+    return number(static_cast<double>(value), of_cell, std::to_string(value));
+  }
+  bool number_float(number_float_t value, const string_t& text) override {
+    return number(value, false, text);
+  }
   bool binary(binary_t&) override { return no_number("bytes"); }
 
   bool string(string_t& value) override {
     if (depth_ == 1 && key_ == "status") status_ = value;
-    return no_number(value);
-  }
-
-  bool start_object(std::size_t) override {
-    if (depth_ > 0 && !no_number("{")) return false;
-    ++depth_;
+    if (!in_list("headings", 2)) return no_number(value);
+    const auto radians = radians_of_letter(value, y_up_);
+    if (!radians) return no_number(value);
+    headings_.push_back(*radians);
     return true;
   }
+
+  bool start_object(std::size_t) override { return enter("{"); }
   bool end_object() override { return leave(); }
 
   bool key(string_t& name) override {
     if (depth_ != 1) return true;
     key_ = name;
-    const bool known = name == "path" || name == "status";
+    const bool known = name == "path" || name == "headings" || name == "status";
     if (known && !seen_.insert(name).second) return complain(fmt::format("two keys '{}'", name));
     return true;
   }
 
   bool start_array(std::size_t) override {
-    if (depth_ == 0) return complain(kNoPlan);
-    if (in_path() && depth_ == 3) return no_number("[");
+    const bool wanted = in_list("path", 1) || in_list("path", 2) || in_list("headings", 1);
+    if (!wanted || depth_ == 0) return enter("[");
     ++depth_;
-    if (in_path() && depth_ == 2) has_path_ = true;
-    if (in_path() && depth_ == 3) count_ = 0;
+    count_ = 0;
     return true;
   }
 
   bool end_array() override {
-    if (in_path() && depth_ == 3) {
-      if (count_ != 2) return complain(no_cell(fmt::format("{} numbers", count_)));
-      cells_.push_back(cell_);
+    if (in_list("path", 3)) {
+      if (count_ != 2) return complain(no_point(fmt::format("{} numbers", count_)));
+      points_.push_back(point_);
     }
     return leave();
   }
@@ -76,21 +80,40 @@ class PlanReader : public nlohmann::json_sax<Json> {
   }
 
   Expected<Path, IoError> path(const std::string& file) {
+    const bool driven = seen_.count("headings") > 0;
+    const std::string& fault = driven ? no_pose_ : no_cell_;
+    // Where the parser stopped early, headings may have been yet to come.
+    const bool is_sure = wrong_.empty() || !no_pose_.empty();
+    if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
     if (!wrong_.empty()) return io_failure(file, line_, wrong_);
     if (!status_.empty() && status_ != "found") {
       return io_failure(file, 0,
                         fmt::format("there is no path: the plan's status is {}", quote(status_)));
     }
-    if (!has_path_) return io_failure(file, 0, "'path' is missing, a list of cells [x,y]");
-    if (cells_.empty()) return io_failure(file, 0, "'path' has no cells, at least one expected");
-    return Path(std::move(cells_));
+    if (seen_.count("path") == 0) return io_failure(file, 0, "'path' is missing, a list of [x,y]");
+    if (driven && headings_.size() != points_.size()) {
+      return io_failure(
+          file, 0,
+          fmt::format("'headings' has {}, 'path' has {} points: one for each expected",
+                      headings_.size(), points_.size()));
+    }
+    if (points_.empty()) return io_failure(file, 0, "'path' is empty, at least one [x,y] expected");
+    return driven ? driven_path() : path_of_cells();
   }
 
  private:
   static constexpr const char* kNoPlan = "the top level must be an object, with a list 'path'";
 
-  /// Inside of the value of "path": at depth 2 in its list, at 3 in one of its cells.
-  bool in_path() const { return depth_ > 0 && key_ == "path"; }
+  /// Inside of the value of a key of the top level, so deep: 1 is the value itself.
+  bool in_list(std::string_view name, std::size_t depth) const {
+    return depth_ == depth && key_ == name;
+  }
+
+  bool enter(const std::string& bracket) {
+    if ((depth_ > 0 || bracket == "[") && !no_number(bracket)) return false;
+    ++depth_;
+    return true;
+  }
 
   bool leave() {
     --depth_;
@@ -102,26 +125,53 @@ class PlanReader : public nlohmann::json_sax<Json> {
     return false;
   }
 
-  std::string no_cell(const std::string& found) const {
-    return fmt::format("path[{}] must be a cell [x,y], not {}", cells_.size(), found);
+  std::string no_point(const std::string& found) const {
+    return fmt::format("path[{}] must be [x,y], not {}", points_.size(), found);
   }
 
-  bool number(number_integer_t value) {
-    if (!in_path() || depth_ < 3) return no_number(std::to_string(value));
-    if (value < 0 || value >= kCoordinateEnd) return no_number(std::to_string(value));
-    (count_ == 0 ? cell_.x : cell_.y) = static_cast<int>(value);
+  bool number(double value, bool of_cell, const std::string& text) {
+    if (in_list("headings", 2)) {
+      headings_.push_back(value);
+      return true;
+    }
+    if (!in_list("path", 3)) return no_number(text);
+    return coordinate(value, of_cell, may_be_coordinate_of_pose(value), text);
+  }
+
+  /// A value that is no number: fine but where one belongs.
+  bool no_number(const std::string& found) {
+    if (depth_ == 0) return complain(kNoPlan);
+    if (in_list("path", 1)) return complain("'path' must be a list of [x,y], not " + quote(found));
+    if (in_list("path", 2)) return complain(no_point(quote(found)));
+    if (in_list("path", 3)) return coordinate(0, false, false, found);
+    if (in_list("headings", 1)) return complain("'headings' must be a list, not " + quote(found));
+    if (!in_list("headings", 2)) return true;
+    return complain(wrong_heading(fmt::format("headings[{}]", headings_.size()), quote(found)));
+  }
+
+  bool coordinate(double value, bool of_cell, bool of_pose, const std::string& text) {
+    const auto name = [this] { return fmt::format("path[{}][{}]", points_.size(), count_); };
+    if (!of_cell && no_cell_.empty()) no_cell_ = wrong_coordinate(name(), quote(text));
+    if (!of_pose && no_pose_.empty()) no_pose_ = wrong_pose_coordinate(name(), quote(text));
+    (count_ == 0 ? point_.x : point_.y) = value;
     ++count_;
     return true;
   }
 
-  /// A value that is no coordinate: fine but where one belongs.
-  bool no_number(const std::string& found) {
-    if (depth_ == 0) return complain(kNoPlan);
-    if (!in_path()) return true;
-    if (depth_ == 1) return complain("'path' must be a list of cells [x,y], not " + quote(found));
-    if (depth_ == 2) return complain(no_cell(quote(found)));
-    const std::string name = fmt::format("path[{}][{}]", cells_.size(), count_);
-    return complain(wrong_coordinate(name, quote(found)));
+  Path path_of_cells() const {
+    Path path;
+    for (const Point point : points_) {
+      path.append({static_cast<int>(point.x), static_cast<int>(point.y)});
+    }
+    return path;
+  }
+
+  Path driven_path() const {
+    Path path;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      path.drive_to({points_[i].x, points_[i].y, headings_[i]});
+    }
+    return path;
   }
 
   /// The line of the byte that the parser stopped at.
@@ -131,22 +181,26 @@ class PlanReader : public nlohmann::json_sax<Json> {
   }
 
   std::string_view text_;
+  bool y_up_;
   std::size_t depth_ = 0;  // lists and objects that are open
   std::string key_;        // the last one of the top level
   std::set<std::string> seen_;
   std::string status_;
-  bool has_path_ = false;
-  Cell cell_;
-  std::size_t count_ = 0;  // coordinates of the cell so far
-  std::vector<Cell> cells_;
-  std::string wrong_;
+  Point point_;
+  std::size_t count_ = 0;  // coordinates of the point so far
+  std::vector<Point> points_;
+  std::vector<double> headings_;
+  std::string no_cell_;  // what is wrong if these are cells
+  std::string no_pose_;  // what is wrong if these are poses
+  std::string wrong_;    // what is wrong in any case, where the parser stopped
   std::size_t line_ = 0;
 };
 
 }  // namespace
 
-Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file) {
-  PlanReader reader(text);
+Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,
+                                        const Frame& frame) {
+  PlanReader reader(text, frame.y_up);
   Json::sax_parse(text.begin(), text.end(), &reader);
   return reader.path(file);
 }

@@ -5,11 +5,13 @@
 #include <iterator>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/heading.hpp"
 #include "wend/io/write_file.hpp"
 
 namespace wend {
+namespace {
 
-std::string path_csv(const Path& path, const Frame& frame) {
+std::string cells_csv(const Path& path, const Frame& frame) {
   std::string text(kPathCsvHeader);
   text += '\n';
   for (const Cell cell : path.cells()) {
@@ -18,6 +20,30 @@ std::string path_csv(const Path& path, const Frame& frame) {
                    format_number(metres.x), format_number(metres.y));
   }
   return text;
+}
+
+std::string heading_text(double radians, bool y_up) {
+  const auto heading = exact_heading(radians, y_up);
+  return heading ? std::string(to_string(*heading)) : format_number(radians);
+}
+
+std::string poses_csv(const Path& path, const Frame& frame) {
+  std::string text(kDrivenPathCsvHeader);
+  text += '\n';
+  for (const Pose& pose : path.poses()) {
+    const Pose metres = frame.to_metres(pose);
+    // {fmt} writes the shortest text too, and a million not as 1e+06.
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", pose.x, pose.y,
+                   heading_text(pose.heading, frame.y_up), format_number(metres.x),
+                   format_number(metres.y), format_number(metres.heading));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string path_csv(const Path& path, const Frame& frame) {
+  return path.driven() ? poses_csv(path, frame) : cells_csv(path, frame);
 }
 
 Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,

@@ -7,8 +7,17 @@
 //   2,1,0.125,0.075
 //
 // One line a cell, start and goal included: column and row, then the cell's centre in the map's
-// frame, in metres (cells, for a map without a resolution). Numbers read back exactly;
-// load_path() reads the cells.
+// frame, in metres (cells, for a map without a resolution). Of a driven path a line a pose:
+//
+//   x,y,heading,x_m,y_m,yaw
+//   1,0,E,0.05,0,0
+//   2,1,S,0.1,0.05,1.5707963267948966
+//
+// The point in grid coordinates (a car stands on corners, which are whole numbers) and the heading,
+// N, W, E or S as drawn; any other is a number, radians from +x towards +y of the grid. Then the
+// same in the map's frame: metres, and radians counter-clockwise from its +x.
+//
+// Numbers read back exactly; load_path() reads the cells, or the poses.
 
 #include <filesystem>
 #include <string>
@@ -22,6 +31,7 @@
 namespace wend {
 
 inline constexpr std::string_view kPathCsvHeader = "x,y,x_m,y_m";
+inline constexpr std::string_view kDrivenPathCsvHeader = "x,y,heading,x_m,y_m,yaw";
 
 std::string path_csv(const Path& path, const Frame& frame);
 
