@@ -1,8 +1,50 @@
 #include "wend/report/json.hpp"
 
 #include <cmath>
+#include <cstdint>
+
+#include "wend/geometry/heading.hpp"
 
 namespace wend {
+namespace {
+
+constexpr double kMostExact = 9007199254740992;  // 2^53: whole numbers up to it are themselves
+
+/// [3, 4], and [2.5, 4] where it is no corner.
+Json json_of(Point point) {
+  const auto number = [](double value) {
+    const bool whole = value == std::round(value) && std::abs(value) <= kMostExact;
+    return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+  };
+  return Json::array({number(point.x), number(point.y)});
+}
+
+/// "E", or radians.
+Json json_of_heading(double radians, bool y_up) {
+  const auto heading = exact_heading(radians, y_up);
+  return heading ? Json(to_string(*heading)) : Json(radians);
+}
+
+void put_poses(Json& json, const Plan& plan, const Frame& frame) {
+  Json corners = Json::array();
+  Json headings = Json::array();
+  Json metres = Json::array();
+  Json yaws = Json::array();
+  for (const Pose& pose : plan.path.poses()) {
+    const Pose in_map = frame.to_metres(pose);
+    corners.push_back(json_of(pose.point()));
+    headings.push_back(json_of_heading(pose.heading, frame.y_up));
+    metres.push_back(Json::array({in_map.x, in_map.y}));
+    yaws.push_back(in_map.heading);
+  }
+  json.update({{"path", corners},
+               {"headings", headings},
+               {"moves", plan.moves},
+               {"path_m", metres},
+               {"yaw", yaws}});
+}
+
+}  // namespace
 
 Json json_of(Cell cell) { return Json::array({cell.x, cell.y}); }
 
@@ -54,12 +96,17 @@ Json json_of(const OptionInfo& option) {
   return json;
 }
 
-void put_path(Json& json, const Plan& plan, const Frame& frame) {
+void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion) {
   const bool found = !plan.path.empty();
   const double length = plan.path.length();
   json["cost"] = found ? Json(plan.cost) : Json();
   json["length_cells"] = found ? Json(length) : Json();
   json["length_m"] = found ? Json(length * frame.resolution) : Json();
+  if (motion == Motion::car) {
+    json["steps"] = found ? Json(plan.path.size() - 1) : Json();
+    put_poses(json, plan, frame);
+    return;
+  }
   json["path"] = json_of(plan.path.cells());
   Json& metres = json["path_m"] = Json::array();
   for (const Point point : plan.path.points_in_metres(frame)) {

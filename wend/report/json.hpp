@@ -14,6 +14,7 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/planner/planner_info.hpp"
 
 namespace wend {
 
@@ -38,8 +39,9 @@ Json json_of(const OptionInfo& option);
 /// {"expanded", "generated", "max_frontier", "time_us"}, the time in microseconds.
 Json json_of(const SearchMetrics& metrics, double seconds);
 
-/// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty.
-void put_path(Json& json, const Plan& plan, const Frame& frame);
+/// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty. Of a car
+/// "steps", "headings", "moves" and "yaw" too, as plan_json.hpp has them.
+void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion = Motion::cells);
 
 /// One line. Numbers that JSON has no words for are null, bytes that are no UTF-8 are replaced.
 std::string text_of(const Json& json);

@@ -1,14 +1,30 @@
 #include "wend/report/plan_json.hpp"
 
+#include "wend/geometry/angle.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
+namespace {
+
+Json json_of(const Shift& shift, const Frame& frame) {
+  return {{"cells", shift.distance},
+          {"m", shift.distance * frame.resolution},
+          {"degrees", degrees_from(shift.turn)}};
+}
+
+}  // namespace
 
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
   Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
-  put_path(json, result.plan, frame);
+  put_path(json, result.plan, frame, result.motion);
   json["bound"] = result.plan.bound;
+  if (result.motion == Motion::car) {
+    const bool found = !result.plan.path.empty();
+    json["start_shift"] = found ? json_of(result.plan.start_shift, frame) : Json();
+    json["goal_shift"] = found ? json_of(result.plan.goal_shift, frame) : Json();
+    json["states"] = result.states;
+  }
   json["metrics"] = json_of(result.plan.metrics, result.seconds);
   for (const Layer& layer : layers) {
     json["layers"][std::string(choice_name(layer.kind))] =

@@ -10,7 +10,24 @@
 // `path` counts in cells, `path_m` are their centres in the map's frame. `bound` is the factor by
 // which the cost may exceed the cheapest one, null where nothing is promised. On failure `status`
 // is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
-// the lengths null. Layers, where they are given, follow as "layers": {"g": [[0,1,...],...]}, a
+// the lengths null.
+//
+// Of a car:
+//
+//   {"planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
+//    "steps": 2, "path": [[1,0],[2,1],[2,2]], "headings": ["E","S","S"], "moves":
+//    ["FWD_RIGHT","FWD"], "path_m": [[0.05,0],...], "yaw": [0,1.57,1.57], "bound": 1,
+//    "start_shift": {"cells": 0.5, "m": 0.025, "degrees": 4}, "goal_shift": {...}, "states": 1600,
+//    "metrics": {...}}
+//
+// `path` are then corners of the map, `headings` N, W, E or S as drawn (a pose that faces elsewhere
+// has its angle instead, in radians from +x towards +y of the grid), `moves` and `steps` what joins
+// them, one fewer. `path_m` are the same points in the map's frame and `yaw` the headings there,
+// radians counter-clockwise from its +x. The shifts say how far the corners and headings are from
+// what was asked, `states` in how many the car may be. On failure the lists are empty, `steps` and
+// the shifts null.
+//
+// Layers, where they are given, follow as "layers": {"g": [[0,1,...],...]}, a
 // list for every row, row 0 first: numbers, or names of directions as drawn ("up_left"); null where
 // there is nothing.
 

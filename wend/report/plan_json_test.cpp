@@ -1,9 +1,15 @@
 #include "wend/report/plan_json.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/io/load_path.hpp"
 
 namespace wend {
 namespace {
@@ -23,6 +29,85 @@ TEST(PlanJson, HasAPlanInCellsAndMetres) {
             R"("path":[[0,0],[1,0]],"path_m":[[-0.75,2.25],[-0.25,2.25]],"bound":1.0,)"
             R"("metrics":{"expanded":2,"generated":5,"max_frontier":3,"time_us":1.5}})"
             "\n");
+}
+
+PlanResult driven() {
+  PlanResult result{.planner = "car", .plan = {}, .seconds = 1.5e-6, .reason = {}};
+  result.motion = Motion::car;
+  result.states = 1600;
+  result.plan.path = Path::through({{1, 0, 0}, {2, 1, kPi / 2}, {2, 2, kPi / 2}});
+  result.plan.moves = {"FWD_LEFT", "FWD"};
+  result.plan.cost = 2.5;
+  result.plan.bound = 1;
+  result.plan.start_shift = {.distance = 0.5, .turn = kPi / 4};
+  result.plan.metrics = {.expanded = 2, .generated = 5, .max_frontier = 3};
+  return result;
+}
+
+TEST(PlanJson, HasADriveInCornersAndInTheMapsFrame) {
+  const json plan = json::parse(plan_json(driven(), kFrame));
+  EXPECT_EQ(plan.at("path"), json::parse("[[1,0],[2,1],[2,2]]"));
+  EXPECT_TRUE(plan.at("path").at(0).at(0).is_number_integer());
+  EXPECT_EQ(plan.at("headings"), json::parse(R"(["E","N","N"])"));
+  EXPECT_EQ(plan.at("moves"), json::parse(R"(["FWD_LEFT","FWD"])"));
+  EXPECT_EQ(plan.at("steps"), 2);
+  EXPECT_EQ(plan.at("path_m"), json::parse("[[-0.5,2],[0,2.5],[0,3]]"));
+  EXPECT_EQ(plan.at("yaw"), json({0.0, kPi / 2, kPi / 2}));
+  EXPECT_NEAR(plan.at("length_cells").get<double>(), kPi / 2 + 1, 1e-12);
+  EXPECT_NEAR(plan.at("length_m").get<double>(), kPi / 4 + 0.5, 1e-12);
+  EXPECT_EQ(plan.at("start_shift"), json::parse(R"({"cells":0.5,"m":0.25,"degrees":45})"));
+  EXPECT_EQ(plan.at("goal_shift"), json::parse(R"({"cells":0,"m":0,"degrees":0})"));
+  EXPECT_EQ(plan.at("states"), 1600);
+}
+
+TEST(PlanJson, TurnsADrivesYawWithTheMapButNotItsHeadings) {
+  Frame frame = kFrame;
+  frame.origin.heading = kPi / 2;
+  const json turned = json::parse(plan_json(driven(), frame));
+  EXPECT_EQ(turned.at("yaw"), json({kPi / 2, kPi, kPi}));
+  EXPECT_EQ(turned.at("headings"), json::parse(R"(["E","N","N"])"));
+  frame.y_up = false;
+  EXPECT_EQ(json::parse(plan_json(driven(), frame)).at("headings"),
+            json::parse(R"(["E","S","S"])"));
+}
+
+TEST(PlanJson, HasNumbersWhereADriveIsOnNoCorner) {
+  PlanResult result = driven();
+  result.plan.path = Path::through({{1, 0.5, 0}, {2, 0.5, 0.25}});
+  const json plan = json::parse(plan_json(result, kFrame));
+  EXPECT_EQ(plan.at("path"), json::parse("[[1,0.5],[2,0.5]]"));
+  EXPECT_EQ(plan.at("headings"), json::parse(R"(["E",0.25])"));
+}
+
+TEST(PlanJson, OfACarThatFailedHasTheSameKeys) {
+  PlanResult result = driven();
+  result.status = Status::unreachable;
+  result.reason = "boxed in";
+  result.plan.path.clear();
+  result.plan.moves.clear();
+  const json failed = json::parse(plan_json(result, kFrame));
+  for (const char* key : {"path", "headings", "moves", "path_m", "yaw"}) {
+    EXPECT_EQ(failed.at(key), json::array()) << key;
+  }
+  for (const char* key : {"cost", "steps", "start_shift", "goal_shift", "length_cells"}) {
+    EXPECT_TRUE(failed.at(key).is_null()) << key;
+  }
+  EXPECT_EQ(failed.at("states"), 1600);
+}
+
+RC_GTEST_PROP(PlanJson, OfADriveIsReadAsTheSamePath, (bool y_up)) {
+  const Frame frame{.resolution = 0.05, .origin = {-3, 7, 0.3}, .y_up = y_up, .metric = true};
+  PlanResult result{.planner = "car", .plan = {}, .seconds = 0, .reason = {}};
+  result.motion = Motion::car;
+  CornerPose place{{*rc::gen::inRange(100, 1 << 20), 1000000}, *rc::gen::elementOf(kAllHeadings)};
+  result.plan.path.drive_to(pose_of(place, y_up));
+  for (int moves = *rc::gen::inRange(0, 40); moves > 0; --moves) {
+    place = moved(place, static_cast<CarMove>(*rc::gen::inRange(0, kCarMoves)), y_up);
+    result.plan.path.drive_to(pose_of(place, y_up));
+  }
+  const auto path = parse_path_json(plan_json(result, frame), "plan.json", frame);
+  RC_ASSERT(path.has_value());
+  RC_ASSERT(*path == result.plan.path);
 }
 
 TEST(PlanJson, NeverHoldsNumbersThatAreNone) {

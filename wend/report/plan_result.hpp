@@ -2,10 +2,12 @@
 
 // PlanResult: one query's outcome, found or not, with all that a report says about it.
 
+#include <cstdint>
 #include <string>
 
 #include "wend/base/status.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/planner/planner_info.hpp"
 
 namespace wend {
 
@@ -15,6 +17,8 @@ struct PlanResult {
   Plan plan;           // of a failure: its metrics
   double seconds = 0;  // that plan() took
   std::string reason;  // of a failure, for people
+  Motion motion = Motion::cells;
+  std::uint64_t states = 0;  // Planner::state_count()
 };
 
 }  // namespace wend
