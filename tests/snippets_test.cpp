@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -19,10 +20,12 @@
 #include "wend/base/options.hpp"
 #include "wend/base/random.hpp"
 #include "wend/geometry/arc.hpp"
+#include "wend/geometry/arc_distance.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/heading.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/io/write_file.hpp"
+#include "wend/map/arc_clearance.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/planner/cost_to_go.hpp"
@@ -120,6 +123,21 @@ TEST(Snippets, OfArc) {
   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
   const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
   EXPECT_NEAR(middle.heading, wend::kPi / 4, 1e-12);
+}
+
+TEST(Snippets, OfArcDistance) {
+  const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});      // around the centre (0,1)
+  const double gap = wend::distance(arc, wend::Cell{1, -1});  // sqrt(2) - 1, at (1,0)
+  EXPECT_NEAR(gap, std::sqrt(2) - 1, 1e-12);
+}
+
+TEST(Snippets, OfArcClearance) {
+  const wend::FreeSpace space(wend::GridMap(wend::Grid<wend::CellState>(2, 2)),
+                              {.robot_radius = 0.2});
+  double length = 0;
+  const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
+  if (wend::fits_along(space, arc)) length += arc.length;
+  EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
 }
 
 TEST(Snippets, OfMapsAndFreeSpace) {
@@ -386,6 +404,8 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "geometry/heading.hpp",
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
+                                        "geometry/arc_distance.hpp",
+                                        "map/arc_clearance.hpp",
                                         "path/path.hpp",
                                         "io/load_map.hpp",
                                         "planner/planner.hpp",

@@ -22,15 +22,19 @@ Arc arc_to(const Pose& from, Point to) {
   return {from, turn / curvature, curvature};
 }
 
-Pose pose_on(const Arc& arc, double length) {
+Point point_on(const Arc& arc, double length) {
   const Pose& from = arc.from;
-  const double turn = length * arc.curvature;
   // The chord is as long as the arc times sin(turn / 2) / (turn / 2), and points half the turn on.
-  const double half = turn / 2;
+  const double half = length * arc.curvature / 2;
   const double shrink = half == 0 ? 1 : std::sin(half) / half;
   const double chord = length * shrink;
   return {from.x + chord * std::cos(from.heading + half),
-          from.y + chord * std::sin(from.heading + half), normalized_angle(from.heading + turn)};
+          from.y + chord * std::sin(from.heading + half)};
+}
+
+Pose pose_on(const Arc& arc, double length) {
+  const Point point = point_on(arc, length);
+  return {point.x, point.y, normalized_angle(arc.from.heading + length * arc.curvature)};
 }
 
 }  // namespace wend

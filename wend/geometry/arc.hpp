@@ -24,7 +24,8 @@ struct Arc {
 /// ahead if it is not behind. Of a point that is beside the pose: a half circle.
 Arc arc_to(const Pose& from, Point to);
 
-/// The pose after driving `length` of an arc, from 0 to arc.length; the heading is in (-pi, pi].
+/// Where one is after driving `length` of an arc, from 0 to arc.length; the heading is in (-pi, pi].
+Point point_on(const Arc& arc, double length);
 Pose pose_on(const Arc& arc, double length);
 
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "wend/map/distance_field.hpp"
 
@@ -41,7 +42,8 @@ BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least)
 /// and the largest robot may stand where there is no obstacle.
 double least_squared_half_cells(double radius_in_cells) {
   const double exact = 4 * radius_in_cells * radius_in_cells;
-  return std::clamp<double>(exact * (1 - kRelativeRounding), 1, kNoObstacle);
+  return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
+                            kNoObstacle);
 }
 
 /// How many times more a cell costs because of the obstacles near it.

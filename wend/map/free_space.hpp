@@ -86,8 +86,9 @@ class FreeSpace {
     return data_->options.robot_radius / data_->map.frame().resolution;
   }
 
-  /// Is an obstacle at this squared distance (in half-cells) far enough? Radii that are whole
-  /// half-cells up to rounding are taken as such, so that 0.3 m at 0.1 m a cell are 3 cells.
+  /// Is an obstacle at this squared distance (in half-cells) far enough? At 0 it never is. Radii
+  /// that are whole half-cells up to rounding are taken as such, so that 0.3 m at 0.1 m a cell are 3
+  /// cells.
   bool far_enough(double squared_half_cells) const {
     return squared_half_cells >= data_->least_squared_half_cells;
   }

@@ -208,6 +208,9 @@ TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {
   const FreeSpace point(row_behind_an_obstacle(5, 0.1));
   EXPECT_TRUE(point.far_enough(1));
   EXPECT_FALSE(point.far_enough(0));
+  const FreeSpace small(row_behind_an_obstacle(5, 0.1), {.robot_radius = 0.03});
+  EXPECT_TRUE(small.far_enough(0.36)) << "0.3 cells from a point that is no cell's centre";
+  EXPECT_FALSE(small.far_enough(0.35));
 }
 
 TEST(FreeSpace, HasTheMapsTerrain) {

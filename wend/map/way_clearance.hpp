@@ -15,7 +15,7 @@ namespace wend {
 std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to);
 
 /// Of the way between any two cells of the map, in cells; infinite without obstacles. O(1) for
-/// neighbours, else O(cells of a box around the way as wide as the clearance of its ends).
+/// neighbours, else as arc_clearance().
 double way_clearance(const FreeSpace& space, Cell from, Cell to);
 
 }  // namespace wend
