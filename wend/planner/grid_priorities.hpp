@@ -9,8 +9,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
+#include <span>
 
+#include "wend/base/limits.hpp"
 #include "wend/planner/goal_cells.hpp"
+#include "wend/search/forward_search.hpp"
 #include "wend/search/list_frontiers.hpp"
 #include "wend/space/grid_space.hpp"
 #include "wend/space/heuristic.hpp"
@@ -22,7 +26,9 @@ class ByArrival {
  public:
   using Key = NoKey;
 
-  GoalCells& goals() { return goals_; }
+  bool allocated() const { return true; }
+  std::optional<SearchOutcome> stopped() const { return std::nullopt; }
+  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
 
   Key key(const GridState& /*state*/, std::uint64_t /*g*/) const { return {}; }
   bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
@@ -81,7 +87,9 @@ class ExactEstimate {
     }
   }
 
-  GoalCells& goals() { return goals_; }
+  bool allocated() const { return true; }
+  std::optional<SearchOutcome> stopped() const { return std::nullopt; }
+  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
 
   Key key(const GridState& state, Cost g) const {
     const Cost estimate = goals_.least([&](Cell goal) {
@@ -143,7 +151,9 @@ class RealEstimate {
         weight_in_key_(
             kind == HeuristicKind::constant ? 0 : weight * kNotAbove * Space::kUnitsPerCell) {}
 
-  GoalCells& goals() { return goals_; }
+  bool allocated() const { return true; }
+  std::optional<SearchOutcome> stopped() const { return std::nullopt; }
+  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
 
   Key key(const GridState& state, Cost g) const {
     return {g_share_ * static_cast<double>(g) + weight_in_key_ * h(state.cell), g};

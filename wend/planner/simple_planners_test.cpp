@@ -112,8 +112,8 @@ TEST(Dijkstra, TakesTheNearestOfSeveralGoals) {
 }
 
 TEST(Planners, AreListedInOrder) {
-  EXPECT_EQ(planners().names(),
-            (std::vector<std::string>{"astar", "dijkstra", "greedy", "bfs", "dfs", "random_walk"}));
+  EXPECT_EQ(planners().names(), (std::vector<std::string>{"astar", "dijkstra", "greedy", "bfs",
+                                                          "dfs", "random_walk", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {

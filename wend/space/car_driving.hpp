@@ -1,0 +1,45 @@
+#pragma once
+
+// CarDriving: how a car drives on the corners of a grid: how wide its lattice is, and what its
+// moves cost.
+
+#include <array>
+#include <cstdint>
+
+#include "wend/base/options.hpp"
+
+namespace wend {
+
+/// What a straight move pays for the terrain of the two cells that it runs between.
+enum class StraightTerrain {
+  none,  // nothing: it costs 1
+  mean,  // the mean of their multipliers
+  max,   // the larger one
+};
+
+constexpr std::array<Choice<StraightTerrain>, 3> choice_names(StraightTerrain) {
+  return {{{"none", StraightTerrain::none},
+           {"mean", StraightTerrain::mean},
+           {"max", StraightTerrain::max}}};
+}
+
+struct CarDriving {
+  static constexpr double kLeastReverseFactor = 0.01;
+
+  std::int64_t unit = 1;  // map cells
+  StraightTerrain straight_terrain = StraightTerrain::none;
+  double reverse_factor = 1;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"unit", "map cells that a cell of the car's lattice is wide: its turning radius"},
+          self.unit, OptionRange{1, 1e6});
+    field({"straight_terrain",
+           "what straight moves pay for the terrain of the two cells beside them"},
+          self.straight_terrain);
+    field({"reverse_factor", "how many times as much a move costs in reverse"}, self.reverse_factor,
+          OptionRange{kLeastReverseFactor, 1e6});
+  }
+};
+
+}  // namespace wend

@@ -1,0 +1,128 @@
+#pragma once
+
+// Heuristics of the car: estimates of the cost from a pose to a corner and, perhaps, a heading.
+//
+//   zero       0
+//   diagonal   (diagonal cells) pi / 2 + (orthogonal rest) 1
+//   headings   what the drive costs on an empty yard, exactly
+//   obstacles  the larger of that and of the cheapest way around the obstacles for a car that turns
+//              on the spot (searched anew for every query; CornerSpace)
+//
+// All are consistent: multipliers are at least 1, and where reversing costs less than driving ahead
+// the estimates are scaled by that factor.
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+#include "wend/base/options.hpp"
+#include "wend/geometry/car_move.hpp"
+
+namespace wend {
+
+enum class CarHeuristic { zero, diagonal, headings, obstacles };
+
+constexpr std::array<Choice<CarHeuristic>, 4> choice_names(CarHeuristic) {
+  return {{{"zero", CarHeuristic::zero},
+           {"diagonal", CarHeuristic::diagonal},
+           {"headings", CarHeuristic::headings},
+           {"obstacles", CarHeuristic::obstacles}}};
+}
+
+/// A goal in lattice coordinates; without a heading any will do.
+struct CarGoal {
+  Cell corner;
+  std::optional<Heading> heading{};
+
+  bool contains(const CornerPose& place) const {
+    return place.corner == corner && (!heading || place.heading == *heading);
+  }
+};
+
+/// Costs have kStraight and kTurn.
+template <class Costs>
+constexpr typename Costs::Cost diagonal_estimate(Cell from, Cell to) {
+  using Cost = typename Costs::Cost;
+  const int dx = std::abs(to.x - from.x);
+  const int dy = std::abs(to.y - from.y);
+  const auto turns = static_cast<Cost>(std::min(dx, dy));
+  const auto straight = static_cast<Cost>(std::max(dx, dy) - std::min(dx, dy));
+  return turns * Costs::kTurn + straight * Costs::kStraight;
+}
+
+namespace empty_yard {
+
+/// Which turns must be odd in number between two headings: bit 0 those along the falling diagonal,
+/// which swap E with S and N with W, bit 1 those along the rising one, which swap E with N and S
+/// with W. Any order does: the two swaps commute.
+constexpr unsigned odd_turns(Heading from, Heading to) {
+  return static_cast<unsigned>(from) ^ static_cast<unsigned>(to);
+}
+
+/// A displacement as drawn, y down.
+struct Displacement {
+  int x;
+  int y;
+};
+
+/// The cheapest drive with turns of those parities.
+template <class Costs>
+constexpr typename Costs::Cost cheapest(Displacement way, Heading from, unsigned odd) {
+  using Cost = typename Costs::Cost;
+  const int shorter = std::min(std::abs(way.x), std::abs(way.y));
+  const int sign = way.x < 0 ? -1 : 1;
+  const bool falling = (way.x < 0) == (way.y < 0);
+  const int best_p = falling ? sign * shorter : 0;
+  const int best_q = falling ? 0 : sign * shorter;
+  const auto cost = [&](int turns, int straight) {
+    return static_cast<Cost>(turns) * Costs::kTurn + static_cast<Cost>(straight) * Costs::kStraight;
+  };
+  const bool faces_x = from == Heading::east || from == Heading::west;
+  const bool straight_only = faces_x ? way.y == 0 : way.x == 0;
+  Cost least = cost(0, 0);
+  bool any = false;
+  for (int p = best_p - 2; p <= best_p + 2; ++p) {
+    if ((static_cast<unsigned>(p) & 1U) != (odd & 1U)) continue;
+    for (int q = best_q - 2; q <= best_q + 2; ++q) {
+      if ((static_cast<unsigned>(q) & 1U) != (odd >> 1U)) continue;
+      const int straight = std::abs(way.x - p - q) + std::abs(way.y - p + q);
+      int turns = std::abs(p) + std::abs(q);
+      if (turns == 0 && !straight_only) turns = 2;  // there and back, to face the other axis
+      const Cost candidate = cost(turns, straight);
+      least = any ? std::min(least, candidate) : candidate;
+      any = true;
+    }
+  }
+  return least;
+}
+
+}  // namespace empty_yard
+
+/// The cheapest drive on an empty yard, O(1).
+///
+/// The heading at the end depends only on how many turns along each diagonal are odd; with one turn
+/// at least the car faces along both axes somewhere, and drives straight along both. What is left is
+/// to find the net numbers p and q of turns along the two diagonals, of the parities that the
+/// headings ask for, for which |p| + |q| turns and the straight rest cost least: they are within 2
+/// of those without parities.
+template <class Costs>
+constexpr typename Costs::Cost headings_estimate(const CornerPose& from, const CarGoal& goal,
+                                                 bool y_up) {
+  const int down = goal.corner.y - from.corner.y;
+  const empty_yard::Displacement way{goal.corner.x - from.corner.x, y_up ? -down : down};
+  if (goal.heading) {
+    return empty_yard::cheapest<Costs>(way, from.heading,
+                                       empty_yard::odd_turns(from.heading, *goal.heading));
+  }
+  const bool faces_x = from.heading == Heading::east || from.heading == Heading::west;
+  const bool across = faces_x ? way.x == 0 && way.y != 0 : way.y == 0 && way.x != 0;
+  if (!across) return diagonal_estimate<Costs>(from.corner, goal.corner);
+  auto least = empty_yard::cheapest<Costs>(way, from.heading, 0);
+  for (unsigned odd = 1; odd < kHeadings; ++odd) {
+    least = std::min(least, empty_yard::cheapest<Costs>(way, from.heading, odd));
+  }
+  return least;
+}
+
+}  // namespace wend
