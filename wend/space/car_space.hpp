@@ -82,6 +82,7 @@ class CarSpace {
   static constexpr double kUnitsPerCell = Costs::kUnitsPerCell;
   static constexpr unsigned kAllMoves = (1U << kCarMoves) - 1;
   static constexpr unsigned kMovesAhead = 0b000111;
+  static constexpr unsigned kStraightAhead = 0b000001;
 
   /// State numbers must fit: see can_number().
   explicit CarSpace(CarLattice lattice);

@@ -44,7 +44,10 @@ class CornerSpace {
   void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
     for (const Heading heading : kAllHeadings) {
       const CarState start = car_.state({from.corner, heading});
-      car_.for_each_move(start, Car::kMovesAhead, [&](const CarState& to, Move, Cost cost) {
+      // Facing north or south the car turns to the same corners, on the other side of the cell.
+      const bool all = car_.lattice().sweeps() || ahead(heading, false).x != 0;
+      const unsigned moves = all ? Car::kMovesAhead : Car::kStraightAhead;
+      car_.for_each_move(start, moves, [&](const CarState& to, Move, Cost cost) {
         const Cell by{to.place.corner.x - from.corner.x, to.place.corner.y - from.corner.y};
         sink(State{to.number / kHeadings, to.place.corner}, direction_of(by), cost);
       });
