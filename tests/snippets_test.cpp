@@ -235,6 +235,8 @@ TEST(Snippets, OfSearchRecorder) {
   const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
   EXPECT_TRUE(plan);
   EXPECT_EQ(first, 1U);
+  wend::SearchRecorder driven(space, 1);
+  EXPECT_TRUE(driven.expansions().empty());
 }
 
 TEST(Snippets, OfLayer) {

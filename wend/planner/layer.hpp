@@ -23,7 +23,7 @@
 namespace wend {
 
 enum class LayerKind {
-  // Of a search.
+  // Of a search; of a car's, of the corners of a cell.
   expansion,   // the order in which cells were expanded, from 1
   generation,  // the order in which they were reached, from 1
   g,           // what the path to a cell costs, as far as the search knows

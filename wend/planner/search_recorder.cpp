@@ -1,5 +1,6 @@
 #include "wend/planner/search_recorder.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -19,31 +20,55 @@ SearchLayers empty_layers(int width, int height) {
 
 }  // namespace
 
-SearchRecorder::SearchRecorder(const FreeSpace& space)
-    : y_up_(space.map().frame().y_up), layers_(empty_layers(space.width(), space.height())) {}
+SearchRecorder::SearchRecorder(const FreeSpace& space, int unit)
+    : y_up_(space.map().frame().y_up),
+      unit_(unit),
+      layers_(empty_layers(space.width(), space.height())) {}
+
+/// Visits the cell, or those that touch the corner.
+template <class Visit>
+void SearchRecorder::for_cells_at(Cell place, Visit&& visit) const {
+  if (unit_ == 0) return visit(place);
+  const int right = std::min(place.x + unit_, layers_.g.width());
+  const int bottom = std::min(place.y + unit_, layers_.g.height());
+  for (int y = std::max(place.y - unit_, 0); y < bottom; ++y) {
+    for (int x = std::max(place.x - unit_, 0); x < right; ++x) visit(Cell{x, y});
+  }
+}
 
 void SearchRecorder::on_generate(const SearchEvent& event) {
-  if (layers_.generation[event.cell] != 0) return;
-  layers_.generation[event.cell] = ++generated_;
+  const bool walked_back = unit_ == 0 && layers_.generation[event.cell] != 0;
+  if (walked_back) return;
+  ++generated_;
+  for_cells_at(event.cell, [this](Cell cell) {
+    std::uint32_t& generation = layers_.generation[cell];
+    if (generation == 0) generation = generated_;
+  });
   write_down(event);
 }
 
 void SearchRecorder::on_expand(const SearchEvent& event) {
   expansions_.push_back(event.cell);
   generated_before_.push_back(generated_);
-  std::uint32_t& expansion = layers_.expansion[event.cell];
-  if (expansion == 0) expansion = static_cast<std::uint32_t>(expansions_.size());
+  for_cells_at(event.cell, [this](Cell cell) {
+    std::uint32_t& expansion = layers_.expansion[cell];
+    if (expansion == 0) expansion = static_cast<std::uint32_t>(expansions_.size());
+  });
 }
 
 void SearchRecorder::on_relax(const SearchEvent& event) { write_down(event); }
 
 void SearchRecorder::write_down(const SearchEvent& event) {
-  layers_.g[event.cell] = event.g;
-  layers_.h[event.cell] = event.h;
-  layers_.f[event.cell] = event.f;
-  if (event.parent) {
-    layers_.parent[event.cell] = nearest_direction(event.cell, *event.parent, y_up_);
-  }
+  std::optional<Direction> towards_parent;
+  if (event.parent) towards_parent = nearest_direction(event.cell, *event.parent, y_up_);
+  for_cells_at(event.cell, [&](Cell cell) {
+    const bool knows_cheaper = unit_ > 0 && layers_.g[cell] <= event.g;
+    if (knows_cheaper) return;
+    layers_.g[cell] = event.g;
+    layers_.h[cell] = event.h;
+    layers_.f[cell] = event.f;
+    layers_.parent[cell] = towards_parent;
+  });
 }
 
 void SearchRecorder::clear() {
@@ -69,7 +94,10 @@ SearchSnapshot SearchRecorder::snapshot(std::size_t expansions) const {
       (expanded ? snapshot.expanded : snapshot.frontier).set({x, y}, true);
     }
   }
-  if (expansions > 0) snapshot.current = expansions_[expansions - 1];
+  if (expansions > 0) {
+    const Cell place = expansions_[expansions - 1];
+    snapshot.current = Cell{std::min(place.x, width - 1), std::min(place.y, height - 1)};
+  }
   return snapshot;
 }
 

@@ -9,8 +9,15 @@
 //   const auto plan = planner.plan(query);
 //   const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
 //
-// 25 bytes a cell, and 12 an expansion. A recorder is for one search; clear() makes it ready for
-// the next. One thread.
+// A car stands on corners, where up to four cells meet (of a lattice with a unit of several cells:
+// four squares of cells). All of them take what a search does there: a cell is reached when one of
+// its corners is, with any heading, and what is known of it is what is known of the cheapest state
+// around it.
+//
+//   wend::SearchRecorder driven(space, 1);
+//
+// 25 bytes a cell, and 12 an expansion; of a car an event takes O(unit^2). A recorder is for one
+// search; clear() makes it ready for the next. One thread.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,25 +34,27 @@ namespace wend {
 
 /// What a search knew of each cell, each layer as large as the map.
 struct SearchLayers {
-  Grid<std::uint32_t> expansion;          // 1 for the cell expanded first; 0: never expanded
-  Grid<std::uint32_t> generation;         // 1 for the cell reached first; 0: never reached
-  Grid<double> g;                         // in cells, the last one known; NaN: never reached
-  Grid<double> h;                         // in cells; NaN: never reached
-  Grid<double> f;                         // the last priority; NaN: never reached
-  Grid<std::optional<Direction>> parent;  // towards the cell it was reached from
+  Grid<std::uint32_t> expansion;   // 1 for the cell expanded first; 0: never expanded
+  Grid<std::uint32_t> generation;  // 1 for the cell reached first; 0: never reached
+  Grid<double> g;                  // as in Plan::cost, the last one known; NaN: never reached
+  Grid<double> h;                  // the same; NaN: never reached
+  Grid<double> f;                  // the last priority; NaN: never reached
+  Grid<std::optional<Direction>> parent;  // towards the cell or corner it was reached from
 };
 
 /// A search after one of its expansions.
 struct SearchSnapshot {
   BitGrid expanded;
   BitGrid frontier;             // reached, not yet expanded
-  std::optional<Cell> current;  // the cell expanded last; none before the first expansion
+  std::optional<Cell> current;  // the cell expanded last, of a car one that touches its corner;
+                                // none before the first expansion
 };
 
 class SearchRecorder final : public SearchObserver {
  public:
-  /// For searches on that space.
-  explicit SearchRecorder(const FreeSpace& space);
+  /// For searches on that space, from cell to cell or, with a unit of 1 or more, of a car on the
+  /// corners whose coordinates are multiples of it.
+  explicit SearchRecorder(const FreeSpace& space, int unit = 0);
 
   void on_generate(const SearchEvent& event) override;
   void on_expand(const SearchEvent& event) override;
@@ -56,8 +65,9 @@ class SearchRecorder final : public SearchObserver {
 
   const SearchLayers& layers() const { return layers_; }
 
-  /// The cells in their order of expansion. A planner without duplicate detection (random_walk)
-  /// expands some more than once; the layer keeps the first time.
+  /// The cells in their order of expansion, of a car its corners. A planner without duplicate
+  /// detection (random_walk) expands some more than once, a car a corner with each heading; the
+  /// layer keeps the first time.
   const std::vector<Cell>& expansions() const { return expansions_; }
 
   /// How it stood after so many expansions (at most expansions().size()), with everything that the
@@ -68,13 +78,16 @@ class SearchRecorder final : public SearchObserver {
   SearchSnapshot snapshot() const { return snapshot(expansions_.size()); }
 
  private:
+  template <class Visit>
+  void for_cells_at(Cell place, Visit&& visit) const;
   void write_down(const SearchEvent& event);
 
   bool y_up_;
+  int unit_;  // 0: cells
   SearchLayers layers_;
   std::vector<Cell> expansions_;
   std::vector<std::uint32_t> generated_before_;  // each expansion
-  std::uint32_t generated_ = 0;                  // cells, each once
+  std::uint32_t generated_ = 0;                  // states, each once
 };
 
 }  // namespace wend
