@@ -329,6 +329,8 @@ TEST(Snippets, OfPosthocTrace) {
   planner.plan(query, plan);
   const std::string text = trace.finish(plan.path);
   EXPECT_NE(text.find("type: end"), std::string::npos);
+  wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
+  EXPECT_NE(driven.finish({}).find("heading"), std::string::npos);
 }
 
 void report_width(double radius) { reported = radius == 0.5 ? "half a cell" : "another width"; }

@@ -1,8 +1,9 @@
 #pragma once
 
 // PosthocText: the text of a Posthoc trace, version 1.4.0, event by event: what a PosthocTrace
-// writes with. The views are fixed: a square for every event in its type's colour, and dark
-// rectangles for the event of type "map", whose `blocked` lists [x, y, width, height].
+// writes with. The views are fixed: dark rectangles for the event of type "map", whose `blocked`
+// lists [x, y, width, height], and for every other event a mark in its type's colour: the square of
+// a cell, or of a car a dot beside its corner, on the side that its `heading` faces.
 
 #include <cstdint>
 #include <string>
@@ -15,7 +16,8 @@ enum class TraceForm { yaml, json };
 
 class PosthocText {
  public:
-  explicit PosthocText(TraceForm form);
+  /// The corners of a car lie `unit` cells apart; 0: cells.
+  explicit PosthocText(TraceForm form, int unit = 0);
 
   /// An event, `id` being JSON. Everything that is put until the next one belongs to it.
   void begin_event(std::string_view type, std::string_view id);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <vector>
 
+#include "wend/geometry/car_move.hpp"
 #include "wend/map/joined_rows.hpp"
 
 namespace wend {
@@ -20,12 +21,13 @@ struct Rectangle {
 };
 
 /// The blocked cells of row y, from left to right.
-std::vector<Rectangle> blocked_runs(const FreeSpace& space, int y) {
+template <class IsBlocked>
+std::vector<Rectangle> blocked_runs(int width, int y, IsBlocked&& is_blocked) {
   std::vector<Rectangle> runs;
   bool blocked = false;
-  for (int x = 0; x < space.width(); ++x) {
+  for (int x = 0; x < width; ++x) {
     const bool joins = blocked;
-    blocked = !space.passable()[{x, y}];
+    blocked = is_blocked(Cell{x, y});
     if (!blocked) continue;
     if (joins) {
       ++runs.back().width;
@@ -38,28 +40,50 @@ std::vector<Rectangle> blocked_runs(const FreeSpace& space, int y) {
 
 }  // namespace
 
-PosthocTrace::PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals,
-                           TraceForm form, std::uint64_t most_events)
-    : width_(space.width()),
-      height_(space.height()),
+PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, TraceForm form,
+                           std::uint64_t most_events)
+    : map_height_(space.height()),
+      unit_(unit),
+      width_(space.width() + (unit > 0 ? 1 : 0)),
+      height_(space.height() + (unit > 0 ? 1 : 0)),
       y_up_(space.map().frame().y_up),
       room_(most_events),
-      text_(form) {
+      text_(form, unit) {
   put_map(space);
-  if (space.contains(start)) put_event("source", start, number(start));
-  for (const Cell goal : goals) {
-    if (space.contains(goal)) put_event("destination", goal, number(goal));
+}
+
+PosthocTrace::PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals,
+                           TraceForm form, std::uint64_t most_events)
+    : PosthocTrace(space, 0, form, most_events) {
+  put_end("source", {start});
+  for (const Cell goal : goals) put_end("destination", {goal});
+}
+
+PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
+                           std::uint64_t most_events)
+    : PosthocTrace(space, unit, form, most_events) {
+  if (const auto start = place_of(query.start)) put_end("source", *start);
+  for (const Goal& goal : query.goals) {
+    auto place = place_of({goal.point.x, goal.point.y, goal.heading.value_or(0)});
+    if (!place) continue;
+    if (goal.heading) put_end("destination", *place);
+    if (goal.heading) continue;
+    for (const Heading heading : kAllHeadings) put_end("destination", {place->cell, heading});
   }
 }
 
 void PosthocTrace::put_map(const FreeSpace& space) {
+  const auto is_blocked = [&](Cell cell) {
+    return unit_ > 0 ? space.obstacles()[cell] : !space.passable()[cell];
+  };
   const auto rectangles = joined_rows<Rectangle>(
-      height_, kMostRectangles, [&](int y) { return blocked_runs(space, y); },
+      map_height_, kMostRectangles,
+      [&](int y) { return blocked_runs(space.width(), y, is_blocked); },
       [](const Rectangle&, const Rectangle&) { return true; });
   if (!rectangles || rectangles->empty()) return;
   std::string blocked = "[";
   for (const Rectangle& cells : *rectangles) {
-    const int top = y_up_ ? height_ - cells.y - cells.height : cells.y;
+    const int top = y_up_ ? map_height_ - cells.y - cells.height : cells.y;
     fmt::format_to(std::back_inserter(blocked), "{}[{},{},{},{}]", blocked.size() > 1 ? "," : "",
                    cells.x, top, cells.width, cells.height);
   }
@@ -67,13 +91,27 @@ void PosthocTrace::put_map(const FreeSpace& space) {
   text_.put("blocked", std::string_view(blocked + "]"));
 }
 
-std::uint64_t PosthocTrace::number(Cell cell) const {
-  return static_cast<std::uint64_t>(cell.y) * static_cast<std::uint64_t>(width_) +
-         static_cast<std::uint64_t>(cell.x);
+bool PosthocTrace::contains(Cell cell) const {
+  return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
 }
 
-PosthocTrace::Node& PosthocTrace::node_of(Cell cell) {
-  return nodes_.try_emplace(number(cell), Node{number(cell)}).first->second;
+/// How many places there are before it.
+std::uint64_t PosthocTrace::number(const Place& place) const {
+  const auto number =
+      static_cast<std::uint64_t>(place.cell.y) * static_cast<std::uint64_t>(width_) +
+      static_cast<std::uint64_t>(place.cell.x);
+  return place.heading ? number * kHeadings + static_cast<std::uint64_t>(*place.heading) : number;
+}
+
+/// Where a car in that pose is on its lattice.
+std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) const {
+  const auto nearest = nearest_corner_pose(pose, y_up_, unit_);
+  if (!nearest) return std::nullopt;
+  return Place{nearest->corner, nearest->heading};
+}
+
+PosthocTrace::Node& PosthocTrace::node_of(const Place& place) {
+  return nodes_.try_emplace(number(place), Node{number(place)}).first->second;
 }
 
 /// Is there room for one more event? Once there was none, nothing is kept any more.
@@ -88,8 +126,10 @@ bool PosthocTrace::keep_one() {
 
 void PosthocTrace::on_generate(const SearchEvent& event) {
   if (!keep_one()) return;
-  const auto [place, is_first] = nodes_.try_emplace(number(event.cell), Node{number(event.cell)});
+  const std::uint64_t id = number({event.cell, event.heading});
+  const auto [place, is_first] = nodes_.try_emplace(id, Node{id});
   Node& node = place->second;
+  // A walk that comes back to a cell.
   if (!is_first)
     node.id += static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
   put_event("generating", event, node);
@@ -97,44 +137,55 @@ void PosthocTrace::on_generate(const SearchEvent& event) {
 
 void PosthocTrace::on_expand(const SearchEvent& event) {
   close_expanded();
-  expanded_ = event.cell;
-  if (keep_one()) put_event("expanding", event, node_of(event.cell));
+  expanded_ = Place{event.cell, event.heading};
+  if (keep_one()) put_event("expanding", event, node_of(*expanded_));
 }
 
 void PosthocTrace::on_relax(const SearchEvent& event) {
-  if (keep_one()) put_event("updating", event, node_of(event.cell));
+  if (keep_one()) put_event("updating", event, node_of({event.cell, event.heading}));
 }
 
 void PosthocTrace::close_expanded() {
   if (!expanded_) return;
-  const Cell cell = *expanded_;
+  const Place place = *expanded_;
   expanded_.reset();
-  if (keep_one()) put_event("closing", cell, node_of(cell).id);
+  if (keep_one()) put_event("closing", place, node_of(place).id);
 }
 
 std::string PosthocTrace::finish(const Path& path) {
   close_expanded();
-  if (!path.empty()) {
-    const Cell end = path.cells().back();
-    put_event("end", end, node_of(end).id);
-    put_parent(node_of(end));
+  if (const auto end = end_of(path)) {
+    put_event("end", *end, node_of(*end).id);
+    put_parent(node_of(*end));
   }
   return text_.finish();
 }
 
-void PosthocTrace::put_event(std::string_view type, Cell cell, std::uint64_t id) {
+std::optional<PosthocTrace::Place> PosthocTrace::end_of(const Path& path) const {
+  if (path.driven()) return place_of(path.poses().back());
+  if (path.empty()) return std::nullopt;
+  return Place{path.cells().back()};
+}
+
+/// A start or a goal, if it is on the map.
+void PosthocTrace::put_end(std::string_view type, const Place& place) {
+  if (contains(place.cell)) put_event(type, place, number(place));
+}
+
+void PosthocTrace::put_event(std::string_view type, const Place& place, std::uint64_t id) {
   text_.begin_event(type, std::to_string(id));
-  text_.put("x", static_cast<std::uint64_t>(cell.x));
-  text_.put("y", static_cast<std::uint64_t>(y_up_ ? height_ - 1 - cell.y : cell.y));
+  text_.put("x", static_cast<std::uint64_t>(place.cell.x));
+  text_.put("y", static_cast<std::uint64_t>(y_up_ ? height_ - 1 - place.cell.y : place.cell.y));
+  if (place.heading) text_.put("heading", fmt::format("\"{}\"", to_string(*place.heading)));
 }
 
 void PosthocTrace::put_event(std::string_view type, const SearchEvent& event, Node& node) {
   node.parent.reset();
   if (event.parent) {
-    const auto parent = nodes_.find(number(*event.parent));
+    const auto parent = nodes_.find(number({*event.parent, event.parent_heading}));
     if (parent != nodes_.end()) node.parent = parent->second.id;
   }
-  put_event(type, event.cell, node.id);
+  put_event(type, Place{event.cell, event.heading}, node.id);
   put_parent(node);
   text_.put("f", event.f);
   text_.put("g", event.g);

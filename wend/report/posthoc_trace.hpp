@@ -8,15 +8,20 @@
 //   planner.plan(query, plan);
 //   const std::string text = trace.finish(plan.path);
 //
-// The events: the map, if few rectangles show where the robot cannot be; source and destination;
+// The events: the map, if few rectangles show where the robot cannot be (of a car: obstacles); source and destination;
 // then, as the search does it, generating, expanding, updating (reached again, more cheaply) and
 // closing (when its successors have been generated); and end, if there is a path. Each has the
 // number of its cell as `id` and that of its parent as `pId`: from the end the parents lead back to
 // the source. A walk that comes back to a cell gets a new id there at each visit, the last one plus
 // the number of cells of the map.
 //
+// A car is traced on its corners: a state is a corner with a heading, and has an id of its own and a
+// `heading`, "N", "W", "E" or "S". A goal with any heading is four destinations.
+//
+//   wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
+//
 // Posthoc draws y down. Where a map has y up, its rows are counted from the top, so that the
-// picture looks as the source file does. Costs f, g and h are in cells.
+// picture looks as the source file does. Costs f, g and h are as in Plan::cost.
 //
 // Watching takes O(1) an event, about 100 bytes for each that is kept.
 
@@ -27,9 +32,11 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "wend/geometry/heading.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/planner/query.hpp"
 #include "wend/report/posthoc_text.hpp"
 
 namespace wend {
@@ -39,6 +46,11 @@ class PosthocTrace final : public SearchObserver {
   /// Keeps the first `most_events` events of the search. A start or goal outside the map is left
   /// out.
   PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals, TraceForm form,
+               std::uint64_t most_events);
+
+  /// The same of a car on the corners whose coordinates are multiples of `unit`: it begins and ends
+  /// where those nearest to the query's start and goals are.
+  PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
                std::uint64_t most_events);
 
   void on_generate(const SearchEvent& event) override;
@@ -53,28 +65,42 @@ class PosthocTrace final : public SearchObserver {
   std::string finish(const Path& path);
 
  private:
-  /// What the trace says of a cell so far.
+  /// A cell; of a car, a corner with a heading.
+  struct Place {
+    Cell cell;
+    std::optional<Heading> heading{};
+  };
+
+  /// What the trace says of a place so far.
   struct Node {
     std::uint64_t id = 0;
     std::optional<std::uint64_t> parent{};  // its id
   };
 
+  PosthocTrace(const FreeSpace& space, int unit, TraceForm form, std::uint64_t most_events);
+
   bool keep_one();
-  std::uint64_t number(Cell cell) const;
-  Node& node_of(Cell cell);
+  bool contains(Cell cell) const;
+  std::uint64_t number(const Place& place) const;
+  std::optional<Place> place_of(const Pose& pose) const;
+  std::optional<Place> end_of(const Path& path) const;
+  Node& node_of(const Place& place);
   void close_expanded();
   void put_map(const FreeSpace& space);
-  void put_event(std::string_view type, Cell cell, std::uint64_t id);
+  void put_end(std::string_view type, const Place& place);
+  void put_event(std::string_view type, const Place& place, std::uint64_t id);
   void put_event(std::string_view type, const SearchEvent& event, Node& node);
   void put_parent(const Node& node);
 
-  int width_;
+  int map_height_;
+  int unit_;   // 0: cells
+  int width_;  // of the places: cells, or corners
   int height_;
   bool y_up_;
   std::uint64_t room_;  // how many more events may be kept
   std::uint64_t dropped_ = 0;
-  std::unordered_map<std::uint64_t, Node> nodes_;  // by the number of the cell
-  std::optional<Cell> expanded_;                   // to be closed
+  std::unordered_map<std::uint64_t, Node> nodes_;  // by the number of the place
+  std::optional<Place> expanded_;                  // to be closed
   PosthocText text_;
 };
 

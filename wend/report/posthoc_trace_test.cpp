@@ -19,6 +19,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/trial.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/geometry/car_move.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -60,7 +61,10 @@ void check_head(const json& trace) {
     for (const json& drawable : drawables) {
       const auto kind = drawable.at("$").get<std::string>();
       require(primitives.count(kind) > 0 || trace.at("views").contains(kind), "drawable", drawable);
-      for (const char* property : {"x", "y", "width", "height", "fill"}) {
+      std::vector<const char*> properties{"x", "y", "fill"};
+      if (kind == "rect") properties.insert(properties.end(), {"width", "height"});
+      if (kind == "circle") properties.push_back("radius");
+      for (const char* property : properties) {
         require(drawable.contains(property), property, drawable);
       }
     }
@@ -308,6 +312,88 @@ TEST(PosthocTrace, CountsRowsFromTheTopWhereYIsUp) {
   const json trace = parsed(trace_of(space, TraceForm::json, kNoLimit), TraceForm::json);
   EXPECT_EQ(trace.at("events").at(0).at("blocked"), json::parse("[[0,0,2,1]]"));
   EXPECT_EQ(trace.at("events").at(1), json::parse(R"({"type":"source","id":0,"x":0,"y":1})"));
+}
+
+SearchEvent driven(CornerPose to, std::optional<CornerPose> from, double g) {
+  SearchEvent event{
+      .cell = to.corner, .parent = std::nullopt, .g = g, .h = 0, .f = g, .heading = to.heading};
+  if (from) {
+    event.parent = from->corner;
+    event.parent_heading = from->heading;
+  }
+  return event;
+}
+
+/// A drive of two moves, and a turn that led nowhere.
+std::string trace_of_a_drive(const FreeSpace& space, TraceForm form, int unit = 1) {
+  const bool y_up = space.map().frame().y_up;
+  const CornerPose start{{0, 0}, Heading::south};
+  const CornerPose ahead = moved(start, CarMove::fwd, y_up, unit);
+  const CornerPose goal = moved(ahead, CarMove::fwd_left, y_up, unit);
+  const Query query{pose_of(start, y_up), {pose_of(goal, y_up)}};
+  PosthocTrace trace(space, query, unit, form, kNoLimit);
+  trace.on_generate(driven(start, {}, 0));
+  trace.on_expand(driven(start, {}, 0));
+  trace.on_generate(driven(ahead, start, 1));
+  trace.on_expand(driven(ahead, start, 1));
+  trace.on_generate(driven(goal, ahead, 2.5));
+  trace.on_expand(driven(goal, ahead, 2.5));
+  Path path;
+  for (const CornerPose& place : {start, ahead, goal}) path.drive_to(pose_of(place, y_up));
+  return trace.finish(path);
+}
+
+TEST(PosthocTraceOfACar, IsYaml) {
+  const FreeSpace space = test::drawn_space("...\n..#\n");
+  EXPECT_EQ(tail(trace_of_a_drive(space, TraceForm::yaml)), R"(events:
+  - { type: map, id: "map", blocked: [[2,1,1,1]] }
+  - { type: source, id: 3, x: 0, y: 0, heading: "S" }
+  - { type: destination, id: 38, x: 1, y: 2, heading: "E" }
+  - { type: generating, id: 3, x: 0, y: 0, heading: "S", pId: null, f: 0, g: 0, h: 0 }
+  - { type: expanding, id: 3, x: 0, y: 0, heading: "S", pId: null, f: 0, g: 0, h: 0 }
+  - { type: generating, id: 19, x: 0, y: 1, heading: "S", pId: 3, f: 1, g: 1, h: 0 }
+  - { type: closing, id: 3, x: 0, y: 0, heading: "S" }
+  - { type: expanding, id: 19, x: 0, y: 1, heading: "S", pId: 3, f: 1, g: 1, h: 0 }
+  - { type: generating, id: 38, x: 1, y: 2, heading: "E", pId: 19, f: 2.5, g: 2.5, h: 0 }
+  - { type: closing, id: 19, x: 0, y: 1, heading: "S" }
+  - { type: expanding, id: 38, x: 1, y: 2, heading: "E", pId: 19, f: 2.5, g: 2.5, h: 0 }
+  - { type: closing, id: 38, x: 1, y: 2, heading: "E" }
+  - { type: end, id: 38, x: 1, y: 2, heading: "E", pId: 19 }
+)");
+}
+
+TEST(PosthocTraceOfACar, IsATraceInBothForms) {
+  const FreeSpace space = test::drawn_space("....\n....\n....\n....\n");
+  for (const int unit : {1, 2}) {
+    const json trace = json::parse(trace_of_a_drive(space, TraceForm::json, unit));
+    EXPECT_EQ(trace, parsed(trace_of_a_drive(space, TraceForm::yaml, unit), TraceForm::yaml));
+    EXPECT_NO_THROW(check_trace(trace));
+    const json& dot = trace.at("views").at("main").at(1);
+    EXPECT_EQ(dot.at("$"), "circle");
+    EXPECT_EQ(dot.at("radius"), 0.14 * unit);
+    EXPECT_EQ(dot.at("x"), "${{ $.x + " + format_number(0.22 * unit) +
+                               " * (($.heading == 'E') - ($.heading == 'W')) }}");
+    EXPECT_EQ(trace.at("pivot").at("y"), "${{ $.y }}");
+  }
+}
+
+TEST(PosthocTraceOfACar, CountsCornersFromTheTopWhereYIsUp) {
+  const FreeSpace space(test::drawn_map("...\n...\n", {.y_up = true}));
+  const Query query{{3, 2, 0}, {Goal(Point{0.4, -0.3})}};
+  PosthocTrace trace(space, query, 1, TraceForm::json, kNoLimit);
+  const json events = json::parse(trace.finish({})).at("events");
+  EXPECT_EQ(events.at(0), json::parse(R"({"type":"source","id":46,"x":3,"y":0,"heading":"E"})"));
+  ASSERT_EQ(events.size(), 5U) << "a goal with any heading is four";
+  EXPECT_EQ(events.at(1),
+            json::parse(R"({"type":"destination","id":0,"x":0,"y":2,"heading":"N"})"));
+  EXPECT_EQ(events.at(4).at("heading"), "S");
+}
+
+TEST(PosthocTraceOfACar, LeavesOutWhatIsNotOnTheMap) {
+  const FreeSpace space = test::open_space(2, 2);
+  const Query query{{3, 0, 0}, {Goal(Point{1e30, 0}), Pose{0, -1, 0}}};
+  PosthocTrace trace(space, query, 1, TraceForm::json, kNoLimit);
+  EXPECT_EQ(json::parse(trace.finish({})).at("events"), json::array());
 }
 
 TEST(PosthocTrace, OfNothingIsATraceToo) {
