@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "bench/measuring.hpp"
 #include "bench/speed_run.hpp"
 
 namespace wend::bench {

@@ -1,15 +1,13 @@
 #include "bench/speed_run.hpp"
 
-#include <sched.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
 
 #include "bench/boost_astar.hpp"
+#include "bench/measuring.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/io/scenario.hpp"
 #include "wend/planner/planners.hpp"
@@ -60,11 +58,9 @@ void time_all(Contestant& contestant, const std::vector<ScenarioQuery>& queries,
               std::vector<double>& fastest, Path& path) {
   for (std::size_t i = 0; i < queries.size(); ++i) {
     std::uint64_t expanded = 0;
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = seconds_now();
     contestant.plan(queries[i], path, expanded);
-    const auto end = std::chrono::steady_clock::now();
-    const double taken = std::chrono::duration<double, std::micro>(end - begin).count();
-    fastest[i] = std::min(fastest[i], taken);
+    fastest[i] = std::min(fastest[i], 1e6 * (seconds_now() - begin));
   }
 }
 
@@ -155,15 +151,6 @@ Expected<std::vector<fs::path>, std::string> scenario_files(const fs::path& fold
 }
 
 }  // namespace
-
-void stay_on_one_core() {
-  const int core = sched_getcpu();
-  if (core < 0) return;
-  cpu_set_t only;
-  CPU_ZERO(&only);
-  CPU_SET(static_cast<unsigned>(core), &only);
-  sched_setaffinity(0, sizeof only, &only);
-}
 
 Expected<std::vector<MapTimings>, std::string> run_speed(
     const SpeedPlan& plan,

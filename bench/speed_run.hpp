@@ -40,9 +40,6 @@ struct SpeedPlan {
   int rounds = 3;            // timed runs of every query
 };
 
-/// Keeps this process on the processor that it runs on, as far as the system lets it.
-void stay_on_one_core();
-
 /// `progress(map, done, all)` is called before every map. An error says what is wrong with the
 /// folder, a map, or a planner's name or options.
 Expected<std::vector<MapTimings>, std::string> run_speed(

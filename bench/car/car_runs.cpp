@@ -1,0 +1,60 @@
+#include "bench/car/car_runs.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "bench/measuring.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::bench {
+namespace {
+
+/// Memory of this process that is in use.
+double resident_bytes() {
+  std::ifstream pages("/proc/self/statm");
+  double all = 0;
+  double resident = 0;
+  pages >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// What a new planner takes for its first search, by the states that this reaches.
+double bytes_a_state(const Yard& yard, const PlannerSpec& spec) {
+  const auto planner = make_planner(spec.name, yard.space, spec.options);
+  Plan plan;
+  const double before = resident_bytes();
+  (*planner)->plan(yard.drives.front(), plan);
+  return (resident_bytes() - before) / static_cast<double>(plan.metrics.generated);
+}
+
+}  // namespace
+
+CarTiming time_car(const Yard& yard, const PlannerSpec& spec, int rounds) {
+  CarTiming timing{.planner = spec.text, .bytes_a_state = bytes_a_state(yard, spec)};
+  const auto planner = make_planner(spec.name, yard.space, spec.options);
+  Plan plan;
+  for (const Query& drive : yard.drives) {
+    double fastest = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < rounds; ++round) {
+      const double begin = seconds_now();
+      const Status status = (*planner)->plan(drive, plan);
+      fastest = std::min(fastest, seconds_now() - begin);
+      if (round == 0 && status != Status::found) ++timing.failed;
+    }
+    timing.seconds += fastest;
+    timing.expanded += static_cast<double>(plan.metrics.expanded);
+    timing.fuel += plan.cost;
+    timing.length += plan.path.length();
+  }
+  timing.expanded_a_second = timing.expanded / timing.seconds;
+  const auto drives = static_cast<double>(yard.drives.size());
+  for (double* sum : {&timing.seconds, &timing.expanded, &timing.fuel, &timing.length}) {
+    *sum /= drives;
+  }
+  return timing;
+}
+
+}  // namespace wend::bench

@@ -1,0 +1,106 @@
+// wend-car-speed: our car on large yards, with each of its heuristics, beside OMPL's Reeds-Shepp
+// planners.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "bench/car/car_runs.hpp"
+#include "bench/car/reeds_shepp.hpp"
+#include "bench/measuring.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::bench {
+namespace {
+
+struct CarSpeedPlan {
+  YardPlan yards;
+  std::string planners =
+      "car,car:heuristic=zero,car:heuristic=diagonal,car:heuristic=obstacles,car:weight=1.5";
+  int rounds = 3;
+  double ompl_seconds = 10;
+};
+
+void print(const CarTiming& timing) {
+  fmt::print(
+      "  {:<26} {:>9.1f} ms {:>10.0f} expanded {:>6.2f} M/s {:>5.1f} bytes a state  fuel "
+      "{:.2f}, length {:.2f}{}\n",
+      timing.planner, timing.seconds * 1e3, timing.expanded, timing.expanded_a_second / 1e6,
+      timing.bytes_a_state, timing.fuel, timing.length,
+      timing.failed == 0 ? "" : fmt::format("  {} FAILED", timing.failed));
+}
+
+void print(const ReedsSheppTiming& timing, const CarTiming& car) {
+  if (timing.solved == 0) {
+    fmt::print("  OMPL {:<21} none of {} drives solved\n", timing.planner, timing.drives);
+    return;
+  }
+  fmt::print(
+      "  OMPL {:<21} {:>9.1f} ms to the first solution, {} of {} solved, length {:.2f}; "
+      "{:.2g} times the time of {}\n",
+      timing.planner, timing.seconds * 1e3, timing.solved, timing.drives, timing.length,
+      timing.seconds / car.seconds, car.planner);
+}
+
+/// Says whether every drive was found.
+bool run(const CarSpeedPlan& plan, const std::vector<PlannerSpec>& planners) {
+  bool all_found = true;
+  prepare_reeds_shepp(1);
+  for (const Yard& yard : make_yards(plan.yards)) {
+    fmt::print("{}: {} x {} cells, {} drives\n", yard.name, yard.space.width(), yard.space.height(),
+               yard.drives.size());
+    std::vector<CarTiming> timings;
+    for (const PlannerSpec& spec : planners) {
+      timings.push_back(time_car(yard, spec, plan.rounds));
+      print(timings.back());
+      all_found = all_found && timings.back().failed == 0;
+    }
+    if (plan.ompl_seconds <= 0) continue;
+    for (const std::string& planner : reeds_shepp_planners()) {
+      print(time_reeds_shepp(yard, planner, plan.ompl_seconds), timings.front());
+    }
+  }
+  return all_found;
+}
+
+}  // namespace
+}  // namespace wend::bench
+
+int main(int argc, char** argv) {
+  wend::bench::CarSpeedPlan plan;
+  CLI::App app("Times the car on large yards, beside OMPL's Reeds-Shepp planners.");
+  app.add_option("--size", plan.yards.size, "cells along each side of the yards")
+      ->check(CLI::Range(20, wend::kMostGeneratedCells))
+      ->capture_default_str();
+  app.add_option("--drives", plan.yards.drives, "drives on each yard, the first corner to corner")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--seed", plan.yards.seed, "of yards and drives")->capture_default_str();
+  app.add_option("--planner", plan.planners, "a list, as car,car:heuristic=zero")
+      ->capture_default_str();
+  app.add_option("--rounds", plan.rounds, "timed runs of every drive; the fastest counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--ompl-seconds", plan.ompl_seconds,
+                 "how long each of OMPL's planners may search for a drive; 0: leave them out")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const auto planners = wend::parse_planner_specs(plan.planners);
+  if (!planners) {
+    fmt::print(stderr, "--planner: {}\n", planners.error().message());
+    return 2;
+  }
+  for (const wend::PlannerSpec& spec : *planners) {
+    if (wend::planners().find(spec.name)->motion == wend::Motion::car) continue;
+    fmt::print(stderr, "--planner: {} drives no car\n", spec.name);
+    return 2;
+  }
+  wend::bench::stay_on_one_core();
+  return wend::bench::run(plan, *planners) ? 0 : 1;
+}
