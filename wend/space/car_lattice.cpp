@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "wend/geometry/arc.hpp"
@@ -16,6 +17,14 @@ using Steps = std::array<CarStep, std::size_t{kHeadings} * kCarMoves>;
 // Bits 0 to 3 are the arcs of a cell, by the corner that is their centre.
 constexpr unsigned kLineAlongX = 4;
 constexpr unsigned kLineAlongY = 5;
+
+// No obstacle is nearer to a move between corners that blocked cells do not touch: a cell can lie at
+// the corner of the square that an arc bulges towards, sqrt(2) from its centre. In units.
+constexpr double kNearestObstacle = std::numbers::sqrt2 - 1;
+
+bool may_touch_obstacles(const FreeSpace& space, int unit) {
+  return space.radius_in_cells() > kNearestObstacle * unit;
+}
 
 /// Cells are cut by the map's edge where the unit does not divide its size.
 int cells_along(int length, int unit) { return (length + unit - 1) / unit; }
@@ -157,7 +166,7 @@ CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
   ConnectedRegions regions(passable);
   Grid<double> terrain = mean_terrain(space, unit);
   Grid<std::uint8_t> fitting;
-  if (space.radius_in_cells() > 0) fitting = Sweeping(space, passable, steps, unit).fitting();
+  if (may_touch_obstacles(space, unit)) fitting = Sweeping(space, passable, steps, unit).fitting();
   data_ = std::make_shared<const Data>(Data{std::move(space), driving, steps, std::move(blocked),
                                             std::move(passable), std::move(regions),
                                             std::move(terrain), std::move(fitting)});

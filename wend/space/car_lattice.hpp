@@ -11,8 +11,8 @@
 // A blocked cell makes its corners impassable; for a robot with a radius the corner must be at
 // least as far from every obstacle. So no move sweeps a blocked cell: its ends would touch it.
 //
-// Immutable, cheap to copy, shared between threads. O(cells) to make; with a radius every arc is
-// swept as well.
+// Immutable, cheap to copy, shared between threads. O(cells) to make; with a radius above sqrt(2) - 1
+// units every arc is swept as well.
 
 #include <array>
 #include <cstdint>
