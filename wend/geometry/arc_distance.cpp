@@ -54,9 +54,10 @@ class OwnFrame {
     double least =
         std::min(distance_to_unit_square(low, kOrigin), distance_to_unit_square(low, seen(end_)));
     // A side is nearest in its middle only to a point of the circle that lies farthest out.
-    for (const Point out : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
-      const Point farthest = farthest_along(own(out));
-      if (curvature_ > 0 && passes_abreast(farthest)) {
+    if (curvature_ > 0) {
+      for (const Point out : {Point{1, 0}, Point{-1, 0}, Point{0, 1}, Point{0, -1}}) {
+        const Point farthest = farthest_along(own(out));
+        if (!passes_abreast(farthest)) continue;
         least = std::min(least, distance_to_unit_square(low, seen(farthest)));
       }
     }
@@ -64,7 +65,7 @@ class OwnFrame {
                                        own({low.x + 1, low.y + 1}), own({low.x, low.y + 1})};
     for (std::size_t i = 0; i < corners.size() && least > 0; ++i) {
       least = std::min(least, distance_to(corners[i]));
-      if (crosses(corners[i], corners[(i + 1) % corners.size()])) return 0;
+      if (goes_in(corners[i], corners[(i + 1) % corners.size()])) return 0;
     }
     return least;
   }
@@ -103,19 +104,17 @@ class OwnFrame {
     return {direction.x / curvature_, rest / curvature_};
   }
 
-  /// Does it cross the line between two points that are a unit apart?
-  bool crosses(Point a, Point b) const {
+  /// Does the line between two points a unit apart go into the circle, and on the arc? Where the arc
+  /// cuts through a square, a stretch of the border between the two cuts is inside of the circle;
+  /// so on the way around the square one of the cuts goes into it.
+  bool goes_in(Point a, Point b) const {
     const Point step{b.x - a.x, b.y - a.y};
     // a + t step is on the circle where curvature t^2 + 2 half t + outside(a) is 0.
     const double half = curvature_ * dot(a, step) - step.y;
     const double discriminant = half * half - curvature_ * outside(a);
-    if (discriminant < 0) return false;
-    const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
-    const auto meets_at = [&](double t) {
-      return t >= 0 && t <= 1 && passes_abreast({a.x + t * step.x, a.y + t * step.y});
-    };
-    return (sum != 0 && meets_at(outside(a) / sum)) ||
-           (curvature_ > 0 && meets_at(sum / curvature_));
+    if (outside(a) < 0 || half >= 0 || discriminant < 0) return false;
+    const double t = outside(a) / (std::sqrt(discriminant) - half);  // the smaller one
+    return t <= 1 && passes_abreast({a.x + t * step.x, a.y + t * step.y});
   }
 
   Point from_;
