@@ -1,6 +1,7 @@
 #pragma once
 
-// PathMetrics: how long a path is, how much it turns, and how near to obstacles it comes.
+// PathMetrics: how long a path is, how much it turns, and how near to obstacles it comes. Of paths of
+// cells and of driven ones.
 
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
@@ -8,20 +9,28 @@
 namespace wend {
 
 struct PathMetrics {
-  double length = 0;   // cells, as Path::length()
-  double turning = 0;  // sum of the absolute changes of heading, radians; turning back is pi
+  double length = 0;  // cells, as Path::length()
+
+  /// Sum of the absolute changes of heading, radians; of a driven path what its arcs turn. Where a
+  /// path of cells turns back, that is pi; a car that changes gear keeps its heading.
+  double turning = 0;
+
+  int reversals = 0;  // changes between ahead and reverse; 0 of a path of cells
 
   /// From the path to the nearest closed obstacle square, in cells; infinite without obstacles.
-  /// The smallest one is exact over all points of the line through the cell centres, 0 where it
-  /// touches an obstacle (a diagonal step that cuts a corner). The mean is over its length, taken to
-  /// be linear from centre to centre (trapezoid rule); of a path that goes nowhere it is the
-  /// clearance where it stands.
+  /// The smallest one is exact over all points of the way, 0 where it touches an obstacle: of the
+  /// line through the cell centres (a diagonal step that cuts a corner), or of the arcs of a driven
+  /// path. The mean is over the length, taken to be linear (trapezoid rule) from centre to centre,
+  /// or between points that cut each arc into equal pieces of at most one cell; of a path that goes
+  /// nowhere it is the clearance where it stands.
   double smallest_clearance = 0;
   double mean_clearance = 0;
 };
 
-/// Measures a path whose cells are on the map (not empty). It need not be passable: inside obstacles
-/// the clearance is 0. O(cells) for steps to neighbouring cells; longer ones as way_clearance().
+/// Measures a path (not empty) whose cells are on the map; poses may also be on its border or outside
+/// of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
+/// neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
+/// arc_clearance().
 PathMetrics measure(const Path& path, const FreeSpace& space);
 
 }  // namespace wend

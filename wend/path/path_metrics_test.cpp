@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/textbook.hpp"
 #include "wend/geometry/angle.hpp"
@@ -129,6 +130,108 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
     // Clearance changes by no more than the way to the next sample.
     const double sampling_error = longest < 1.5 ? 1e-9 : longest / kSamples / 2;
     ASSERT_GE(smallest, least - sampling_error);
+  }
+}
+
+PathMetrics driven_on_open_ground(const std::vector<Pose>& poses) {
+  return measure(Path::through(poses), test::open_space(20, 20));
+}
+
+TEST(PathMetrics, OfADrivenPathAddUpItsArcs) {
+  // A quarter circle, a line, and a quarter circle to the other side.
+  const PathMetrics metrics =
+      driven_on_open_ground({{1, 1, 0}, {2, 2, kPi / 2}, {2, 5, kPi / 2}, {3, 6, 0}});
+  EXPECT_DOUBLE_EQ(metrics.length, kPi + 3);
+  EXPECT_DOUBLE_EQ(metrics.turning, kPi) << "left and right add up";
+  EXPECT_EQ(metrics.reversals, 0);
+  EXPECT_EQ(metrics.smallest_clearance, test::kInfinite);
+  EXPECT_EQ(metrics.mean_clearance, test::kInfinite);
+}
+
+TEST(PathMetrics, CountHowOftenACarChangesGear) {
+  const auto reversals = [](const std::vector<Pose>& poses) {
+    return driven_on_open_ground(poses).reversals;
+  };
+  EXPECT_EQ(reversals({{5, 5, 0}, {4, 5, 0}, {3, 5, 0}}), 0) << "in reverse all the way";
+  EXPECT_EQ(reversals({{5, 5, 0}, {6, 5, 0}, {5, 5, 0}}), 1);
+  EXPECT_EQ(reversals({{5, 5, 0}, {6, 5, 0}, {6, 5, 0}, {5, 5, 0}}), 1) << "a stop between";
+  EXPECT_EQ(reversals({{5, 5, 0}, {6, 6, kPi / 2}, {7, 5, kPi}, {6, 5, kPi}}), 2);
+  EXPECT_DOUBLE_EQ(driven_on_open_ground({{5, 5, 0}, {6, 5, 0}, {5, 5, 0}}).turning, 0);
+  EXPECT_EQ(on_open_ground({{3, 3}, {4, 3}, {3, 3}}).reversals, 0) << "cells have no gear";
+}
+
+TEST(PathMetrics, OfACarThatStandsAreThoseOfItsPoint) {
+  const FreeSpace space = test::drawn_space("#...\n....");
+  for (const auto& poses : {std::vector<Pose>{{4, 2, 0}}, {{4, 2, 0}, {4, 2, 0}}}) {
+    const PathMetrics metrics = measure(Path::through(poses), space);
+    EXPECT_EQ(metrics.length, 0);
+    EXPECT_EQ(metrics.turning, 0);
+    EXPECT_DOUBLE_EQ(metrics.smallest_clearance, std::sqrt(10)) << "on the map's last corner";
+    EXPECT_DOUBLE_EQ(metrics.mean_clearance, std::sqrt(10));
+  }
+}
+
+TEST(PathMetrics, OfADrivenPathKnowTheClearanceOfArcs) {
+  const FreeSpace space = test::drawn_space("...\n...\n.#.");
+  // Around (0,0), past the corner (1,2), between points of clearance 1.
+  const PathMetrics turn = measure(Path::through({{0, 1, 0}, {1, 0, -kPi / 2}}), space);
+  EXPECT_DOUBLE_EQ(turn.smallest_clearance, std::sqrt(5) - 1);
+  const PathMetrics line = measure(Path::through({{1, 1, -kPi / 2}, {1, -1, -kPi / 2}}), space);
+  EXPECT_DOUBLE_EQ(line.smallest_clearance, 1);
+  EXPECT_DOUBLE_EQ(line.mean_clearance, 2);
+  const PathMetrics crossing = measure(Path::through({{1, 1, kPi / 2}, {1, 4, kPi / 2}}), space);
+  EXPECT_EQ(crossing.smallest_clearance, 0);
+  EXPECT_DOUBLE_EQ(crossing.mean_clearance, (0.5 + 0 + 0.5) / 3) << "1, 0, 0, 1 at its points";
+}
+
+/// As a car drives, and with arcs of any radius; it leaves the map now and then.
+std::vector<Pose> random_drive(Random& random, const FreeSpace& space) {
+  std::vector<Pose> poses;
+  for (int i = random.between(0, 5); i >= 0; --i) {
+    Arc arc = test::random_arc(random, space.width(), space.height());
+    if (!poses.empty()) arc.from = poses.back();
+    if (std::abs(arc.turn()) > kPi) arc.length = kPi / 2 / arc.curvature;
+    if (poses.empty()) poses.push_back(arc.from);
+    poses.push_back(end_of(arc));
+  }
+  return poses;
+}
+
+/// What 40 points of each arc say: never less than what is claimed, and down to it.
+TEST(PathMetrics, OfADrivenPathAreThoseOfItsPoints) {
+  constexpr int kSamples = 40;
+  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
+    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const Path path = Path::through(random_drive(random, space));
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
+    double least = test::kInfinite;
+    double longest = 0;
+    double length = 0;
+    double sum = 0;  // of clearance over length, by the midpoint rule
+    for (const Arc& arc : path.arcs()) {
+      const double step = std::abs(arc.length) / kSamples;
+      for (int i = 0; i <= 2 * kSamples; ++i) {
+        const Pose pose = pose_on(arc, arc.length * i / (2 * kSamples));
+        const double clearance = clearance_at(space, pose.x, pose.y);
+        least = std::min(least, clearance);
+        if (i % 2 == 1 && step > 0) sum += step * clearance;
+      }
+      longest = std::max(longest, step);
+      length += std::abs(arc.length);
+    }
+    const PathMetrics metrics = measure(path, space);
+    ASSERT_NEAR(metrics.length, length, 1e-9);
+    if (least == test::kInfinite) {
+      ASSERT_EQ(metrics.smallest_clearance, least);
+      continue;
+    }
+    ASSERT_LE(metrics.smallest_clearance, least + 1e-9);
+    ASSERT_GE(metrics.smallest_clearance, least - longest / 4 - 1e-9);
+    if (length == 0) continue;
+    // On a piece of one cell the trapezoid is off by no more than a quarter of a cell.
+    ASSERT_NEAR(metrics.mean_clearance, sum / length, 0.25 + longest / 4);
   }
 }
 
