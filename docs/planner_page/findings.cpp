@@ -221,6 +221,7 @@ std::string findings(const Measurements& measurements) {
         depth(plain), situation_findings(measurements)}) {
     text += "\n\n" + paragraph;
   }
+  if (!measurements.drives.yards.empty()) text += "\n\n" + drive_findings(measurements.drives);
   return text + '\n';
 }
 

@@ -49,6 +49,7 @@ std::string numbers(const Measurements& measurements) {
   text += section(no_path.title, no_path.about, no_path_table(no_path));
   text += section("Keeping away", measurements.keep_away.about,
                   keep_away_table(measurements.keep_away));
+  text += section("Driving", measurements.drives.about, drive_tables(measurements.drives));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "docs/planner_page/drives.hpp"
 #include "docs/planner_page/keep_away.hpp"
 #include "docs/planner_page/measured_family.hpp"
 #include "docs/planner_page/pictures.hpp"
@@ -17,6 +18,7 @@ struct Measurements {
   MeasuredFamily small;                  // every planner, random walks too
   MeasuredFamily no_path;
   KeepAwayStudy keep_away;
+  DriveStudy drives;
   bool with_data = false;  // are there families on maps that are not our own?
 };
 
