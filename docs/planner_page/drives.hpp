@@ -11,8 +11,9 @@ namespace wend::planner_page {
 
 /// Medians over the drives on a yard.
 struct DriveRow {
-  std::string planner;  // as it is typed
-  double cost = 1;      // fuel over the least fuel
+  std::string planner;    // as it is typed
+  double cost = 1;        // fuel over the least fuel: the median,
+  double worst_cost = 1;  // and the greatest
   double expanded = 0;
   double us = 0;
 };
