@@ -61,6 +61,12 @@ std::optional<CostToGo> CellQuery::cost_to_go(const Limits& limits) const {
   return *std::move(made);
 }
 
+SearchRecorder CellQuery::recorder() const { return SearchRecorder(space_); }
+
+PosthocTrace CellQuery::trace(TraceForm form, std::uint64_t most_events) const {
+  return {space_, start_.cell, goal_cells(), form, most_events};
+}
+
 std::string CellQuery::reason(const Planner& /*planner*/, Status status, const Limits& limits,
                               const SearchMetrics& metrics) const {
   const Explainer explainer(space_, coordinates_, moves_);

@@ -14,10 +14,13 @@ class CellQuery final : public TypedQuery {
   CellQuery(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves,
             const EndArguments& ends);
 
+  void check(const ShownLayers& /*layers*/) const override {}
   Query query() const override;
   std::vector<std::string> move_to_nearest() override;
   Scene scene() const override;
   std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
+  SearchRecorder recorder() const override;
+  PosthocTrace trace(TraceForm form, std::uint64_t most_events) const override;
   std::string reason(const Planner& planner, Status status, const Limits& limits,
                      const SearchMetrics& metrics) const override;
   std::string steps(const Plan& plan, const Screen& screen) const override;

@@ -1,6 +1,7 @@
 // wend completion: scripts that complete wend's command line in a shell.
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
 
 #include "command.hpp"
@@ -43,13 +44,33 @@ std::vector<std::string> names_of() {
   return names;
 }
 
+bool is_lower_case_of(std::string_view name, std::string_view type) {
+  return std::ranges::equal(name, type, {}, {}, [](unsigned char letter) {
+    return static_cast<char>(std::tolower(letter));
+  });
+}
+
+/// What planners have to choose from where the type is an option's name, as in OptionFlags.
+std::vector<std::string> choices_of_planners(const std::string& type) {
+  std::vector<std::string> choices;
+  for (const PlannerInfo& planner : planners()) {
+    for (const OptionInfo& option : planner.options) {
+      if (!is_lower_case_of(option.name, type)) continue;
+      for (const std::string& choice : option.choices) {
+        if (std::ranges::find(choices, choice) == choices.end()) choices.push_back(choice);
+      }
+    }
+  }
+  return choices;
+}
+
 /// The words that complete a value of that type; none where files do, or nothing.
 std::vector<std::string> words_of(const std::string& type) {
   if (type == kPlannerType) return planners().names();
   if (type == kGeneratorType) return generators().names();
   if (type == kLayerType) return names_of<LayerKind>();
   if (type == kStyleType) return names_of<StyleName>();
-  return type.find('|') == std::string::npos ? std::vector<std::string>{} : split(type, '|');
+  return type.find('|') == std::string::npos ? choices_of_planners(type) : split(type, '|');
 }
 
 /// A flag's help up to the first thing that is put in brackets or after a colon.

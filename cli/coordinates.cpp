@@ -54,8 +54,7 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
   if (has_heading(typed)) {
     throw InputError(
         fmt::format("--{}: {} has a heading, and a robot that moves from cell to cell has none: "
-                    "leave it out, or "
-                    "plan for a car (wend plan --planner car)",
+                    "leave it out, or plan for a car (wend plan --planner car)",
                     name, quote(typed)));
   }
   const Point point = parse_point(name, typed, "cell");
@@ -122,8 +121,16 @@ std::string Coordinates::area(std::size_t cells) const {
 }
 
 std::string Coordinates::extent() const {
-  if (!metric_)
-    return fmt::format("the cells with x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
+  if (metric_) return metric_extent();
+  return fmt::format("the cells with x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
+}
+
+std::string Coordinates::extent_of_corners() const {
+  if (metric_) return metric_extent();
+  return fmt::format("the corners with x from 0 to {} and y from 0 to {}", width_, height_);
+}
+
+std::string Coordinates::metric_extent() const {
   const double right = width_;
   const double top = height_;
   const std::array<Point, 4> corners{

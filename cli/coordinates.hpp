@@ -64,10 +64,15 @@ class Coordinates {
   /// What the map covers: "the cells with x from 0 to 9 and y from 0 to 4".
   std::string extent() const;
 
+  /// The same of its corners: from 0 to 10 and from 0 to 5.
+  std::string extent_of_corners() const;
+
   /// A length in the user's units, in metres.
   double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
 
  private:
+  std::string metric_extent() const;
+
   Frame frame_;
   int width_;
   int height_;

@@ -5,19 +5,27 @@
 #include <cstdio>
 
 #include "coordinates.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/report/drive_commands.hpp"
 
 namespace wend::cli {
 namespace {
 
 void tell(const std::string& line) { std::fwrite(line.data(), 1, line.size(), stderr); }
 
+std::string place_text(Cell cell, std::optional<Heading> heading) {
+  constexpr bool kYUp = false;  // there and back: letters do not depend on it
+  return heading ? corner_pose_text(pose_of({cell, *heading}, kYUp), kYUp) : cell_text(cell);
+}
+
 std::string from_text(const SearchEvent& event) {
-  return event.parent ? " from " + cell_text(*event.parent) : "";
+  return event.parent ? " from " + place_text(*event.parent, event.parent_heading) : "";
 }
 
 std::string reached_text(std::string_view how, const SearchEvent& event) {
-  return fmt::format("  {} {}{} f={:.6g} g={:.6g} h={:.6g}\n", how, cell_text(event.cell),
-                     from_text(event), event.f, event.g, event.h);
+  return fmt::format("  {} {}{} f={:.6g} g={:.6g} h={:.6g}\n", how,
+                     place_text(event.cell, event.heading), from_text(event), event.f, event.g,
+                     event.h);
 }
 
 }  // namespace
@@ -29,8 +37,8 @@ void Narrator::on_expand(const SearchEvent& event) { tell("expand " + event_text
 void Narrator::on_relax(const SearchEvent& event) { tell(reached_text("relax", event)); }
 
 std::string event_text(const SearchEvent& event) {
-  return fmt::format("{} f={:.6g} g={:.6g} h={:.6g}", cell_text(event.cell), event.f, event.g,
-                     event.h);
+  return fmt::format("{} f={:.6g} g={:.6g} h={:.6g}", place_text(event.cell, event.heading),
+                     event.f, event.g, event.h);
 }
 
 }  // namespace wend::cli

@@ -23,33 +23,84 @@ std::string spellings(const std::string& name) {
   return "--" + dashes + (dashes == name ? "" : ",--" + name);
 }
 
-/// What the option takes: "none|one|both", "N", "NUMBER".
-std::string type_of(const OptionInfo& option) {
-  if (option.kind == OptionKind::integer) return "N";
-  if (option.kind == OptionKind::number) return "NUMBER";
-  std::string type;
-  for (const std::string& choice : option.choices) type += (type.empty() ? "" : "|") + choice;
-  return type;
+std::string upper_case(std::string text) {
+  for (char& letter : text) {
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  }
+  return text;
+}
+
+bool is_number(const OptionInfo& option) {
+  return option.kind == OptionKind::integer || option.kind == OptionKind::number;
+}
+
+/// What the flag takes: "none|one|both", "N", "NUMBER"; its name where owners have other choices.
+std::string type_of(const std::vector<OptionInfo>& options) {
+  const OptionInfo& first = options.front();
+  const auto all_are = [&options](auto&& property) {
+    return std::ranges::all_of(options, property);
+  };
+  if (!all_are([&](const OptionInfo& own) { return own.choices == first.choices; })) {
+    return upper_case(first.name);
+  }
+  if (all_are([](const OptionInfo& own) { return own.kind == OptionKind::integer; })) return "N";
+  if (all_are(is_number)) return "NUMBER";
+  return fmt::format("{}", fmt::join(first.choices, "|"));
 }
 
 std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// "default 1; astar, greedy", or the default of each owner where they differ.
+std::string defaults_of(const std::vector<std::string>& owners,
+                        const std::vector<OptionInfo>& options) {
+  const std::string& first = options.front().default_value;
+  if (std::ranges::all_of(options, [&](const auto& own) { return own.default_value == first; })) {
+    return fmt::format("default {}; {}", first, joined(owners));
+  }
+  std::vector<std::string> defaults;
+  defaults.reserve(owners.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    defaults.push_back(options[i].default_value + " for " + owners[i]);
+  }
+  return "default " + joined(defaults);
+}
+
+/// "what it does; 0 to 10"
+std::string words_of(const OptionInfo& option) {
+  if (!is_number(option)) return option.help;
+  return fmt::format("{}; {} to {}", option.help, format_number(option.least),
+                     format_number(option.greatest));
+}
+
+/// What the option does, and, unless its type says so, its choices.
+std::string help_of(const OptionInfo& option, bool with_choices) {
+  const bool listed = with_choices && !option.choices.empty();
+  return words_of(option) + (listed ? ": " + or_list(option.choices) : "");
+}
+
+/// The first owner's help, then that of owners who mean something else by it.
+std::string help_of(const std::vector<std::string>& owners,
+                    const std::vector<OptionInfo>& options) {
+  const bool with_choices = type_of(options) == upper_case(options.front().name);
+  const std::string first = help_of(options.front(), with_choices);
+  std::string text = first;
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const std::string own = help_of(options[i], with_choices);
+    if (own != first) text += fmt::format("; for {}: {}", owners[i], own);
+  }
+  return wrapped(fmt::format("{} ({})", text, defaults_of(owners, options)));
 }
 
 }  // namespace
 
 void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo>& options) {
   for (const OptionInfo& option : options) {
-    const auto same_name = [&option](const Flag& flag) { return flag.option.name == option.name; };
-    const auto flag = std::find_if(flags_.begin(), flags_.end(), same_name);
-    if (flag == flags_.end()) {
-      flags_.push_back({option, {owner}, {option.default_value}});
-    } else {
-      flag->owners.push_back(owner);
-      flag->defaults.push_back(option.default_value);
-    }
+    auto flag = std::ranges::find(flags_, option.name, &Flag::name);
+    if (flag == flags_.end()) flag = flags_.insert(flag, {option.name, {}, {}});
+    flag->owners.push_back(owner);
+    flag->options.push_back(option);
   }
 }
 
@@ -58,20 +109,20 @@ void OptionFlags::add_to(CLI::App& app) {
 }
 
 void OptionFlags::add_flag(CLI::App& app, const Flag& flag) {
-  const std::string name = flag.option.name;
-  if (flag.option.kind == OptionKind::flag) {
+  const std::string name = flag.name;
+  const std::string help = help_of(flag.owners, flag.options);
+  if (flag.options.front().kind == OptionKind::flag) {
     const auto give = [this, name](std::int64_t count) {
       given_.emplace_back(name, option_text::format(count > 0));
     };
-    app.add_flag_function(spellings(name) + ",!--no-" + dashed(name), give, help(flag))
-        ->group(group());
+    app.add_flag_function(spellings(name) + ",!--no-" + dashed(name), give, help)->group(group());
     return;
   }
   std::string names = spellings(name);
-  for (const std::string& alias : flag.option.aliases) names += "," + spellings(alias);
+  for (const std::string& alias : flag.options.front().aliases) names += "," + spellings(alias);
   const auto give = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  app.add_option_function<std::string>(names, give, help(flag))
-      ->type_name(type_of(flag.option))
+  app.add_option_function<std::string>(names, give, help)
+      ->type_name(type_of(flag.options))
       ->group(group());
 }
 
@@ -79,26 +130,6 @@ std::string OptionFlags::group() const {
   std::string group = kind_ + " options";
   group[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(group[0])));
   return group;
-}
-
-std::string OptionFlags::help(const Flag& flag) const {
-  const OptionInfo& option = flag.option;
-  std::string text = option.help;
-  if (option.kind == OptionKind::integer || option.kind == OptionKind::number) {
-    text += fmt::format("; {} to {}", format_number(option.least), format_number(option.greatest));
-  }
-  const bool same_default =
-      std::all_of(flag.defaults.begin(), flag.defaults.end(),
-                  [&](const auto& value) { return value == flag.defaults[0]; });
-  if (same_default) {
-    return wrapped(fmt::format("{} (default {}; {})", text, flag.defaults[0], joined(flag.owners)));
-  }
-  std::vector<std::string> defaults;
-  defaults.reserve(flag.owners.size());
-  for (std::size_t i = 0; i < flag.owners.size(); ++i) {
-    defaults.push_back(flag.defaults[i] + " for " + flag.owners[i]);
-  }
-  return wrapped(fmt::format("{} (default {})", text, joined(defaults)));
 }
 
 OptionValues OptionFlags::values_for(const std::string& owner) const {
@@ -113,8 +144,7 @@ OptionValues OptionFlags::values_for(const std::string& owner) const {
 }
 
 const OptionFlags::Flag* OptionFlags::find(const std::string& name) const {
-  const auto same_name = [&name](const Flag& flag) { return flag.option.name == name; };
-  return &*std::find_if(flags_.begin(), flags_.end(), same_name);
+  return &*std::ranges::find(flags_, name, &Flag::name);
 }
 
 }  // namespace wend::cli

@@ -2,7 +2,8 @@
 
 // OptionFlags: the options of planners (or generators) as flags, made at run time from their
 // schemas. An option "corner_rule" is the flag --corner-rule, or --corner_rule; a yes-or-no option
-// "furniture" is --furniture and --no-furniture. Options of the same name share a flag.
+// "furniture" is --furniture and --no-furniture. Options of the same name share a flag;
+// where they have different choices, the flag takes a --heuristic HEURISTIC, say.
 
 #include <CLI/App.hpp>
 #include <string>
@@ -31,14 +32,13 @@ class OptionFlags {
 
  private:
   struct Flag {
-    OptionInfo option;
+    std::string name;
     std::vector<std::string> owners;
-    std::vector<std::string> defaults;  // of each owner
+    std::vector<OptionInfo> options;  // of each owner
   };
 
   void add_flag(CLI::App& app, const Flag& flag);
   std::string group() const;
-  std::string help(const Flag& flag) const;
   const Flag* find(const std::string& name) const;
 
   std::string kind_;

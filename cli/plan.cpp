@@ -19,10 +19,12 @@ constexpr const char* kExamples = R"(Examples:
   wend plan grid.txt --start 0,0 --goal 9,9 --show expansion,heuristic,policy
   wend plan grid.txt --start 0,0 --goal 9,9 --step --show g
   wend plan office.yaml --start 1,1 --goal 15,9 -o search.gif --trace office.trace.yaml
+  wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map with
-arrows; large ones a summary and, on a terminal, a picture. Exit codes: 0 found, 1 no plan
-(standard error says why), 2 bad usage or input.)";
+arrows; large ones a summary and, on a terminal, a picture. A car stands on the corners of
+cells; its steps are told as commands. Exit codes: 0 found, 1 no plan (standard error says
+why), 2 bad usage or input.)";
 
 int run(const PlanArguments& arguments) {
   arguments.output.check();
@@ -49,16 +51,17 @@ Command add_plan(CLI::App& app) {
   arguments->map.add_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
-                          "resolution, a cell for others and with --cells"))
+                          "resolution, a cell for others and with --cells; of a car a corner, and "
+                          "the heading N, W, E, S or an angle as 45deg"))
       ->required()
-      ->type_name("X,Y");
+      ->type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
-            "Where it ends; of several the cheapest to reach")
+            "Where it ends; of several the cheapest to reach. A car's heading may be any")
       ->required()
-      ->type_name("X,Y");
+      ->type_name("X,Y[,HEADING]");
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
-                        "that is connected to the other end"));
+                        "that is connected to the other end (not of a car)"));
   plan.add_option(
           "--planner", arguments->planner,
           wrapped("The planner (default astar): `wend planners` lists them; options may follow as "

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "frame.hpp"
-#include "narrator.hpp"
 #include "observer_list.hpp"
 #include "output.hpp"
 #include "picture_files.hpp"
@@ -23,17 +21,15 @@ namespace {
 
 constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
 
-Cell cell_of(Point point) {
-  return {static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
-}
-
 }  // namespace
 
 PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space)
     : arguments_(arguments),
       spec_(std::move(planner)),
       space_(std::move(space)),
-      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)) {}
+      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)) {
+  asked_->check(arguments.layers);
+}
 
 /// On large maps a search is slowed down only for those who ask for what it did.
 bool PlanRun::records() const {
@@ -44,12 +40,14 @@ bool PlanRun::records() const {
 
 void PlanRun::plan() {
   result_.planner = spec_.name;
+  result_.motion = info_of(spec_).motion;
   if (arguments_.nearest) {
     for (const auto& note : asked_->move_to_nearest()) complain(note);
   }
   auto planner = info_of(spec_).make(space_, spec_.options);
   if (planner) {
     planner_ = *std::move(planner);
+    result_.states = planner_->state_count();
     search();
   } else if (planner.error().status == Status::invalid_option) {
     throw InputError(planner.error().message());
@@ -59,20 +57,19 @@ void PlanRun::plan() {
 }
 
 void PlanRun::search() {
-  ProgressBar progress("planning", planner_->state_count());
+  ProgressBar progress("planning", result_.states);
   Query query = asked_->query();
   query.limits = arguments_.limits.limits(progress);
   ObserverList observers;
   Narrator narrator;
   if (arguments_.watch.verbose) observers.add(narrator);
-  if (records()) observers.add(recorder_.emplace(space_));
+  if (records()) observers.add(recorder_.emplace(asked_->recorder()));
   std::optional<PosthocTrace> trace;
   if (!arguments_.watch.trace.empty()) {
-    std::vector<Cell> goals;
-    for (const Goal& goal : query.goals) goals.push_back(cell_of(goal.point));
-    observers.add(trace.emplace(space_, cell_of(query.start.point()), goals,
-                                arguments_.watch.trace_form(), arguments_.watch.trace_limit));
+    observers.add(
+        trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
   }
+  if (arguments_.watch.step) observers.add(last_expansion_);
   if (!observers.empty()) query.observer = &observers;
   const bool steps = arguments_.watch.step && recorder_;
   result_.status = steps ? search_in_steps(query, *recorder_) : search_to_the_end(query);
@@ -166,11 +163,8 @@ std::string PlanRun::step_text(const SearchRecorder& recorder) const {
   }
   const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
                                       arguments_.pictures.style, kRowsOfStep);
-  const SearchLayers& known = recorder.layers();
-  const Cell cell = *snapshot.current;
-  return text + fmt::format("expansion {}: {} f={:.6g} g={:.6g} h={:.6g}, frontier {}\n",
-                            recorder.expansions().size(), cell_text(cell), known.f[cell],
-                            known.g[cell], known.h[cell], snapshot.frontier.count());
+  return text + fmt::format("expansion {}: {}, frontier {}\n", recorder.expansions().size(),
+                            event_text(*last_expansion_.event()), snapshot.frontier.count());
 }
 
 std::string PlanRun::text() const {

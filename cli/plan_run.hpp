@@ -11,6 +11,7 @@
 #include "flags.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
+#include "narrator.hpp"
 #include "option_flags.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
@@ -69,6 +70,7 @@ class PlanRun {
   std::unique_ptr<TypedQuery> asked_;
   std::unique_ptr<Planner> planner_;
   std::optional<SearchRecorder> recorder_;
+  LastExpansion last_expansion_;  // of a search that is stepped
   std::vector<Layer> layers_;
   PlanResult result_;
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched

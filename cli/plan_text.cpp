@@ -3,6 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/report/drive_commands.hpp"
 
 namespace wend::cli {
 namespace {
@@ -23,6 +29,47 @@ std::string bound_text(const Plan& plan) {
   return "no claim: a cheaper path may exist";
 }
 
+std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
+
+/// "18: 10 turns, 2 in reverse"
+std::string steps_text(const Plan& plan) {
+  int turns = 0;
+  int reverse = 0;
+  for (const std::string_view name : plan.moves) {
+    const auto move = car_move_from_string(name);
+    if (!move) continue;
+    turns += is_turn(*move) ? 1 : 0;
+    reverse += is_reverse(*move) ? 1 : 0;
+  }
+  return fmt::format("{}: {} {}, {} in reverse", plan.moves.size(), turns,
+                     turns == 1 ? "turn" : "turns", reverse);
+}
+
+/// "1 cell and 40 degrees from what was asked"; empty for what is no more than rounding.
+std::string shift_text(const Shift& shift, const Coordinates& coordinates) {
+  constexpr double kRounding = 1e-9;
+  std::vector<std::string> parts;
+  if (shift.distance > kRounding) parts.push_back(coordinates.length(shift.distance));
+  if (shift.turn > kRounding) {
+    parts.push_back(fmt::format("{:.3g} degrees", degrees_from(shift.turn)));
+  }
+  if (parts.empty()) return {};
+  return fmt::format("{} from what was asked", fmt::join(parts, " and "));
+}
+
+/// Where a drive begins or ends, if there is more to say of it than the steps do.
+std::string end_line(std::string_view name, const Pose& pose, const Shift& shift, std::size_t ends,
+                     const Coordinates& coordinates) {
+  std::vector<std::string> remarks;
+  if (ends > 1) remarks.push_back(one_of(ends));
+  if (auto shifted = shift_text(shift, coordinates); !shifted.empty()) {
+    remarks.push_back(std::move(shifted));
+  }
+  if (remarks.empty()) return {};
+  return line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame().y_up),
+                                fmt::join(remarks, ", ")));
+}
+
 }  // namespace
 
 std::string time_text(double seconds) {
@@ -41,7 +88,7 @@ std::string path_line(const Path& path) {
 }
 
 std::string goal_line(const std::string& goal, std::size_t goals) {
-  return line("goal", fmt::format("{}, of {} goals", goal, goals));
+  return line("goal", fmt::format("{}, {}", goal, one_of(goals)));
 }
 
 std::string plan_summary(const PlanResult& result, const Frame& frame) {
@@ -51,9 +98,23 @@ std::string plan_summary(const PlanResult& result, const Frame& frame) {
          line("quality", bound_text(plan)) + work_lines(plan.metrics, result.seconds);
 }
 
-std::string work_lines(const SearchMetrics& metrics, double seconds) {
-  return line("expanded", fmt::format("{} cells ({} generated, frontier up to {})",
-                                      metrics.expanded, metrics.generated, metrics.max_frontier)) +
+std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
+                          std::size_t goals) {
+  const Plan& plan = result.plan;
+  const std::vector<Pose> poses = plan.path.poses();
+  const Frame& frame = coordinates.frame();
+  return end_line("start", poses.front(), plan.start_shift, 1, coordinates) +
+         end_line("goal", poses.back(), plan.goal_shift, goals, coordinates) +
+         line("planner", result.planner) + line("steps", steps_text(plan)) +
+         line("fuel", fmt::format("{:.6g}", plan.cost)) +
+         line("length", length_text(plan.path.length(), frame)) +
+         line("quality", bound_text(plan)) +
+         work_lines(plan.metrics, result.seconds, fmt::format("of {} states", result.states));
+}
+
+std::string work_lines(const SearchMetrics& metrics, double seconds, const std::string& states) {
+  return line("expanded", fmt::format("{} {} ({} generated, frontier up to {})", metrics.expanded,
+                                      states, metrics.generated, metrics.max_frontier)) +
          line("time", time_text(seconds));
 }
 

@@ -21,7 +21,12 @@ std::string goal_line(const std::string& goal, std::size_t goals);
 /// What was found and what it took, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);
 
-/// What the search took, for a failure too.
-std::string work_lines(const SearchMetrics& metrics, double seconds);
+/// The same of a car's drive. The coordinates are those that people typed.
+std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
+                          std::size_t goals);
+
+/// What the search took, for a failure too. `states` is what was expanded: "cells".
+std::string work_lines(const SearchMetrics& metrics, double seconds,
+                       const std::string& states = "cells");
 
 }  // namespace wend::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exit_code.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {
@@ -31,6 +32,14 @@ GridMoves moves_of(const PlannerSpec& planner) {
     if (std::any_of(schema.begin(), schema.end(), is_it)) values.push_back(value);
   }
   return parse_options<GridMoves>(values).value_or(GridMoves{});
+}
+
+int unit_of(const PlannerSpec& planner) {
+  int unit = 1;
+  for (const auto& [name, value] : planner.options) {
+    if (name == "unit") unit = parse_integer<int>(value).value_or(1);
+  }
+  return std::max(unit, 1);
 }
 
 }  // namespace wend::cli

@@ -23,4 +23,7 @@ const PlannerInfo& info_of(const PlannerSpec& planner);
 /// How the planner moves, as far as its options say; values that are none count as not given.
 GridMoves moves_of(const PlannerSpec& planner);
 
+/// Of a car: how many map cells apart the corners lie on which it stands, as far as its options say.
+int unit_of(const PlannerSpec& planner);
+
 }  // namespace wend::cli

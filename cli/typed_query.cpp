@@ -1,5 +1,6 @@
 #include "typed_query.hpp"
 
+#include "car_query.hpp"
 #include "cell_query.hpp"
 #include "planner_argument.hpp"
 
@@ -7,6 +8,9 @@ namespace wend::cli {
 
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends) {
+  if (info_of(planner).motion == Motion::car) {
+    return std::make_unique<CarQuery>(space, coordinates, unit_of(planner), ends);
+  }
   return std::make_unique<CellQuery>(space, coordinates, moves_of(planner), ends);
 }
 

@@ -1,21 +1,25 @@
 #pragma once
 
 // TypedQuery: what was asked of `wend plan`, and what came of it, in the words of the one who typed
-// it: in cells, say. The rest of `wend plan` does not know in which.
+// it: cells, or the poses of a car. The rest of `wend plan` does not know which.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "coordinates.hpp"
+#include "shown_layers.hpp"
 #include "terminal.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
+#include "wend/planner/search_recorder.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_result.hpp"
+#include "wend/report/posthoc_trace.hpp"
 
 namespace wend::cli {
 
@@ -31,6 +35,9 @@ class TypedQuery {
   TypedQuery(const TypedQuery&) = delete;
   TypedQuery& operator=(const TypedQuery&) = delete;
 
+  /// Throws InputError for layers that there are not of such a query.
+  virtual void check(const ShownLayers& layers) const = 0;
+
   /// For a planner, without limits.
   virtual Query query() const = 0;
 
@@ -43,6 +50,10 @@ class TypedQuery {
 
   /// Costs to the goals from everywhere; nothing if there are none.
   virtual std::optional<CostToGo> cost_to_go(const Limits& limits) const = 0;
+
+  /// Observers of a search for it.
+  virtual SearchRecorder recorder() const = 0;
+  virtual PosthocTrace trace(TraceForm form, std::uint64_t most_events) const = 0;
 
   /// Why the planner found nothing, in one or more sentences.
   virtual std::string reason(const Planner& planner, Status status, const Limits& limits,

@@ -160,7 +160,7 @@ TEST_F(PlanCommand, PlansNothingForBadInput) {
 
 TEST_F(PlanCommand, SaysWhichPlannersHaveAnOption) {
   EXPECT_THAT(plan("0,0", "1,0", {"--planner", "bfs", "--weight", "2"}).err,
-              HasSubstr("the planner 'bfs' has no option --weight; astar has it"));
+              HasSubstr("the planner 'bfs' has no option --weight; astar"));
 }
 
 TEST_F(PlanCommand, TakesItsPlannersOptionsAsFlags) {
@@ -202,7 +202,7 @@ TEST_F(PlanCommand, OfSeveralGoalsTheCheapestIsReached) {
   const Outcome outcome = plan(goals);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("(0,0)>(1,0)>(2,0)\n"), HasSubstr("(2,0), of 3 goals")));
+              AllOf(StartsWith("(0,0)>(1,0)>(2,0)\n"), HasSubstr("(2,0), one of 3 goals")));
   const Outcome none = plan({"--start", "0,0", "--goal", "6,0", "--goal", "9,9", "--goal", "1,1"});
   EXPECT_EQ(none.code, 1);
   EXPECT_THAT(none.err, AllOf(HasSubstr("none of 3 goals can be reached: no path leads to the goal "
