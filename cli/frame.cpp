@@ -35,7 +35,7 @@ std::string left_out(const std::vector<Layer>& layers, std::size_t shown) {
 std::optional<std::string> as_text(const Scene& scene, const std::vector<Layer>& layers,
                                    std::size_t shown, const Screen& screen, StyleName style,
                                    int rows) {
-  if (!is_small(scene.space.map(), screen)) return std::nullopt;
+  if (!is_small(scene, screen)) return std::nullopt;
   const SmallPicture small = small_picture(scene, screen);
   std::vector<std::string> blocks{small.map};
   for (std::size_t i = 0; i < shown; ++i) {

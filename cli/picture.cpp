@@ -10,8 +10,13 @@ namespace {
 
 constexpr int kSmallColumns = 80;
 constexpr int kSmallRows = 40;
-constexpr int kRowsForSummary = 9;  // below picture and legend
+constexpr int kSmallLatticeRows = 50;  // two a cell
+constexpr int kRowsForSummary = 9;     // below picture and legend
 constexpr int kFewestRows = 2;
+
+int small_columns(const Screen& screen) {
+  return screen.is_terminal ? std::min(screen.columns, kSmallColumns) : kSmallColumns;
+}
 
 }  // namespace
 
@@ -58,21 +63,25 @@ void add_styles(CLI::App& app, std::vector<StyleName>& styles) {
 }
 
 bool is_small(const GridMap& map, const Screen& screen) {
-  const int columns = screen.is_terminal ? std::min(screen.columns, kSmallColumns) : kSmallColumns;
-  return fits_as_text(map, columns, kSmallRows);
+  return fits_as_text(map, small_columns(screen), kSmallRows);
+}
+
+bool is_small(const Scene& scene, const Screen& screen) {
+  return fits_as_text(scene, small_columns(screen), scene.unit ? kSmallLatticeRows : kSmallRows);
 }
 
 SmallPicture small_picture(const Scene& scene, const Screen& screen) {
   TextStyle style;
   style.colours = screen.terminal.colours != TerminalColours::none;
+  style.ascii = !screen.terminal.unicode;
+  if (screen.is_terminal || scene.unit) style.columns = screen.columns;
   const std::string map = text_picture(scene, style);
   style.legend = true;
-  if (screen.is_terminal) style.columns = screen.columns;
   return {map, text_picture(scene, style).substr(map.size())};
 }
 
 std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments) {
-  if (!is_small(scene.space.map(), screen)) return large_picture(scene, screen, arguments);
+  if (!is_small(scene, screen)) return large_picture(scene, screen, arguments);
   if (arguments.when == PictureWhen::never) return {};
   const SmallPicture small = small_picture(scene, screen);
   return small.map + small.legend;

@@ -33,6 +33,9 @@ void add_styles(CLI::App& app, std::vector<StyleName>& styles);
 /// Is the map small enough for one character a cell?
 bool is_small(const GridMap& map, const Screen& screen);
 
+/// Is it, or a car's lattice on it, small enough to be shown as text?
+bool is_small(const Scene& scene, const Screen& screen);
+
 struct SmallPicture {
   std::string map;     // a line a row
   std::string legend;  // lines

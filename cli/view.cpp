@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "command.hpp"
@@ -58,22 +58,30 @@ std::string size_text(const GridMap& map) {
   return text;
 }
 
+/// What of a path does not lie on the map, if something does not.
+std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
+  for (const Cell cell : path.cells()) {
+    if (!space.contains(cell)) return "the cell " + cell_text(cell);
+  }
+  if (!path.driven()) return std::nullopt;
+  for (const Pose& pose : path.poses()) {
+    if (pose.x >= 0 && pose.y >= 0 && pose.x <= space.width() && pose.y <= space.height()) continue;
+    return fmt::format("the point ({:g},{:g})", pose.x, pose.y);
+  }
+  return std::nullopt;
+}
+
 Path load_path_on(const FreeSpace& space, const std::string& file) {
   auto path = load_path(file, space.map().frame());
   if (!path) throw InputError(path.error().message());
-  if (path->driven()) throw InputError(file + ": the path of a car, which cannot be shown yet");
-  const auto cells = path->cells();
-  const auto outside = std::find_if(cells.begin(), cells.end(),
-                                    [&space](Cell cell) { return !space.contains(cell); });
-  if (outside == cells.end()) return *std::move(path);
-  throw InputError(fmt::format("{}: the cell {} does not lie on the map, which has {}", file,
-                               cell_text(*outside), size_text(space.map())));
+  const auto outside = part_outside(*path, space);
+  if (!outside) return *std::move(path);
+  throw InputError(fmt::format("{}: {} does not lie on the map, which has {}", file, *outside,
+                               size_text(space.map())));
 }
 
 Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const std::string& file) {
-  Path path = load_path_on(space, file);
-  Scene scene = scene_between(space, path.cells().front(), path.cells().back());
-  scene.path = std::move(path);
+  Scene scene = scene_of(space, load_path_on(space, file));
   const PathMetrics metrics = measure(scene.path, space);
   return {name_of(file), std::move(scene),
           fmt::format("length {}, clearance {}", coordinates.length(metrics.length),

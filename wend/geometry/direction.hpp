@@ -63,4 +63,12 @@ inline Direction nearest_direction(Cell from, Cell to, bool y_up) {
   return static_cast<Direction>((eighths + kDirections) % kDirections);
 }
 
+/// The direction nearest to a heading in grid coordinates, in radians from +x towards +y.
+inline Direction nearest_direction(double heading, bool y_up) {
+  const auto eighths =
+      static_cast<int>(std::round(normalized_angle(y_up ? -heading : heading) / (kPi / 4)));
+  return static_cast<Direction>((static_cast<int>(Direction::right) - eighths + kDirections) %
+                                kDirections);
+}
+
 }  // namespace wend

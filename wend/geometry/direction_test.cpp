@@ -33,6 +33,18 @@ TEST(Direction, DownIsTheGreaterRowOnlyWhereYPointsDown) {
   EXPECT_EQ(step({5, 5}, Direction::up_left, true), (Cell{4, 6}));
 }
 
+TEST(Direction, IsNearestToTheHeadingOfItsStep) {
+  for (const bool y_up : {false, true}) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Cell to = step({0, 0}, direction(i), y_up);
+      const double heading = std::atan2(to.y, to.x);
+      for (const double off : {-0.38, 0.0, 0.38, 2 * kPi}) {
+        EXPECT_EQ(nearest_direction(heading + off, y_up), direction(i)) << i << " " << off;
+      }
+    }
+  }
+}
+
 TEST(Direction, ReachesAllEightNeighbours) {
   for (const bool y_up : {false, true}) {
     std::set<Cell> neighbours;

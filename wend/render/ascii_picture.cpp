@@ -15,13 +15,14 @@ struct Block {
   int obstacles = 0;
   int unknown = 0;
   int too_close = 0;
+  int rough = 0;
 
   char character(double columns_of_cells) const {
     // A thin wall through half of the block shows; a speck in a large block does not.
     if (obstacles > 0 && obstacles >= columns_of_cells / 2) return '#';
     if (2 * unknown > cells) return '?';
     if (2 * too_close > cells) return ':';
-    return '.';
+    return 2 * rough > cells ? '~' : '.';
   }
 };
 
@@ -94,11 +95,26 @@ class AsciiCanvas {
     if (const auto block = block_at(grid)) characters_[*block] = character;
   }
 
-  void draw_line(Point from, Point to, char character) {
-    const int pieces = 1 + static_cast<int>(2 * distance(from, to) / size_);
-    for (int i = 0; i <= pieces; ++i) {
-      const double share = static_cast<double>(i) / pieces;
-      put({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}, character);
+  /// `point_at(share)` gives the points of the line, from 0 to 1.
+  template <class PointAt>
+  void draw_line(double length, const PointAt& point_at, char character) {
+    const double pieces = 1 + std::floor(2 * length / size_);
+    for (double i = 0; i <= pieces; ++i) put(point_at(i / pieces), character);
+  }
+
+  void draw_path(const Path& path) {
+    const auto cells = path.cells();
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      const Point from = centre_of(cells[i - 1]);
+      const Point to = centre_of(cells[i]);
+      const auto point_at = [&](double share) {
+        return Point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+      };
+      draw_line(distance(from, to), point_at, 'o');
+    }
+    for (const Arc& arc : path.arcs()) {
+      const auto point_at = [&](double share) { return pose_on(arc, share * arc.length).point(); };
+      draw_line(std::abs(arc.length), point_at, arc.length < 0 ? '=' : 'o');
     }
   }
 
@@ -117,12 +133,14 @@ class AsciiCanvas {
     return std::max(1, static_cast<int>(std::ceil(cells / size - 1e-9)));
   }
 
+  /// Corners on the far edges of the map belong to its last blocks.
   std::optional<Cell> block_at(Point grid) const {
     const double y = space_.map().frame().y_up ? space_.height() - grid.y : grid.y;
-    const double column = std::floor(grid.x / size_);
-    const double row = std::floor(y / (2 * size_));
-    if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return std::nullopt;
-    return Cell{static_cast<int>(column), static_cast<int>(row)};
+    if (!(grid.x >= 0 && y >= 0 && grid.x <= space_.width() && y <= space_.height())) {
+      return std::nullopt;
+    }
+    return Cell{std::min(static_cast<int>(grid.x / size_), columns_ - 1),
+                std::min(static_cast<int>(y / (2 * size_)), rows_ - 1)};
   }
 
   void put_unless_wall(Point grid, char character) {
@@ -151,6 +169,7 @@ class AsciiCanvas {
     block.obstacles += state == CellState::occupied;
     block.unknown += state == CellState::unknown;
     block.too_close += state == CellState::free && !space_.passable()[cell];
+    block.rough += space_.map().terrain(cell) != 1;
   }
 
   const FreeSpace& space_;
@@ -170,10 +189,7 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
   canvas.draw_map();
   if (scene.heatmap) canvas.draw_heat(*scene.heatmap);
   canvas.draw_roles(scene);
-  const auto cells = scene.path.cells();
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    canvas.draw_line(centre_of(cells[i - 1]), centre_of(cells[i]), 'o');
-  }
+  canvas.draw_path(scene.path);
   for (const ScenePlace& goal : scene.goals) canvas.put(goal.point, 'G');
   if (scene.start) canvas.put(scene.start->point, 'S');
   if (scene.narrowest) canvas.put(*scene.narrowest, '!');

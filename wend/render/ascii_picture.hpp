@@ -6,7 +6,8 @@
 //   #  an obstacle across half of the block, or more     S  start
 //   ?  mostly unknown                                    G  goal
 //   :  mostly too close for the robot                    o  path
-//   .  free                                              !  the narrowest place
+//   .  free                                              =  driven in reverse
+//   ~  mostly rough                                      !  the narrowest place
 //   0-9  heat, from the least to the greatest value
 //   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's, goal's region
 

@@ -41,7 +41,7 @@ Grid<std::uint32_t> pixels_of(cairo_surface_t* image) {
 
 Expected<std::string, RenderError> draw_picture(const Scene& scene, PictureKind kind,
                                                 const Style& style) {
-  PictureLayout layout = picture_layout(scene.space.map());
+  PictureLayout layout = picture_layout(scene.space.map(), axis_room(scene));
   const double room = layout.width - 2 * PictureLayout::kMargin;
   const Footer footer(legend_of(scene, style), bar_for(scene, layout.view, room), room);
   layout.add_footer_lines(footer.lines() - 1);
@@ -65,18 +65,23 @@ Grid<std::uint32_t> draw_pixels(const Scene& scene, int most_width, int most_hei
     footer_height = std::min(footer->lines() * Footer::kLine, most_height - 1);
     width = most_width;
   }
-  MapView view = fitted_view(scene.space.map(), most_width, most_height - footer_height, 1);
-  width = std::max(width, view.width);
-  const int margin = (width - view.width) / 2;  // whole pixels
-  view.left = margin;
+  const AxisRoom axes = axis_room(scene);
+  MapView view = fitted_view(scene.space.map(), std::max(1, most_width - axes.across()),
+                             std::max(1, most_height - footer_height - axes.down()), 1);
+  const int across = view.width + axes.across();
+  const int down = view.height + axes.down();
+  width = std::max(width, across);
+  const int margin = (width - across) / 2;  // whole pixels
+  view.left = margin + axes.left;
+  view.top = axes.top;
   const CairoSurface image(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, view.height + footer_height));
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, down + footer_height));
   const CairoContext context(cairo_create(image.get()));
   set_source(context.get(), style.page);
   cairo_paint(context.get());
   draw_scene(context.get(), scene, view, style, MapForm::image);
   if (footer) {
-    footer->draw(context.get(), {kLegendMargin, view.height + Footer::kLine / 2.0}, style);
+    footer->draw(context.get(), {kLegendMargin, down + Footer::kLine / 2.0}, style);
   }
   return pixels_of(image.get());
 }

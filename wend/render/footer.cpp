@@ -6,6 +6,7 @@
 #include <string>
 
 #include "wend/render/arrows.hpp"
+#include "wend/render/driven_path.hpp"
 #include "wend/render/labels.hpp"
 #include "wend/render/marks.hpp"
 #include "wend/render/number_text.hpp"
@@ -27,9 +28,15 @@ double heat_width(cairo_t* context, const LegendItem& item) {
          text_width(context, short_number(item.range.greatest));
 }
 
+/// Dashes need some room.
+double swatch_width(Swatch swatch) {
+  const bool driven = swatch == Swatch::driven || swatch == Swatch::reverse;
+  return driven ? 4 * kSwatch : 2 * kSwatch;
+}
+
 double width_of(cairo_t* context, const LegendItem& item) {
   const double swatch =
-      item.swatch == Swatch::heat ? heat_width(context, item) + kGap : 2 * kSwatch;
+      item.swatch == Swatch::heat ? heat_width(context, item) + kGap : swatch_width(item.swatch);
   return swatch + kGap + text_width(context, item.label);
 }
 
@@ -69,9 +76,9 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
     case Swatch::heat:
       return;  // draw_heat() draws it
     case Swatch::start:
-      return draw_start_mark(context, centre, kMarkSizes, style);
+      return draw_start_mark(context, {centre}, kMarkSizes, style);
     case Swatch::goal:
-      return draw_goal_mark(context, centre, kMarkSizes, style);
+      return draw_goal_mark(context, {centre}, kMarkSizes, style);
     case Swatch::narrowest:
       return draw_narrowest_mark(context, centre,
                                  {.line = 3, .halo = 1, .mark = kSwatch / kNarrowestReach}, style);
@@ -81,6 +88,10 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
       cairo_move_to(context, centre.x - kSwatch, centre.y);
       cairo_line_to(context, centre.x + kSwatch, centre.y);
       return cairo_stroke(context);
+    case Swatch::driven:
+    case Swatch::reverse:
+      return draw_driven_sample(context, centre, swatch_width(item.swatch),
+                                item.swatch == Swatch::reverse, style);
     case Swatch::arrow:
       return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
     case Swatch::role:
@@ -94,8 +105,9 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
 
 void draw_item(cairo_t* context, Point left, const LegendItem& item, const Style& style) {
   if (item.swatch == Swatch::heat) return draw_heat(context, left, item, style);
-  draw_swatch(context, {std::round(left.x + kSwatch), left.y}, item, style);
-  draw_text(context, {left.x + 2 * kSwatch + kGap, left.y + kBaseline}, item.label, style.ink);
+  const double swatch = swatch_width(item.swatch);
+  draw_swatch(context, {std::round(left.x + swatch / 2), left.y}, item, style);
+  draw_text(context, {left.x + swatch + kGap, left.y + kBaseline}, item.label, style.ink);
 }
 
 void draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const Style& style) {

@@ -20,6 +20,11 @@ bool has_arrows(const Scene& scene) {
                                              [](const auto& arrow) { return arrow.has_value(); });
 }
 
+bool drives(const Path& path, bool reverse) {
+  return std::ranges::any_of(path.arcs(),
+                             [&](const Arc& arc) { return (arc.length < 0) == reverse; });
+}
+
 void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
   const auto add = [&](bool wanted, Swatch swatch, const Colour& colour, const char* label,
                        char character) {
@@ -28,7 +33,10 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
-  add(scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
+  const bool driven = scene.path.driven();
+  add(!driven && scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
+  add(driven && drives(scene.path, false), Swatch::driven, style.path, "driven ahead", 'o');
+  add(driven && drives(scene.path, true), Swatch::reverse, style.reverse, "in reverse", '=');
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
 }
 
@@ -36,16 +44,19 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   const auto add = [&](const Colour& colour, const char* label, char character) {
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
+  if (scene.unit && scene.space.obstacles().count() > 0) add(style.occupied, "obstacle", '#');
   if (has_too_close_cells(scene.space)) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
-    add(mixed(style.slightly_rough, style.very_rough, roughness(kTypicallyRough)), "rough", ' ');
+    add(mixed(style.slightly_rough, style.very_rough, roughness(kTypicallyRough)),
+        scene.unit ? "rough road" : "rough", '~');
   }
   if (scene.space.map().unknown().count() > 0) add(style.unknown, "unknown", '?');
 }
 
 }  // namespace
 
-std::vector<LegendItem> legend_of(const Scene& scene, const Style& style) {
+std::vector<LegendItem> legend_of(const Scene& scene, const Style& wanted) {
+  const Style style = style_for(scene, wanted);
   std::vector<LegendItem> items;
   if (scene.heatmap) {
     if (const auto range = range_of(*scene.heatmap)) {

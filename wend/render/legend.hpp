@@ -12,7 +12,18 @@
 namespace wend {
 
 /// In the order of the legend: most interesting first.
-enum class Swatch : unsigned char { heat, start, goal, narrowest, path, arrow, role, cell };
+enum class Swatch : unsigned char {
+  heat,
+  start,
+  goal,
+  narrowest,
+  path,
+  driven,   // ahead, with an arrow
+  reverse,  // driven in reverse
+  arrow,
+  role,
+  cell
+};
 
 struct LegendItem {
   Swatch swatch;

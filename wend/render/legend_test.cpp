@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "wend/render/cell_paints.hpp"
 #include "wend/render/text_map_test.hpp"
 
 namespace wend {
@@ -32,6 +33,19 @@ TEST(Legend, ExplainsAllThatOccurs) {
   EXPECT_EQ(labels_of(scene),
             (std::vector<std::string>{"start", "goal", "narrowest", "path", "way to move",
                                       "expanded", "frontier", "too close", "rough", "unknown"}));
+}
+
+TEST(Legend, TellsHowACarDrivesThroughAYard) {
+  Scene scene{.space = FreeSpace(map_of({"#2.", "..."}))};
+  scene.unit = 1;
+  scene.path = Path::through({{1, 1, 0}, {2, 1, 0}, {1, 1, 0}});
+  scene.start = scene.path.poses().front();
+  EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"start", "driven ahead", "in reverse",
+                                                        "obstacle", "rough road"}));
+  EXPECT_EQ(legend_of(scene, {}).back().colour,
+            mixed(Style{}.yard.slightly_rough, Style{}.yard.very_rough, roughness(3)));
+  scene.path = Path::through({{1, 1, 0}});
+  EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"start", "obstacle", "rough road"}));
 }
 
 TEST(Legend, LeavesOutWhatDoesNotOccur) {

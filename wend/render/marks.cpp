@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/render/driven_path.hpp"
 
 namespace wend {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLeastDistance = 1;  // pixels; points nearer to each other are one
 constexpr double kLeastBend = 4;      // pixels
 constexpr double kLeastRound = 3;     // pixels; marks of a smaller radius are squares
+constexpr double kTip = 1.7;          // how far a heading's tip reaches, in radii of its mark
 
 void circle(cairo_t* context, Point centre, double radius) {
   cairo_new_path(context);
@@ -115,6 +117,34 @@ void draw_robot(cairo_t* context, Point centre, double radius, const MarkSizes& 
   cairo_stroke(context);
 }
 
+/// A disc; with a heading, one that runs out into a tip.
+void trace_mark(cairo_t* context, const DrawnPlace& place, double radius) {
+  if (!place.angle) return circle(context, place.centre, radius);
+  const double side = std::acos(1 / kTip);  // where the tip's sides leave the disc
+  const Point& centre = place.centre;
+  cairo_new_path(context);
+  cairo_arc(context, centre.x, centre.y, radius, *place.angle + side, *place.angle - side);
+  cairo_line_to(context, centre.x + kTip * radius * std::cos(*place.angle),
+                centre.y + kTip * radius * std::sin(*place.angle));
+  cairo_close_path(context);
+}
+
+void draw_rim(cairo_t* context, const DrawnPlace& place, const MarkSizes& sizes,
+              const Style& style) {
+  trace_mark(context, place, sizes.mark);
+  set_source(context, style.halo);
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width(context, 2 * sizes.halo);
+  cairo_stroke_preserve(context);
+  cairo_fill(context);
+}
+
+DrawnPlace drawn(const ScenePlace& place, const MapView& view) {
+  DrawnPlace drawn{view.to_picture(place.point)};
+  if (place.heading) drawn.angle = view.y_up ? -*place.heading : *place.heading;
+  return drawn;
+}
+
 bool on_map(const Scene& scene, Point point) {
   return point.x >= 0 && point.y >= 0 && point.x <= scene.space.width() &&
          point.y <= scene.space.height();
@@ -122,34 +152,40 @@ bool on_map(const Scene& scene, Point point) {
 
 }  // namespace
 
-MarkSizes mark_sizes(double scale) {
+MarkSizes mark_sizes(const Scene& scene, const MapView& view) {
+  const double scale = scene.unit.value_or(1) * view.scale();
   const double line = std::clamp(0.2 * scale, 3.5, 9.0);
-  return {.line = line,
-          .halo = std::clamp(0.35 * line, 1.25, 3.0),
-          .mark = std::clamp(0.3 * scale, 9.0, 18.0)};
+  MarkSizes sizes{.line = line,
+                  .halo = std::clamp(0.35 * line, 1.25, 3.0),
+                  .mark = std::clamp(0.3 * scale, 9.0, 18.0)};
+  if (scene.unit || scene.path.driven()) {
+    sizes.line = std::max(3.0, 0.62 * sizes.line);
+    sizes.mark *= 0.75;
+  }
+  return sizes;
 }
 
-void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style) {
-  if (sizes.mark < kLeastRound) return fill_square(context, centre, sizes.mark, style.start);
-  circle(context, centre, sizes.mark + sizes.halo);
-  set_source(context, style.halo);
-  cairo_fill(context);
-  circle(context, centre, sizes.mark);
+void draw_start_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& sizes,
+                     const Style& style) {
+  if (sizes.mark < kLeastRound) return fill_square(context, place.centre, sizes.mark, style.start);
+  draw_rim(context, place, sizes, style);
+  trace_mark(context, place, sizes.mark);
   set_source(context, style.start);
   cairo_fill(context);
 }
 
-void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style) {
-  if (sizes.mark < kLeastRound) return fill_square(context, centre, sizes.mark, style.goal);
-  circle(context, centre, sizes.mark + sizes.halo);
+void draw_goal_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& sizes,
+                    const Style& style) {
+  if (sizes.mark < kLeastRound) return fill_square(context, place.centre, sizes.mark, style.goal);
+  draw_rim(context, place, sizes, style);
+  trace_mark(context, place, sizes.mark);
+  set_source(context, style.goal);
+  cairo_fill(context);
+  circle(context, place.centre, 0.65 * sizes.mark);
   set_source(context, style.halo);
   cairo_fill(context);
+  circle(context, place.centre, 0.35 * sizes.mark);
   set_source(context, style.goal);
-  const double ring = 0.35 * sizes.mark;
-  circle(context, centre, sizes.mark - ring / 2);
-  cairo_set_line_width(context, ring);
-  cairo_stroke(context);
-  circle(context, centre, 0.35 * sizes.mark);
   cairo_fill(context);
 }
 
@@ -177,25 +213,31 @@ void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
 
 void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                const Style& style) {
+  // A car may drive along the edge of the map.
+  const double beyond = scene.path.driven() ? sizes.line : 0;
   cairo_save(context);
-  cairo_rectangle(context, view.left, view.top, view.width, view.height);
+  cairo_rectangle(context, view.left - beyond, view.top - beyond, view.width + 2 * beyond,
+                  view.height + 2 * beyond);
   cairo_clip(context);
   if (scene.start && on_map(scene, scene.start->point)) {
     draw_robot(context, view.to_picture(scene.start->point),
                scene.space.radius_in_cells() * view.scale(), sizes, style);
   }
-  if (!scene.path.empty()) draw_line(context, scene.path, view, sizes, style);
+  if (scene.path.driven()) {
+    draw_driven_path(context, scene, view, sizes, style);
+  } else if (!scene.path.empty()) {
+    draw_line(context, scene.path, view, sizes, style);
+  }
   cairo_restore(context);
 }
 
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style) {
   for (const ScenePlace& goal : scene.goals) {
-    if (on_map(scene, goal.point))
-      draw_goal_mark(context, view.to_picture(goal.point), sizes, style);
+    if (on_map(scene, goal.point)) draw_goal_mark(context, drawn(goal, view), sizes, style);
   }
   if (scene.start && on_map(scene, scene.start->point)) {
-    draw_start_mark(context, view.to_picture(scene.start->point), sizes, style);
+    draw_start_mark(context, drawn(*scene.start, view), sizes, style);
   }
   if (scene.narrowest && on_map(scene, *scene.narrowest)) {
     draw_narrowest_mark(context, view.to_picture(*scene.narrowest), sizes, style);

@@ -1,7 +1,10 @@
 #pragma once
 
 // Marks: what lies on the map in a picture: the path, the start with the robot to scale, the goals.
-// Their size is in pixels, so that they stay visible however small the cells are.
+// Their size is in pixels, so that they stay visible however small the cells are. A start or a goal
+// with a heading has a tip that points there.
+
+#include <optional>
 
 #include "wend/render/cairo_objects.hpp"
 #include "wend/render/map_view.hpp"
@@ -19,11 +22,19 @@ struct MarkSizes {
 /// How far the mark of the narrowest place reaches, in radii of the other marks.
 inline constexpr double kNarrowestReach = 2.3;
 
-/// Sizes for a picture with so many pixels a cell.
-MarkSizes mark_sizes(double scale);
+/// Sizes for a picture of that scale: by the cells, or by a car's lattice, whose corners need room.
+MarkSizes mark_sizes(const Scene& scene, const MapView& view);
 
-void draw_start_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
-void draw_goal_mark(cairo_t* context, Point centre, const MarkSizes& sizes, const Style& style);
+/// Where a mark lies in the picture, and the angle of its tip, clockwise from the right.
+struct DrawnPlace {
+  Point centre;
+  std::optional<double> angle{};
+};
+
+void draw_start_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& sizes,
+                     const Style& style);
+void draw_goal_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& sizes,
+                    const Style& style);
 /// A ring with four ticks.
 void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style);

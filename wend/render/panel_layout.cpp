@@ -30,9 +30,11 @@ PanelLayout panel_layout(std::span<const Panel> panels, double below, int column
   double height = 0;
   for (const Panel& panel : panels) {
     PanelPlace place;
-    place.view = fitted_view(panel.scene.space.map(), most, kLargestMap, 1);
-    width = std::max<double>(width, place.view.width);
-    height = std::max<double>(height, place.view.height);
+    place.axes = axis_room(panel.scene);
+    place.view = fitted_view(panel.scene.space.map(), std::max(1, most - place.axes.across()),
+                             kLargestMap, 1);
+    width = std::max<double>(width, place.view.width + place.axes.across());
+    height = std::max<double>(height, place.view.height + place.axes.down());
     layout.places.push_back(place);
   }
   const double whole = PanelLayout::kTitle + height + below;
@@ -44,8 +46,9 @@ PanelLayout panel_layout(std::span<const Panel> panels, double below, int column
     place.top = PanelLayout::kMargin + row * (whole + PanelLayout::kGap);
     place.width = width;
     place.height = whole;
-    place.view.left = place.left + std::floor((width - place.view.width) / 2);
-    place.view.top = place.top + PanelLayout::kTitle;
+    const double across = place.view.width + place.axes.across();
+    place.view.left = place.left + std::floor((width - across) / 2) + place.axes.left;
+    place.view.top = place.top + PanelLayout::kTitle + place.axes.top;
   }
   const int rows = rows_of(panels.size(), columns);
   const double across = 2 * PanelLayout::kMargin + columns * (width + PanelLayout::kGap);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/render/axis_room.hpp"
 #include "wend/render/map_view.hpp"
 #include "wend/render/panels.hpp"
 
@@ -17,6 +18,7 @@ struct PanelPlace {
   double width = 0;   // of the map and all text
   double height = 0;  // of it all
   MapView view;
+  AxisRoom axes;  // around the view
 };
 
 struct PanelLayout {

@@ -120,7 +120,7 @@ void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, c
   draw_text(context, {place.left, place.top + kTitleSize},
             shortened(context, panel.title, place.width), style.ink);
   draw_scene(context, panel.scene, place.view, style, map_form(kind));
-  double y = place.view.top + place.view.height + PanelLayout::kCaptionLine;
+  double y = place.view.top + place.view.height + place.axes.bottom + PanelLayout::kCaptionLine;
   select_label_font(context, kCaptionSize);
   for (const std::string& line : caption_lines(context, panel.caption, place.width)) {
     draw_text(context, {place.left, y}, line, style.ink);

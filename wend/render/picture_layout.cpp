@@ -43,14 +43,15 @@ MapView fitted_view(const GridMap& map, int most_width, int most_height, double 
 }
 
 Point PictureLayout::footer() const {
-  return {kMargin, view.top + view.height + (kMargin + kFooter) / 2.0};
+  return {kMargin, view.top + view.height + axes.bottom + (kMargin + kFooter) / 2.0};
 }
 
 void PictureLayout::add_footer_lines(int lines) { height += lines * Footer::kLine; }
 
-PictureLayout picture_layout(const GridMap& map) {
+PictureLayout picture_layout(const GridMap& map, const AxisRoom& axes) {
   const double scale = scale_of(std::max(map.width(), map.height()));
   PictureLayout layout;
+  layout.axes = axes;
   MapView& view = layout.view;
   view.width = scaled(map.width(), scale);
   view.height = scaled(map.height(), scale);
@@ -58,10 +59,11 @@ PictureLayout picture_layout(const GridMap& map) {
   view.rows = map.height();
   view.y_up = map.frame().y_up;
 
-  layout.width = std::max(kLeastWidth, view.width + 2 * PictureLayout::kMargin);
-  layout.height = view.height + 2 * PictureLayout::kMargin + PictureLayout::kFooter;
-  view.left = std::floor((layout.width - view.width) / 2.0);  // so that cells are crisp
-  view.top = PictureLayout::kMargin;
+  const int across = view.width + axes.across();
+  layout.width = std::max(kLeastWidth, across + 2 * PictureLayout::kMargin);
+  layout.height = view.height + axes.down() + 2 * PictureLayout::kMargin + PictureLayout::kFooter;
+  view.left = std::floor((layout.width - across) / 2.0) + axes.left;  // so that cells are crisp
+  view.top = PictureLayout::kMargin + axes.top;
   return layout;
 }
 

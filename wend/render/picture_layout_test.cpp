@@ -36,6 +36,19 @@ TEST(PictureLayout, EnlargesByWholeNumbers) {
   }
 }
 
+TEST(PictureLayout, LeavesRoomForAxes) {
+  const GridMap map = map_of_size(20, 30);
+  const AxisRoom axes{.left = 31, .top = 22, .right = 9, .bottom = 12};
+  const PictureLayout plain = picture_layout(map);
+  const PictureLayout layout = picture_layout(map, axes);
+  EXPECT_EQ(layout.view.width, plain.view.width);
+  EXPECT_GE(layout.view.left, 31 + PictureLayout::kMargin);
+  EXPECT_LE(layout.view.left + layout.view.width + 9 + PictureLayout::kMargin, layout.width);
+  EXPECT_EQ(layout.view.top, plain.view.top + 22);
+  EXPECT_EQ(layout.height, plain.height + 22 + 12);
+  EXPECT_EQ(layout.footer().y, plain.footer().y + 22 + 12);
+}
+
 TEST(MapView, PutsGridPointsWhereTheFileHasThem) {
   const MapView down{.left = 10, .top = 20, .width = 40, .height = 20, .columns = 4, .rows = 2};
   EXPECT_EQ(down.to_picture({0, 0}), (Point{10, 20}));

@@ -1,6 +1,7 @@
 #include "wend/render/scene.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <ranges>
 #include <utility>
 
@@ -26,6 +27,22 @@ Scene scene_between(FreeSpace space, Cell start, Cell goal) {
   Scene scene{.space = std::move(space)};
   scene.start = centre_of(start);
   scene.goals = {centre_of(goal)};
+  return scene;
+}
+
+Scene scene_of(FreeSpace space, Path path) {
+  assert(!path.empty());
+  Scene scene{.space = std::move(space)};
+  const std::vector<Pose> poses = path.poses();
+  if (path.driven()) {
+    scene.start = poses.front();
+    scene.goals = {poses.back()};
+    scene.unit = 1;
+  } else {
+    scene.start = poses.front().point();
+    scene.goals = {poses.back().point()};
+  }
+  scene.path = std::move(path);
   return scene;
 }
 

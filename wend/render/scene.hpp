@@ -101,6 +101,10 @@ struct Scene {
 /// The map with a start and a goal, at the centres of cells.
 Scene scene_between(FreeSpace space, Cell start, Cell goal);
 
+/// The map with a path (not empty), its ends marked: of a car's, with their headings, on corners a
+/// cell apart.
+Scene scene_of(FreeSpace space, Path path);
+
 /// The role of a cell: that of the last layer which marks it.
 std::optional<CellRole> role_of(const Scene& scene, Cell cell);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wend/render/arrows.hpp"
+#include "wend/render/axes.hpp"
 #include "wend/render/cell_numbers.hpp"
 #include "wend/render/cell_paints.hpp"
 #include "wend/render/map_image.hpp"
@@ -55,17 +56,18 @@ void draw_map(cairo_t* context, const Scene& scene, const MapView& view, const S
   draw_map_image(context, paints, view);
 }
 
-void draw_grid_lines(cairo_t* context, const MapView& view, const Style& style) {
-  if (view.scale() < kGridLinesFrom) return;
+/// Between all cells, or those of a car's lattice.
+void draw_grid_lines(cairo_t* context, const MapView& view, int unit, const Style& style) {
+  if (unit * view.scale() < kGridLinesFrom) return;
   set_source(context, style.grid_lines, 0.13);
   cairo_set_line_width(context, 1);
-  for (int x = 1; x < view.columns; ++x) {
-    const double at = view.left + x * view.scale() + 0.5;
+  for (int x = unit; x < view.columns; x += unit) {
+    const double at = std::floor(view.to_picture({static_cast<double>(x), 0}).x) + 0.5;
     cairo_move_to(context, at, view.top);
     cairo_line_to(context, at, view.top + view.height);
   }
-  for (int y = 1; y < view.rows; ++y) {
-    const double at = view.top + y * view.scale() + 0.5;
+  for (int y = unit; y < view.rows; y += unit) {
+    const double at = std::floor(view.to_picture({0, static_cast<double>(y)}).y) + 0.5;
     cairo_move_to(context, view.left, at);
     cairo_line_to(context, view.left + view.width, at);
   }
@@ -83,16 +85,19 @@ void draw_frame(cairo_t* context, const MapView& view, const Style& style) {
 
 void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const Style& style,
                 MapForm form) {
-  const MarkSizes sizes = mark_sizes(view.scale());
-  draw_map(context, scene, view, style, form);
-  draw_grid_lines(context, view, style);
-  draw_frame(context, view, style);
+  const Style shown = style_for(scene, style);
+  const int unit = scene.unit.value_or(1);
+  const MarkSizes sizes = mark_sizes(scene, view);
+  draw_map(context, scene, view, shown, form);
+  draw_grid_lines(context, view, unit, shown);
+  draw_frame(context, view, shown);
+  draw_axes(context, scene, view, shown);
   if (scene.arrows) {
-    draw_arrows(context, *scene.arrows, view, shows_cell_numbers(context, scene, view), style);
+    draw_arrows(context, *scene.arrows, view, shows_cell_numbers(context, scene, view), shown);
   }
-  draw_path(context, scene, view, sizes, style);
-  draw_cell_numbers(context, scene, view, style);
-  draw_marks(context, scene, view, sizes, style);
+  draw_path(context, scene, view, sizes, shown);
+  draw_cell_numbers(context, scene, view, shown);
+  draw_marks(context, scene, view, sizes, shown);
 }
 
 }  // namespace wend

@@ -22,8 +22,13 @@ Style dark() {
           .goal_region = colour_from(0x80421A),
           .heat_colours = {colour_from(0x2B2A55), colour_from(0x4F3A86), colour_from(0x86489A),
                            colour_from(0xC0608F), colour_from(0xE08C7A)},
+          .yard = {.occupied = colour_from(0xE0484F),
+                   .slightly_rough = colour_from(0x705408),
+                   .very_rough = colour_from(0xE6A817),
+                   .frontier = colour_from(0x3B86C8)},
           .arrows = colour_from(0xE4E7EC),
           .path = colour_from(0x62BDF5),
+          .reverse = colour_from(0xF4F6F9),
           .start = colour_from(0x2FD6A3),
           .goal = colour_from(0xFF8B45),
           .narrowest = colour_from(0xFFF06A),
@@ -49,8 +54,13 @@ Style print() {
           .goal_region = colour_from(0x939393),
           .heat_colours = {colour_from(0xE8E8E8), colour_from(0xC0C0C0), colour_from(0x989898),
                            colour_from(0x747474), colour_from(0x525252)},
+          .yard = {.occupied = colour_from(0x2E2E2E),
+                   .slightly_rough = colour_from(0xF4F4F4),
+                   .very_rough = colour_from(0x8C8C8C),
+                   .frontier = colour_from(0x858585)},
           .arrows = kBlack,
           .path = kBlack,
+          .reverse = kBlack,
           .start = kBlack,
           .goal = kBlack,
           .narrowest = kBlack,
@@ -105,6 +115,16 @@ Style style_of(StyleName name) {
       return print();
   }
   return {};
+}
+
+Style style_for(const Scene& scene, const Style& style) {
+  if (!scene.unit || scene.heatmap) return style;
+  Style shown = style;
+  shown.occupied = style.yard.occupied;
+  shown.slightly_rough = style.yard.slightly_rough;
+  shown.very_rough = style.yard.very_rough;
+  shown.frontier = style.yard.frontier;
+  return shown;
 }
 
 }  // namespace wend

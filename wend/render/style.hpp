@@ -43,6 +43,15 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
 /// Black or white: what is better to read on that colour.
 Colour readable_on(const Colour& colour);
 
+/// What differs where a car drives over a yard: obstacles are red, rough roads yellow, and what was
+/// yellow gives way to them. The light style's.
+struct YardColours {
+  Colour occupied = colour_from(0xC8232C);
+  Colour slightly_rough = colour_from(0xFFF3B0);
+  Colour very_rough = colour_from(0xD99A00);
+  Colour frontier = colour_from(0x4F8FE0);
+};
+
 /// The light style, unless changed.
 struct Style {
   // Cells.
@@ -66,9 +75,12 @@ struct Style {
                                      colour_from(0xF2A07C), colour_from(0xDB7486),
                                      colour_from(0xB0559A)};
 
+  YardColours yard{};
+
   // Marks.
   Colour arrows = colour_from(0x3C4047);
   Colour path = colour_from(0x0072B2);
+  Colour reverse = colour_from(0x1B1E24);  // the path where a car drives it in reverse: dashed
   Colour start = colour_from(0x009E73);
   Colour goal = colour_from(0xD55E00);
   Colour narrowest = colour_from(0x7D0552);
@@ -91,5 +103,9 @@ constexpr std::array<Choice<StyleName>, 3> choice_names(StyleName) {
 }
 
 Style style_of(StyleName name);
+
+/// The style as a scene is drawn in it: with the yard's colours where a car drives. Beside heat,
+/// which has yellow and red of its own, the others stay.
+Style style_for(const Scene& scene, const Style& style);
 
 }  // namespace wend

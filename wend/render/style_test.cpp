@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "wend/render/cell_paints.hpp"
+
 namespace wend {
 namespace {
 
@@ -119,6 +121,31 @@ void expect_all_apart(const std::vector<Named>& colours, double least, std::stri
   }
 }
 
+/// The style in which a car's plan is drawn.
+Style yard_style(StyleName name) {
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1, 1)))};
+  scene.unit = 1;
+  return style_for(scene, style_of(name));
+}
+
+Colour rough(const Style& style, double multiplier) {
+  return mixed(style.slightly_rough, style.very_rough, roughness(multiplier));
+}
+
+std::vector<Named> rough_roads(const Style& style) {
+  return {{"rough by 1.5", rough(style, 1.5)},
+          {"rough by 2", rough(style, 2)},
+          {"rough by 3", rough(style, 3)},
+          {"rough by 5", rough(style, 5)},
+          {"rough by 10", rough(style, 10)}};
+}
+
+std::vector<Named> yard_marks(const Style& style) {
+  std::vector<Named> named = marks(style);
+  named.push_back({"driven in reverse", style.reverse});
+  return named;
+}
+
 constexpr double kCellsApart = 6;
 constexpr double kMarksApart = 10;
 
@@ -141,9 +168,74 @@ TEST(Style, TellsMarksFromTheCellsUnderThem) {
   }
 }
 
+TEST(Style, TellsApartAllCellsOfAYard) {
+  for (const StyleName name : {StyleName::light, StyleName::dark}) {
+    const Style style = yard_style(name);
+    for (const auto& picture : pictures(style)) {
+      expect_all_apart(picture, kCellsApart, choice_name(name));
+      for (const Named& cell : picture) {
+        for (const Named& road : rough_roads(style)) {
+          expect_apart(road, cell, kCellsApart, choice_name(name));
+        }
+      }
+    }
+  }
+}
+
+/// A search has so many greys of its own that rough roads share some.
+TEST(Style, PrintsObstaclesRoughRoadsAndThePathOfAYardApart) {
+  const Style style = yard_style(StyleName::print);
+  for (const Named& road : rough_roads(style)) {
+    expect_all_apart(
+        {road, {"free", style.free}, {"obstacle", style.occupied}, {"path", style.path}},
+        kCellsApart, "print");
+  }
+}
+
+TEST(Style, TellsTheWayThroughAYardFromAllThatLiesUnderIt) {
+  for (const auto& [name, value] : choice_names(StyleName{})) {
+    const Style style = yard_style(value);
+    std::vector<Named> under = rough_roads(style);
+    for (const auto& picture : pictures(style)) {
+      under.insert(under.end(), picture.begin(), picture.end());
+    }
+    for (const Named& cell : under) {
+      for (const Named& mark : yard_marks(style)) expect_apart(mark, cell, kMarksApart, name);
+    }
+  }
+}
+
+TEST(Style, DrawsObstaclesOfAYardRedAndRoughRoadsTheMoreYellowTheRougher) {
+  const Vision& normal = kVisions[0];
+  for (const StyleName name : {StyleName::light, StyleName::dark}) {
+    const Style style = yard_style(name);
+    const auto [lightness, red, yellow] = lab(style.occupied, normal);
+    EXPECT_GT(red, 45) << choice_name(name) << lightness;
+    EXPECT_LT(yellow, red) << choice_name(name);
+    double before = 0;
+    for (const Named& road : rough_roads(style)) {
+      const Vector colour = lab(road.colour, normal);
+      EXPECT_LT(std::abs(colour[1]), 0.5 * colour[2]) << road.name << choice_name(name);
+      EXPECT_GT(colour[2], before) << road.name << choice_name(name);
+      before = colour[2];
+    }
+  }
+}
+
+TEST(Style, KeepsItsColoursWithoutACarAndBesideHeat) {
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1, 1)))};
+  const Style style;
+  EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
+  scene.unit = 1;
+  EXPECT_EQ(style_for(scene, style).occupied, style.yard.occupied);
+  scene.heatmap = {"cost", Grid<double>(1, 1)};
+  EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
+}
+
 TEST(Style, TellsMarksApartByColourExceptInPrint) {
   for (const StyleName name : {StyleName::light, StyleName::dark}) {
     expect_all_apart(marks(style_of(name)), kMarksApart, choice_name(name));
+    expect_all_apart(yard_marks(yard_style(name)), kMarksApart, choice_name(name));
   }
 }
 

@@ -74,7 +74,7 @@ std::string terminal_legend(const Scene& scene, int columns, const Terminal& ter
                             const Style& style) {
   const bool plain =
       terminal.graphics == TerminalGraphics::ascii || terminal.colours == TerminalColours::none;
-  const Style shown = suited(style, terminal.colours);
+  const Style shown = suited(scene, style, terminal.colours);
   std::vector<Piece> pieces;
   for (const LegendItem& item : legend_of(scene, shown)) {
     const bool drawn =

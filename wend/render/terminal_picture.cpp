@@ -172,7 +172,8 @@ std::string printed(cairo_surface_t* image, const ChafaCanvasConfig* config) {
 
 Terminal detect_terminal(const char* const* environment) {
   const std::string_view term = variable(environment, "TERM");
-  if (term.empty() || term == "dumb" || !variable(environment, "NO_COLOR").empty()) return {};
+  if (term.empty() || term == "dumb") return {.unicode = false};
+  if (!variable(environment, "NO_COLOR").empty()) return {};
   // Chafa copies what it reads, but its type is that of C's environ.
   const Owned<ChafaTermInfo> info(
       chafa_term_db_detect(chafa_term_db_get_default(), const_cast<gchar**>(environment)));
@@ -182,13 +183,14 @@ Terminal detect_terminal(const char* const* environment) {
   return terminal;
 }
 
-Style suited(Style style, TerminalColours colours) {
+Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
+  Style shown = style_for(scene, style);
   if (colours == TerminalColours::sixteen) {
-    style.path = colour_from(0x0000FF);
-    style.start = colour_from(0x00A000);
-    style.goal = colour_from(0xE00000);
+    shown.path = colour_from(0x0000FF);
+    shown.start = colour_from(0x00A000);
+    shown.goal = colour_from(scene.unit ? 0xE000E0 : 0xE00000);  // a yard's obstacles are red
   }
-  return style;
+  return shown;
 }
 
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
@@ -205,10 +207,10 @@ std::string terminal_picture(const Scene& scene, int columns, int rows, const Te
   const int used_columns = (view.width + character.width - 1) / character.width;
   const int used_rows = (view.height + character.height - 1) / character.height;
   const MarkSizes sizes =
-      blocks ? MarkSizes{.line = 1.5, .halo = 0, .mark = 1} : mark_sizes(view.scale());
+      blocks ? MarkSizes{.line = 1.5, .halo = 0, .mark = 1} : mark_sizes(scene, view);
   CairoSurface image =
       scene_image(scene, view, used_columns * character.width, used_rows * character.height, sizes,
-                  suited(style, terminal.colours));
+                  suited(scene, style, terminal.colours));
   if (blocks) image = enlarged(image.get(), kSymbolPixels, kSymbolPixels / 2);
   return printed(image.get(), canvas_config(used_columns, used_rows, terminal).get());
 }

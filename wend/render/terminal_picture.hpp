@@ -24,11 +24,13 @@ struct Terminal {
   TerminalColours colours = TerminalColours::none;
   int cell_width = 10;   // pixels a column, for sixel and kitty
   int cell_height = 20;  // pixels a row
+  bool unicode = true;   // it has characters beyond ASCII
 };
 
 /// What the environment ("NAME=value", then a null pointer) tells about the terminal. ASCII without
-/// colours if NO_COLOR is set and not empty, or TERM is missing or "dumb". Whether the output is a
-/// terminal at all is the caller's to know.
+/// colours if NO_COLOR is set and not empty, or TERM is missing or "dumb"; then text beside the
+/// pictures had better be ASCII too. Whether the output is a terminal at all is the caller's to
+/// know.
 Terminal detect_terminal(const char* const* environment);
 
 /// The whole map in at most that many columns and rows, in proportion, '\n' after every row. Paths
@@ -36,9 +38,9 @@ Terminal detect_terminal(const char* const* environment);
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
                              const Style& style = {});
 
-/// The style as terminal_picture() draws it: with sixteen colours the marks take the pure ones, or
-/// they would all come out as one.
-Style suited(Style style, TerminalColours colours);
+/// The style as terminal_picture() draws the scene in it: with sixteen colours the marks take the
+/// pure ones, or they would all come out as one.
+Style suited(const Scene& scene, const Style& style, TerminalColours colours);
 
 /// Lines for below that picture: what its colours mean, with the heatmap's title, its least and its
 /// greatest value; in ASCII, what its characters mean. No longer than `columns`, unless one entry

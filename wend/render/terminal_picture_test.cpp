@@ -1,5 +1,6 @@
 #include "wend/render/terminal_picture.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -25,6 +26,13 @@ TEST(DetectTerminal, ReadsTheEnvironment) {
   EXPECT_EQ(plain.colours, TerminalColours::true_colour);
   EXPECT_EQ(detected({"TERM=screen"}).colours, TerminalColours::palette_256);
   EXPECT_EQ(detected({"TERM=linux"}).colours, TerminalColours::sixteen);
+}
+
+TEST(DetectTerminal, WritesAsciiToADumbTerminalAlone) {
+  EXPECT_FALSE(detected({"TERM=dumb"}).unicode);
+  EXPECT_FALSE(detected({}).unicode);
+  EXPECT_TRUE(detected({"TERM=xterm"}).unicode);
+  EXPECT_TRUE(detected({"TERM=xterm", "NO_COLOR=1"}).unicode);
 }
 
 TEST(DetectTerminal, TakesAsciiWhereNoColourIsWanted) {
@@ -109,6 +117,45 @@ TEST(TerminalPicture, SpeaksSixelAndKitty) {
       terminal_picture(room(), 20, 10, {TerminalGraphics::kitty, TerminalColours::true_colour});
   EXPECT_TRUE(kitty.starts_with("\x1b_G"));
   EXPECT_TRUE(kitty.ends_with("\x1b\\\n"));
+}
+
+/// A yard of 8 x 8 cells; a car drives to the right along row 2, and back around a corner and on.
+Scene yard() {
+  Scene scene{.space = FreeSpace(map_of({
+                  "......##",
+                  "......##",
+                  "......22",
+                  "......22",
+                  "........",
+                  "........",
+                  "........",
+                  "........",
+              }))};
+  scene.unit = 1;
+  scene.path = Path::through({{0, 2, 0}, {4, 2, 0}, {3, 3, -kPi / 2}, {3, 6, -kPi / 2}});
+  scene.start = scene.path.poses().front();
+  scene.goals = {Point{8, 8}};
+  return scene;
+}
+
+TEST(TerminalPicture, TellsAheadFromReverseInAscii) {
+  EXPECT_EQ(terminal_picture(yard(), 8, 4, {}), lines_of({
+                                                    "......##",
+                                                    "Soo==.~~",
+                                                    "...=....",
+                                                    "...=...G",
+                                                }));
+}
+
+TEST(TerminalPicture, ColoursAYard) {
+  const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};
+  const std::string picture = terminal_picture(yard(), 80, 40, terminal);
+  const YardColours colours;
+  for (const Colour& colour : {colours.occupied, Style{}.path, Style{}.reverse}) {
+    const std::uint32_t rgb = rgb_of(colour);
+    const std::string code = fmt::format("2;{};{};{}", rgb >> 16U, rgb >> 8U & 255U, rgb & 255U);
+    EXPECT_NE(picture.find(code), std::string::npos) << code;
+  }
 }
 
 TEST(TerminalPicture, ShowsHeatAsDigitsInAscii) {

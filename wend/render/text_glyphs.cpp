@@ -6,6 +6,12 @@
 namespace wend {
 namespace {
 
+constexpr std::array<std::string_view, kDirections> kArrows{"↓", "↘", "→", "↗", "↑", "↖", "←", "↙"};
+constexpr std::array<std::string_view, kDirections> kAsciiArrows{"v", "\\", ">", "/",
+                                                                 "^", "\\", "<", "/"};
+
+}  // namespace
+
 Glyph glyph_of_terrain(double multiplier) {
   static constexpr std::array<std::string_view, 7> kDigits{"3", "4", "5", "6", "7", "8", "9"};
   if (multiplier == 1) return {".", Meaning::free};
@@ -14,8 +20,6 @@ Glyph glyph_of_terrain(double multiplier) {
   }
   return {"~", Meaning::rough};
 }
-
-}  // namespace
 
 Glyph glyph_of(const FreeSpace& space, Cell cell) {
   switch (space.map().state(cell)) {
@@ -31,9 +35,15 @@ Glyph glyph_of(const FreeSpace& space, Cell cell) {
 }
 
 Glyph arrow(Direction direction, Meaning meaning) {
-  static constexpr std::array<std::string_view, kDirections> kArrows{"↓", "↘", "→", "↗",
-                                                                     "↑", "↖", "←", "↙"};
   return {kArrows[static_cast<std::size_t>(direction)], meaning};
+}
+
+std::string_view ascii_of(std::string_view character) {
+  const auto* const found = std::ranges::find(kArrows, character);
+  if (found != kArrows.end())
+    return kAsciiArrows[static_cast<std::size_t>(found - kArrows.begin())];
+  if (character == "·") return ".";
+  return character;
 }
 
 Glyph glyph_of(CellRole role) {

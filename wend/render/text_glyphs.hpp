@@ -29,8 +29,15 @@ enum class Meaning : unsigned char {
   narrowest,
   start,
   goal,
+  // Of a car's picture alone:
+  corner,
+  axis,
+  yard_obstacle,
+  ahead,
+  reverse,
+  pose,
 };
-inline constexpr int kMeanings = 15;
+inline constexpr int kMeanings = 21;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8
@@ -40,7 +47,13 @@ struct Glyph {
 /// What the map and the robot make of a cell.
 Glyph glyph_of(const FreeSpace& space, Cell cell);
 
+/// "." for a multiplier of 1, its digit from 3 to 9, "~" for any other.
+Glyph glyph_of_terrain(double multiplier);
+
 Glyph arrow(Direction direction, Meaning meaning);
+
+/// What stands for a character where only ASCII is wanted.
+std::string_view ascii_of(std::string_view character);
 
 /// Characters, not bytes, of UTF-8.
 std::size_t characters(std::string_view text);

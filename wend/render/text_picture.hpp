@@ -11,7 +11,22 @@
 //
 // A scene's arrows are shown too, its heatmap is not: see text_numbers() in text_layers.hpp.
 //
-// UTF-8, '\n' after every row. O(cells).
+// Where a scene has a unit, the corners that a car stands on have characters too, with the cells
+// between them: two rows and two to four columns a cell, the numbers of corners at the sides:
+//
+//     0   1   2   3   4   5   6
+//   0 S→──→──╮·   ·   ·   ·   ·    →     pose        ─╮│  driven ahead
+//            ╰╮                    S→    start       ═╗║  driven in reverse
+//   1 ·   ·   ↓╔══←═══←══╗·   ·    G     goal         ·  corner
+//      ▓▓▓    ╠╝       ░░╚↑        █▟▄   obstacle
+//   2 ·   ·   ↓   ▗▄▄▄▖   G   ·    ░▒▓   rough, by a multiplier above 1, 2.2, 4.6
+//                 ▐███▌    ▓▓▓
+//   3 ·   ·   ·   ▝▀▀▀▘   ·   ·
+//
+// The arrow beside a start or a goal is its heading. With a unit of several cells the lattice's cells
+// are drawn: blocked if any of their cells is, of their mean terrain.
+//
+// UTF-8 or ASCII, '\n' after every row. O(cells + length of the path).
 
 #include <limits>
 #include <string>
@@ -24,10 +39,15 @@ namespace wend {
 struct TextStyle {
   bool colours = false;  // ANSI colours
   bool legend = false;   // one more line: what the characters in the picture mean
-  int columns = std::numeric_limits<int>::max();  // a longer legend takes several lines
+  /// A longer legend takes several lines, and the cells of a car's lattice are as wide as fits.
+  int columns = std::numeric_limits<int>::max();
+  bool ascii = false;  // > v < ^ - | \ / and the like; = is driven in reverse
 };
 
 std::string text_picture(const Scene& scene, const TextStyle& style = {});
+
+/// Does the picture, without its legend, fit into that many columns and rows?
+bool fits_as_text(const Scene& scene, int columns, int rows);
 
 /// Does the map fit into that many columns and rows, one character a cell?
 bool fits_as_text(const GridMap& map, int columns, int rows);

@@ -156,6 +156,13 @@ TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
                       "s start's region   g goal's region   # obstacle   . free"}));
 }
 
+TEST(TextPicture, CanDoWithAscii) {
+  Scene scene{.space = FreeSpace(map_of({"......", ".....#"}))};
+  scene.path = Path({{1, 0}, {2, 0}, {3, 1}, {4, 0}});
+  EXPECT_EQ(text_picture(scene, {.legend = true, .ascii = true}),
+            lines_of({".>\\...", ".../.#", "> path   # obstacle   . free"}));
+}
+
 TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
   Scene scene{.space = FreeSpace(map_of({"#....#"}))};
   scene.path = Path({{1, 0}, {2, 0}, {3, 0}});
@@ -164,6 +171,14 @@ TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
   EXPECT_EQ(text_picture(scene), "#S→G.#\n");
   EXPECT_EQ(text_picture(scene, {.colours = true}),
             "#\x1b[1;32mS\x1b[0m\x1b[1;34m→\x1b[0m\x1b[1;31mG\x1b[0m\x1b[90m.\x1b[0m#\n");
+}
+
+TEST(TextPicture, HeadsWhereACarDoesInTheCellsThatItDrivesThrough) {
+  Scene scene{.space = FreeSpace(map_of({".....", ".....", "....."}))};
+  scene.path = Path::through({{0.5, 0.5, 0}, {2.5, 0.5, 0}, {4.5, 2.5, kPi / 2}});
+  EXPECT_EQ(text_picture(scene), lines_of({"→→→↘.", "...↘↓", "....↓"}));
+  scene.path = Path::through({{3.5, 1.5, 0}, {1.5, 1.5, 0}});
+  EXPECT_EQ(text_picture(scene), lines_of({".....", ".→→→.", "....."})) << "in reverse";
 }
 
 TEST(TextPicture, KnowsWhetherAMapFits) {

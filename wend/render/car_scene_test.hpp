@@ -1,0 +1,31 @@
+#pragma once
+
+// Scenes of a car for tests.
+
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/car_move.hpp"
+#include "wend/render/scene.hpp"
+
+namespace wend {
+
+/// The poses after some moves.
+inline Path driven(CornerPose from, const std::vector<CarMove>& moves, bool y_up, int unit = 1) {
+  Path path;
+  path.drive_to(pose_of(from, y_up));
+  for (const CarMove move : moves) {
+    from = moved(from, move, y_up, unit);
+    path.drive_to(pose_of(from, y_up));
+  }
+  return path;
+}
+
+inline Scene car_on(FreeSpace space, Path path) {
+  Scene scene{.space = std::move(space)};
+  scene.unit = 1;
+  scene.path = std::move(path);
+  return scene;
+}
+
+}  // namespace wend

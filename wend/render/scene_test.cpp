@@ -1,0 +1,27 @@
+#include "wend/render/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "wend/render/text_map_test.hpp"
+
+namespace wend {
+namespace {
+
+TEST(Scene, MarksTheEndsOfAPathOfCells) {
+  const Scene scene = scene_of(FreeSpace(map_of({"..."})), Path({{0, 0}, {1, 0}}));
+  EXPECT_EQ(scene.start, ScenePlace(Point{0.5, 0.5}));
+  EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Point{1.5, 0.5}}));
+  EXPECT_EQ(scene.path.size(), 2U);
+  EXPECT_FALSE(scene.unit);
+}
+
+TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
+  const Scene scene =
+      scene_of(FreeSpace(map_of({"..."})), Path::through({{0, 0, 0}, {1, 1, kPi / 2}}));
+  EXPECT_EQ(scene.start, ScenePlace(Pose{0, 0, 0}));
+  EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Pose{1, 1, kPi / 2}}));
+  EXPECT_EQ(scene.unit, 1);
+}
+
+}  // namespace
+}  // namespace wend
