@@ -43,6 +43,8 @@ std::string planner_text(const PlannerInfo& planner) {
   text += entry("time", planner.time);
   text += entry("memory", planner.memory);
   text += entry("when", planner.when);
+  text += entry("moves", planner.motion == Motion::car ? "a car, from corner to corner"
+                                                       : "a disc, from cell to cell");
   text += entry("terrain", planner.plans_on_terrain ? "costs count" : "costs are ignored");
   text += entry("preprocessing", to_string(planner.preprocessing));
   text += entry("paper", planner.citation);
@@ -88,6 +90,7 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
                     {"time", planner.time},
                     {"memory", planner.memory},
                     {"when", planner.when},
+                    {"motion", to_string(planner.motion)},
                     {"plans_on_terrain", planner.plans_on_terrain},
                     {"preprocessing", to_string(planner.preprocessing)},
                     {"can_step", planner.can_step},

@@ -15,7 +15,7 @@ namespace wend {
 std::string planner_listing_text(const Registry<PlannerInfo>& planners);
 
 /// A list of {"name", "summary", "idea", "guarantee", "promise", "time", "memory", "when",
-/// "plans_on_terrain", "preprocessing", "can_step", "citation", "options"}. One line with its line
+/// "motion", "plans_on_terrain", "preprocessing", "can_step", "citation", "options"}. One line with its line
 /// end.
 std::string planner_listing_json(const Registry<PlannerInfo>& planners);
 
