@@ -117,7 +117,8 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   limits.expansions = arguments.limits.expansions;
   limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
   for (ComparedQuery& query : run.comparison().queries) {
-    const Ends ends{coordinates.place("start", query.start), coordinates.place("goal", query.goal)};
+    const Ends ends{coordinates.place("start", cell_at(query.start.point())),
+                    coordinates.place("goal", cell_at(query.goal.point))};
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
       if (row.found() || !row.reason.empty()) continue;
@@ -140,7 +141,9 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const FreeSpace& space) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
-    Scene scene = scene_between(space, query.start, query.goal);
+    Scene scene{.space = space};
+    scene.start = query.start.point();
+    scene.goals = {query.goal.point};
     scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};

@@ -120,6 +120,12 @@ TEST(CellAt, RefusesNumbersThatNoCellHas) {
   }
 }
 
+TEST(CellAt, OfAPointIsTheCellAroundIt) {
+  EXPECT_EQ(cell_at({3, 2.999}), (Cell{3, 2}));
+  EXPECT_EQ(cell_at({-0.5, -1}), (Cell{-1, -1}));
+  EXPECT_EQ(cell_at(pose_at({7, 1 << 20}).point()), (Cell{7, 1 << 20}));
+}
+
 TEST(CentreOf, IsHalfACellFromTheCorner) {
   EXPECT_EQ(centre_of({3, -2}), (Point{3.5, -1.5}));
   EXPECT_EQ(pose_at({3, -2}, 1.5), (Pose{3.5, -1.5, 1.5}));

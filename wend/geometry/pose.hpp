@@ -29,6 +29,11 @@ struct Pose {
 /// The centre of a cell, in grid coordinates.
 constexpr Point centre_of(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
 
+/// The cell that a point in grid coordinates lies in; its numbers are finite and fit one.
+inline Cell cell_at(Point point) {
+  return {static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
+}
+
 /// The pose at a cell's centre, in grid coordinates.
 constexpr Pose pose_at(Cell cell, double heading = 0) {
   return {cell.x + 0.5, cell.y + 0.5, heading};

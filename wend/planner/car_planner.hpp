@@ -41,6 +41,7 @@ class CarPlanner final : public Planner {
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::uint64_t do_state_count() const override;
+  int do_corner_unit() const override { return static_cast<int>(options_.driving.unit); }
   void do_update(std::span<const Cell> changed) override;
 
   /// Makes lattice and engine, if the map allows it.

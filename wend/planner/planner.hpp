@@ -58,6 +58,9 @@ class Planner {
   /// How many states there are in which the robot may be.
   std::uint64_t state_count() const { return do_state_count(); }
 
+  /// Of a car: how many cells the corners that it stands on lie apart. 0: it stands in cells.
+  int corner_unit() const { return do_corner_unit(); }
+
   /// Plans on another FreeSpace from now on. `changed` names the cells in which it may differ, for
   /// planners that keep what the others do not touch; the size may only change if it is empty.
   void update(FreeSpace free_space, std::span<const Cell> changed = {});
@@ -76,6 +79,7 @@ class Planner {
   virtual std::string do_reason(const Query& query, Status status) const;
   virtual double do_heuristic(const Pose& pose) const;
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
+  virtual int do_corner_unit() const { return 0; }
   virtual void do_update(std::span<const Cell> changed) = 0;
 
   std::optional<Status> check(const Query& query, Plan& out);

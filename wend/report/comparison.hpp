@@ -12,8 +12,10 @@
 #include <vector>
 
 #include "wend/base/status.hpp"
-#include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/planner/planner_info.hpp"
+#include "wend/planner/query.hpp"
 
 namespace wend {
 
@@ -22,10 +24,12 @@ struct ComparisonRow {
   std::string planner;  // as it was typed: "astar:weight=2"
   Status status = Status::found;
   std::string reason = {};        // of a failure, for people
-  double cost = 0;                // cells, times terrain
+  double cost = 0;                // as in Plan::cost; of a car its fuel
   double length = 0;              // cells
   double turning = 0;             // degrees, all turns together
   double smallest_clearance = 0;  // cells; infinite without obstacles
+  std::uint64_t steps = 0;        // moves
+  std::uint64_t reversals = 0;    // how often a car changes from ahead to reverse or back
   std::uint64_t expanded = 0;
   std::uint64_t generated = 0;
   std::uint64_t max_frontier = 0;  // the most states that were open
@@ -34,32 +38,36 @@ struct ComparisonRow {
   bool found() const { return status == Status::found; }
 };
 
+/// What was asked, in grid coordinates.
 struct ComparedQuery {
-  Cell start;
-  Cell goal;
+  Pose start;
+  Goal goal = Pose{};
   std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
 };
 
 struct Comparison {
   Frame frame;
   std::vector<ComparedQuery> queries;
+  Motion motion = Motion::cells;  // of all planners
 };
 
 /// For people. Of one query: a line for each planner and, below, why some found nothing. Of many:
 /// a block for each measure, with a line for each planner; at most 100 columns where planners'
 /// names have no more than 40. The best of what is compared is marked, unless all are equal; only
 /// those that found a path compete. Lengths are in metres too (of many queries: instead) where
-/// people mean metres.
+/// people mean metres. Cars are compared by steps and reversals too.
 std::string comparison_table(const Comparison& comparison);
 
 /// {"queries": [{"start", "goal", "planners": [{"planner", "status", "cost", "length_cells",
 /// "length_m", "turning_degrees", "clearance_cells", "clearance_m", "metrics"}]}],
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}. A failure has a "reason", and null for what is not known of it, as for what is infinite.
-/// `cost_ratio` is to the cheapest cost that any planner found. One line with its line end.
+/// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y], of
+/// cars [x,y,"E"] in grid coordinates (radians where it is none of the four headings, "any" where
+/// any will do); cars have "steps" and "reversals" besides. One line with its line end.
 std::string comparison_json(const Comparison& comparison);
 
-/// A line for each query and planner, the names of the columns first. Fields of failures that mean
+/// A line for each query and planner with the same columns, the names of the columns first. Fields of failures that mean
 /// nothing are empty; "inf" is infinite. Quotes as in RFC 4180.
 std::string comparison_csv(const Comparison& comparison);
 

@@ -22,30 +22,76 @@ double cost_ratio(const ComparedQuery& query, const ComparisonRow& row) {
 double length(const ComparedQuery&, const ComparisonRow& row) { return row.length; }
 double clearance(const ComparedQuery&, const ComparisonRow& row) { return row.smallest_clearance; }
 
+/// Of a row, as a number.
+template <auto kMember>
+double value(const ComparedQuery&, const ComparisonRow& row) {
+  return static_cast<double>(row.*kMember);
+}
+
 constexpr std::array kMeasures{
-    Measure{"cost", "cost", "", 2, true, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) { return row.cost; }},
-    Measure{"cost_ratio", "cost / least", "", 3, true, false, false, cost_ratio},
-    Measure{"length_cells", "length", "cells", 2, true, false, false, length},
-    Measure{"length_m", "length", "m", 2, true, false, true, length},
-    Measure{"turning_degrees", "turning", "degrees", 0, true, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) { return row.turning; }},
-    Measure{"clearance_cells", "clearance", "cells", 2, true, true, false, clearance},
-    Measure{"clearance_m", "clearance", "m", 2, true, true, true, clearance},
-    Measure{"expanded", "expanded", "", 0, false, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) {
-              return static_cast<double>(row.expanded);
-            }},
-    Measure{"generated", "generated", "", 0, false, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) {
-              return static_cast<double>(row.generated);
-            }},
-    Measure{"max_frontier", "frontier", "", 0, false, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) {
-              return static_cast<double>(row.max_frontier);
-            }},
-    Measure{"time_us", "time", "us", 1, false, false, false,
-            [](const ComparedQuery&, const ComparisonRow& row) { return row.seconds * 1e6; }}};
+    Measure{.key = "cost",
+            .title = "cost",
+            .decimals = 2,
+            .of_path = true,
+            .value = value<&ComparisonRow::cost>},
+    Measure{.key = "cost_ratio",
+            .title = "cost / least",
+            .decimals = 3,
+            .of_path = true,
+            .value = cost_ratio},
+    Measure{.key = "length_cells",
+            .title = "length",
+            .unit = "cells",
+            .decimals = 2,
+            .of_path = true,
+            .value = length},
+    Measure{.key = "length_m",
+            .title = "length",
+            .unit = "m",
+            .decimals = 2,
+            .of_path = true,
+            .in_metres = true,
+            .value = length},
+    Measure{.key = "turning_degrees",
+            .title = "turning",
+            .unit = "degrees",
+            .of_path = true,
+            .value = value<&ComparisonRow::turning>},
+    Measure{.key = "steps",
+            .title = "steps",
+            .of_path = true,
+            .of_cars = true,
+            .value = value<&ComparisonRow::steps>},
+    Measure{.key = "reversals",
+            .title = "reversals",
+            .of_path = true,
+            .of_cars = true,
+            .value = value<&ComparisonRow::reversals>},
+    Measure{.key = "clearance_cells",
+            .title = "clearance",
+            .unit = "cells",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .value = clearance},
+    Measure{.key = "clearance_m",
+            .title = "clearance",
+            .unit = "m",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .in_metres = true,
+            .value = clearance},
+    Measure{.key = "expanded", .title = "expanded", .value = value<&ComparisonRow::expanded>},
+    Measure{.key = "generated", .title = "generated", .value = value<&ComparisonRow::generated>},
+    Measure{
+        .key = "max_frontier", .title = "frontier", .value = value<&ComparisonRow::max_frontier>},
+    Measure{
+        .key = "time_us",
+        .title = "time",
+        .unit = "us",
+        .decimals = 1,
+        .value = [](const ComparedQuery&, const ComparisonRow& row) { return row.seconds * 1e6; }}};
 
 bool all_found(const ComparedQuery& query) {
   return std::all_of(query.rows.begin(), query.rows.end(),
@@ -64,7 +110,13 @@ double Measure::of(const Comparison& comparison, const ComparedQuery& query,
   return value(query, row) * (in_metres ? comparison.frame.resolution : 1);
 }
 
-std::span<const Measure> measures() { return kMeasures; }
+std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison) {
+  std::vector<std::reference_wrapper<const Measure>> measures;
+  for (const Measure& measure : kMeasures) {
+    if (!measure.of_cars || comparison.motion == Motion::car) measures.emplace_back(measure);
+  }
+  return measures;
+}
 
 const Measure& measure(std::string_view key) {
   const auto* const place =

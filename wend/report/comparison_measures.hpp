@@ -3,6 +3,7 @@
 // What planners are compared by.
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -13,21 +14,22 @@
 namespace wend {
 
 struct Measure {
-  std::string_view key;    // as programs call it
-  std::string_view title;  // as people do
-  std::string_view unit;   // empty for counts and ratios
-  int decimals;            // that people want to see
-  bool of_path;            // has no meaning where there is none
-  bool more_is_better;
-  bool in_metres;  // what `value` gives is in cells and to be multiplied by the resolution
+  std::string_view key;     // as programs call it
+  std::string_view title;   // as people do
+  std::string_view unit{};  // empty for counts and ratios
+  int decimals = 0;         // that people want to see
+  bool of_path = false;     // has no meaning where there is none
+  bool of_cars = false;     // is of no interest where planners move from cell to cell
+  bool more_is_better = false;
+  bool in_metres = false;  // what `value` gives is in cells and to be multiplied by the resolution
   double (*value)(const ComparedQuery&, const ComparisonRow&);
 
   /// Of one planner on one query. NaN if it has no meaning.
   double of(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) const;
 };
 
-/// All there are, in the order in which people read them.
-std::span<const Measure> measures();
+/// All that are of interest for what is compared, in the order in which people read them.
+std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison);
 
 /// The measure with that key, which must exist.
 const Measure& measure(std::string_view key);

@@ -126,10 +126,10 @@ TEST(ComparisonPlot, HasEverySolvedQueryAndSharesOfAll) {
         .planner = "a", .status = status, .length = length, .expanded = 3, .seconds = seconds};
   };
   const Comparison comparison{{},
-                              {{{}, {}, {row(7, 5e-6, Status::found)}},
-                               {{}, {}, {row(0, 9e-6, Status::unreachable)}},
-                               {{}, {}, {row(8, 4e-6, Status::found)}},
-                               {{}, {}, {row(9, 6e-6, Status::found)}}}};
+                              {{{}, Pose{}, {row(7, 5e-6, Status::found)}},
+                               {{}, Pose{}, {row(0, 9e-6, Status::unreachable)}},
+                               {{}, Pose{}, {row(8, 4e-6, Status::found)}},
+                               {{}, Pose{}, {row(9, 6e-6, Status::found)}}}};
   const std::string script = comparison_plot(comparison, PlotKind::png);
   EXPECT_THAT(script, HasSubstr("$points0 << END\n7 5 3\n8 4 3\n9 6 3\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$time0 << END\n0 0\n4 25\n5 50\n6 75\n"));

@@ -1,28 +1,50 @@
 #include "wend/report/comparison_run.hpp"
 
+#include <cassert>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/space/car_lattice.hpp"
 
 namespace wend {
 namespace {
 
 /// The cells of each region by its label, in the order of the map; those of one cell have no pairs.
-std::vector<std::vector<Cell>> regions_with_pairs(const FreeSpace& space) {
-  const ConnectedRegions& regions = space.regions();
-  std::vector<std::vector<Cell>> cells(regions.count(Adjacency::edges) + 1);
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) {
+std::vector<std::vector<Cell>> regions_with_pairs(const BitGrid& cells,
+                                                  const ConnectedRegions& regions,
+                                                  Adjacency adjacency) {
+  std::vector<std::vector<Cell>> lists(regions.count(adjacency) + 1);
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
       const Cell cell{x, y};
-      if (regions.size_of_region(cell, Adjacency::edges) < 2) continue;
-      cells[regions.region(cell, Adjacency::edges)].push_back(cell);
+      if (regions.size_of_region(cell, adjacency) < 2) continue;
+      lists[regions.region(cell, adjacency)].push_back(cell);
     }
   }
-  return cells;
+  return lists;
+}
+
+/// Pairs of different cells of the same region; empty where there is none.
+std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedRegions& regions,
+                                      Adjacency adjacency, std::uint64_t count, Random& random) {
+  const std::vector<std::vector<Cell>> lists = regions_with_pairs(cells, regions, adjacency);
+  std::vector<Cell> starts;
+  for (const auto& list : lists) starts.insert(starts.end(), list.begin(), list.end());
+  std::vector<CellPair> pairs;
+  if (starts.empty()) return pairs;
+  pairs.reserve(count);
+  while (pairs.size() < count) {
+    const Cell start = starts[random.below(starts.size())];
+    const auto& region = lists[regions.region(start, adjacency)];
+    const Cell goal = region[random.below(region.size())];
+    if (goal != start) pairs.push_back({start, goal});
+  }
+  return pairs;
 }
 
 /// Whole eighths of a turn come out as whole degrees.
@@ -31,31 +53,57 @@ double without_rounding(double degrees) {
   return std::round(degrees * kDigits) / kDigits;
 }
 
+/// What the planners move; nothing if that differs.
+std::optional<Motion> motion_of(std::span<const PlannerSpec> specs) {
+  std::optional<Motion> motion;
+  for (const PlannerSpec& spec : specs) {
+    const PlannerInfo* const info = planners().find(spec.name);
+    if (info == nullptr) continue;
+    if (motion && *motion != info->motion) return std::nullopt;
+    motion = info->motion;
+  }
+  return motion.value_or(Motion::cells);
+}
+
 }  // namespace
 
 std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count,
                                    std::uint64_t seed) {
-  const std::vector<std::vector<Cell>> regions = regions_with_pairs(space);
-  std::vector<Cell> starts;
-  for (const auto& region : regions) starts.insert(starts.end(), region.begin(), region.end());
-  std::vector<CellPair> pairs;
-  if (starts.empty()) return pairs;
   Random random(seed);
-  pairs.reserve(count);
-  while (pairs.size() < count) {
-    const Cell start = starts[random.below(starts.size())];
-    const auto& region = regions[space.regions().region(start, Adjacency::edges)];
-    const Cell goal = region[random.below(region.size())];
-    if (goal != start) pairs.push_back({start, goal});
+  return connected_pairs(space.passable(), space.regions(), Adjacency::edges, count, random);
+}
+
+std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
+                                 std::uint64_t seed) {
+  const CarDriving driving{.unit = unit};
+  std::vector<Query> queries;
+  if (!has_room_for(space.map(), driving)) return queries;
+  const CarLattice lattice(space, driving);
+  Random random(seed);
+  const auto pose = [&](Cell corner) {
+    return lattice.to_grid({corner, kAllHeadings[random.below(kHeadings)]});
+  };
+  const ConnectedRegions regions(lattice.passable());
+  for (const CellPair& corners :
+       connected_pairs(lattice.passable(), regions, Adjacency::edges_and_corners, count, random)) {
+    const Pose start = pose(corners.start);
+    queries.push_back({start, {pose(corners.goal)}});
   }
-  return pairs;
+  return queries;
 }
 
 Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space,
                                                           std::vector<PlannerSpec> specs,
                                                           Clock clock) {
   ComparisonRun run(space, std::move(clock));
+  const auto motion = motion_of(specs);
+  if (!motion) {
+    return Unexpected<PlannerError>(
+        {Status::invalid_option,
+         "planners that move from cell to cell cannot be compared with those that drive a car"});
+  }
   run.comparison_.frame = space.map().frame();
+  run.comparison_.motion = *motion;
   for (PlannerSpec& spec : specs) {
     auto planner = make_planner(spec.name, space, spec.options);
     if (!planner && planner.error().status == Status::invalid_option) {
@@ -70,15 +118,22 @@ Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space
 }
 
 void ComparisonRun::answer(const CellPair& cells, const Limits& limits) {
-  ComparedQuery query{cells.start, cells.goal, {}};
-  for (std::size_t planner = 0; planner < specs_.size(); ++planner) {
-    query.rows.push_back(answer_of(planner, cells, limits));
-  }
-  comparison_.queries.push_back(std::move(query));
+  Query query = Query::between(cells.start, cells.goal);
+  query.limits = limits;
+  answer(std::move(query));
 }
 
-ComparisonRow ComparisonRun::answer_of(std::size_t planner, const CellPair& cells,
-                                       const Limits& limits) {
+void ComparisonRun::answer(Query query) {
+  assert(query.goals.size() == 1);
+  query.observer = nullptr;  // planners would tell it all at once
+  ComparedQuery compared{query.start, query.goals.front(), {}};
+  for (std::size_t planner = 0; planner < specs_.size(); ++planner) {
+    compared.rows.push_back(answer_of(planner, query));
+  }
+  comparison_.queries.push_back(std::move(compared));
+}
+
+ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) {
   ComparisonRow row{.planner = specs_[planner].text};
   Planner* const made = planners_[planner].get();
   if (made == nullptr) {
@@ -86,8 +141,6 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const CellPair& cell
     row.reason = errors_[planner].what;
     return row;
   }
-  Query query = Query::between(cells.start, cells.goal);
-  query.limits = limits;
   if (comparison_.queries.empty()) made->plan(query, plan_);
   const double begin = clock_();
   row.status = made->plan(query, plan_);
@@ -96,18 +149,23 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const CellPair& cell
   row.expanded = plan_.metrics.expanded;
   row.generated = plan_.metrics.generated;
   row.max_frontier = plan_.metrics.max_frontier;
-  if (!row.found()) return row;
+  if (!row.found()) {
+    if (comparison_.motion == Motion::car) row.reason = made->reason(query, row.status);
+    return row;
+  }
   const PathMetrics metrics = measure(plan_.path, space_);
   row.length = metrics.length;
   row.turning = without_rounding(degrees_from(metrics.turning));
   row.smallest_clearance = metrics.smallest_clearance;
+  row.steps = plan_.path.size() - 1;
+  row.reversals = static_cast<std::uint64_t>(metrics.reversals);
   return row;
 }
 
 /// Runs a search again as far as it went: one that was stopped by the clock may go no further.
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparedQuery& asked = comparison_.queries[query];
-  Query same = Query::between(asked.start, asked.goal);
+  Query same{asked.start, {asked.goal}};
   same.limits.expansions = asked.rows[planner].expanded;
   same.observer = observer;
   Plan plan;
@@ -116,7 +174,8 @@ Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver
 }
 
 SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) const {
-  SearchRecorder recorder(space_);
+  const Planner* const made = planners_[planner].get();
+  SearchRecorder recorder(space_, made == nullptr ? 0 : made->corner_unit());
   again(planner, query, &recorder);
   return recorder;
 }

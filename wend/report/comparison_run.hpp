@@ -20,6 +20,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
+#include "wend/planner/query.hpp"
 #include "wend/planner/search_recorder.hpp"
 #include "wend/report/comparison.hpp"
 
@@ -35,10 +36,17 @@ struct CellPair {
 /// there is no such pair. O(cells + count).
 std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, std::uint64_t seed);
 
+/// Queries of a car, from a corner and heading to another corner and a heading. It can stand on
+/// both, and moves could join them if headings did not matter: most have a path, but not all. The
+/// coordinates are multiples of `unit`, 1 or more. The same seed gives the same queries. Empty where
+/// there is no such pair. O(cells + count).
+std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
+                                 std::uint64_t seed);
+
 class ComparisonRun {
  public:
-  /// Fails for a planner that does not take its options; one that cannot be made for another reason
-  /// answers every query with that.
+  /// Fails for a planner that does not take its options, and for planners of different motions; one
+  /// that cannot be made for another reason answers every query with that.
   static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
                                                     std::vector<PlannerSpec> specs, Clock clock);
 
@@ -46,7 +54,10 @@ class ComparisonRun {
   /// first query is asked twice, and the second answer timed: a planner's memory is fresh at first.
   void answer(const CellPair& cells, const Limits& limits = {});
 
-  /// `reason` is set only for planners that could not be made.
+  /// The same of a query with one goal, in the grid coordinates of any motion, and its limits.
+  void answer(Query query);
+
+  /// `reason` is set for cars, of other planners only for those that could not be made.
   Comparison& comparison() { return comparison_; }
   const Comparison& comparison() const { return comparison_; }
 
@@ -62,7 +73,7 @@ class ComparisonRun {
   ComparisonRun(FreeSpace space, Clock clock)
       : space_(std::move(space)), clock_(std::move(clock)) {}
 
-  ComparisonRow answer_of(std::size_t planner, const CellPair& cells, const Limits& limits);
+  ComparisonRow answer_of(std::size_t planner, const Query& query);
   Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;

@@ -57,6 +57,52 @@ TEST(RandomPairs, ReachAllCellsAndComeAgainWithTheSameSeed) {
   }
 }
 
+TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
+  int maps_with_drives = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const GridMap map = test::random_map(random);
+    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const int unit = random.between(1, 3);
+    const auto drives = random_drives(space, unit, 20, seed);
+    const auto planner = make_planner("car", space, {{"unit", std::to_string(unit)}});
+    if (drives.empty()) continue;
+    ASSERT_TRUE(planner);
+    ++maps_with_drives;
+    EXPECT_EQ(drives.size(), 20U);
+    for (const Query& query : drives) {
+      const auto plan = (*planner)->plan(query);
+      const Status status = plan ? Status::found : plan.error().status;
+      EXPECT_TRUE(status == Status::found || status == Status::unreachable) << to_string(status);
+      EXPECT_NE(query.start.point(), query.goals.front().point);
+      if (plan) {
+        EXPECT_EQ(plan->start_shift, Shift{}) << "where it was asked";
+        EXPECT_EQ(plan->goal_shift, Shift{});
+      }
+    }
+  }
+  EXPECT_GT(maps_with_drives, 30);
+}
+
+TEST(RandomDrives, FaceAllWaysAndComeAgainWithTheSameSeed) {
+  const FreeSpace space = test::open_space(2, 1);
+  const auto drives = random_drives(space, 1, 500, 3);
+  std::set<std::array<double, 3>> starts;
+  std::set<std::array<double, 3>> goals;
+  for (const Query& query : drives) {
+    starts.insert({query.start.x, query.start.y, query.start.heading});
+    const Goal& goal = query.goals.front();
+    goals.insert({goal.point.x, goal.point.y, goal.heading.value()});
+  }
+  EXPECT_EQ(starts.size(), 24U);
+  EXPECT_EQ(goals.size(), 24U);
+  const auto again = random_drives(space, 1, 500, 3);
+  for (std::size_t i = 0; i < drives.size(); ++i) EXPECT_EQ(drives[i].start, again[i].start);
+  EXPECT_TRUE(random_drives(test::drawn_space("##\n"), 1, 5, 1).empty());
+  EXPECT_TRUE(random_drives(space, 5, 5, 1).empty()) << "no room for the lattice";
+}
+
 TEST(ComparisonRun, SaysOfEveryPlannerWhatItsPlanSays) {
   const FreeSpace space = test::drawn_space(
       "........\n"
@@ -103,6 +149,78 @@ TEST(ComparisonRun, RepeatsASearchThatWasStoppedAsFarAsItWent) {
   EXPECT_EQ(row.expanded, 40U);
   EXPECT_EQ(run.record(0, 0).expansions().size(), 40U);
   EXPECT_TRUE(run.path(0, 0).empty());
+}
+
+TEST(ComparisonRun, ComparesCars) {
+  const FreeSpace space = test::drawn_space(
+      "........\n"
+      "........\n"
+      "........\n"
+      "...#....\n"
+      "........\n"
+      "........\n"
+      "........\n"
+      "........\n");
+  ComparisonRun run = run_of(space, "car,car:unit=2");
+  const Query query{{0, 0, 0}, {Goal(Point{8, 8})}};
+  run.answer(query);
+  EXPECT_EQ(run.comparison().motion, Motion::car);
+  ASSERT_EQ(run.comparison().queries.size(), 1U);
+  EXPECT_EQ(run.comparison().queries[0].start, query.start);
+  for (std::size_t planner = 0; planner < 2; ++planner) {
+    const ComparisonRow& row = run.comparison().queries[0].rows[planner];
+    const PlannerSpec& spec = run.planners()[planner];
+    SCOPED_TRACE(spec.text);
+    const auto plan = (*make_planner(spec.name, space, spec.options))->plan(query);
+    ASSERT_TRUE(plan && row.found());
+    EXPECT_EQ(row.cost, plan->cost);
+    EXPECT_NEAR(row.length, plan->cost * (planner == 0 ? 1 : 2), 1e-9)
+        << "on even ground, in cells";
+    EXPECT_EQ(row.steps, plan->moves.size());
+    EXPECT_EQ(row.turning, 90 * std::round(row.turning / 90)) << "whole quarters of a turn";
+    EXPECT_EQ(run.path(planner, 0), plan->path);
+    const SearchRecorder recorder = run.record(planner, 0);
+    EXPECT_EQ(recorder.expansions().size(), row.expanded);
+    EXPECT_TRUE(recorder.snapshot().expanded[(Cell{0, 0})]);
+  }
+}
+
+TEST(ComparisonRun, CountsHowOftenACarReverses) {
+  const FreeSpace space = test::drawn_space("....\n");  // no room to turn but at its end
+  ComparisonRun run = run_of(space, "car");
+  run.answer(Query{{0, 0, 0}, {Pose{4, 0, 0}}});
+  run.answer(Query{{4, 0, 0}, {Pose{0, 0, 0}}});
+  run.answer(Query{{0, 0, 0}, {Pose{0, 0, kPi / 2}}});
+  const auto& queries = run.comparison().queries;
+  EXPECT_EQ(queries[0].rows[0].reversals, 0U);
+  EXPECT_EQ(queries[0].rows[0].steps, 4U);
+  EXPECT_EQ(queries[1].rows[0].reversals, 0U) << "in reverse all the way";
+  const auto plan = (*make_planner("car", space))->plan(Query{{0, 0, 0}, {Pose{0, 0, kPi / 2}}});
+  ASSERT_TRUE(plan);
+  std::uint64_t changes = 0;
+  for (std::size_t i = 1; i < plan->moves.size(); ++i) {
+    changes += plan->moves[i].substr(0, 3) != plan->moves[i - 1].substr(0, 3) ? 1 : 0;
+  }
+  EXPECT_GT(changes, 0U);
+  EXPECT_EQ(queries[2].rows[0].reversals, changes);
+}
+
+TEST(ComparisonRun, SaysWhyACarFindsNothing) {
+  const FreeSpace space = test::drawn_space("..#..\n");
+  ComparisonRun run = run_of(space, "car");
+  run.answer(Query{{0, 0, 0}, {Pose{2, 0, 0}}});
+  const ComparisonRow& row = run.comparison().queries[0].rows[0];
+  EXPECT_EQ(row.status, Status::goal_blocked);
+  EXPECT_NE(row.reason.find("obstacle"), std::string::npos) << row.reason;
+  EXPECT_EQ(row.steps, 0U);
+  EXPECT_TRUE(run.path(0, 0).empty());
+}
+
+TEST(ComparisonRun, RefusesToCompareCarsWithOthers) {
+  const auto run = ComparisonRun::make(test::open_space(3, 3), *parse_planner_specs("astar,car"),
+                                       ticking_clock());
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().status, Status::invalid_option);
 }
 
 TEST(ComparisonRun, RefusesOptionsThatThePlannerDoesNotTake) {

@@ -71,7 +71,7 @@ std::string reasons_of(const ComparedQuery& query) {
 std::string table_of_one(const Comparison& comparison) {
   const ComparedQuery& query = comparison.queries.front();
   std::vector<Column> columns;
-  for (const Measure& measure : measures()) {
+  for (const Measure& measure : measures_of(comparison)) {
     if (measure.key == "cost_ratio" || (measure.in_metres && !comparison.frame.metric)) continue;
     columns.push_back(column_of(comparison, query, measure));
   }
@@ -165,7 +165,7 @@ std::string table_of_many(const Comparison& comparison) {
     return marked ? text.append("\n").append(kBest) : text;
   }
   std::vector<std::vector<Column>> blocks;
-  for (const Measure& measure : measures()) {
+  for (const Measure& measure : measures_of(comparison)) {
     if (!is_shown_of_many(measure, comparison.frame.metric)) continue;
     blocks.push_back(columns_of(comparison, measure));
     marked = marked || has_marks(blocks.back());

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "wend/base/random.hpp"
+#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
@@ -52,7 +53,7 @@ const ComparisonRow kLost{.planner = "random_walk",
                           .seconds = 1e-6};
 
 Comparison of_one(std::vector<ComparisonRow> rows, const Frame& frame = {}) {
-  return {frame, {{{1, 2}, {3, 4}, std::move(rows)}}};
+  return {frame, {{pose_at({1, 2}), pose_at({3, 4}), std::move(rows)}}};
 }
 
 std::string tabled(const Comparison& comparison) { return "\n" + comparison_table(comparison); }
@@ -82,6 +83,19 @@ TEST(ComparisonTable, MarksNothingThatNobodyIsBestIn) {
   EXPECT_THAT(comparison_table(of_one({kAStar, kLost})), testing::Not(HasSubstr("*")));
   EXPECT_THAT(comparison_table(of_one({kAStar, kAStar})), testing::Not(HasSubstr("*")));
   EXPECT_THAT(comparison_table(of_one({kLost, kLost})), testing::Not(HasSubstr("*")));
+}
+
+TEST(ComparisonTable, HasStepsAndReversalsOfACar) {
+  Comparison comparison = of_one({kAStar, kLost});
+  comparison.motion = Motion::car;
+  comparison.queries[0].rows[0].steps = 12;
+  comparison.queries[0].rows[0].reversals = 3;
+  EXPECT_THAT(comparison_table(comparison), HasSubstr(" degrees  steps  reversals      cells "));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("       90     12          3       1.50  "));
+  comparison.queries.push_back(comparison.queries[0]);
+  comparison.queries[0].rows.pop_back();
+  comparison.queries[1].rows.pop_back();
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("reversals         astar         3"));
 }
 
 TEST(ComparisonTable, OfNothingSaysSo) { EXPECT_EQ(comparison_table({}), "no queries\n"); }
@@ -172,6 +186,29 @@ TEST(ComparisonJson, HasEveryRow) {
   EXPECT_TRUE(read.at("statistics").at(1).at("expanded").at("mean").is_null());
 }
 
+/// A drive, with and without a heading at its goal.
+Comparison of_a_car(std::vector<ComparisonRow> rows) {
+  rows.front().steps = 12;
+  rows.front().reversals = 3;
+  Comparison comparison{kMetric, {}, Motion::car};
+  comparison.queries.push_back({{1, 2, 0}, Pose{3.5, 4, -kPi / 2}, rows});
+  comparison.queries.push_back({{1, 2, 0.25}, Goal(Point{3, 4}), rows});
+  return comparison;
+}
+
+TEST(ComparisonJson, HasHeadingsStepsAndReversalsOfACar) {
+  const json read = json::parse(comparison_json(of_a_car({kAStar, kLost})));
+  EXPECT_EQ(read.at("queries").at(0).at("start"), json({1, 2, "E"}));
+  EXPECT_EQ(read.at("queries").at(0).at("goal"), json({3.5, 4, "N"}));
+  EXPECT_EQ(read.at("queries").at(1).at("start"), json({1, 2, 0.25}));
+  EXPECT_EQ(read.at("queries").at(1).at("goal"), json({3, 4, "any"}));
+  const json& rows = read.at("queries").at(0).at("planners");
+  EXPECT_EQ(rows.at(0).at("steps"), 12);
+  EXPECT_EQ(rows.at(0).at("reversals"), 3);
+  EXPECT_TRUE(rows.at(1).at("steps").is_null());
+  EXPECT_TRUE(read.at("statistics").at(0).contains("reversals"));
+}
+
 TEST(ComparisonJson, IsOneLine) {
   const std::string text = comparison_json(of_two({kAStar, kGreedy}));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
@@ -189,6 +226,14 @@ start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_
 1,2,3,4,astar,found,10.25,10.25,5.125,90,1.5,0.75,120,200,80,12.34,
 1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,inf,inf,20,60,40,3,
 1,2,3,4,random_walk,step_limit,,,,,,,3,4,1,1,the walk used up its steps
+)");
+}
+
+TEST(ComparisonCsv, HasHeadingsStepsAndReversalsOfACar) {
+  EXPECT_EQ("\n" + comparison_csv(of_a_car({kAStar})), R"(
+start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner,status,cost,length_cells,length_m,turning_degrees,steps,reversals,clearance_cells,clearance_m,expanded,generated,max_frontier,time_us,reason
+1,2,E,3.5,4,N,astar,found,10.25,10.25,5.125,90,12,3,1.5,0.75,120,200,80,12.34,
+1,2,0.25,3,4,any,astar,found,10.25,10.25,5.125,90,12,3,1.5,0.75,120,200,80,12.34,
 )");
 }
 
@@ -217,7 +262,7 @@ RC_GTEST_PROP(ComparisonJson, StatisticsAreThoseOfTheQueriesThatAllSolved, ()) {
   for (int i = random.between(1, 300); i > 0; --i) {
     const ComparisonRow a = random_row(random, "a");
     const ComparisonRow b = random_row(random, "b");
-    comparison.queries.push_back({{0, 0}, {1, 1}, {a, b}});
+    comparison.queries.push_back({pose_at({0, 0}), pose_at({1, 1}), {a, b}});
     if (!a.found() || !b.found()) continue;
     expanded.push_back(static_cast<double>(a.expanded));
     ratios.push_back(a.cost / std::min(a.cost, b.cost));

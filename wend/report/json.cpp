@@ -10,21 +10,6 @@ namespace {
 
 constexpr double kMostExact = 9007199254740992;  // 2^53: whole numbers up to it are themselves
 
-/// [3, 4], and [2.5, 4] where it is no corner.
-Json json_of(Point point) {
-  const auto number = [](double value) {
-    const bool whole = value == std::round(value) && std::abs(value) <= kMostExact;
-    return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
-  };
-  return Json::array({number(point.x), number(point.y)});
-}
-
-/// "E", or radians.
-Json json_of_heading(double radians, bool y_up) {
-  const auto heading = exact_heading(radians, y_up);
-  return heading ? Json(to_string(*heading)) : Json(radians);
-}
-
 void put_poses(Json& json, const Plan& plan, const Frame& frame) {
   Json corners = Json::array();
   Json headings = Json::array();
@@ -45,6 +30,19 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
 }
 
 }  // namespace
+
+Json json_of(Point point) {
+  const auto number = [](double value) {
+    const bool whole = value == std::round(value) && std::abs(value) <= kMostExact;
+    return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+  };
+  return Json::array({number(point.x), number(point.y)});
+}
+
+Json json_of_heading(double radians, bool y_up) {
+  const auto heading = exact_heading(radians, y_up);
+  return heading ? Json(to_string(*heading)) : Json(radians);
+}
 
 Json json_of(Cell cell) { return Json::array({cell.x, cell.y}); }
 

@@ -12,6 +12,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/pose.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -23,6 +24,12 @@ using Json = nlohmann::ordered_json;
 
 /// [x, y]
 Json json_of(Cell cell);
+
+/// [x, y] of a point in grid coordinates: [3, 4] of a corner, else [2.5, 4.0].
+Json json_of(Point point);
+
+/// "E" of one of the four headings, else radians.
+Json json_of_heading(double radians, bool y_up);
 
 /// [[x, y], ...]
 Json json_of(std::span<const Cell> cells);
