@@ -81,6 +81,11 @@ std::unique_ptr<Planner> make_planner_for(const PlannerSpec& spec, const FreeSpa
 
 /// Scenarios say how to move; lengths of other moves would all be wrong.
 void refuse_moves(const PlannerSpec& spec) {
+  if (info_of(spec).motion != Motion::cells) {
+    throw InputError(fmt::format(
+        "{}: scenarios are for planners that move from cell to cell, and this one drives a car",
+        spec.text));
+  }
   if (moves_of(spec) == GridMoves{}) return;
   throw InputError(fmt::format(
       "{}: scenarios are always run on 8 neighbours without corner cutting", spec.text));

@@ -53,18 +53,10 @@ PosthocTrace CarQuery::trace(TraceForm form, std::uint64_t most_events) const {
 
 std::string CarQuery::reason(const Planner& planner, Status status, const Limits& limits,
                              const SearchMetrics& metrics) const {
-  switch (status) {
-    case Status::start_outside:
-      return outside("start", start_);
-    case Status::goal_outside:
-      return outside("goal", goals_.front());
-    case Status::expansion_limit:
-    case Status::time_limit:
-    case Status::cancelled:
-      return explain_limit(status, limits, metrics);
-    default:
-      return as_typed() + planner.reason(query(), status);
-  }
+  if (is_limit(status)) return explain_limit(status, limits, metrics);
+  if (status == Status::start_outside) return outside("start", start_);
+  if (status == Status::goal_outside) return outside("goal", goals_.front());
+  return as_typed() + planner.reason(query(), status);
 }
 
 std::string CarQuery::outside(const std::string& name, const TypedPose& pose) const {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "command.hpp"
@@ -20,6 +22,7 @@
 #include "picture_files.hpp"
 #include "plan_text.hpp"
 #include "planner_argument.hpp"
+#include "typed_query.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/comparison.hpp"
 #include "wend/report/comparison_plot.hpp"
@@ -51,15 +54,28 @@ constexpr const char* kExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
   wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,heuristic=euclidean,bfs
   wend compare office.yaml --random 200 --seed 7 --planner astar,dijkstra --plot plots.png
+  wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:heuristic=diagonal,car:w=2
 
-All planners, or those named, on the same query or on N random connected pairs. The picture has
-a panel for each planner, with what it expanded. Plots need gnuplot. Exit codes: 0 a path was
-found, 1 none was, 2 bad usage or input.)";
+All planners, or those named, on the same query or on N random connected pairs; cars are
+compared with cars. The picture has a panel for each planner, with what it expanded. Plots need
+gnuplot. Exit codes: 0 a path was found, 1 none was, 2 bad usage or input.)";
 
-std::vector<PlannerSpec> all_planners() {
+/// All that move as the typed start asks for: cars have a heading.
+std::vector<PlannerSpec> all_planners(const std::string& start) {
   std::vector<PlannerSpec> specs;
-  for (const std::string& name : planner_names(Motion::cells)) specs.push_back({name, name, {}});
+  const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
+  for (const std::string& name : planner_names(motion)) specs.push_back({name, name, {}});
   return specs;
+}
+
+/// The corners that all of the planners know, where they drive cars.
+int common_unit(const std::vector<PlannerSpec>& planners) {
+  std::int64_t unit = 1;
+  for (const PlannerSpec& planner : planners) {
+    unit = std::lcm(unit, unit_of(planner));
+    unit = std::min<std::int64_t>(unit, std::numeric_limits<int>::max());  // no map is so large
+  }
+  return static_cast<int>(unit);
 }
 
 void check(const CompareArguments& arguments) {
@@ -86,68 +102,95 @@ void check(const CompareArguments& arguments) {
   require_gnuplot();
 }
 
-std::vector<CellPair> queries_of(const CompareArguments& arguments, const FreeSpace& space) {
-  if (arguments.random > 0) {
-    auto pairs = random_pairs(space, arguments.random, arguments.seed);
-    if (pairs.empty()) throw InputError("--random: no two cells of this map are connected");
-    return pairs;
+/// What was asked as one of the planners understands it.
+std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                                      const FreeSpace& space) {
+  return typed_query(planner, space, arguments.map.coordinates(space.map()),
+                     {arguments.start, {arguments.goal}});
+}
+
+std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
+                                  const FreeSpace& space) {
+  if (run.comparison().motion == Motion::car) {
+    auto drives =
+        random_drives(space, common_unit(run.planners()), arguments.random, arguments.seed);
+    if (drives.empty()) throw InputError("--random: no two corners of this map are connected");
+    return drives;
   }
-  const Coordinates coordinates = arguments.map.coordinates(space.map());
-  return {{coordinates.parse("start", arguments.start).cell,
-           coordinates.parse("goal", arguments.goal).cell}};
+  std::vector<Query> queries;
+  for (const CellPair& cells : random_pairs(space, arguments.random, arguments.seed)) {
+    queries.push_back(Query::between(cells.start, cells.goal));
+  }
+  if (queries.empty()) throw InputError("--random: no two cells of this map are connected");
+  return queries;
+}
+
+std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& arguments,
+                              const FreeSpace& space) {
+  if (arguments.random > 0) return random_queries(run, arguments, space);
+  return {query_for(run.planners().front(), arguments, space)->query()};
 }
 
 /// Answers all queries; false if Ctrl-C came.
-bool answer_all(ComparisonRun& run, const std::vector<CellPair>& queries,
-                const LimitArguments& limits) {
+bool answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
   const auto& cancelled = cancel_on_interrupt();
   ProgressBar progress("comparing", queries.size());
   ProgressBar within_a_query("", 0);
   for (std::size_t i = 0; i < queries.size() && !cancelled; ++i) {
-    run.answer(queries[i], limits.limits(within_a_query));
+    queries[i].limits = limits.limits(within_a_query);
+    run.answer(std::move(queries[i]));
     progress.update(i + 1);
   }
   return !cancelled;
 }
 
-/// Says why planners found nothing, as `wend plan` does.
+/// Why a planner that moves from cell to cell found nothing.
+std::string reason_in_cells(const ComparedQuery& query, const ComparisonRow& row,
+                            const FreeSpace& space, const Coordinates& coordinates,
+                            GridMoves moves) {
+  const Ends ends{coordinates.place("start", cell_at(query.start.point())),
+                  coordinates.place("goal", cell_at(query.goal.point))};
+  return Explainer(space, coordinates, moves).explain(row.status, ends, {}, {});
+}
+
+/// Says why planners found nothing, as `wend plan` does; cars have said so, but for limits.
 void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
   const Coordinates coordinates = arguments.map.coordinates(space.map());
   Limits limits;
   limits.expansions = arguments.limits.expansions;
   limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
   for (ComparedQuery& query : run.comparison().queries) {
-    const Ends ends{coordinates.place("start", cell_at(query.start.point())),
-                    coordinates.place("goal", cell_at(query.goal.point))};
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
-      if (row.found() || !row.reason.empty()) continue;
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
-      row.reason = Explainer(space, coordinates, moves_of(run.planners()[i]))
-                       .explain(row.status, ends, limits, metrics);
+      if (is_limit(row.status)) {
+        row.reason = explain_limit(row.status, limits, metrics);
+      } else if (!row.found() && row.reason.empty()) {
+        row.reason = reason_in_cells(query, row, space, coordinates, moves_of(run.planners()[i]));
+      }
     }
   }
 }
 
-std::string caption_of(const ComparisonRow& row) {
+std::string caption_of(const ComparisonRow& row, Motion motion) {
   if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
-  return fmt::format("cost {:.6g}, {} expanded, {}", row.cost, row.expanded,
-                     time_text(row.seconds));
+  return fmt::format("{} {:.6g}, {} expanded, {}", motion == Motion::car ? "fuel" : "cost",
+                     row.cost, row.expanded, time_text(row.seconds));
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.
-std::vector<Panel> panels_of(const ComparisonRun& run, const FreeSpace& space) {
+std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& arguments,
+                             const FreeSpace& space) {
   const ComparedQuery& query = run.comparison().queries.front();
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const SearchSnapshot snapshot = run.record(i, 0).snapshot();
-    Scene scene{.space = space};
-    scene.start = query.start.point();
-    scene.goals = {query.goal.point};
+    Scene scene = query_for(run.planners()[i], arguments, space)->scene();
     scene.path = run.path(i, 0);
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
-    panels.push_back({query.rows[i].planner, std::move(scene), caption_of(query.rows[i])});
+    panels.push_back({query.rows[i].planner, std::move(scene),
+                      caption_of(query.rows[i], run.comparison().motion)});
   }
   return panels;
 }
@@ -156,7 +199,8 @@ void write_files(const CompareArguments& arguments, const ComparisonRun& run,
                  const FreeSpace& space) {
   const Comparison& comparison = run.comparison();
   std::map<std::string, FileWriter> writers;
-  if (arguments.random == 0) writers = picture_writers(panels_of(run, space), arguments.style);
+  if (arguments.random == 0)
+    writers = picture_writers(panels_of(run, arguments, space), arguments.style);
   writers[".json"] = [&](const std::string& file) {
     return write_bytes(file, comparison_json(comparison));
   };
@@ -193,8 +237,8 @@ bool found_any(const Comparison& comparison) {
 int run(const CompareArguments& arguments) {
   arguments.output.check();
   check(arguments);
-  std::vector<PlannerSpec> specs =
-      arguments.planners.empty() ? all_planners() : parse_planners(arguments.planners);
+  std::vector<PlannerSpec> specs = arguments.planners.empty() ? all_planners(arguments.start)
+                                                              : parse_planners(arguments.planners);
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   if (!arguments.plot.empty()) {
@@ -204,7 +248,7 @@ int run(const CompareArguments& arguments) {
   auto made = ComparisonRun::make(space, std::move(specs), steady_seconds);
   if (!made) throw InputError(made.error().message());
   ComparisonRun& run = *made;
-  if (!answer_all(run, queries_of(arguments, space), arguments.limits)) {
+  if (!answer_all(run, queries_of(run, arguments, space), arguments.limits)) {
     complain("cancelled");
     return no_plan;
   }
@@ -222,12 +266,13 @@ Command add_compare(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
   compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
-      ->type_name("X,Y");
-  compare.add_option("--goal", arguments->goal, "To where")->type_name("X,Y");
+      ->type_name("X,Y[,HEADING]");
+  compare.add_option("--goal", arguments->goal, "To where")->type_name("X,Y[,HEADING]");
   compare
       .add_option("--planner", arguments->planners,
                   wrapped("Planners with commas between, options after a colon: "
-                          "astar:w=2,heuristic=euclidean,bfs (default: all)"))
+                          "astar:w=2,heuristic=euclidean,bfs (default: all; all of a car "
+                          "if the start has a heading)"))
       ->type_name(kPlannerType);
   add_count(compare, "--random", arguments->random,
             "Compare on so many random pairs of cells that a path joins");

@@ -111,6 +111,11 @@ std::string Explainer::width(const WidestPath& widest) const {
                      coordinates_.length(widest.radius), coordinates_.text(widest.narrowest));
 }
 
+bool is_limit(Status status) {
+  return status == Status::expansion_limit || status == Status::time_limit ||
+         status == Status::step_limit || status == Status::cancelled;
+}
+
 std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics) {
   switch (status) {
     case Status::expansion_limit:

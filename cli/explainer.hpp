@@ -52,6 +52,9 @@ class Explainer {
   GridMoves moves_;
 };
 
+/// Did a search end because it had no more of something, or because somebody cancelled it?
+bool is_limit(Status status);
+
 /// Why a search was stopped: "gave up after 1000 expansions, the limit".
 std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics);
 

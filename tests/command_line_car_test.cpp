@@ -265,6 +265,14 @@ TEST_F(BadCarInput, OnlyThePlannersOfACarTakeHeadings) {
   }
 }
 
+TEST_F(BadCarInput, ScenariosAreNotForCars) {
+  const std::string scenario = folder_.write("yard.scen", "version 1\n0 bad.txt 6 5 0 0 1 0 1\n");
+  const Outcome outcome = wend({"bench", scenario, "--map", yard_, "--planner", "astar,car"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("car: scenarios are for planners that move from cell to cell"));
+}
+
 // 4 x 3 m at 0.5 m a cell: 8 x 6 cells, its corner at (1, 2), turned by 0.1.
 class CarOnARosMap : public CarCommand {
  protected:
