@@ -62,7 +62,8 @@ class CarPriority {
                        [&](const CarGoal& goal) { return goal.contains(state.place); });
   }
 
-  bool near_overflow(const Key& key) const { return near_overflow_of(key); }
+  /// Without good estimates there is no use in going on: the engine asks why they stopped().
+  bool near_overflow(const Key& key) const { return near_overflow_of(key) || stopped(); }
 
   double h(const CornerPose& place) const {
     if (goals_.empty()) return 0;

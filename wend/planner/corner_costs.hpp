@@ -30,20 +30,22 @@ class CornerCosts {
   void begin(std::span<const CarGoal> goals, const Limits& limits) {
     limits_ = limits;
     limits_.expansions = Limits::kUnlimited;
+    farthest_ = 0;
     starts_.clear();
     for (const CarGoal& goal : goals) starts_.push_back(search_.space().state(goal.corner));
     begun_ = false;
   }
 
-  /// 0 where no way leads, and where the search was stopped before it came to know.
+  /// As far as it came where no way leads, and where the search was stopped before it came to know:
+  /// costs that are cut off at one value are still consistent.
   Cost operator()(Cell corner) {
     // Begun when the search that asks has begun: so its time is not over before that one's.
     if (!begun_) search_.begin(starts_, limits_);
     begun_ = true;
     const StateId id = search_.space().state(corner).number;
     while (!search_.closed(id)) {
-      if (search_.outcome() != SearchOutcome::running) return Cost{0};
-      search_.step();
+      if (search_.outcome() != SearchOutcome::running) return farthest_;
+      search_.step(Odometer{{}, farthest_});
     }
     return search_.g(id);
   }
@@ -66,10 +68,17 @@ class CornerCosts {
     bool near_overflow(const Key& key) const { return near_overflow_of(key); }
   };
 
+  struct Odometer : NoObserver {
+    Cost& farthest;
+
+    void on_expand(const CornerState& /*state*/, Move /*arrival*/, Cost g) const { farthest = g; }
+  };
+
   ForwardSearch<CornerSpace<Costs>, CarFrontier<Cost>, ByCost, DuplicateRule::keep_cheaper> search_;
   std::vector<CornerState> starts_;
   Limits limits_;
   bool begun_ = false;
+  Cost farthest_ = 0;  // g of the corner expanded last
 };
 
 }  // namespace wend
