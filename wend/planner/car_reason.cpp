@@ -28,10 +28,23 @@ End start_of(const CarLattice& lattice, const Query& query) {
   return {"start", query.start.point(), place_on(lattice, query.start), false};
 }
 
-End goal_of(const CarLattice& lattice, const Query& query) {
-  const Goal& goal = query.goals.front();
+End end_at(const CarLattice& lattice, const Goal& goal) {
   const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
   return {"goal", goal.point, place_on(lattice, pose), !goal.heading};
+}
+
+/// The reason of several hopeless goals is that of the first.
+End goal_of(const CarLattice& lattice, const Query& query) {
+  return end_at(lattice, query.goals.front());
+}
+
+/// The first that a car could stand on: others were no goals of the search that failed.
+End searched_goal_of(const CarLattice& lattice, const Query& query) {
+  for (const Goal& goal : query.goals) {
+    End end = end_at(lattice, goal);
+    if (end.place && lattice.passable(end.place->corner)) return end;
+  }
+  return goal_of(lattice, query);
 }
 
 /// "start (3,4,E)", in grid coordinates.
@@ -88,7 +101,7 @@ bool is_boxed_in(const CarLattice& lattice, const End& end) {
 
 std::string unreachable(const CarLattice& lattice, const Query& query) {
   const End start = start_of(lattice, query);
-  const End goal = goal_of(lattice, query);
+  const End goal = searched_goal_of(lattice, query);
   if (is_boxed_in(lattice, start)) {
     return "boxed in: no move leads away from the " + name_of(lattice, start);
   }

@@ -1,0 +1,225 @@
+// The car: the numbers that are known of it, and why it says no. That its drives are
+// legal and the cheapest is shown in tests/car_conformance_test.cpp.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/testing/drawn_map.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr bool kYDown = false;
+
+std::unique_ptr<Planner> car_on(const FreeSpace& space, const OptionValues& options = {}) {
+  return std::move(make_planner("car", space, options).value());
+}
+
+FreeSpace open_yard(int width, int height, bool y_up) {
+  Frame frame;
+  frame.y_up = y_up;
+  return FreeSpace(GridMap(Grid<CellState>(width, height, CellState::free), frame));
+}
+
+Pose at(int x, int y, Heading heading, bool y_up = kYDown) {
+  return pose_of({{x, y}, heading}, y_up);
+}
+
+TEST(Car, NeedsNinePiToCrossAYardOfNineteenCells) {
+  for (const bool y_up : {false, true}) {
+    const auto planner = car_on(open_yard(19, 19, y_up));
+    const auto plan =
+        planner->plan({at(0, 0, Heading::east, y_up), {at(18, 18, Heading::east, y_up)}});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->moves.size(), 18U);
+    EXPECT_NEAR(plan->cost, 9 * kPi, 1e-12);
+    EXPECT_TRUE(plan->optimal());
+  }
+}
+
+struct OneMove {
+  std::string_view name;
+  Pose to;
+};
+
+TEST(Car, MakesEachOfItsSixMoves) {
+  const auto planner = car_on(test::open_space(5, 5));
+  const auto expect_move = [&](const Pose& from, const OneMove& move) {
+    const auto plan = planner->plan({from, {move.to}});
+    ASSERT_TRUE(plan) << plan.error().reason;
+    EXPECT_THAT(plan->moves, ElementsAre(move.name));
+    EXPECT_THAT(plan->path.poses(), ElementsAre(from, move.to));
+  };
+  expect_move(at(1, 0, Heading::east), {"FWD_RIGHT", at(2, 1, Heading::south)});
+  for (const OneMove& move :
+       {OneMove{"FWD", at(3, 2, Heading::east)}, OneMove{"FWD_RIGHT", at(3, 3, Heading::south)},
+        OneMove{"FWD_LEFT", at(3, 1, Heading::north)}, OneMove{"REV", at(1, 2, Heading::east)},
+        OneMove{"REV_RIGHT", at(1, 3, Heading::north)},
+        OneMove{"REV_LEFT", at(1, 1, Heading::south)}}) {
+    expect_move(at(2, 2, Heading::east), move);
+  }
+}
+
+TEST(Car, TurnsTheSameWayAsDrawnWhereYIsUp) {
+  const auto planner = car_on(open_yard(5, 5, true));
+  const auto plan =
+      planner->plan({at(2, 2, Heading::east, true), {at(1, 1, Heading::north, true)}});
+  ASSERT_TRUE(plan);
+  EXPECT_THAT(plan->moves, ElementsAre("REV_RIGHT"));
+}
+
+TEST(Car, SaysByHowMuchItMissesWhatWasAsked) {
+  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  const Query query{{0.3, 0.4, 0.25}, {Goal(Point{7.6, 9}), Goal(Point{4, 3})}};
+  const auto plan = planner->plan(query);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->path.poses().back().point(), (Point{3, 3}));
+  EXPECT_NEAR(plan->start_shift.distance, 0.5, 1e-12);
+  EXPECT_NEAR(plan->start_shift.turn, 0.25, 1e-12);
+  EXPECT_NEAR(plan->goal_shift.distance, 1, 1e-12);
+  EXPECT_EQ(plan->goal_shift.turn, 0);
+}
+
+constexpr std::string_view kYard = R"(
+.....#...
+.....#...
+...#.?...
+.........
+)";
+struct Refusal {
+  std::string status;
+  std::string reason;
+};
+
+Refusal refusal_of(Planner& planner, const Query& query) {
+  const auto plan = planner.plan(query);
+  if (plan) return {"found", ""};
+  EXPECT_EQ(plan.error().reason, planner.reason(query, plan.error().status));
+  return {std::string(to_string(plan.error().status)), plan.error().reason};
+}
+
+void expect_refusal(Planner& planner, const Query& query, const std::string& status,
+                    const std::string& reason) {
+  const Refusal refusal = refusal_of(planner, query);
+  EXPECT_EQ(refusal.status, status);
+  EXPECT_EQ(refusal.reason, reason);
+}
+
+TEST(Car, NamesThePlaceAndTheCauseOfARefusal) {
+  const auto planner = car_on(test::drawn_space(kYard));
+  const Pose here = at(1, 1, Heading::east);
+  expect_refusal(
+      *planner, {{9.5, 0, 0}, {here}}, "start_outside",
+      "the start (9.5,0) lies outside: the map's corners have x from 0 to 9 and y from 0 "
+      "to 4");
+  expect_refusal(*planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
+                 "the goal (0,-1) lies outside: the map's corners have x from 0 to 9 and y from 0 "
+                 "to 4");
+  expect_refusal(*planner, {at(5, 1, Heading::north), {here}}, "start_blocked",
+                 "the start (5,1,N) is an impassable corner: cell (5,0) beside it is an obstacle");
+  expect_refusal(*planner, {here, {Goal(Point{6, 3})}}, "goal_blocked",
+                 "the goal (6,3,any) is an impassable corner: cell (5,2) beside it is unknown");
+  expect_refusal(*planner, {here, {}}, "unsupported_query", "a goal is missing");
+}
+
+TEST(Car, SaysWhenItIsBoxedIn) {
+  const auto planner = car_on(test::drawn_space(R"(
+..#.....
+..#.....
+###.....
+........
+)"));
+  expect_refusal(*planner, {at(5, 2, Heading::east), {at(0, 0, Heading::east)}}, "unreachable",
+                 "no drive joins the start (5,2,E) and the goal (0,0,E): obstacles part them for a "
+                 "car");
+  const auto tight = car_on(test::drawn_space(R"(
+.#...
+##...
+.....
+)"));
+  expect_refusal(*tight, {at(0, 0, Heading::south), {at(4, 2, Heading::east)}}, "unreachable",
+                 "boxed in: no move leads away from the start (0,0,S)");
+  expect_refusal(*tight, {at(4, 2, Heading::east), {Goal(Point{0, 0})}}, "unreachable",
+                 "boxed in: no move leads to the goal (0,0,any)");
+}
+
+TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
+  const auto planner = car_on(test::drawn_space("....\n....\n....\n...#", {.robot_radius = 1.5}));
+  expect_refusal(*planner, {at(2, 3, Heading::east), {at(0, 0, Heading::east)}}, "start_blocked",
+                 "the start (2,3,E) is an impassable corner: the nearest obstacle is 1 cells away, "
+                 "the robot's radius is 1.5");
+}
+
+TEST(Car, RefusesWhatIsNoNumber) {
+  const auto planner = car_on(test::drawn_space(kYard));
+  const Pose here = at(1, 1, Heading::east);
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    expect_refusal(*planner, {{1, 1, bad}, {here}}, "unsupported_query",
+                   "the headings of start and goal must be finite numbers");
+    expect_refusal(*planner, {here, {Pose{1, 1, bad}}}, "unsupported_query",
+                   "the headings of start and goal must be finite numbers");
+    EXPECT_EQ(refusal_of(*planner, {{bad, 1, 0}, {here}}).status, "start_outside");
+    EXPECT_EQ(refusal_of(*planner, {here, {Goal(Point{1, bad})}}).status, "goal_outside");
+  }
+  EXPECT_EQ(refusal_of(*planner, {{1e300, 1, 0}, {here}}).status, "start_outside");
+  EXPECT_EQ(refusal_of(*planner, {{1, 1, 1e15}, {here}}).status, "found");
+}
+
+TEST(Car, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
+  const auto planner = car_on(test::drawn_space(kYard));
+  const Pose start = at(1, 1, Heading::east);
+  const Pose outside{20, 20, 0};
+  const Pose blocked = at(5, 1, Heading::north);
+  EXPECT_EQ(refusal_of(*planner, {start, {outside, blocked}}).status, "goal_outside");
+  EXPECT_EQ(refusal_of(*planner, {start, {blocked, outside}}).status, "goal_blocked");
+  EXPECT_EQ(refusal_of(*planner, {start, {blocked, outside, at(2, 1, Heading::east)}}).status,
+            "found");
+}
+
+/// What is no goal of the search is not what it says it did not reach.
+TEST(Car, SaysWhichGoalItSearchedForInVain) {
+  const auto planner = car_on(test::drawn_space("...#\n.#..\n....\n...."));
+  const Pose start = at(2, 4, Heading::east);
+  const Goal outside(Point{20, 20});
+  const Goal blocked(Point{2, 1});
+  // The way to it leads around the corner (0,0), along two edges of the map.
+  const Goal hopeless(at(1, 0, Heading::south));
+  expect_refusal(*planner, {start, {outside, blocked, hopeless}}, "unreachable",
+                 "no drive joins the start (2,4,E) and the goal (1,0,S): obstacles part them for a "
+                 "car");
+}
+
+TEST(Car, SaysOfAMapThatItIsTooSmall) {
+  const auto made = make_planner("car", test::open_space(4, 2), {{"unit", "3"}});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(to_string(made.error().status), "unsupported_map");
+  const std::string why = "the map of 4 x 2 cells is too small for a lattice of 3 map cells a unit";
+  EXPECT_EQ(made.error().message(), why);
+  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  planner->update(test::open_space(4, 2));
+  expect_refusal(*planner, {at(0, 0, Heading::east), {at(0, 0, Heading::east)}}, "unsupported_map",
+                 why);
+  EXPECT_EQ(planner->state_count(), 0U);
+  EXPECT_EQ(planner->heuristic(Pose{0, 0, 0}), 0);
+}
+
+TEST(Car, CountsThePosesOfItsPassableCorners) {
+  EXPECT_EQ(car_on(test::open_space(3, 2))->state_count(), 4U * 3U * 4U);
+  EXPECT_EQ(car_on(test::drawn_space("...\n.#."))->state_count(), 8U * 4U);
+}
+
+}  // namespace
+}  // namespace wend
