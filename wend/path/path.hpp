@@ -40,6 +40,9 @@ class Path {
   /// Of a path of cells; else empty.
   std::span<const Cell> cells() const { return cells_; }
 
+  /// Of a driven path, in grid coordinates; else empty.
+  std::span<const Pose> driven_poses() const { return poses_; }
+
   /// In cells. Of cells: straight steps plus sqrt(2) times diagonal ones, counted exactly (for
   /// cells farther apart: the Euclidean distance of their centres). Of poses: the lengths of the
   /// arcs, in reverse too.

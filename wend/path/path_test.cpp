@@ -1,5 +1,6 @@
 #include "wend/path/path.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -115,7 +116,9 @@ TEST(DrivenPath, IsMadeOfPosesAndArcs) {
   EXPECT_TRUE(path.driven());
   EXPECT_EQ(path.size(), 3U);
   EXPECT_TRUE(path.cells().empty());
-  EXPECT_EQ(path.poses().size(), 3U);
+  EXPECT_THAT(path.driven_poses(), ::testing::ElementsAreArray(path.poses()));
+  EXPECT_EQ(path.driven_poses().size(), 3U);
+  EXPECT_TRUE(Path({{1, 1}}).driven_poses().empty());
   ASSERT_EQ(path.arcs().size(), 2U);
   EXPECT_NEAR(path.arcs()[0].turn(), kPi / 2, 1e-15);
   EXPECT_NEAR(path.arcs()[1].length, -1, 1e-15);

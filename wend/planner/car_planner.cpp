@@ -101,7 +101,7 @@ Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
   if (outcome != SearchOutcome::found) return status_of(outcome);
   engine_->write_path(out.path);
   drive_.clear();
-  for (const Pose& pose : out.path.poses()) drive_.push_back(*lattice_->nearest(pose));
+  for (const Pose& pose : out.path.driven_poses()) drive_.push_back(*lattice_->nearest(pose));
   for (std::size_t i = 1; i < drive_.size(); ++i) {
     const auto move = move_between(drive_[i - 1], drive_[i], lattice_->y_up());
     out.moves.push_back(to_string(*move));
