@@ -7,13 +7,11 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/testing/answer.hpp"
 #include "tests/testing/trial.hpp"
-#include "wend/planner/observer.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -123,29 +121,6 @@ TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
   }
 }
 
-/// Everything about an answer.
-struct Answer {
-  Status status = Status::found;
-  Plan plan;
-
-  friend bool operator==(const Answer& a, const Answer& b) {
-    return a.status == b.status && a.plan.path == b.plan.path && a.plan.cost == b.plan.cost &&
-           a.plan.bound == b.plan.bound && a.plan.metrics == b.plan.metrics;
-  }
-  friend std::ostream& operator<<(std::ostream& out, const Answer& answer) {
-    return out << to_string(answer.status) << ", " << answer.plan.path.size() << " cells, cost "
-               << answer.plan.cost << ", bound " << answer.plan.bound << ", expanded "
-               << answer.plan.metrics.expanded << ", generated " << answer.plan.metrics.generated
-               << ", frontier " << answer.plan.metrics.max_frontier;
-  }
-};
-
-Answer answer_of(Planner& planner, const Query& query) {
-  Answer answer;
-  answer.status = planner.plan(query, answer.plan);
-  return answer;
-}
-
 TEST_P(Conformance, AReusedPlannerAnswersLikeAFreshOne) {
   for (std::uint64_t seed = 1; seed <= 6 && !HasFailure(); ++seed) {
     Random random(seed);
@@ -187,38 +162,16 @@ TEST_P(Conformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
 }
 
 TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
-  class Watcher final : public SearchObserver {
-   public:
-    void on_generate(const SearchEvent&) override { ++generated; }
-    void on_expand(const SearchEvent&) override { ++expanded; }
-    void on_relax(const SearchEvent& event) override { EXPECT_TRUE(event.parent); }
-    std::uint64_t generated = 0;
-    std::uint64_t expanded = 0;
-  };
   for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
     const Trial trial = random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
     if (planner == nullptr) continue;
     Random random(seed);
-    Query query = random_errand(random, trial.map).query();
+    const Query query = random_errand(random, trial.map).query();
     const Answer answer = answer_of(*planner, query);
 
-    Answer stepped;
-    auto outcome = planner->begin(query, stepped.plan);
-    if (info().can_step) {
-      while (!outcome) outcome = planner->step(stepped.plan);
-      stepped.status = *outcome;
-      EXPECT_EQ(stepped, answer);
-    } else {
-      EXPECT_TRUE(outcome.has_value() && *outcome != Status::found);
-    }
-
-    Watcher watcher;
-    query.observer = &watcher;
-    EXPECT_EQ(answer_of(*planner, query), answer);
-    EXPECT_EQ(watcher.generated, answer.plan.metrics.generated);
-    EXPECT_EQ(watcher.expanded, answer.plan.metrics.expanded);
+    expect_same_when_stepped_and_watched(*planner, info().can_step, query, answer);
   }
 }
 
@@ -277,49 +230,6 @@ TEST_P(Conformance, AStartThatIsTheGoalIsAPathOfOneCell) {
     EXPECT_EQ(plan.cost, 0);
     EXPECT_EQ(plan.metrics, (SearchMetrics{1, 1, 1}));
   }
-}
-
-TEST_P(Conformance, TakesItsDefaultsAndRefusesWhatIsOutOfRange) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
-  std::set<std::string> names;
-  for (const OptionInfo& option : info().options) {
-    SCOPED_TRACE(option.name);
-    EXPECT_NE(option.help, "");
-    EXPECT_TRUE(names.insert(option.name).second) << "two options of one name";
-    const auto made = make_planner(GetParam(), space, {{option.name, option.default_value}});
-    EXPECT_TRUE(made) << made.error().message();
-    for (const std::string& bad : bad_values(option)) {
-      const auto refused = make_planner(GetParam(), space, {{option.name, bad}});
-      ASSERT_FALSE(refused) << "it takes '" << bad << "'";
-      EXPECT_EQ(to_string(refused.error().status), to_string(Status::invalid_option));
-      EXPECT_THAT(refused.error().message(), ::testing::HasSubstr(option.name));
-    }
-  }
-  const auto unknown = make_planner(GetParam(), space, {{"no_such_option", "1"}});
-  ASSERT_FALSE(unknown);
-  EXPECT_EQ(to_string(unknown.error().status), to_string(Status::invalid_option));
-}
-
-TEST_P(Conformance, SaysWhatItIs) {
-  EXPECT_NE(info().summary, "");
-  EXPECT_NE(info().idea, "");
-  EXPECT_NE(info().citation, "");
-  EXPECT_NE(info().guarantee, "");
-  EXPECT_NE(info().time, "");
-  EXPECT_NE(info().memory, "");
-  EXPECT_NE(info().when, "");
-  EXPECT_EQ(info().summary.find('\n'), std::string::npos);
-}
-
-/// A bound that is promised with consistent options is there with the defaults.
-TEST_P(Conformance, IsBoundedByDefaultIfItPromisesABound) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
-  const auto planner = make_planner(GetParam(), space);
-  ASSERT_TRUE(planner);
-  const auto plan = (*planner)->plan(Query::between({0, 0}, {0, 0}));
-  ASSERT_TRUE(plan);
-  const bool promised = info().promise >= Promise::bounded;
-  EXPECT_TRUE(!promised || plan->bound < Plan::kNoBound);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planner_names(Motion::cells)),
