@@ -1,0 +1,227 @@
+// Holds every planner of the registry that drives a car to what it promises, on thousands of random
+// yards, against a brute force that shares no code with wend: a Dijkstra over corners and headings,
+// and a simulator that integrates every move. A new planner is tested by being listed.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/testing/answer.hpp"
+#include "tests/testing/car_simulator.hpp"
+#include "tests/testing/car_trial.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr double kRelative = 1e-9;
+constexpr int kYards = 3000;  // for each planner
+
+/// By how much an answer misses what was asked, where the textbook takes it.
+Shift shift_of(Point asked, std::optional<double> heading, const Pose& taken) {
+  const double turn = heading ? std::remainder(*heading - taken.heading, 2 * std::numbers::pi) : 0;
+  return {std::hypot(asked.x - taken.x, asked.y - taken.y), std::abs(turn)};
+}
+
+bool is_near(const Shift& a, const Shift& b) {
+  return std::abs(a.distance - b.distance) < kRelative && std::abs(a.turn - b.turn) < kRelative;
+}
+
+/// Checks a drive by itself: legal, of the cost that it claims, from the start to a goal.
+void expect_honest(const Plan& plan, const CarTextbook& textbook, const Query& query) {
+  EXPECT_EQ(fault_of(plan, textbook), "");
+  ASSERT_FALSE(plan.path.empty());
+  const std::vector<Pose> poses = plan.path.poses();
+  const auto first = textbook.nearest(poses.front());
+  const auto last = textbook.nearest(poses.back());
+  EXPECT_EQ(first, textbook.nearest(query.start));
+  EXPECT_TRUE(
+      is_near(plan.start_shift, shift_of(query.start.point(), query.start.heading, poses.front())));
+  const bool ends_in_a_goal =
+      std::any_of(query.goals.begin(), query.goals.end(), [&](const Goal& goal) {
+        const std::vector<Stand> stands = stands_of(goal, textbook);
+        return std::find(stands.begin(), stands.end(), last) != stands.end() &&
+               is_near(plan.goal_shift, shift_of(goal.point, goal.heading, poses.back()));
+      });
+  EXPECT_TRUE(ends_in_a_goal) << "goal shift " << plan.goal_shift.distance << ","
+                              << plan.goal_shift.turn;
+  EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
+  EXPECT_GE(plan.metrics.expanded, poses.size()) << "every pose of a drive was expanded";
+}
+
+void expect_as_promised(const Plan& plan, const PlannerInfo& info, const CarTruth& truth) {
+  EXPECT_GE(plan.cost, truth.fuel * (1 - kRelative)) << "cheaper than possible";
+  EXPECT_GE(plan.bound, 1);
+  EXPECT_LE(plan.cost, plan.bound * truth.fuel * (1 + kRelative)) << "bound " << plan.bound;
+  if (info.promise == Promise::optimal) {
+    EXPECT_TRUE(plan.optimal());
+  }
+  EXPECT_TRUE(info.promise < Promise::bounded || plan.bound < Plan::kNoBound);
+}
+
+void expect_true_answer(const PlannerInfo& info, const Answer& answer, const CarTextbook& textbook,
+                        const Query& query) {
+  const CarTruth truth = truth_of(textbook, query);
+  if (answer.status == Status::found) {
+    ASSERT_THAT(truth.failures, ::testing::IsEmpty()) << "found, though there is no drive";
+    expect_honest(answer.plan, textbook, query);
+    expect_as_promised(answer.plan, info, truth);
+    return;
+  }
+  EXPECT_TRUE(answer.plan.path.empty());
+  EXPECT_TRUE(answer.plan.moves.empty());
+  EXPECT_EQ(answer.plan.cost, kInfinite);
+  EXPECT_THAT(truth.failures, ::testing::Contains(answer.status)) << to_string(answer.status);
+}
+
+class CarConformance : public ::testing::TestWithParam<std::string> {
+ protected:
+  const PlannerInfo& info() const { return *planners().find(GetParam()); }
+
+  std::unique_ptr<Planner> make(const Trial& trial) const {
+    auto made = info().make(FreeSpace(trial.map, trial.robot), trial.options);
+    if (made) return *std::move(made);
+    EXPECT_FALSE(has_room(trial, rules_of(trial, info()))) << made.error().message();
+    EXPECT_EQ(to_string(made.error().status), to_string(Status::unsupported_map));
+    return nullptr;
+  }
+};
+
+TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) {
+  int found = 0;
+  int turned_away = 0;
+  for (std::uint64_t seed = 1; seed <= kYards && !HasFailure(); ++seed) {
+    const Trial trial = random_car_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    Random random(seed);
+    for (int i = 0; i < 4 && !HasFailure(); ++i) {
+      const Query query = random_drive(random, textbook);
+      SCOPED_TRACE(text_of(query));
+      const Answer answer = answer_of(*planner, query);
+      expect_true_answer(info(), answer, textbook, query);
+      EXPECT_NE(planner->reason(query, answer.status), "");
+      found += answer.status == Status::found ? 1 : 0;
+      turned_away += answer.status == Status::unreachable ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, kYards) << "too few drives to say anything";
+  EXPECT_GT(turned_away, kYards / 20);
+}
+
+/// All 512 yards of 3 x 3 cells, from everywhere on two sides to everywhere.
+TEST_P(CarConformance, KeepsItsPromisesOnEveryYardOfNineCells) {
+  for (unsigned bits = 0; bits < 512 && !HasFailure(); ++bits) {
+    Grid<CellState> states(3, 3, CellState::free);
+    for (int i = 0; i < 9; ++i) {
+      if (((bits >> i) & 1U) != 0) states[{i % 3, i / 3}] = CellState::occupied;
+    }
+    Random random(bits);
+    const Trial trial{GridMap(states), {}, {}};
+    SCOPED_TRACE(text_of(trial, bits));
+    const auto planner = make(trial);
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    for (int i = 0; i < 16; ++i) {
+      const Stand start{{i % 4, 0}, random.between(0, 3)};
+      const Stand goal{{i / 4, 3}, random.between(0, 3)};
+      const Query query{textbook.pose(start), {textbook.pose(goal)}};
+      SCOPED_TRACE(text_of(query));
+      expect_true_answer(info(), answer_of(*planner, query), textbook, query);
+    }
+  }
+}
+
+TEST_P(CarConformance, AStartThatIsTheGoalIsADriveOfOnePose) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const Trial trial = random_car_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    Random random(seed);
+    const Pose pose = textbook.pose(random_stand(random, textbook));
+    Plan plan;
+    const Status status = planner->plan({pose, {pose}}, plan);
+    if (!textbook.passable(textbook.nearest(pose)->corner)) {
+      EXPECT_EQ(to_string(status), to_string(Status::start_blocked));
+      continue;
+    }
+    ASSERT_EQ(to_string(status), to_string(Status::found));
+    EXPECT_EQ(fault_of(plan, textbook), "");
+    EXPECT_EQ(plan.path.size(), 1U);
+    EXPECT_EQ(plan.cost, 0);
+    EXPECT_EQ(plan.metrics, (SearchMetrics{1, 1, 1}));
+  }
+}
+
+TEST_P(CarConformance, AReusedPlannerAnswersLikeAFreshOne) {
+  for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed) {
+    const Trial trial = random_car_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto reused = make(trial);
+    if (reused == nullptr) continue;
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    Random random(seed);
+    for (int i = 0; i < 10 && !HasFailure(); ++i) {
+      const Query query = random_drive(random, textbook);
+      SCOPED_TRACE(text_of(query));
+      EXPECT_EQ(answer_of(*reused, query), answer_of(*make(trial), query));
+    }
+  }
+}
+
+TEST_P(CarConformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
+  std::unique_ptr<Planner> updated;
+  OptionValues options;
+  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+    Trial trial = random_car_trial(seed, info());
+    if (updated == nullptr) options = trial.options;
+    trial.options = options;
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto fresh = make(trial);
+    if (updated != nullptr) updated->update(FreeSpace(trial.map, trial.robot));
+    if (fresh == nullptr) {
+      if (updated == nullptr) continue;
+      const Pose anywhere{0, 0, 0};
+      EXPECT_EQ(to_string(answer_of(*updated, {anywhere, {anywhere}}).status),
+                to_string(Status::unsupported_map));
+      continue;
+    }
+    if (updated == nullptr) updated = make(trial);
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    Random random(seed);
+    for (int i = 0; i < 3; ++i) {
+      const Query query = random_drive(random, textbook);
+      EXPECT_EQ(answer_of(*updated, query), answer_of(*fresh, query));
+    }
+    if (seed % 25 == 0) updated.reset();  // other options from here on
+  }
+}
+
+TEST_P(CarConformance, SteppingAndWatchingChangeNothing) {
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+    const Trial trial = random_car_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    const auto planner = make(trial);
+    if (planner == nullptr) continue;
+    Random random(seed);
+    const Query query = random_drive(random, car_textbook_for(trial, info()));
+    SCOPED_TRACE(text_of(query));
+    const Answer answer = answer_of(*planner, query);
+    expect_same_when_stepped_and_watched(*planner, info().can_step, query, answer);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, CarConformance, ::testing::ValuesIn(planner_names(Motion::car)),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend::test

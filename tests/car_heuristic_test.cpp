@@ -1,0 +1,153 @@
+// The estimates of every planner that drives a car, as a query uses them: consistent on every edge
+// under every option, and some of them exact on an empty yard.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/testing/car_trial.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr double kRelative = 1e-9;
+constexpr int kYards = 1500;
+
+/// The estimate of every stand, of a query begun last.
+std::vector<double> estimates(const Planner& planner, const CarTextbook& textbook) {
+  std::vector<double> h(textbook.count());
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    h[i] = planner.heuristic(textbook.pose(textbook.stand(i)));
+  }
+  return h;
+}
+
+std::string text_of(const Stand& stand) {
+  return "(" + std::to_string(stand.corner.x) + "," + std::to_string(stand.corner.y) + "," +
+         std::to_string(stand.quarter) + ")";
+}
+
+/// The stands at which a search begun there can end.
+std::vector<Stand> reachable_goals(const Query& query, const CarTextbook& textbook) {
+  const std::vector<double> fuel = textbook.fuel_from(textbook.nearest(query.start).value());
+  std::vector<Stand> goals;
+  for (const Goal& goal : query.goals) {
+    for (const Stand& stand : stands_of(goal, textbook)) {
+      if (fuel[textbook.number(stand)] < kInfinite) goals.push_back(stand);
+    }
+  }
+  return goals;
+}
+
+void expect_consistent(const std::vector<double>& h, const CarTextbook& textbook) {
+  for (std::size_t from = 0; from < h.size(); ++from) {
+    EXPECT_GE(h[from], 0);
+    for (const CarTextbook::Edge& edge : textbook.edges(from)) {
+      ASSERT_LE(h[from], edge.fuel + h[edge.to] + kRelative * (1 + h[from]))
+          << kManeuvers[edge.maneuver].name << " from " << text_of(textbook.stand(from));
+    }
+  }
+}
+
+void expect_admissible(const std::vector<double>& h, const std::vector<Stand>& goals,
+                       const CarTextbook& textbook) {
+  const std::vector<double> fuel = textbook.fuel_to(goals);
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    ASSERT_LE(h[i], fuel[i] * (1 + kRelative)) << text_of(textbook.stand(i));
+  }
+  for (const Stand& goal : goals) EXPECT_EQ(h[textbook.number(goal)], 0);
+}
+
+class CarHeuristics : public ::testing::TestWithParam<std::string> {
+ protected:
+  const PlannerInfo& info() const { return *planners().find(GetParam()); }
+
+  std::unique_ptr<Planner> make(const GridMap& map, const OptionValues& options) const {
+    return std::move(make_planner(GetParam(), FreeSpace(map), options).value());
+  }
+};
+
+TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
+  int informed = 0;
+  for (std::uint64_t seed = 1; seed <= kYards && !HasFailure(); ++seed) {
+    const Trial trial = random_car_trial(seed, info());
+    SCOPED_TRACE(text_of(trial, seed));
+    if (!has_room(trial, rules_of(trial, info()))) continue;
+    const auto planner = info().make(FreeSpace(trial.map, trial.robot), trial.options).value();
+    const CarTextbook textbook = car_textbook_for(trial, info());
+    Random random(seed);
+    const Query query = random_drive(random, textbook);
+    SCOPED_TRACE(test::text_of(query));
+    Plan plan;
+    if (planner->begin(query, plan)) continue;  // an outcome, without a search
+    const std::vector<double> h = estimates(*planner, textbook);
+    expect_consistent(h, textbook);
+    expect_admissible(h, reachable_goals(query, textbook), textbook);
+    informed += h[textbook.number(textbook.nearest(query.start).value())] > 0 ? 1 : 0;
+  }
+  EXPECT_GT(informed, kYards / 4) << "too few estimates to say anything";
+}
+
+constexpr int kFar = 9;                    // units around a goal
+constexpr int kSide = 2 * kFar + 2 * 4;    // cells: a detour of 4 units stays on the yard
+const Cell kMiddle{kSide / 2, kSide / 2};  // corner
+
+/// Calls check(estimate, fuel) for every pose around a goal on an empty yard and every such goal.
+template <class Check>
+void on_empty_yards(const std::string& heuristic, const std::string& name, Check&& check) {
+  for (const bool y_up : {false, true}) {
+    Frame frame;
+    frame.y_up = y_up;
+    const GridMap map(Grid<CellState>(kSide, kSide, CellState::free), frame);
+    const CarTextbook textbook(map, {}, {});
+    const auto planner = make_planner(name, FreeSpace(map), {{"heuristic", heuristic}}).value();
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+      Goal goal(textbook.pose({kMiddle, quarter}));
+      if (quarter == 4) goal.heading.reset();
+      SCOPED_TRACE((y_up ? "y up, quarter " : "y down, quarter ") + std::to_string(quarter));
+      Plan plan;
+      ASSERT_FALSE(planner->begin({{0, 0, 0}, {goal}}, plan));
+      const std::vector<double> h = estimates(*planner, textbook);
+      const std::vector<double> fuel = textbook.fuel_to(stands_of(goal, textbook));
+      for (std::size_t i = 0; i < h.size(); ++i) {
+        const Stand stand = textbook.stand(i);
+        if (std::abs(stand.corner.x - kMiddle.x) > kFar) continue;
+        if (std::abs(stand.corner.y - kMiddle.y) > kFar) continue;
+        SCOPED_TRACE(text_of(stand));
+        check(h[i], fuel[i]);
+      }
+    }
+  }
+}
+
+TEST_P(CarHeuristics, ThatKnowHeadingsAreExactOnAnEmptyYard) {
+  for (const std::string heuristic : {"headings", "obstacles"}) {
+    on_empty_yards(heuristic, GetParam(), [](double h, double fuel) {
+      EXPECT_NEAR(h, fuel, kRelative * std::max(1.0, fuel));
+    });
+  }
+}
+
+/// Where the heading does not fit or must not, a car pays more than the diagonal estimate says; it
+/// pays no more than a few turns more.
+TEST_P(CarHeuristics, ThatDoNotAreExactForSomePosesOnly) {
+  int exact = 0;
+  int below = 0;
+  on_empty_yards("diagonal", GetParam(), [&](double h, double fuel) {
+    (h > fuel - kRelative * std::max(1.0, fuel) ? exact : below) += 1;
+    EXPECT_LE(fuel - h, 2 * std::numbers::pi);
+  });
+  EXPECT_GT(exact, 1000);
+  EXPECT_GT(below, 1000);
+  on_empty_yards("zero", GetParam(), [](double h, double) { EXPECT_EQ(h, 0); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, CarHeuristics, ::testing::ValuesIn(planner_names(Motion::car)),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend::test

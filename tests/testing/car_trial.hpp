@@ -1,0 +1,134 @@
+#pragma once
+
+// What the tests of driving planners are made of: trials on random yards, queries for a car, and the
+// truth about them, which a textbook knows.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/testing/car_textbook.hpp"
+#include "tests/testing/random_yard.hpp"
+#include "tests/testing/trial.hpp"
+
+namespace wend::test {
+
+/// As random_trial(), for a car: the unit is one that the map may have room for.
+inline Trial random_car_trial(std::uint64_t seed, const PlannerInfo& info) {
+  Random random(seed);
+  GridMap map = random_yard(random);
+  OptionValues options = random_options(random, info.options);
+  const int unit = one_of<int>(random, std::array{1, 1, 1, 2, 3});
+  options.erase(std::remove_if(options.begin(), options.end(),
+                               [](const auto& option) { return option.first == "unit"; }),
+                options.end());
+  if (unit > 1) options.emplace_back("unit", std::to_string(unit));
+  const FreeSpaceOptions robot = random_car(random, map.frame().resolution, unit);
+  return {std::move(map), robot, std::move(options)};
+}
+
+inline CarRules rules_of(const Trial& trial, const PlannerInfo& info) {
+  const auto value = [&](const std::string& name) {
+    return value_of(name, trial.options, info.options);
+  };
+  return {.unit = std::stoi(value("unit")),
+          .straight_terrain = value("straight_terrain"),
+          .reverse_factor = std::stod(value("reverse_factor"))};
+}
+
+inline bool has_room(const Trial& trial, const CarRules& rules) {
+  return rules.unit <= std::min(trial.map.width(), trial.map.height());
+}
+
+inline CarTextbook car_textbook_for(const Trial& trial, const PlannerInfo& info) {
+  return CarTextbook(trial.map, robot_in_cells(trial.robot, trial.map.frame().resolution),
+                     rules_of(trial, info));
+}
+
+/// A stand that is mostly passable.
+inline Stand random_stand(Random& random, const CarTextbook& textbook) {
+  Stand stand;
+  for (int tries = random.chance(0.9) ? 10 : 1; tries > 0; --tries) {
+    stand = {random_cell(random, textbook.columns(), textbook.rows()), random.between(0, 3)};
+    if (textbook.passable(stand.corner)) break;
+  }
+  return stand;
+}
+
+/// Around a random stand, sometimes exactly on it, seldom off the map; headings beyond a full turn.
+inline Pose random_pose(Random& random, const CarTextbook& textbook) {
+  Pose pose = textbook.pose(random_stand(random, textbook));
+  const GridMap& map = textbook.map();
+  if (random.chance(0.5)) {
+    const auto off = [&] { return 0.9 * (random.uniform() - 0.5); };
+    pose.x = std::clamp<double>(pose.x + off() * textbook.rules().unit, 0, map.width());
+    pose.y = std::clamp<double>(pose.y + off() * textbook.rules().unit, 0, map.height());
+    pose.heading += off() * std::numbers::pi / 2 + random.between(-3, 3) * 2 * std::numbers::pi;
+  }
+  if (random.chance(0.02)) pose.x = random.chance(0.5) ? -0.01 : map.width() + 0.01;
+  if (random.chance(0.02)) pose.y = random.chance(0.5) ? -0.01 : map.height() + 0.01;
+  return pose;
+}
+
+inline Query random_drive(Random& random, const CarTextbook& textbook) {
+  Query query{random_pose(random, textbook), {}};
+  for (int count = random.chance(0.8) ? 1 : random.between(2, 4); count > 0; --count) {
+    query.goals.emplace_back(random_pose(random, textbook));
+    if (random.chance(0.25)) query.goals.back().heading.reset();
+  }
+  return query;
+}
+
+inline std::string text_of(const Query& query) {
+  std::ostringstream text;
+  text << "(" << query.start.x << "," << query.start.y << "," << query.start.heading << ") to";
+  for (const Goal& goal : query.goals) {
+    text << " (" << goal.point.x << "," << goal.point.y << ",";
+    if (goal.heading) {
+      text << *goal.heading << ")";
+    } else {
+      text << "any)";
+    }
+  }
+  return text.str();
+}
+
+/// The stands that a goal can be reached at: none off the map, four with any heading.
+inline std::vector<Stand> stands_of(const Goal& goal, const CarTextbook& textbook) {
+  std::vector<Stand> stands;
+  const auto nearest = textbook.nearest({goal.point.x, goal.point.y, goal.heading.value_or(0)});
+  if (!nearest) return stands;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    if (!goal.heading || quarter == nearest->quarter) stands.push_back({nearest->corner, quarter});
+  }
+  return stands;
+}
+
+/// What the textbook says of a drive.
+struct CarTruth {
+  std::vector<Status> failures;  // if there is none: the reason, one for each goal
+  double fuel = kInfinite;
+};
+
+inline CarTruth truth_of(const CarTextbook& textbook, const Query& query) {
+  const auto start = textbook.nearest(query.start);
+  if (!start) return {{Status::start_outside}};
+  if (!textbook.passable(start->corner)) return {{Status::start_blocked}};
+  const std::vector<double> fuel = textbook.fuel_from(*start);
+  CarTruth truth;
+  for (const Goal& goal : query.goals) {
+    const std::vector<Stand> stands = stands_of(goal, textbook);
+    truth.failures.push_back(stands.empty()                             ? Status::goal_outside
+                             : textbook.passable(stands.front().corner) ? Status::unreachable
+                                                                        : Status::goal_blocked);
+    for (const Stand& stand : stands) {
+      truth.fuel = std::min(truth.fuel, fuel[textbook.number(stand)]);
+    }
+  }
+  if (truth.fuel < kInfinite) truth.failures.clear();
+  return truth;
+}
+
+}  // namespace wend::test
