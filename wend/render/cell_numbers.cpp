@@ -52,7 +52,7 @@ void draw_cell_numbers(cairo_t* context, const Scene& scene, const MapView& view
   if (!size) return;
   select_label_font(context, *size);
   const CellPaints paints(scene, style);
-  const bool aside = !scene.path.empty() || scene.arrows;
+  const bool aside = !scene.path.cells().empty() || scene.arrows;
   const double below_middle = aside ? 0.44 * view.scale() : 0.35 * *size;
   for (int y = 0; y < values.height(); ++y) {
     for (int x = 0; x < values.width(); ++x) {

@@ -13,7 +13,8 @@ namespace wend {
 bool shows_cell_numbers(cairo_t* context, const Scene& scene, const MapView& view);
 
 /// Nothing where the longest number does not fit into a cell. Cells without a finite value, and
-/// obstacles, stay empty. With arrows or a path the numbers lie below the middle of the cell.
+/// obstacles, stay empty. With arrows or a path of cells the numbers lie below the middle
+/// of the cell.
 void draw_cell_numbers(cairo_t* context, const Scene& scene, const MapView& view,
                        const Style& style);
 

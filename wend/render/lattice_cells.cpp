@@ -15,7 +15,7 @@ Glyph shade(double multiplier) {
 
 Glyph block_glyph(const Scene& scene, Cell block, bool ascii) {
   const FreeSpace& space = scene.space;
-  const int unit = *scene.unit;
+  const int unit = scene.unit.value_or(1);
   std::optional<CellRole> role;
   bool unknown = false;
   int too_close = 0;

@@ -9,9 +9,10 @@
 
 namespace wend {
 
-/// How many cells there are across and down. The scene has a unit.
+/// How many cells there are across and down.
 inline Cell lattice_size(const Scene& scene) {
-  return {scene.space.width() / *scene.unit, scene.space.height() / *scene.unit};
+  const int unit = scene.unit.value_or(1);
+  return {scene.space.width() / unit, scene.space.height() / unit};
 }
 
 /// Each an obstacle if any of its cells is, else what has a role, else unknown if any is, too close

@@ -66,6 +66,7 @@ class LatticePicture {
  public:
   LatticePicture(const Scene& scene, int columns_a_cell, bool ascii)
       : scene_(scene),
+        unit_(scene.unit.value_or(1)),
         cells_(lattice_cells(scene, ascii)),
         columns_a_cell_(columns_a_cell),
         ascii_(ascii),
@@ -86,8 +87,8 @@ class LatticePicture {
  private:
   /// The lattice's character nearest to a point. Those far outside are all as far outside.
   Cell character_at(Point grid) const {
-    const double x = grid.x / *scene_.unit;
-    const double y = grid.y / *scene_.unit;
+    const double x = grid.x / unit_;
+    const double y = grid.y / unit_;
     const auto nearest = [](double at, int most) {
       return static_cast<int>(std::lround(std::clamp<double>(at, -2, most + 2)));
     };
@@ -183,7 +184,7 @@ class LatticePicture {
 
   std::vector<Cell> way_of(const Arc& arc) const {
     std::vector<Cell> way;
-    const double wanted = std::ceil(kSamplesAUnit * std::abs(arc.length) / *scene_.unit);
+    const double wanted = std::ceil(kSamplesAUnit * std::abs(arc.length) / unit_);
     const double pieces = std::min(wanted, kMostSamples);
     for (double i = 0; i <= pieces; ++i) {
       const Cell at = character_at(pose_on(arc, i / std::max(1.0, pieces) * arc.length).point());
@@ -217,12 +218,12 @@ class LatticePicture {
     const int step = round_step((width + 1.0) / columns_a_cell_);
     const int row = y_up_ ? glyphs_.height() - 1 : 0;
     for (int x = 0; x <= cells_.width(); x += step) {
-      const std::string number = std::to_string(x * *scene_.unit);
+      const std::string number = std::to_string(x * unit_);
       const int centre = margins_.left + x * columns_a_cell_;
       write({centre - (static_cast<int>(number.size()) - 1) / 2, row}, number);
     }
     for (int y = 0; y <= cells_.height(); y += step) {
-      const std::string number = std::to_string(y * *scene_.unit);
+      const std::string number = std::to_string(y * unit_);
       write({margins_.left - 1 - static_cast<int>(number.size()),
              margins_.top + drawn_corner({0, y}).y},
             number);
@@ -238,6 +239,7 @@ class LatticePicture {
   }
 
   const Scene& scene_;
+  int unit_;
   Grid<Glyph> cells_;
   int columns_a_cell_;
   bool ascii_;
