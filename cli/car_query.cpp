@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "exit_code.hpp"
 #include "explainer.hpp"
 #include "plan_text.hpp"
@@ -9,9 +11,9 @@
 
 namespace wend::cli {
 
-CarQuery::CarQuery(const FreeSpace& space, const Coordinates& coordinates, int unit,
+CarQuery::CarQuery(FreeSpace space, const Coordinates& coordinates, int unit,
                    const EndArguments& ends)
-    : space_(space),
+    : space_(std::move(space)),
       coordinates_(coordinates),
       unit_(unit),
       start_(parse_start_pose(coordinates_, ends.start)) {
@@ -69,6 +71,7 @@ std::string CarQuery::outside(const std::string& name, const TypedPose& pose) co
 std::string CarQuery::as_typed() const {
   if (!coordinates_.metric() && unit_ == 1) return {};
   std::vector<std::string> goals;
+  goals.reserve(goals_.size());
   for (const TypedPose& goal : goals_) goals.push_back(goal.text);
   return fmt::format("from {} to {}: ", start_.text, fmt::join(goals, " or "));
 }

@@ -11,8 +11,7 @@ namespace wend::cli {
 
 class CarQuery final : public TypedQuery {
  public:
-  CarQuery(const FreeSpace& space, const Coordinates& coordinates, int unit,
-           const EndArguments& ends);
+  CarQuery(FreeSpace space, const Coordinates& coordinates, int unit, const EndArguments& ends);
 
   void check(const ShownLayers& layers) const override;
   Query query() const override;

@@ -1,5 +1,7 @@
 #include "cell_query.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
@@ -17,9 +19,9 @@ bool is_about_a_goal(Status status) {
 
 }  // namespace
 
-CellQuery::CellQuery(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves,
+CellQuery::CellQuery(FreeSpace space, const Coordinates& coordinates, GridMoves moves,
                      const EndArguments& ends)
-    : space_(space),
+    : space_(std::move(space)),
       coordinates_(coordinates),
       moves_(moves),
       start_(coordinates_.parse("start", ends.start)) {
@@ -51,7 +53,7 @@ std::vector<std::string> CellQuery::move_to_nearest() {
 Scene CellQuery::scene() const {
   Scene scene = scene_between(space_, start_.cell, goals_.front().cell);
   scene.goals.clear();
-  for (const Cell goal : goal_cells()) scene.goals.push_back(centre_of(goal));
+  for (const Cell goal : goal_cells()) scene.goals.emplace_back(centre_of(goal));
   return scene;
 }
 

@@ -11,7 +11,7 @@ namespace wend::cli {
 
 class CellQuery final : public TypedQuery {
  public:
-  CellQuery(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves,
+  CellQuery(FreeSpace space, const Coordinates& coordinates, GridMoves moves,
             const EndArguments& ends);
 
   void check(const ShownLayers& /*layers*/) const override {}

@@ -163,8 +163,9 @@ std::string PlanRun::step_text(const SearchRecorder& recorder) const {
   }
   const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
                                       arguments_.pictures.style, kRowsOfStep);
+  const auto& event = last_expansion_.event();
   return text + fmt::format("expansion {}: {}, frontier {}\n", recorder.expansions().size(),
-                            event_text(*last_expansion_.event()), snapshot.frontier.count());
+                            event ? event_text(*event) : "", snapshot.frontier.count());
 }
 
 std::string PlanRun::text() const {

@@ -64,7 +64,8 @@ void drive(const FreeSpace& space, const Query& query, const std::string& planne
   base::ScopedState<base::SE2StateSpace> start(curves);
   base::ScopedState<base::SE2StateSpace> goal(curves);
   put(query.start, start);
-  put({query.goals.front().point.x, query.goals.front().point.y, *query.goals.front().heading},
+  put({query.goals.front().point.x, query.goals.front().point.y,
+       query.goals.front().heading.value_or(0)},
       goal);
   setup.setStartAndGoalStates(start, goal);
   setup.setPlanner(make(planner, setup.getSpaceInformation()));

@@ -88,6 +88,7 @@ DriveYard study_yard(const std::string& title, const FreeSpace& space, std::size
     const Answers all = answers(planner, space, drives, effort);
     if (least_fuel.empty()) least_fuel = all.fuel;
     std::vector<double> ratios;
+    ratios.reserve(drives.size());
     for (std::size_t i = 0; i < drives.size(); ++i) {
       ratios.push_back(least_fuel[i] > 0 ? all.fuel[i] / least_fuel[i] : 1);
     }
@@ -102,6 +103,7 @@ std::vector<bool> least_of_column(const DriveYard& yard, double DriveRow::* valu
   double least = std::numeric_limits<double>::infinity();
   for (const DriveRow& row : yard.rows) least = std::min(least, row.*value);
   std::vector<bool> best;
+  best.reserve(yard.rows.size());
   for (const DriveRow& row : yard.rows) best.push_back(row.*value <= least * kRounding);
   return best;
 }

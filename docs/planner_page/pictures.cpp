@@ -48,7 +48,7 @@ struct Question {
 };
 
 Question between_rooms() {
-  FreeSpace space(generated_map("rooms", kWidth, kHeight, kSeed, {{"room_size", "11"}}));
+  const FreeSpace space(generated_map("rooms", kWidth, kHeight, kSeed, {{"room_size", "11"}}));
   return {space, Query::between(kStart, kGoal), scene_between(space, kStart, kGoal)};
 }
 

@@ -1,6 +1,7 @@
 #include "wend/planner/car_planner.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -42,7 +43,7 @@ void CarPlanner::make() {
   engine_.reset();  // its memory first
   lattice_.reset();
   if (!why_no_lattice(free_space().map(), options_.driving).empty()) return;
-  lattice_.emplace(free_space(), options_.driving);
+  lattice_ = std::make_unique<CarLattice>(free_space(), options_.driving);
   engine_ = make_car_engine(*lattice_, options_.heuristic, options_.weight);
 }
 
@@ -101,11 +102,14 @@ Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
   if (outcome != SearchOutcome::found) return status_of(outcome);
   engine_->write_path(out.path);
   drive_.clear();
-  for (const Pose& pose : out.path.driven_poses()) drive_.push_back(*lattice_->nearest(pose));
+  for (const Pose& pose : out.path.driven_poses()) {
+    if (const auto place = lattice_->nearest(pose)) drive_.push_back(*place);
+  }
   for (std::size_t i = 1; i < drive_.size(); ++i) {
     const auto move = move_between(drive_[i - 1], drive_[i], lattice_->y_up());
-    out.moves.push_back(to_string(*move));
+    if (move) out.moves.push_back(to_string(*move));
   }
+  assert(drive_.size() == out.path.size() && out.moves.size() + 1 == drive_.size());
   out.cost = car_path_cost(*lattice_, drive_);
   out.bound = options_.bound();
   const auto reached = std::find_if(goals_.begin(), goals_.end(), [&](const CarGoal& goal) {

@@ -50,7 +50,7 @@ class CarPlanner final : public Planner {
   Status finish(SearchOutcome outcome, Plan& out);
 
   CarOptions options_;
-  std::optional<CarLattice> lattice_;
+  std::unique_ptr<const CarLattice> lattice_;  // none on a map that has no room for it
   std::unique_ptr<CarEngine> engine_;
   // Of the query that was checked last.
   Pose asked_start_;

@@ -20,17 +20,23 @@ std::string text_of(Cell cell) {
 struct End {
   std::string name;
   Point asked;
-  std::optional<CornerPose> place;
+  CornerPose place;  // of an end on the map
+  bool on_map;
   bool any_heading;
 };
 
+End end_of(const CarLattice& lattice, const std::string& name, const Pose& pose, bool any_heading) {
+  const auto place = place_on(lattice, pose);
+  return {name, pose.point(), place.value_or(CornerPose{}), place.has_value(), any_heading};
+}
+
 End start_of(const CarLattice& lattice, const Query& query) {
-  return {"start", query.start.point(), place_on(lattice, query.start), false};
+  return end_of(lattice, "start", query.start, false);
 }
 
 End end_at(const CarLattice& lattice, const Goal& goal) {
   const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-  return {"goal", goal.point, place_on(lattice, pose), !goal.heading};
+  return end_of(lattice, "goal", pose, !goal.heading);
 }
 
 /// The reason of several hopeless goals is that of the first.
@@ -42,18 +48,18 @@ End goal_of(const CarLattice& lattice, const Query& query) {
 End searched_goal_of(const CarLattice& lattice, const Query& query) {
   for (const Goal& goal : query.goals) {
     End end = end_at(lattice, goal);
-    if (end.place && lattice.passable(end.place->corner)) return end;
+    if (end.on_map && lattice.passable(end.place.corner)) return end;
   }
   return goal_of(lattice, query);
 }
 
 /// "start (3,4,E)", in grid coordinates.
 std::string name_of(const CarLattice& lattice, const End& end) {
-  const Cell corner{end.place->corner.x * lattice.unit(), end.place->corner.y * lattice.unit()};
+  const Cell corner{end.place.corner.x * lattice.unit(), end.place.corner.y * lattice.unit()};
   if (end.any_heading) {
     return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ",any)";
   }
-  return end.name + ' ' + to_string(CornerPose{corner, end.place->heading});
+  return end.name + ' ' + to_string(CornerPose{corner, end.place.heading});
 }
 
 std::string outside(const CarLattice& lattice, const End& end) {
@@ -66,13 +72,14 @@ std::string outside(const CarLattice& lattice, const End& end) {
 }
 
 std::string blocked(const CarLattice& lattice, const End& end) {
-  const auto fault = lattice.why_blocked(end.place->corner);
+  const auto fault = lattice.why_blocked(end.place.corner);
+  if (!fault) return {};
   const std::string text = "the " + name_of(lattice, end) + " is an impassable corner: ";
   switch (fault->reason) {
     case BlockReason::obstacle:
-      return text + "cell " + text_of(*fault->cell) + " beside it is an obstacle";
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is an obstacle";
     case BlockReason::unknown:
-      return text + "cell " + text_of(*fault->cell) + " beside it is unknown";
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is unknown";
     case BlockReason::too_close:
       return text + "the nearest obstacle is " + format_number(fault->distance) +
              " cells away, the robot's radius is " +
@@ -93,9 +100,9 @@ bool is_boxed_in(const CarLattice& lattice, const CornerPose& place) {
 
 /// Moves can be undone: where none leads away, none leads to.
 bool is_boxed_in(const CarLattice& lattice, const End& end) {
-  if (!end.any_heading) return is_boxed_in(lattice, *end.place);
+  if (!end.any_heading) return is_boxed_in(lattice, end.place);
   return std::all_of(kAllHeadings.begin(), kAllHeadings.end(), [&](Heading heading) {
-    return is_boxed_in(lattice, CornerPose{end.place->corner, heading});
+    return is_boxed_in(lattice, CornerPose{end.place.corner, heading});
   });
 }
 

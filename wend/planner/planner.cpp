@@ -38,7 +38,7 @@ std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
 std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
 
 std::string Planner::reason(const Query& query, Status status) const {
-  std::string reason = do_reason(query, status);
+  const std::string reason = do_reason(query, status);
   return reason.empty() ? std::string(describe(status)) : reason;
 }
 

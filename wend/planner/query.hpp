@@ -19,9 +19,8 @@ struct Goal {
   Point point;
   std::optional<double> heading;  // radians; nothing: any will do
 
-  Goal(const Pose& pose)
-      : point(pose.point()),
-        heading(pose.heading) {}  // NOLINT(google-explicit-constructor): a pose is a goal
+  // NOLINTNEXTLINE(google-explicit-constructor): a pose is a goal
+  Goal(const Pose& pose) : point(pose.point()), heading(pose.heading) {}
   explicit Goal(Point where) : point(where) {}
 };
 

@@ -185,9 +185,9 @@ class LatticePicture {
   std::vector<Cell> way_of(const Arc& arc) const {
     std::vector<Cell> way;
     const double wanted = std::ceil(kSamplesAUnit * std::abs(arc.length) / unit_);
-    const double pieces = std::min(wanted, kMostSamples);
-    for (double i = 0; i <= pieces; ++i) {
-      const Cell at = character_at(pose_on(arc, i / std::max(1.0, pieces) * arc.length).point());
+    const auto pieces = static_cast<int>(std::clamp(wanted, 1.0, kMostSamples));
+    for (int i = 0; i <= pieces; ++i) {
+      const Cell at = character_at(pose_on(arc, arc.length * i / pieces).point());
       if (way.empty() || at != way.back()) way.push_back(at);
     }
     return way;
@@ -207,7 +207,8 @@ class LatticePicture {
     const Cell at = character_at(place.point);
     if (!on_lattice(at)) return;
     put(at, glyph);
-    if (const auto step = drawn_step(place, y_up_)) {
+    const auto step = drawn_step(place, y_up_);
+    if (step && place.heading) {
       put({at.x + step->x, at.y + step->y},
           arrow(nearest_direction(*place.heading, y_up_), glyph.meaning));
     }

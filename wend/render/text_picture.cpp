@@ -44,9 +44,9 @@ void put_driven_path(const Scene& scene, Grid<Glyph>& glyphs) {
   constexpr double kSpacing = 0.25;  // cells
   const bool y_up = scene.space.map().frame().y_up;
   for (const Arc& arc : scene.path.arcs()) {
-    const double pieces = std::ceil(std::abs(arc.length) / kSpacing);
-    for (double i = 0; i <= pieces; ++i) {
-      const Pose pose = pose_on(arc, i / std::max(1.0, pieces) * arc.length);
+    const auto pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length) / kSpacing)));
+    for (int i = 0; i <= pieces; ++i) {
+      const Pose pose = pose_on(arc, arc.length * i / pieces);
       if (const auto cell = cell_under(scene.space, pose.point())) {
         glyphs[*cell] = arrow(nearest_direction(pose.heading, y_up), Meaning::path);
       }

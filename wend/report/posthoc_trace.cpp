@@ -137,8 +137,9 @@ void PosthocTrace::on_generate(const SearchEvent& event) {
 
 void PosthocTrace::on_expand(const SearchEvent& event) {
   close_expanded();
-  expanded_ = Place{event.cell, event.heading};
-  if (keep_one()) put_event("expanding", event, node_of(*expanded_));
+  const Place place{event.cell, event.heading};
+  expanded_ = place;
+  if (keep_one()) put_event("expanding", event, node_of(place));
 }
 
 void PosthocTrace::on_relax(const SearchEvent& event) {
