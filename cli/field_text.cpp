@@ -17,7 +17,7 @@ namespace {
 /// Costs as heat, the policy as arrows.
 Scene scene_of(const CostToGo& field, const FreeSpace& space, const FieldReport& report) {
   Scene scene{.space = space};
-  for (const Cell goal : report.goals) scene.goals.push_back(centre_of(goal));
+  for (const Cell goal : report.goals) scene.goals.emplace_back(centre_of(goal));
   scene.heatmap = {"cost to the goal", field.costs()};
   ArrowField arrows(space.width(), space.height());
   for (int y = 0; y < space.height(); ++y) {

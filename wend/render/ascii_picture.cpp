@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "wend/map/grid.hpp"
 #include "wend/render/text_glyphs.hpp"
@@ -98,8 +99,10 @@ class AsciiCanvas {
   /// `point_at(share)` gives the points of the line, from 0 to 1.
   template <class PointAt>
   void draw_line(double length, const PointAt& point_at, char character) {
-    const double pieces = 1 + std::floor(2 * length / size_);
-    for (double i = 0; i <= pieces; ++i) put(point_at(i / pieces), character);
+    const auto pieces = 1 + static_cast<std::int64_t>(2 * length / size_);
+    for (std::int64_t i = 0; i <= pieces; ++i) {
+      put(point_at(static_cast<double>(i) / static_cast<double>(pieces)), character);
+    }
   }
 
   void draw_path(const Path& path) {
