@@ -14,8 +14,23 @@ Path Path::through(std::vector<Pose> poses) {
   return path;
 }
 
+Path Path::along(std::vector<Point> waypoints) {
+  Path path;
+  path.waypoints_ = std::move(waypoints);
+  return path;
+}
+
+std::vector<Point> Path::points() const {
+  if (!waypoints_.empty()) return waypoints_;
+  std::vector<Point> points;
+  points.reserve(size());
+  for (const Cell cell : cells_) points.push_back(centre_of(cell));
+  for (const Pose& pose : poses_) points.push_back(pose.point());
+  return points;
+}
+
 double Path::length() const {
-  if (driven()) {
+  if (cells_.empty()) {
     double length = 0;
     for (const Arc& arc : arcs()) length += std::abs(arc.length);
     return length;
@@ -41,43 +56,46 @@ double Path::length() const {
 std::vector<Pose> Path::poses() const {
   if (driven()) return poses_;
   std::vector<Pose> poses;
-  poses.reserve(cells_.size());
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    double heading = i > 0 ? poses.back().heading : 0;
-    if (i + 1 < cells_.size() && cells_[i + 1] != cells_[i]) {
-      heading = std::atan2(cells_[i + 1].y - cells_[i].y, cells_[i + 1].x - cells_[i].x);
+  poses.reserve(size());
+  for (const Point point : points()) {
+    if (!poses.empty()) {
+      Pose& last = poses.back();
+      if (point != last.point()) last.heading = std::atan2(point.y - last.y, point.x - last.x);
     }
-    poses.push_back(pose_at(cells_[i], heading));
+    poses.push_back({point.x, point.y, poses.empty() ? 0 : poses.back().heading});
   }
   return poses;
 }
 
 std::vector<Arc> Path::arcs() const {
   std::vector<Arc> arcs;
-  if (!driven()) return arcs;
-  arcs.reserve(poses_.size() - 1);
-  for (std::size_t i = 1; i < poses_.size(); ++i) {
-    arcs.push_back(arc_to(poses_[i - 1], poses_[i].point()));
+  if (empty()) return arcs;
+  const std::vector<Pose> poses = this->poses();
+  arcs.reserve(poses.size() - 1);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Point to = poses[i].point();
+    arcs.push_back(driven() ? arc_to(poses[i - 1], to)
+                            : Arc{poses[i - 1], distance(poses[i - 1].point(), to), 0});
   }
   return arcs;
 }
 
 std::vector<Point> Path::points_in_metres(const Frame& frame) const {
-  std::vector<Point> points;
-  points.reserve(size());
-  for (const Cell cell : cells_) points.push_back(frame.to_metres(centre_of(cell)));
-  for (const Pose& pose : poses_) points.push_back(frame.to_metres(pose.point()));
+  std::vector<Point> points = this->points();
+  for (Point& point : points) point = frame.to_metres(point);
   return points;
 }
 
 void Path::clear() {
   cells_.clear();
   poses_.clear();
+  waypoints_.clear();
 }
 
 void Path::reverse() {
   std::reverse(cells_.begin(), cells_.end());
   std::reverse(poses_.begin(), poses_.end());
+  std::reverse(waypoints_.begin(), waypoints_.end());
 }
 
 }  // namespace wend

@@ -1,12 +1,14 @@
 #pragma once
 
-// Path: the way from a start to a goal, both included, as its planner made it: a list of
-// neighbouring cells, or the poses of a car. Poses, and metres, are made from it on demand.
+// Path: the way from a start to a goal, both included, as its maker left it: a list of neighbouring
+// cells, the poses of a car, or waypoints. Poses, and metres, are made from it on demand.
 //
 //   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
 //
 // Two poses of a car are joined by the arc that leaves the first one along its heading and ends in
-// the second (a line where the heading stays); in reverse, if the second lies behind.
+// the second (a line where the heading stays); in reverse, if the second lies behind. Cells are
+// joined by lines from centre to centre, and waypoints, which a simplified or smoothed path has, by
+// lines too.
 //
 //   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   for (const wend::Arc& arc : path.arcs()) length += arc.length;
@@ -31,10 +33,13 @@ class Path {
   /// A path of poses, in grid coordinates.
   static Path through(std::vector<Pose> poses);
 
-  bool empty() const { return cells_.empty() && poses_.empty(); }
-  std::size_t size() const { return cells_.size() + poses_.size(); }
+  /// A path of waypoints, in grid coordinates.
+  static Path along(std::vector<Point> waypoints);
 
-  /// Is it made of poses, not of cells?
+  bool empty() const { return size() == 0; }
+  std::size_t size() const { return cells_.size() + poses_.size() + waypoints_.size(); }
+
+  /// Is it made of poses, not of cells or waypoints?
   bool driven() const { return !poses_.empty(); }
 
   /// Of a path of cells; else empty.
@@ -43,23 +48,30 @@ class Path {
   /// Of a driven path, in grid coordinates; else empty.
   std::span<const Pose> driven_poses() const { return poses_; }
 
+  /// Of a path of waypoints, in grid coordinates; else empty.
+  std::span<const Point> waypoints() const { return waypoints_; }
+
+  /// Where it begins, where its pieces meet and where it ends, in grid coordinates: the centres of
+  /// cells, the points of poses, the waypoints.
+  std::vector<Point> points() const;
+
   /// In cells. Of cells: straight steps plus sqrt(2) times diagonal ones, counted exactly (for
-  /// cells farther apart: the Euclidean distance of their centres). Of poses: the lengths of the
-  /// arcs, in reverse too.
+  /// cells farther apart: the Euclidean distance of their centres). Of waypoints: their distances.
+  /// Of poses: the lengths of the arcs, in reverse too.
   double length() const;
 
-  /// In grid coordinates. Of cells: their centres, each heading towards the next one (the last as
-  /// the one before it; a single cell heads along +x).
+  /// In grid coordinates. Of cells and waypoints: their points, each heading towards the next one
+  /// (the last as the one before it; a single one heads along +x).
   std::vector<Pose> poses() const;
 
-  /// What joins the poses of a driven path, one fewer than poses; else empty.
+  /// What joins these poses, one fewer than poses: lines, or a car's arcs. Empty of an empty path.
   std::vector<Arc> arcs() const;
 
-  /// The points of the poses in the map's frame, in metres.
+  /// Its points in the map's frame, in metres.
   std::vector<Point> points_in_metres(const Frame& frame) const;
 
   /// For planners that write into a path they are given: memory is kept. A path has either cells or
-  /// poses.
+  /// poses or waypoints.
   void clear();
   void append(Cell cell) { cells_.push_back(cell); }
   void drive_to(const Pose& pose) { poses_.push_back(pose); }
@@ -70,6 +82,7 @@ class Path {
  private:
   std::vector<Cell> cells_;
   std::vector<Pose> poses_;
+  std::vector<Point> waypoints_;
 };
 
 }  // namespace wend

@@ -140,5 +140,36 @@ TEST(DrivenPath, IsWrittenIntoMemoryThatIsKept) {
   EXPECT_TRUE(path.empty());
 }
 
+RC_GTEST_PROP(Path, ArcsJoinPosesWhateverItIsMadeOf, ()) {
+  const std::vector<Cell> cells = any_walk(*rc::gen::inRange(1, 40));
+  const Path of_cells(cells);
+  const Path of_waypoints = Path::along(of_cells.points());
+  for (const Path& path : {of_cells, of_waypoints}) {
+    const std::vector<Pose> poses = path.poses();
+    const std::vector<Arc> arcs = path.arcs();
+    RC_ASSERT(arcs.size() + 1 == poses.size());
+    double length = 0;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      RC_ASSERT(distance(end_of(arcs[i]).point(), poses[i + 1].point()) < 1e-12);
+      length += arcs[i].length;
+    }
+    RC_ASSERT(std::abs(length - path.length()) < 1e-9 * (1 + length));
+  }
+}
+
+TEST(Path, OfWaypointsKeepsThem) {
+  Path path = Path::along({{0.25, 1}, {3.25, 5}, {3.25, 6}});
+  EXPECT_EQ(path.size(), 3U);
+  EXPECT_FALSE(path.driven());
+  EXPECT_FALSE(path.empty());
+  EXPECT_TRUE(path.cells().empty());
+  EXPECT_DOUBLE_EQ(path.length(), 6);
+  EXPECT_EQ(path.poses()[1], (Pose{3.25, 5, kPi / 2}));
+  path.reverse();
+  EXPECT_EQ(path, Path::along({{3.25, 6}, {3.25, 5}, {0.25, 1}}));
+  path.clear();
+  EXPECT_TRUE(path.empty());
+}
+
 }  // namespace
 }  // namespace wend

@@ -106,15 +106,6 @@ class AsciiCanvas {
   }
 
   void draw_path(const Path& path) {
-    const auto cells = path.cells();
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-      const Point from = centre_of(cells[i - 1]);
-      const Point to = centre_of(cells[i]);
-      const auto point_at = [&](double share) {
-        return Point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-      };
-      draw_line(distance(from, to), point_at, 'o');
-    }
     for (const Arc& arc : path.arcs()) {
       const auto point_at = [&](double share) { return pose_on(arc, share * arc.length).point(); };
       draw_line(std::abs(arc.length), point_at, arc.length < 0 ? '=' : 'o');

@@ -49,10 +49,10 @@ bool goes_straight_on(Point a, Point b, Point c) {
 /// The path's bends in picture coordinates.
 std::vector<Point> bends_of(const Path& path, const MapView& view) {
   std::vector<Point> bends;
-  const auto cells = path.cells();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Point point = view.to_picture(centre_of(cells[i]));
-    const bool last = i + 1 == cells.size();
+  const std::vector<Point> points = path.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point point = view.to_picture(points[i]);
+    const bool last = i + 1 == points.size();
     if (!last && !bends.empty() && distance(point, bends.back()) < kLeastDistance) continue;
     const std::size_t count = bends.size();
     if (count >= 2 && goes_straight_on(bends[count - 2], bends[count - 1], point)) bends.pop_back();

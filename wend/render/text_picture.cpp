@@ -39,10 +39,11 @@ void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
   }
 }
 
-/// In every cell that the path drives through: the car's heading there.
+/// In every cell that poses or waypoints lead through: the heading there.
 void put_driven_path(const Scene& scene, Grid<Glyph>& glyphs) {
   constexpr double kSpacing = 0.25;  // cells
   const bool y_up = scene.space.map().frame().y_up;
+  if (!scene.path.cells().empty()) return;
   for (const Arc& arc : scene.path.arcs()) {
     const auto pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length) / kSpacing)));
     for (int i = 0; i <= pieces; ++i) {

@@ -1,0 +1,71 @@
+#pragma once
+
+// Controllers: what tells a robot how fast to drive and to turn, so that it follows a path. By name
+// and with options; `wend/control/controllers.def` lists them, one file each.
+//
+//   const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
+//   const auto controller = info->make({{"lookahead", "0.5"}});
+//   if (!controller) report(controller.error().message());
+//
+// Metres, radians, seconds, in the map's frame. A controller remembers (integrals, filters), is for
+// one robot and one thread, and allocates nothing while it drives.
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/control/velocity.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/path/polyline.hpp"
+
+namespace wend {
+
+/// What a controller sees. To drive in reverse it is shown the robot as if it faced backwards, so
+/// that it need not know.
+struct Situation {
+  Pose pose;                        // as measured
+  Velocity velocity;                // as last commanded and limited
+  const Polyline* route = nullptr;  // what to follow, in metres; never null
+  double along = 0;                 // how far along it the robot is; never goes back
+  std::size_t waypoint = 0;         // of route->points(): the next one to reach
+  double seconds = 0;               // since the last command, > 0
+  VelocityLimits limits{};
+};
+
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  /// Forgets what it remembers: a new route begins.
+  virtual void reset() = 0;
+
+  /// What it wants; whoever drives limits it.
+  virtual Velocity command(const Situation& situation) = 0;
+
+ protected:
+  Controller() = default;
+};
+
+using ControllerResult = Expected<std::unique_ptr<Controller>, OptionError>;
+
+struct ControllerInfo {
+  std::string name;
+  std::string summary;   // one line
+  std::string idea;      // how it works, in two or three sentences
+  std::string citation;  // the paper or textbook it comes from
+  bool turns_in_place;   // so it is no controller for a bicycle
+  std::vector<OptionInfo> options;
+  std::function<ControllerResult(const OptionValues&)> make;
+};
+
+/// p, p_moving, pid, pure_pursuit.
+const Registry<ControllerInfo>& controllers();
+
+}  // namespace wend

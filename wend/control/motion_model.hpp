@@ -1,0 +1,63 @@
+#pragma once
+
+// Motion models: how a robot moves when it is told a velocity. Integrated exactly: with constant
+// velocities a robot drives an arc.
+//
+//   wend::RobotState robot{{0, 0, 0}};
+//   const wend::Step step = wend::drive(wend::MotionModel{}, robot, {0.3, 0.1}, 0.05);
+//   robot = step.to;
+
+#include <array>
+
+#include "wend/base/options.hpp"
+#include "wend/control/velocity.hpp"
+#include "wend/geometry/arc.hpp"
+
+namespace wend {
+
+enum class Drivetrain {
+  differential,  // turns in place
+  bicycle,       // steers: turns only while it drives, by tan(steering) / wheelbase a metre
+};
+
+constexpr std::array<Choice<Drivetrain>, 2> choice_names(Drivetrain) {
+  return {{{"differential", Drivetrain::differential}, {"bicycle", Drivetrain::bicycle}}};
+}
+
+struct MotionModel {
+  Drivetrain drivetrain = Drivetrain::differential;
+  double wheelbase = 0.3;       // m, of a bicycle
+  double steering_limit = 0.6;  // rad, of a bicycle, below pi / 2
+  VelocityLimits limits{};
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"drivetrain", "what turns the robot: two wheels (differential) or steering (bicycle)"},
+          self.drivetrain);
+    field({"wheelbase", "of a bicycle: from axle to axle, m"}, self.wheelbase, {1e-3, 1e3});
+    field({"steering_limit", "of a bicycle: the greatest steering angle, rad"}, self.steering_limit,
+          {1e-3, 1.5});
+    VelocityLimits::fields(self.limits, field);
+  }
+
+  /// The tightest circle it can drive, in metres; 0 of what turns in place.
+  double turning_radius() const;
+};
+
+struct RobotState {
+  Pose pose;  // metres, radians
+  Velocity velocity{};
+};
+
+/// What a robot does in a moment: an arc (of a robot that turns in place: of no length) and where it
+/// is then.
+struct Step {
+  Arc arc;
+  RobotState to;
+};
+
+/// Drives for so long as it is told, within its limits: the velocity is first limited, then held.
+Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,
+           double seconds);
+
+}  // namespace wend

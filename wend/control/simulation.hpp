@@ -1,0 +1,97 @@
+#pragma once
+
+// Simulation: a robot that follows a path on a map, with noise and latency, and how well it did.
+//
+//   auto controller = wend::controllers().find("pid")->make({});
+//   const wend::Drive drive = wend::simulate(space, plan->path, **controller, {}, {.seed = 7});
+//   if (drive.outcome != wend::DriveOutcome::reached) report(wend::describe(drive.outcome));
+//
+// Every command is held for 1 / rate seconds; the robot drives exact arcs, and its disc is swept along
+// each of them over the map. The same seed gives the same drive on every platform.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/options.hpp"
+#include "wend/control/follower.hpp"
+#include "wend/control/motion_model.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
+
+namespace wend {
+
+struct SimulationOptions {
+  double rate = 20;            // commands a second
+  double time_limit = 0;       // s; 0: 60 s and ten times what the path takes at full speed
+  double actuation_noise = 0;  // standard deviation of each velocity's relative error
+  double position_noise = 0;   // of each measured coordinate, m
+  double heading_noise = 0;    // of the measured heading, rad
+  double latency = 0;          // s from a measurement to its command's taking effect
+  std::int64_t seed = 1;
+  bool closed = false;            // one lap, back to the start
+  bool stop_at_collision = true;  // else it drives on through, and collisions are counted
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"rate", "commands a second"}, self.rate, {0.1, 1e4});
+    field({"time_limit", "give up after this time, s; 0: what ten times the path takes, and 60"},
+          self.time_limit, {0, 1e6});
+    field({"actuation_noise", "relative error of what the wheels do, standard deviation"},
+          self.actuation_noise, {0, 10});
+    field({"position_noise", "error of the measured position, m, standard deviation"},
+          self.position_noise, {0, 1e3});
+    field({"heading_noise", "error of the measured heading, rad, standard deviation"},
+          self.heading_noise, {0, 10});
+    field({"latency", "from a measurement to its command's effect, s"}, self.latency, {0, 10});
+    field({"seed", "of the noise"}, self.seed, {0, 9e15});
+    field({"closed", "drive one lap of a closed path"}, self.closed);
+    field({"stop_at_collision", "end where the robot runs into something"}, self.stop_at_collision);
+  }
+};
+
+enum class DriveOutcome { reached, stuck, off_path, collision, time };
+
+constexpr std::array<Choice<DriveOutcome>, 5> choice_names(DriveOutcome) {
+  return {{{"reached", DriveOutcome::reached},
+           {"stuck", DriveOutcome::stuck},
+           {"off_path", DriveOutcome::off_path},
+           {"collision", DriveOutcome::collision},
+           {"time", DriveOutcome::time}}};
+}
+
+/// "reached the goal", "got stuck", "left the path", "ran into an obstacle", "ran out of time".
+std::string_view describe(DriveOutcome outcome);
+
+/// The robot at one moment; grid coordinates, the rest metres, radians and seconds.
+struct DriveSample {
+  double time = 0;
+  Pose pose;                 // true, not measured; grid coordinates
+  Velocity velocity;         // true
+  double heading_error = 0;  // of the route, rad
+  double cross_track = 0;    // m, signed: positive left of the route (towards +y from +x)
+};
+
+struct Drive {
+  DriveOutcome outcome = DriveOutcome::reached;
+  double time = 0;                       // s
+  double distance = 0;                   // m
+  double turned = 0;                     // rad, all turns together
+  double cross_track_rms = 0;            // m
+  double cross_track_largest = 0;        // m
+  double final_error = 0;                // m, from the goal
+  double final_heading_error = 0;        // rad; of a route's last heading, or its last line's
+  std::uint64_t collisions = 0;          // of the swept disc: how often it ran into obstacles
+  std::optional<Point> first_collision;  // grid coordinates
+  std::vector<DriveSample> samples;      // one a command, and the last pose
+};
+
+/// Drives from the path's start, heading along it. The path (not empty) is in grid coordinates of
+/// the space's map. The controller is reset first.
+Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
+               const MotionModel& model = {}, const SimulationOptions& options = {},
+               const FollowerOptions& follower = {});
+
+}  // namespace wend

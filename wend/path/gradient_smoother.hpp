@@ -1,0 +1,60 @@
+#pragma once
+
+// The textbook's smoother: gradient descent on
+//
+//   sum over the inner points of  alpha (s_i - p_i)^2  +  sum of  beta (s_i - s_i+1)^2
+//
+// where p is the path and s the smoothed one, in grid coordinates: alpha holds the points, beta draws
+// neighbours together. S. Thrun, "Artificial Intelligence for Robotics", Udacity 2012. A sweep does,
+// for every inner point,
+//
+//   s_i += -(alpha + 2 beta) s_i + alpha p_i + beta s_i-1 + beta s_i+1
+//
+// with all neighbours from the sweep before, or in place. It ends when the squared changes of a sweep
+// sum to less than epsilon, or after max_sweeps. From the sweep before it diverges unless
+// alpha + 4 beta < 2, in place unless alpha + 2 beta < 2; such options are refused.
+//
+//   const auto smoothed = wend::smooth_by_gradient(plan->path, space, {.beta = 0.4});
+//
+// Safe (unless `unsafe`): a move of a point whose two lines would not stay free is halved a few
+// times, and else left out in that sweep. With such moves masked the objective still does not grow.
+// O(points) a sweep; far from obstacles a sight costs two comparisons.
+
+#include <cstdint>
+
+#include "wend/path/smoother.hpp"
+
+namespace wend {
+
+struct GradientOptions {
+  double alpha = 0.1;
+  double beta = 0.3;
+  double epsilon = 0.001;  // squared cells
+  std::int64_t max_sweeps = 1000;
+  bool in_place = false;
+  bool unsafe = false;
+  bool squeeze = false;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"alpha", "how strongly points are held where they were"}, self.alpha, {0, 2});
+    field({"beta", "how strongly neighbours are drawn together"}, self.beta, {0, 1});
+    field({"epsilon", "done when the squared changes of a sweep sum to less (cells squared)"},
+          self.epsilon, {0, 1e6});
+    field({"max_sweeps", "done after so many sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"in_place", "use each point's new place at once, not from the next sweep on"},
+          self.in_place);
+    field({"unsafe", "the textbook's result, whatever it runs into"}, self.unsafe);
+    field({"squeeze", "a point may pass between two obstacles that touch at a corner"},
+          self.squeeze);
+  }
+};
+
+/// Errors: see SmoothingError. A path is not empty.
+SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
+                                   const GradientOptions& options = {});
+
+/// What it minimises: of a path and what it became, with as many points.
+double smoothing_objective(const Path& path, const Path& smoothed, const GradientOptions& options);
+
+}  // namespace wend

@@ -1,0 +1,87 @@
+#include "wend/path/polyline.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace wend {
+namespace {
+
+/// So many chords keep within the tolerance of an arc.
+int pieces_of(const Arc& arc, double tolerance) {
+  if (arc.curvature == 0) return 1;
+  // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
+  const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
+  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
+}
+
+Point between(Point from, Point to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
+}  // namespace
+
+Polyline::Polyline(std::span<const Point> points, bool closed) : closed_(closed) {
+  assert(!points.empty());
+  points_.reserve(points.size() + 1);
+  along_.reserve(points.size() + 1);
+  const auto append = [&](Point point) {
+    const double step = points_.empty() ? 0 : distance(points_.back(), point);
+    if (!points_.empty() && step == 0) return;
+    along_.push_back(points_.empty() ? 0 : along_.back() + step);
+    points_.push_back(point);
+  };
+  for (const Point point : points) append(point);
+  if (closed) append(points.front());
+}
+
+Polyline Polyline::of(const Path& path, bool closed, double tolerance) {
+  if (!path.driven()) return Polyline(path.points(), closed);
+  std::vector<Point> points{path.driven_poses().front().point()};
+  for (const Arc& arc : path.arcs()) {
+    const int pieces = pieces_of(arc, tolerance);
+    for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
+  }
+  return Polyline(points, closed);
+}
+
+std::size_t Polyline::piece_at(double along) const {
+  if (points_.size() < 2) return 0;
+  const auto next = std::upper_bound(along_.begin(), along_.end(), along);
+  const auto index = std::distance(along_.begin(), next);
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(index - 1, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
+}
+
+Pose Polyline::at(double along) const {
+  if (points_.size() < 2) return {points_.front().x, points_.front().y, 0};
+  const std::size_t i = piece_at(along);
+  const Point from = points_[i];
+  const Point to = points_[i + 1];
+  const double share = std::clamp((along - along_[i]) / (along_[i + 1] - along_[i]), 0.0, 1.0);
+  const Point point = between(from, to, share);
+  return {point.x, point.y, std::atan2(to.y - from.y, to.x - from.x)};
+}
+
+OnPolyline Polyline::nearest(Point point, double from, double to) const {
+  const double first = std::clamp(from, 0.0, length());
+  const double last = std::clamp(to, first, length());
+  const Point start = at(first).point();
+  OnPolyline best{first, start, distance(start, point)};
+  if (points_.size() < 2) return best;
+  for (std::size_t i = piece_at(first); i + 1 < points_.size() && along_[i] <= last; ++i) {
+    const Point a = points_[i];
+    const Point b = points_[i + 1];
+    const double length = along_[i + 1] - along_[i];
+    const double dot = (point.x - a.x) * (b.x - a.x) + (point.y - a.y) * (b.y - a.y);
+    const double along = std::clamp(along_[i] + dot / length, std::max(first, along_[i]),
+                                    std::min(last, along_[i + 1]));
+    const Point place = between(a, b, (along - along_[i]) / length);
+    const double gap = distance(place, point);
+    if (gap < best.distance) best = {along, place, gap};
+  }
+  return best;
+}
+
+}  // namespace wend

@@ -1,0 +1,57 @@
+#pragma once
+
+// Refinement: simplify, then smooth, then resample a path, as far as each is asked for.
+//
+//   const auto refined = wend::refined(plan->path, space,
+//                                      {.simplify = wend::Simplification{wend::SimplifyBy::sight},
+//                                       .smoother = wend::SmootherChoice{"gradient"}});
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "wend/base/options.hpp"
+#include "wend/map/connected_regions.hpp"
+#include "wend/path/smoother.hpp"
+
+namespace wend {
+
+enum class SimplifyBy {
+  collinear,  // without_collinear()
+  tolerance,  // simplified()
+  sight,      // string_pulled()
+};
+
+constexpr std::array<Choice<SimplifyBy>, 3> choice_names(SimplifyBy) {
+  return {{{"collinear", SimplifyBy::collinear},
+           {"tolerance", SimplifyBy::tolerance},
+           {"sight", SimplifyBy::sight}}};
+}
+
+struct Simplification {
+  SimplifyBy by = SimplifyBy::sight;
+  double tolerance = 0.5;  // cells; of SimplifyBy::tolerance
+};
+
+struct SmootherChoice {
+  std::string name = "gradient";
+  OptionValues options{};
+};
+
+struct Refinement {
+  std::optional<Simplification> simplify{};
+  std::optional<SmootherChoice> smoother{};
+  std::optional<double> spacing{};         // cells, > 0: resample
+  Adjacency adjacency = Adjacency::edges;  // what a point may squeeze through
+};
+
+struct Refined {
+  Path path;
+  std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
+};
+
+/// Errors are the smoother's, and unsupported_query for a drive that is to be simplified.
+Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& space,
+                                          const Refinement& refinement);
+
+}  // namespace wend

@@ -1,0 +1,40 @@
+#pragma once
+
+// Simplification: a path with fewer or other waypoints, its ends kept. What comes out of a free path
+// is free, by the rules of first_collision(): a shortcut that is not is not taken.
+//
+//   const wend::Path fewer = wend::without_collinear(plan->path);
+//   const wend::Path taut = wend::string_pulled(plan->path, space);
+//
+// Paths are not empty, and of cells or waypoints; of a car's drive, only resampling makes sense.
+// Lengths are in cells.
+
+#include <array>
+
+#include "wend/base/options.hpp"
+#include "wend/map/connected_regions.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
+
+namespace wend {
+
+/// Without the points where the path goes straight on: the same way. O(n).
+Path without_collinear(const Path& path);
+
+/// Ramer-Douglas-Peucker (U. Ramer 1972; D. Douglas and T. Peucker 1973): every point of the path
+/// left out is within `tolerance` (>= 0) of the line that replaces it. Where that line is not free
+/// it is split on. O(n^2) at worst.
+Path simplified(const Path& path, double tolerance, const FreeSpace& space,
+                Adjacency adjacency = Adjacency::edges);
+
+/// Straight on to the farthest of the following points that can be seen, the swept disc fitting
+/// through; then on from there. Never longer. O(n log n) sights tested, as a rule.
+Path string_pulled(const Path& path, const FreeSpace& space,
+                   Adjacency adjacency = Adjacency::edges);
+
+/// Points at equal distances along, as near to `spacing` (> 0) as divides the length; between two of
+/// them the path's own points stay where the straight line is not free. Of a drive: its arcs divided.
+Path resampled(const Path& path, double spacing, const FreeSpace& space,
+               Adjacency adjacency = Adjacency::edges);
+
+}  // namespace wend

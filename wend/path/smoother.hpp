@@ -1,0 +1,60 @@
+#pragma once
+
+// Smoothers: what makes a path of cells, or of waypoints, smooth, by name and with options. See
+// gradient_smoother.hpp and curvature_smoother.hpp for what each does.
+//
+//   const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
+//   const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
+//   if (!smoothed) report(smoothed.error().message());
+//
+// A smoother keeps the path's ends. Unless its option `unsafe` is set, it takes a free path (see
+// path_collision.hpp) and gives a free one, no longer than it: where smoothing would leave free
+// space it holds back. Thread-safe.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/base/status.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
+
+namespace wend {
+
+struct Smoothed {
+  Path path;                 // waypoints, as many as the path had points
+  std::uint64_t sweeps = 0;  // over all points
+  bool converged = false;    // else the limit of sweeps ended it
+  double held = 0;           // the share of the inner points, 0 to 1, that safety held back
+  bool returned = false;     // the result would have been longer than the path: it is the path
+
+  // Of the smoother that bounds curvature.
+  bool within_bound = true;  // every bend is as wide as asked
+};
+
+/// Why nothing was smoothed.
+struct SmoothingError {
+  Status status;  // invalid_option, or unsupported_query: a drive, a path that is not free
+  std::string what;
+
+  const std::string& message() const { return what; }
+};
+
+using SmoothingResult = Expected<Smoothed, SmoothingError>;
+
+struct SmootherInfo {
+  std::string name;
+  std::string summary;   // one line
+  std::string citation;  // the paper or textbook it comes from
+  std::vector<OptionInfo> options;
+  std::function<SmoothingResult(const Path&, const FreeSpace&, const OptionValues&)> smooth;
+};
+
+/// gradient, curvature.
+const Registry<SmootherInfo>& smoothers();
+
+}  // namespace wend
