@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace wend {
 namespace {
@@ -20,6 +22,12 @@ TEST(Summary, OfFewValues) {
 TEST(Summary, OfNothingIsNoNumber) {
   const Summary summary = summary_of({});
   EXPECT_TRUE(std::isnan(summary.median) && std::isnan(summary.mean) && std::isnan(summary.p99));
+}
+
+TEST(Quantile, OfAShareThatDoublesDoNotHoldIsExact) {
+  std::vector<double> values(25);
+  std::iota(values.begin(), values.end(), 1.0);
+  EXPECT_EQ(quantile(values, 0.28), 7) << "7 of 25 are 0.28, though 0.28 * 25 > 7 in doubles";
 }
 
 RC_GTEST_PROP(Quantile, IsTheLeastValueThatSoManyDoNotExceed, ()) {
