@@ -66,7 +66,9 @@ inline std::string fuzz_path_csv(std::string_view bytes) {
 }
 
 inline std::string fuzz_path_json(std::string_view bytes) {
-  return check_path(parse_path_json(bytes, kFuzzedFile, {}));
+  const std::string wrong = check_path(parse_path_json(bytes, kFuzzedFile, {}));
+  if (!wrong.empty()) return wrong;
+  return check_path(parse_path_json(bytes, kFuzzedFile, {}, PathStage::smoothed));
 }
 
 inline std::string fuzz_planner_specs(std::string_view bytes) {

@@ -7,6 +7,7 @@
 
 #include "wend/io/grey_image.hpp"
 #include "wend/io/io_test_support.hpp"
+#include "wend/io/load_path.hpp"
 #include "wend/io/map_yaml.hpp"
 #include "wend/io/moving_ai_map.hpp"
 #include "wend/io/png.hpp"
@@ -52,7 +53,16 @@ std::vector<Sample> samples() {
   const auto grid = [](const std::string& text) { return error_of(parse_text_grid(text, "g")); };
   const auto yaml = [](const std::string& text) { return error_of(parse_map_yaml(text, "y")); };
   const auto scenario = [](const std::string& text) { return error_of(parse_scenario(text, "s")); };
+  const auto path = [](const std::string& text) { return error_of(parse_path_csv(text, "p", {})); };
+  const auto plan = [](const std::string& text) {
+    return error_of(parse_path_json(text, "p", {}, PathStage::smoothed));
+  };
   return {
+      {"path_cells", "x,y,x_m,y_m\n1,2,0.5,0.5\n", path},
+      {"path_poses", "x,y,heading,x_m,y_m,yaw\n1,2,E,0.5,0.5,0\n3,2,0.25,1,1,0\n", path},
+      {"path_waypoints", "x_grid,y_grid,x_m,y_m,yaw\n1.5,2,0.5,0.5,0\n", path},
+      {"path_centreline", "# c\n# s_m; x_m; y_m\n0;1.5;2\n1; 2.5 ;2.25\n", path},
+      {"path_json", R"({"path":[[1,2]],"path_smoothed":[[1.5,2.5],[2,3]]})", plan},
       {"moving_ai", "type octile\nheight 2\nwidth 3\nmap\n.@T\n.GS\n", moving_ai},
       {"moving_ai_crlf", "type octile\r\nheight 2\r\nwidth 3\r\nmap\r\n.@T\r\n.GS\r\n", moving_ai},
       {"text_grid", "0 1 2\n~ ? #\n\n", grid},

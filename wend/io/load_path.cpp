@@ -19,11 +19,12 @@ bool is_json(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
-Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame) {
+Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
+                                  PathStage stage) {
   try {
     const auto text = read_file(file, kLargestPathFile);
     if (!text) return Unexpected<IoError>(text.error());
-    return is_json(file, *text) ? parse_path_json(*text, file.string(), frame)
+    return is_json(file, *text) ? parse_path_json(*text, file.string(), frame, stage)
                                 : parse_path_csv(*text, file.string(), frame);
   } catch (const std::bad_alloc&) {
     return io_failure(file.string(), 0, "not enough memory for this path");

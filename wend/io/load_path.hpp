@@ -1,15 +1,24 @@
 #pragma once
 
-// Loading paths that wend wrote: the CSV of path_csv.hpp, or the JSON of a plan, whose "path" is a
-// list of cells [[x,y],...], or of points, with "headings" beside it, one for each. A name that ends
-// in .csv or .json decides; else JSON begins with '{'.
+// Loading paths: the CSV of path_csv.hpp; the JSON of a plan, whose "path" is a list of cells
+// [[x,y],...], or of points, with "headings" beside it, one for each, and whose "path_smoothed" are
+// waypoints in grid coordinates; or centrelines in metres. A name that ends in .csv or .json decides;
+// else JSON begins with '{'.
 //
-// Strict: a CSV has one of the two headers and as many columns in every line, JSON has an object
-// with a list of cells or points. Cells lie in 0..2^30-1, as those of every map do, points in
-// 0..2^30; whether a map has them, and whether they are neighbours, is not checked. A heading is N,
-// W, E or S as drawn, or a number of radians; the frame of the path's map says whether north is up
-// or down in its grid. A file without a cell or pose is an error, for a plan that failed one that
-// says why there is no path. Columns in metres and other keys of the plan are not used. Memory stays
+// A centreline is a CSV whose header names columns x_m and y_m, in the map's frame:
+//
+//   # x_m, y_m, w_tr_right_m, w_tr_left_m
+//   0.0, 0.0, 1.1, 1.1
+//
+// The header is the last of the comments (#) that it begins with, or its first other line; ',' or ';'
+// separates, blanks do not matter. Its points become waypoints.
+//
+// Strict: a CSV has one of these headers and as many columns in every line, JSON has an object with a
+// list of cells or points. Cells lie in 0..2^30-1, as those of every map do, points in 0..2^30;
+// whether a map has them, and whether they are neighbours, is not checked. A heading is N, W, E or S
+// as drawn, or a number of radians; the frame of the path's map says whether north is up or down in
+// its grid. A file without a point is an error, for a plan that failed one that says why there is no
+// path. Other columns must be numbers and are not used, nor are other keys of the plan. Memory stays
 // in proportion to the file, which may have 256 MiB.
 
 #include <filesystem>
@@ -23,12 +32,16 @@
 
 namespace wend {
 
-Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame);
+/// Which path of a plan: as planned, or as smoothed. Where a plan has but one it is that.
+enum class PathStage { planned, smoothed };
+
+Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
+                                  PathStage stage = PathStage::planned);
 
 /// The same from a text. `file` is the name for errors.
 Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
                                        const Frame& frame);
 Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,
-                                        const Frame& frame);
+                                        const Frame& frame, PathStage stage = PathStage::planned);
 
 }  // namespace wend

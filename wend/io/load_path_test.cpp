@@ -19,6 +19,29 @@ using testing::HasSubstr;
 
 const Frame kTurned{0.05, {-3, 7.5, 0.25}, true, true};
 
+constexpr std::string_view kWrongHeader =
+    "the first line must be 'x,y,x_m,y_m', 'x,y,heading,x_m,y_m,yaw' or "
+    "'x_grid,y_grid,x_m,y_m,yaw', or name columns x_m and y_m, not ";
+
+/// Of numbers that few digits cannot write.
+Path any_waypoints() {
+  std::vector<Point> points;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    points.push_back({*rc::gen::inRange(0, 1 << 30) / 7.0, *rc::gen::inRange(0, 1 << 30) / 997.0});
+  }
+  return Path::along(points);
+}
+
+std::string list_of(const Path& path) {
+  std::string list;
+  for (const Point point : path.points()) {
+    list += fmt::format("[{:.17g},{:.17g}],", point.x, point.y);
+  }
+  list.pop_back();
+  return "[" + list + "]";
+}
+
 Path any_path() {
   std::vector<Cell> cells;
   const int count = *rc::gen::inRange(1, 40);
@@ -85,6 +108,55 @@ RC_GTEST_PROP(LoadPath, ACsvGivesThePosesBack, (bool y_up)) {
   RC_ASSERT(*parsed == path);
 }
 
+RC_GTEST_PROP(LoadPath, ACsvGivesTheWaypointsBack, ()) {
+  const Path path = any_waypoints();
+  const auto parsed = parse_path_csv(path_csv(path, kTurned), "p.csv", kTurned);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesWhatWasPlannedOrSmoothed, (bool smoothed_first)) {
+  const Path planned = any_path();
+  const Path smoothed = any_waypoints();
+  std::string json = json_of(planned);
+  const std::string list = "\"path_smoothed\":" + list_of(smoothed);
+  if (smoothed_first) {
+    json = "{" + list + "," + json.substr(1);
+  } else {
+    json.back() = ',';
+    json += list + "}";
+  }
+  RC_ASSERT(*parse_path_json(json, "p", kTurned, PathStage::planned) == planned);
+  RC_ASSERT(*parse_path_json(json, "p", kTurned, PathStage::smoothed) == smoothed);
+}
+
+RC_GTEST_PROP(LoadPath, JsonWithOnePathGivesThatOne, ()) {
+  const Path planned = any_path();
+  const Path smoothed = any_waypoints();
+  const std::string only_smoothed = "{\"path_smoothed\":" + list_of(smoothed) + "}";
+  for (const PathStage stage : {PathStage::planned, PathStage::smoothed}) {
+    RC_ASSERT(*parse_path_json(json_of(planned), "p", kTurned, stage) == planned);
+    RC_ASSERT(*parse_path_json(only_smoothed, "p", kTurned, stage) == smoothed);
+  }
+}
+
+RC_GTEST_PROP(LoadPath, ACentrelineGivesItsPointsInGridCoordinates, (bool semicolons)) {
+  const Path path = any_waypoints();
+  const Frame frame{0.05, {-3, 7.5, 0}, true, true};
+  const std::string separator = semicolons ? " ; " : ",";
+  std::string text = "# made by hand\n# s_m" + separator + "y_m" + separator + "x_m\n";
+  for (const Point point : path.points_in_metres(frame)) {
+    text += fmt::format("1{0}{2:.17g}{0}{1:.17g}\n", separator, point.x, point.y);
+  }
+  const auto parsed = parse_path_csv(text, "p.csv", frame);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(parsed->waypoints().size() == path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    RC_ASSERT(distance(parsed->waypoints()[i], path.waypoints()[i]) <
+              1e-6 * (1 + distance({}, path.waypoints()[i])));
+  }
+}
+
 RC_GTEST_PROP(LoadPath, JsonGivesThePosesBack, (bool y_up)) {
   Frame frame = kTurned;
   frame.y_up = y_up;
@@ -114,10 +186,8 @@ TEST(LoadPath, GoesByTheNameThenByTheContent) {
     ASSERT_TRUE(loaded) << error_of(loaded);
     EXPECT_EQ(*loaded, path) << name;
   }
-  EXPECT_THAT(
-      error_of(load_path(folder.write("q.csv", json_of(path)), {})),
-      HasSubstr("q.csv:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', "
-                "not '{\"planner\""));
+  EXPECT_THAT(error_of(load_path(folder.write("q.csv", json_of(path)), {})),
+              HasSubstr(fmt::format("q.csv:1: {}'{{\"planner\"", kWrongHeader)));
   EXPECT_THAT(error_of(load_path(folder.write("q.json", csv), {})), HasSubstr("q.json:1: no JSON"));
   EXPECT_THAT(error_of(load_path(folder / "missing.csv", {})), HasSubstr("cannot be opened"));
   EXPECT_THAT(error_of(load_path("/dev/zero", {})), HasSubstr("not a regular file"));
@@ -138,9 +208,8 @@ struct Malformed {
 TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
   const std::string header = "x,y,x_m,y_m\n";
   const std::vector<Malformed> cases{
-      {"", "p:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', not ''"},
-      {"x,y\n1,2\n",
-       "p:1: the first line must be 'x,y,x_m,y_m' or 'x,y,heading,x_m,y_m,yaw', not "},
+      {"", fmt::format("p:1: {}''", kWrongHeader)},
+      {"x,y\n1,2\n", fmt::format("p:1: {}'x,y'", kWrongHeader)},
       {"1,1,0.5,0.5\n", "p:1: the first line must be"},
       {header, "p: no cells: a path has at least one"},
       {header + "1,1,0.5,0.5\n2,1\n", "p:3: 2 columns, expected 4: x,y,x_m,y_m"},
@@ -182,6 +251,57 @@ TEST(ParsePathCsv, SaysWhatIsWrongWithPoses) {
   };
   for (const Malformed& wrong : cases) {
     EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, SaysWhatIsWrongWithWaypoints) {
+  const std::string header = "x_grid,y_grid,x_m,y_m,yaw\n";
+  const std::string good = "1.5,0.25,0.05,0,0\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no points: a path has at least one"},
+      {header + good + "2,1,0.1,0.05\n", "p:3: 4 columns, expected 5: x_grid,y_grid,x_m,y_m,yaw"},
+      {header + "-0.5,1,0,0,0\n", "p:2: x_grid must be a number in 0..1073741824, not '-0.5'"},
+      {header + "1,1073741824.5,0,0,0\n", "p:2: y_grid must be a number in 0..1073741824, not"},
+      {header + "1,nan,0,0,0\n", "p:2: y_grid must be a number in"},
+      {header + good + "1,1,x,0,0\n", "p:3: x_m must be a finite number, not 'x'"},
+      {header + "1,1,0,0,inf\n", "p:2: yaw must be a finite number, not 'inf'"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, ReadsCentrelinesWhoseHeaderNamesMetres) {
+  const Path path = Path::along({{1, 2}, {3, 2.5}});
+  for (const std::string text :
+       {"# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.0, 2.0, 1.1, 1.1\n3, 2.5, 1, 1\n",
+        "# 17b4de0d\n# 603fd398\n# s_m; x_m; y_m; psi_rad\n0;1;2;0.5\n1; 3.0 ;2.5;0.5\n",
+        "x_m,y_m\n1,2\n3,2.5\n", "# by hand\ny_m;x_m\n2;1\n2.5;3\n",
+        "\t#x_m,y_m\r\n1,2\r\n3,2.5\r\n"}) {
+    const auto parsed = parse_path_csv(text, "p", {});
+    ASSERT_TRUE(parsed) << error_of(parsed) << text;
+    EXPECT_EQ(*parsed, path) << text;
+  }
+}
+
+TEST(ParsePathCsv, SaysWhatIsWrongWithCentrelines) {
+  const std::string header = "# x_m, y_m, w\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no points: a path has at least one"},
+      {"# x_m, y_m\n# x, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
+      {"# x_m, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
+      {header + "1, 2\n", "p:2: 2 columns, expected 3: x_m, y_m, w"},
+      {header + "1, 2, 3\n1;2;3\n", "p:3: 1 columns, expected 3"},
+      {header + "1, 2, 3\n\n", "p:3: 1 columns, expected 3"},
+      {header + "1, two, 3\n", "p:2: y_m must be a finite number, not 'two'"},
+      {header + "1, 2, nan\n", "p:2: w must be a finite number, not 'nan'"},
+      {header + "1, 2, 3\n-1, 2, 3\n",
+       "p:3: x_m -1 and y_m 2 are (-1,2) in grid coordinates, which must be in 0..1073741824"},
+      {header + "1, 2e9, 3\n", "p:2: x_m 1 and y_m 2e+09 are (1,2e+09) in grid coordinates"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
   }
 }
 
@@ -261,6 +381,23 @@ TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
   };
   for (const Malformed& wrong : cases) {
     EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongWithSmoothedPaths) {
+  const std::vector<Malformed> cases{
+      {R"({"path":[[1,2]],"path_smoothed":[]})", "p: 'path_smoothed' is empty, at least one [x,y]"},
+      {R"({"path_smoothed":7})", "p: 'path_smoothed' must be a list of [x,y], not '7'"},
+      {R"({"path_smoothed":[[1,2],7]})", "p: path_smoothed[1] must be [x,y], not '7'"},
+      {R"({"path_smoothed":[[1]]})", "p: path_smoothed[0] must be [x,y], not 1 numbers"},
+      {R"({"path":[[1,2]],"path_smoothed":[[1,-2.5]]})",
+       "p: path_smoothed[0][1] must be a number in 0..1073741824, not '-2.5'"},
+      {R"({"path_smoothed":[[1,2]],"path_smoothed":[[1,2]]})", "p: two keys 'path_smoothed'"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {}, PathStage::smoothed)),
+                testing::StartsWith(wrong.error))
         << wrong.text;
   }
 }

@@ -15,11 +15,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Takes "path" and "headings" of a plan from the parser as it goes, without keeping the document.
+/// A list of [x,y], and what is wrong with it.
+struct PointList {
+  std::vector<Point> points;
+  std::string no_cell;  // if these are cells
+  std::string no_pose;  // if these are poses or waypoints
+};
+
+/// Takes the paths and "headings" of a plan from the parser as it goes, without keeping the document.
 /// Which numbers may be coordinates is known only at the end: those of poses have fractions.
 class PlanReader : public nlohmann::json_sax<Json> {
  public:
-  PlanReader(std::string_view text, bool y_up) : text_(text), y_up_(y_up) {}
+  PlanReader(std::string_view text, bool y_up, PathStage stage)
+      : text_(text), y_up_(y_up), stage_(stage) {}
 
   bool null() override { return no_number("null"); }
   bool boolean(bool value) override { return no_number(value ? "true" : "false"); }
@@ -51,13 +59,13 @@ class PlanReader : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     if (depth_ != 1) return true;
     key_ = name;
-    const bool known = name == "path" || name == "headings" || name == "status";
+    const bool known = is_path(name) || name == "headings" || name == "status";
     if (known && !seen_.insert(name).second) return complain(fmt::format("two keys '{}'", name));
     return true;
   }
 
   bool start_array(std::size_t) override {
-    const bool wanted = in_list("path", 1) || in_list("path", 2) || in_list("headings", 1);
+    const bool wanted = in_points(1) || in_points(2) || in_list("headings", 1);
     if (!wanted || depth_ == 0) return enter("[");
     ++depth_;
     count_ = 0;
@@ -65,9 +73,9 @@ class PlanReader : public nlohmann::json_sax<Json> {
   }
 
   bool end_array() override {
-    if (in_list("path", 3)) {
+    if (in_points(3)) {
       if (count_ != 2) return complain(no_point(fmt::format("{} numbers", count_)));
-      points_.push_back(point_);
+      list().points.push_back(point_);
     }
     return leave();
   }
@@ -80,29 +88,53 @@ class PlanReader : public nlohmann::json_sax<Json> {
   }
 
   Expected<Path, IoError> path(const std::string& file) {
-    const bool driven = seen_.count("headings") > 0;
-    const std::string& fault = driven ? no_pose_ : no_cell_;
+    const bool smoothed = takes_smoothed();
+    const PointList& wanted = smoothed ? smoothed_ : planned_;
+    const bool driven = !smoothed && seen_.count("headings") > 0;
+    const std::string& fault = driven || smoothed ? wanted.no_pose : wanted.no_cell;
     // Where the parser stopped early, headings may have been yet to come.
-    const bool is_sure = wrong_.empty() || !no_pose_.empty();
+    const bool is_sure = wrong_.empty() || !wanted.no_pose.empty();
     if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
     if (!wrong_.empty()) return io_failure(file, line_, wrong_);
     if (!status_.empty() && status_ != "found") {
       return io_failure(file, 0,
                         fmt::format("there is no path: the plan's status is {}", quote(status_)));
     }
-    if (seen_.count("path") == 0) return io_failure(file, 0, "'path' is missing, a list of [x,y]");
-    if (driven && headings_.size() != points_.size()) {
+    const std::string_view name = smoothed ? kSmoothed : kPlanned;
+    if (seen_.count(std::string(name)) == 0) {
+      return io_failure(file, 0, "'path' is missing, a list of [x,y]");
+    }
+    if (driven && headings_.size() != wanted.points.size()) {
       return io_failure(
           file, 0,
           fmt::format("'headings' has {}, 'path' has {} points: one for each expected",
-                      headings_.size(), points_.size()));
+                      headings_.size(), wanted.points.size()));
     }
-    if (points_.empty()) return io_failure(file, 0, "'path' is empty, at least one [x,y] expected");
+    if (wanted.points.empty()) {
+      return io_failure(file, 0, fmt::format("'{}' is empty, at least one [x,y] expected", name));
+    }
+    if (smoothed) return Path::along(wanted.points);
     return driven ? driven_path() : path_of_cells();
   }
 
  private:
   static constexpr const char* kNoPlan = "the top level must be an object, with a list 'path'";
+  static constexpr std::string_view kPlanned = "path";
+  static constexpr std::string_view kSmoothed = "path_smoothed";
+
+  static bool is_path(std::string_view name) { return name == kPlanned || name == kSmoothed; }
+
+  bool takes_smoothed() const {
+    const bool has_planned = seen_.count(std::string(kPlanned)) > 0;
+    const bool has_smoothed = seen_.count(std::string(kSmoothed)) > 0;
+    return has_smoothed && (stage_ == PathStage::smoothed || !has_planned);
+  }
+
+  /// The list that is being read.
+  PointList& list() { return key_ == kSmoothed ? smoothed_ : planned_; }
+  const PointList& list() const { return key_ == kSmoothed ? smoothed_ : planned_; }
+
+  bool in_points(std::size_t depth) const { return depth_ == depth && is_path(key_); }
 
   /// Inside of the value of a key of the top level, so deep: 1 is the value itself.
   bool in_list(std::string_view name, std::size_t depth) const {
@@ -126,7 +158,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
   }
 
   std::string no_point(const std::string& found) const {
-    return fmt::format("path[{}] must be [x,y], not {}", points_.size(), found);
+    return fmt::format("{}[{}] must be [x,y], not {}", key_, list().points.size(), found);
   }
 
   bool number(double value, bool of_cell, const std::string& text) {
@@ -134,25 +166,29 @@ class PlanReader : public nlohmann::json_sax<Json> {
       headings_.push_back(value);
       return true;
     }
-    if (!in_list("path", 3)) return no_number(text);
+    if (!in_points(3)) return no_number(text);
     return coordinate(value, of_cell, may_be_coordinate_of_pose(value), text);
   }
 
   /// A value that is no number: fine but where one belongs.
   bool no_number(const std::string& found) {
     if (depth_ == 0) return complain(kNoPlan);
-    if (in_list("path", 1)) return complain("'path' must be a list of [x,y], not " + quote(found));
-    if (in_list("path", 2)) return complain(no_point(quote(found)));
-    if (in_list("path", 3)) return coordinate(0, false, false, found);
+    if (in_points(1))
+      return complain("'" + key_ + "' must be a list of [x,y], not " + quote(found));
+    if (in_points(2)) return complain(no_point(quote(found)));
+    if (in_points(3)) return coordinate(0, false, false, found);
     if (in_list("headings", 1)) return complain("'headings' must be a list, not " + quote(found));
     if (!in_list("headings", 2)) return true;
     return complain(wrong_heading(fmt::format("headings[{}]", headings_.size()), quote(found)));
   }
 
   bool coordinate(double value, bool of_cell, bool of_pose, const std::string& text) {
-    const auto name = [this] { return fmt::format("path[{}][{}]", points_.size(), count_); };
-    if (!of_cell && no_cell_.empty()) no_cell_ = wrong_coordinate(name(), quote(text));
-    if (!of_pose && no_pose_.empty()) no_pose_ = wrong_pose_coordinate(name(), quote(text));
+    PointList& points = list();
+    const auto name = [&] { return fmt::format("{}[{}][{}]", key_, points.points.size(), count_); };
+    if (!of_cell && points.no_cell.empty()) points.no_cell = wrong_coordinate(name(), quote(text));
+    if (!of_pose && points.no_pose.empty()) {
+      points.no_pose = wrong_pose_coordinate(name(), quote(text));
+    }
     (count_ == 0 ? point_.x : point_.y) = value;
     ++count_;
     return true;
@@ -160,7 +196,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
   Path path_of_cells() const {
     Path path;
-    for (const Point point : points_) {
+    for (const Point point : planned_.points) {
       path.append({static_cast<int>(point.x), static_cast<int>(point.y)});
     }
     return path;
@@ -168,8 +204,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
   Path driven_path() const {
     Path path;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      path.drive_to({points_[i].x, points_[i].y, headings_[i]});
+    for (std::size_t i = 0; i < planned_.points.size(); ++i) {
+      path.drive_to({planned_.points[i].x, planned_.points[i].y, headings_[i]});
     }
     return path;
   }
@@ -182,25 +218,25 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
   std::string_view text_;
   bool y_up_;
+  PathStage stage_;
   std::size_t depth_ = 0;  // lists and objects that are open
   std::string key_;        // the last one of the top level
   std::set<std::string> seen_;
   std::string status_;
   Point point_;
   std::size_t count_ = 0;  // coordinates of the point so far
-  std::vector<Point> points_;
+  PointList planned_;
+  PointList smoothed_;
   std::vector<double> headings_;
-  std::string no_cell_;  // what is wrong if these are cells
-  std::string no_pose_;  // what is wrong if these are poses
-  std::string wrong_;    // what is wrong in any case, where the parser stopped
+  std::string wrong_;  // what is wrong in any case, where the parser stopped
   std::size_t line_ = 0;
 };
 
 }  // namespace
 
 Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,
-                                        const Frame& frame) {
-  PlanReader reader(text, frame.y_up);
+                                        const Frame& frame, PathStage stage) {
+  PlanReader reader(text, frame.y_up, stage);
   Json::sax_parse(text.begin(), text.end(), &reader);
   return reader.path(file);
 }

@@ -40,10 +40,22 @@ std::string poses_csv(const Path& path, const Frame& frame) {
   return text;
 }
 
+std::string waypoints_csv(const Path& path, const Frame& frame) {
+  std::string text(kWaypointCsvHeader);
+  text += '\n';
+  for (const Pose& pose : path.poses()) {
+    const Pose metres = frame.to_metres(pose);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", pose.x, pose.y,
+                   format_number(metres.x), format_number(metres.y), format_number(metres.heading));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string path_csv(const Path& path, const Frame& frame) {
-  return path.driven() ? poses_csv(path, frame) : cells_csv(path, frame);
+  if (path.driven()) return poses_csv(path, frame);
+  return path.waypoints().empty() ? cells_csv(path, frame) : waypoints_csv(path, frame);
 }
 
 Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,

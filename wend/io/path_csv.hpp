@@ -17,7 +17,16 @@
 // N, W, E or S as drawn; any other is a number, radians from +x towards +y of the grid. Then the
 // same in the map's frame: metres, and radians counter-clockwise from its +x.
 //
-// Numbers read back exactly; load_path() reads the cells, or the poses.
+// Of a path of waypoints a line a waypoint:
+//
+//   x_grid,y_grid,x_m,y_m,yaw
+//   1.5,1.5,0.075,0.075,0
+//   2.25,1.5,0.1125,0.075,0.3
+//
+// The point in grid coordinates, then in the map's frame, and the heading of the path there: towards
+// the next waypoint, of the last one as before it, radians counter-clockwise from the frame's +x.
+//
+// Numbers read back exactly; load_path() reads the cells, the poses or the waypoints.
 
 #include <filesystem>
 #include <string>
@@ -32,6 +41,7 @@ namespace wend {
 
 inline constexpr std::string_view kPathCsvHeader = "x,y,x_m,y_m";
 inline constexpr std::string_view kDrivenPathCsvHeader = "x,y,heading,x_m,y_m,yaw";
+inline constexpr std::string_view kWaypointCsvHeader = "x_grid,y_grid,x_m,y_m,yaw";
 
 std::string path_csv(const Path& path, const Frame& frame);
 

@@ -39,6 +39,20 @@ TEST(PathCsv, HasALineForEveryPoseWithItsHeadingAndItsYaw) {
             "2,1,S,1,0.5,1.5707963267948966\n");
 }
 
+TEST(PathCsv, HasALineForEveryWaypointWithTheHeadingFromThere) {
+  Frame frame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true};
+  const Path path = Path::along({{1, 0}, {1, 2}, {2.25, 2}});
+  EXPECT_EQ(path_csv(path, frame),
+            "x_grid,y_grid,x_m,y_m,yaw\n"
+            "1,0,-0.5,2,1.5707963267948966\n"
+            "1,2,-0.5,3,0\n"
+            "2.25,2,0.125,3,0\n");
+  frame.origin = {0, 0, kPi / 2};
+  EXPECT_EQ(path_csv(Path::along({{0, 0}}), frame),
+            "x_grid,y_grid,x_m,y_m,yaw\n"
+            "0,0,0,0,1.5707963267948966\n");
+}
+
 TEST(PathCsv, AnEmptyPathIsAHeader) { EXPECT_EQ(path_csv({}, {}), "x,y,x_m,y_m\n"); }
 
 TEST(PathCsv, IsSaved) {
