@@ -112,6 +112,17 @@ class AsciiCanvas {
     }
   }
 
+  void draw_points(const std::vector<Point>& points, char character) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Point from = points[i - 1];
+      const Point to = points[i];
+      const auto point_at = [&](double share) {
+        return Point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+      };
+      draw_line(distance(from, to), point_at, character);
+    }
+  }
+
   std::string text() const {
     std::string text;
     for (int row = 0; row < rows_; ++row) {
@@ -184,9 +195,14 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
   if (scene.heatmap) canvas.draw_heat(*scene.heatmap);
   canvas.draw_roles(scene);
   canvas.draw_path(scene.path);
+  for (const SceneLine& line : scene.lines) {
+    canvas.draw_points(line.points, ascii_of(glyph_of(line.role).text).front());
+  }
   for (const ScenePlace& goal : scene.goals) canvas.put(goal.point, 'G');
   if (scene.start) canvas.put(scene.start->point, 'S');
+  if (scene.robot) canvas.put(scene.robot->point(), 'R');
   if (scene.narrowest) canvas.put(*scene.narrowest, '!');
+  if (scene.collision) canvas.put(*scene.collision, 'X');
   return canvas.text();
 }
 

@@ -10,6 +10,7 @@
 #include "wend/render/labels.hpp"
 #include "wend/render/marks.hpp"
 #include "wend/render/number_text.hpp"
+#include "wend/render/scene_lines.hpp"
 
 namespace wend {
 namespace {
@@ -30,8 +31,10 @@ double heat_width(cairo_t* context, const LegendItem& item) {
 
 /// Dashes need some room.
 double swatch_width(Swatch swatch) {
-  const bool driven = swatch == Swatch::driven || swatch == Swatch::reverse;
-  return driven ? 4 * kSwatch : 2 * kSwatch;
+  const bool is_long = swatch == Swatch::driven || swatch == Swatch::reverse ||
+                       swatch == Swatch::planned_line || swatch == Swatch::smoothed_line ||
+                       swatch == Swatch::driven_line;
+  return is_long ? 4 * kSwatch : 2 * kSwatch;
 }
 
 double width_of(cairo_t* context, const LegendItem& item) {
@@ -92,6 +95,15 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
     case Swatch::reverse:
       return draw_driven_sample(context, centre, swatch_width(item.swatch),
                                 item.swatch == Swatch::reverse, style);
+    case Swatch::collision:
+      return draw_collision_mark(context, centre, kMarkSizes, style);
+    case Swatch::planned_line:
+      return draw_line_sample(context, centre, swatch_width(item.swatch), LineRole::planned, style);
+    case Swatch::smoothed_line:
+      return draw_line_sample(context, centre, swatch_width(item.swatch), LineRole::smoothed,
+                              style);
+    case Swatch::driven_line:
+      return draw_line_sample(context, centre, swatch_width(item.swatch), LineRole::driven, style);
     case Swatch::arrow:
       return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
     case Swatch::role:

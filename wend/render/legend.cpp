@@ -25,6 +25,31 @@ bool drives(const Path& path, bool reverse) {
                              [&](const Arc& arc) { return (arc.length < 0) == reverse; });
 }
 
+constexpr Swatch swatch_of(LineRole role) {
+  switch (role) {
+    case LineRole::planned:
+      return Swatch::planned_line;
+    case LineRole::smoothed:
+      return Swatch::smoothed_line;
+    case LineRole::driven:
+      break;
+  }
+  return Swatch::driven_line;
+}
+
+/// Each role once, in the enum's order.
+void add_lines(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
+  for (const LineRole role : {LineRole::planned, LineRole::smoothed, LineRole::driven}) {
+    const auto is_it = [role](const SceneLine& line) { return line.role == role; };
+    if (!std::ranges::any_of(scene.lines, is_it)) continue;
+    items.push_back({swatch_of(role),
+                     style.of(role),
+                     std::string(describe(role)),
+                     {},
+                     ascii_of(glyph_of(role).text).front()});
+  }
+}
+
 void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
   const auto add = [&](bool wanted, Swatch swatch, const Colour& colour, const char* label,
                        char character) {
@@ -33,10 +58,12 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
+  add(scene.collision.has_value(), Swatch::collision, style.narrowest, "collision", 'X');
   const bool driven = scene.path.driven();
   add(!driven && scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
   add(driven && drives(scene.path, false), Swatch::driven, style.path, "driven ahead", 'o');
   add(driven && drives(scene.path, true), Swatch::reverse, style.reverse, "in reverse", '=');
+  add_lines(scene, style, items);
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
 }
 

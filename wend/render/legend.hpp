@@ -17,9 +17,14 @@ enum class Swatch : unsigned char {
   start,
   goal,
   narrowest,
+  collision,
   path,
   driven,   // ahead, with an arrow
   reverse,  // driven in reverse
+  // Lines, by what they are.
+  planned_line,
+  smoothed_line,
+  driven_line,
   arrow,
   role,
   cell

@@ -6,11 +6,12 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/render/driven_path.hpp"
+#include "wend/render/scene_lines.hpp"
 
 namespace wend {
 namespace {
 
-constexpr double kLeastDistance = 1;  // pixels; points nearer to each other are one
+constexpr double kLeastDistance = 1;  // pixels; points of cells nearer to each other are one
 constexpr double kLeastBend = 4;      // pixels
 constexpr double kLeastRound = 3;     // pixels; marks of a smaller radius are squares
 constexpr double kTip = 1.7;          // how far a heading's tip reaches, in radii of its mark
@@ -75,6 +76,7 @@ void bend(cairo_t* context, Point before, Point point, Point after, double radiu
                  (out.x + 2 * point.x) / 3, (out.y + 2 * point.y) / 3, out.x, out.y);
 }
 
+/// With rounded bends, if there is room for them.
 void trace(cairo_t* context, const std::vector<Point>& bends, double scale) {
   cairo_new_path(context);
   cairo_move_to(context, bends.front().x, bends.front().y);
@@ -92,7 +94,8 @@ void draw_line(cairo_t* context, const Path& path, const MapView& view, const Ma
                const Style& style) {
   const std::vector<Point> bends = bends_of(path, view);
   if (bends.size() < 2) return;
-  trace(context, bends, view.scale());
+  // Waypoints are where they are; bends between cells may be rounded.
+  trace(context, bends, path.waypoints().empty() ? view.scale() : 0);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
   if (sizes.halo > 0) {
@@ -211,6 +214,27 @@ void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
   cairo_stroke(context);
 }
 
+void draw_collision_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                         const Style& style) {
+  if (sizes.mark < kLeastRound) {
+    return fill_square(context, centre, sizes.mark, style.narrowest);
+  }
+  const double reach = 0.75 * sizes.mark;
+  const double line = 0.4 * sizes.mark;
+  cairo_new_path(context);
+  for (const double side : {-1.0, 1.0}) {
+    cairo_move_to(context, centre.x - reach, centre.y - side * reach);
+    cairo_rel_line_to(context, 2 * reach, side * 2 * reach);
+  }
+  cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+  set_source(context, style.halo);
+  cairo_set_line_width(context, line + 2 * sizes.halo);
+  cairo_stroke_preserve(context);
+  set_source(context, style.narrowest);
+  cairo_set_line_width(context, line);
+  cairo_stroke(context);
+}
+
 void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                const Style& style) {
   // A car may drive along the edge of the map.
@@ -219,7 +243,7 @@ void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const 
   cairo_rectangle(context, view.left - beyond, view.top - beyond, view.width + 2 * beyond,
                   view.height + 2 * beyond);
   cairo_clip(context);
-  if (scene.start && on_map(scene, scene.start->point)) {
+  if (scene.start && !scene.robot && on_map(scene, scene.start->point)) {
     draw_robot(context, view.to_picture(scene.start->point),
                scene.space.radius_in_cells() * view.scale(), sizes, style);
   }
@@ -228,6 +252,8 @@ void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const 
   } else if (!scene.path.empty()) {
     draw_line(context, scene.path, view, sizes, style);
   }
+  draw_lines(context, scene, view, sizes, style);
+  draw_robot_at(context, scene, view, sizes, style);
   cairo_restore(context);
 }
 
@@ -241,6 +267,9 @@ void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const
   }
   if (scene.narrowest && on_map(scene, *scene.narrowest)) {
     draw_narrowest_mark(context, view.to_picture(*scene.narrowest), sizes, style);
+  }
+  if (scene.collision && on_map(scene, *scene.collision)) {
+    draw_collision_mark(context, view.to_picture(*scene.collision), sizes, style);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Marks: what lies on the map in a picture: the path, the start with the robot to scale, the goals.
-// Their size is in pixels, so that they stay visible however small the cells are. A start or a goal
+// Marks: what lies on the map in a picture: the path, the start with the robot to scale, the goals,
+// a collision. Their size is in pixels, so that they stay visible however small the cells are. A start or a goal
 // with a heading has a tip that points there.
 
 #include <optional>
@@ -39,11 +39,15 @@ void draw_goal_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& 
 void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style);
 
-/// The path, and the robot to scale at its start.
+/// A cross.
+void draw_collision_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                         const Style& style);
+
+/// The path and the lines, and the robot to scale: where it is, or at the start.
 void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                const Style& style);
 
-/// Start, goals and the narrowest place.
+/// Start, goals, the narrowest place and the collision.
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style);
 

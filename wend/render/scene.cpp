@@ -23,6 +23,18 @@ std::string_view describe(CellRole role) {
   return "";
 }
 
+std::string_view describe(LineRole role) {
+  switch (role) {
+    case LineRole::planned:
+      return "planned";
+    case LineRole::smoothed:
+      return "smoothed";
+    case LineRole::driven:
+      return "driven";
+  }
+  return "";
+}
+
 Scene scene_between(FreeSpace space, Cell start, Cell goal) {
   Scene scene{.space = std::move(space)};
   scene.start = centre_of(start);
@@ -43,6 +55,15 @@ Scene scene_of(FreeSpace space, Path path) {
     scene.goals = {poses.back().point()};
   }
   scene.path = std::move(path);
+  return scene;
+}
+
+Scene scene_of(FreeSpace space, std::vector<SceneLine> lines) {
+  assert(!lines.empty() && !lines.back().points.empty());
+  Scene scene{.space = std::move(space)};
+  scene.start = lines.back().points.front();
+  scene.goals = {lines.back().points.back()};
+  scene.lines = std::move(lines);
   return scene;
 }
 

@@ -23,6 +23,11 @@
 //   yard.start = yard.path.poses().front();
 //   yard.unit = 1;
 //
+// What becomes of a path on its way to the wheels comes as lines, each in its own colour:
+//
+//   scene.lines = {{wend::LineRole::planned, plan->path.points()},
+//                  {wend::LineRole::smoothed, smoothed.points()}};
+//
 // In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
 // the map says; beside heat, rough ground looks like any other. A plain value. Copies share the map, not the layers. Whatever lies outside the map
 // is not drawn.
@@ -61,6 +66,18 @@ struct MarkedCells {
   BitGrid cells;  // as large as the map
 };
 
+/// What a line is: a path as planned, as smoothed, or the way that a robot drove.
+enum class LineRole : unsigned char { planned, smoothed, driven };
+
+/// As a legend calls it: "planned".
+std::string_view describe(LineRole role);
+
+/// Straight lines through points in grid coordinates.
+struct SceneLine {
+  LineRole role;
+  std::vector<Point> points;
+};
+
 /// A number for every cell, drawn as a colour between those of the least and the greatest.
 struct Heatmap {
   std::string title;    // what the numbers are: "order of expansion"
@@ -88,13 +105,16 @@ struct ScenePlace {
 
 struct Scene {
   FreeSpace space;
-  Path path{};  // empty: none is drawn
+  Path path{};                     // empty: none is drawn
+  std::vector<SceneLine> lines{};  // over the path, later ones over earlier ones
   std::optional<ScenePlace> start{};
   std::vector<ScenePlace> goals{};
   std::vector<MarkedCells> marked{};   // later ones over earlier ones
   std::optional<Heatmap> heatmap{};    // under the marked cells
   std::optional<ArrowField> arrows{};  // under path and marks
   std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
+  std::optional<Point> collision{};    // grid coordinates: where the robot runs into something
+  std::optional<Pose> robot{};         // grid coordinates: where the robot is, drawn to scale
   std::optional<int> unit{};  // of a car on corners: they lie so many cells apart, 1 or more
 };
 
@@ -104,6 +124,9 @@ Scene scene_between(FreeSpace space, Cell start, Cell goal);
 /// The map with a path (not empty), its ends marked: of a car's, with their headings, on corners a
 /// cell apart.
 Scene scene_of(FreeSpace space, Path path);
+
+/// The map with lines, the ends of the last one (not empty) marked.
+Scene scene_of(FreeSpace space, std::vector<SceneLine> lines);
 
 /// The role of a cell: that of the last layer which marks it.
 std::optional<CellRole> role_of(const Scene& scene, Cell cell);

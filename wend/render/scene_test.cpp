@@ -23,5 +23,15 @@ TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
   EXPECT_EQ(scene.unit, 1);
 }
 
+TEST(Scene, MarksTheEndsOfItsLastLine) {
+  const Scene scene =
+      scene_of(FreeSpace(map_of({"..."})), {{LineRole::planned, {{0.5, 0.5}, {2.5, 0.5}}},
+                                            {LineRole::driven, {{0.5, 0.5}, {2.25, 0.25}}}});
+  EXPECT_EQ(scene.start, ScenePlace(Point{0.5, 0.5}));
+  EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Point{2.25, 0.25}}));
+  EXPECT_EQ(scene.lines.size(), 2U);
+  EXPECT_TRUE(scene.path.empty());
+}
+
 }  // namespace
 }  // namespace wend

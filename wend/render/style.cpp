@@ -26,6 +26,9 @@ Style dark() {
                    .slightly_rough = colour_from(0x705408),
                    .very_rough = colour_from(0xE6A817),
                    .frontier = colour_from(0x3B86C8)},
+          .lines = {.planned = colour_from(0xF0585B),
+                    .smoothed = colour_from(0x7FE39A),
+                    .driven = colour_from(0x4F95FF)},
           .arrows = colour_from(0xE4E7EC),
           .path = colour_from(0x62BDF5),
           .reverse = colour_from(0xF4F6F9),
@@ -58,6 +61,9 @@ Style print() {
                    .slightly_rough = colour_from(0xF4F4F4),
                    .very_rough = colour_from(0x8C8C8C),
                    .frontier = colour_from(0x858585)},
+          .lines = {.planned = colour_from(0x4A4A4A),
+                    .smoothed = colour_from(0x808080),
+                    .driven = kBlack},
           .arrows = kBlack,
           .path = kBlack,
           .reverse = kBlack,
@@ -103,6 +109,18 @@ Colour Style::of(CellRole role) const {
       return goal_region;
   }
   return free;
+}
+
+Colour Style::of(LineRole role) const {
+  switch (role) {
+    case LineRole::planned:
+      return lines.planned;
+    case LineRole::smoothed:
+      return lines.smoothed;
+    case LineRole::driven:
+      return lines.driven;
+  }
+  return path;
 }
 
 Style style_of(StyleName name) {

@@ -52,6 +52,13 @@ struct YardColours {
   Colour frontier = colour_from(0x4F8FE0);
 };
 
+/// Lines differ in width and dashes too: see scene_lines.hpp. The light style's.
+struct LineColours {
+  Colour planned = colour_from(0xBE1A2B);
+  Colour smoothed = colour_from(0x2FB563);
+  Colour driven = colour_from(0x1546C7);
+};
+
 /// The light style, unless changed.
 struct Style {
   // Cells.
@@ -76,6 +83,7 @@ struct Style {
                                      colour_from(0xB0559A)};
 
   YardColours yard{};
+  LineColours lines{};
 
   // Marks.
   Colour arrows = colour_from(0x3C4047);
@@ -83,8 +91,8 @@ struct Style {
   Colour reverse = colour_from(0x1B1E24);  // the path where a car drives it in reverse: dashed
   Colour start = colour_from(0x009E73);
   Colour goal = colour_from(0xD55E00);
-  Colour narrowest = colour_from(0x7D0552);
-  Colour halo = colour_from(0xFFFFFF);  // around marks, for contrast
+  Colour narrowest = colour_from(0x7D0552);  // and where the robot collides
+  Colour halo = colour_from(0xFFFFFF);       // around marks, for contrast
 
   // Around the map.
   Colour page = colour_from(0xFFFFFF);
@@ -94,6 +102,7 @@ struct Style {
   Colour heat(double share) const;
 
   Colour of(CellRole role) const;
+  Colour of(LineRole role) const;
 };
 
 enum class StyleName { light, dark, print };

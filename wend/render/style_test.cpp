@@ -108,6 +108,14 @@ std::vector<Named> marks(const Style& style) {
           {"narrowest", style.narrowest}};
 }
 
+std::vector<Named> lines(const Style& style) {
+  std::vector<Named> named;
+  for (const LineRole role : {LineRole::planned, LineRole::smoothed, LineRole::driven}) {
+    named.push_back({std::string(describe(role)), style.of(role)});
+  }
+  return named;
+}
+
 void expect_apart(const Named& a, const Named& b, double least, std::string_view style) {
   for (const Vision& vision : kVisions) {
     EXPECT_GE(difference(a.colour, b.colour, vision), least)
@@ -165,6 +173,30 @@ TEST(Style, TellsMarksFromTheCellsUnderThem) {
           expect_apart(mark, cell, kMarksApart, name);
       }
     }
+  }
+}
+
+/// Greys are told apart by width and dashes too, but lines lie on each other.
+TEST(Style, TellsLinesFromEachOtherAndFromTheMapUnderThem) {
+  for (const auto& [name, value] : choice_names(StyleName{})) {
+    const Style style = style_of(value);
+    expect_all_apart(lines(style), kMarksApart, name);
+    for (const Named& line : lines(style)) {
+      for (const Named& cell :
+           {Named{"free", style.free}, Named{"obstacle", style.occupied},
+            Named{"unknown", style.unknown}, Named{"too close", style.too_close}}) {
+        expect_apart(line, cell, kMarksApart, name);
+      }
+    }
+  }
+}
+
+TEST(Style, DrawsPlannedRedSmoothedGreenAndDrivenBlue) {
+  for (const StyleName name : {StyleName::light, StyleName::dark}) {
+    const LineColours& lines = style_of(name).lines;
+    EXPECT_GT(lines.planned.red, 2 * std::max(lines.planned.green, lines.planned.blue));
+    EXPECT_GT(lines.smoothed.green, 1.4 * std::max(lines.smoothed.red, lines.smoothed.blue));
+    EXPECT_GT(lines.driven.blue, 1.6 * std::max(lines.driven.red, lines.driven.green));
   }
 }
 

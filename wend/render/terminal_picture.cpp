@@ -189,6 +189,9 @@ Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
     shown.path = colour_from(0x0000FF);
     shown.start = colour_from(0x00A000);
     shown.goal = colour_from(scene.unit ? 0xE000E0 : 0xE00000);  // a yard's obstacles are red
+    shown.lines = {.planned = colour_from(0xE00000),
+                   .smoothed = colour_from(0x00A000),
+                   .driven = colour_from(0x0000FF)};
   }
   return shown;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -42,7 +44,11 @@ std::string_view ascii_of(std::string_view character) {
   const auto* const found = std::ranges::find(kArrows, character);
   if (found != kArrows.end())
     return kAsciiArrows[static_cast<std::size_t>(found - kArrows.begin())];
-  if (character == "·") return ".";
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOthers{
+      {{"·", "."}, {"○", "o"}, {"●", "%"}, {"◆", "&"}, {"✗", "X"}}};
+  for (const auto& [text, ascii] : kOthers) {
+    if (text == character) return ascii;
+  }
   return character;
 }
 
@@ -58,6 +64,18 @@ Glyph glyph_of(CellRole role) {
       return {"s", Meaning::start_region};
     case CellRole::goal_region:
       return {"g", Meaning::goal_region};
+  }
+  return {};
+}
+
+Glyph glyph_of(LineRole role) {
+  switch (role) {
+    case LineRole::planned:
+      return {"○", Meaning::planned_line};
+    case LineRole::smoothed:
+      return {"●", Meaning::smoothed_line};
+    case LineRole::driven:
+      return {"◆", Meaning::driven_line};
   }
   return {};
 }
@@ -86,6 +104,22 @@ void put_arrows(const Scene& scene, Grid<Glyph>& glyphs) {
   }
 }
 
+void put_lines(const Scene& scene, Grid<Glyph>& glyphs) {
+  constexpr double kSpacing = 0.25;  // cells
+  for (const SceneLine& line : scene.lines) {
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const Point from = line.points[i - 1];
+      const Point to = line.points[i];
+      const int pieces = std::max(1, static_cast<int>(std::ceil(distance(from, to) / kSpacing)));
+      for (int k = 0; k <= pieces; ++k) {
+        const double share = static_cast<double>(k) / pieces;
+        const Point point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+        if (const auto cell = cell_under(scene.space, point)) glyphs[*cell] = glyph_of(line.role);
+      }
+    }
+  }
+}
+
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
   if (scene.narrowest) {
     if (const auto cell = cell_under(scene.space, *scene.narrowest)) {
@@ -99,6 +133,16 @@ void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
   }
   for (const ScenePlace& goal : scene.goals) {
     if (const auto cell = cell_under(scene.space, goal.point)) glyphs[*cell] = {"G", Meaning::goal};
+  }
+  if (scene.robot) {
+    if (const auto cell = cell_under(scene.space, scene.robot->point())) {
+      glyphs[*cell] = {"R", Meaning::robot};
+    }
+  }
+  if (scene.collision) {
+    if (const auto cell = cell_under(scene.space, *scene.collision)) {
+      glyphs[*cell] = {"✗", Meaning::collision};
+    }
   }
 }
 

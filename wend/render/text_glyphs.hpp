@@ -26,7 +26,12 @@ enum class Meaning : unsigned char {
   goal_region,
   move,
   path,
+  planned_line,
+  smoothed_line,
+  driven_line,
+  robot,
   narrowest,
+  collision,
   start,
   goal,
   // Of a car's picture alone:
@@ -37,7 +42,7 @@ enum class Meaning : unsigned char {
   reverse,
   pose,
 };
-inline constexpr int kMeanings = 21;
+inline constexpr int kMeanings = 26;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8
@@ -59,6 +64,7 @@ std::string_view ascii_of(std::string_view character);
 std::size_t characters(std::string_view text);
 
 Glyph glyph_of(CellRole role);
+Glyph glyph_of(LineRole role);
 
 /// The cell that a point in grid coordinates lies in, if it is one of the map.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);
@@ -66,7 +72,10 @@ std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 /// Writes the scene's arrows over what is there, except over obstacles.
 void put_arrows(const Scene& scene, Grid<Glyph>& glyphs);
 
-/// Writes S, G and ! (the narrowest place) over what is there.
+/// Writes the scene's lines over what is there, later ones over earlier ones.
+void put_lines(const Scene& scene, Grid<Glyph>& glyphs);
+
+/// Writes S, G, R (the robot), ! (the narrowest place) and a cross (the collision) over what is there.
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs);
 
 /// A glyph for every cell of the map, without anything that lies on it.

@@ -12,10 +12,15 @@ namespace wend {
 namespace {
 
 // In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 15> kLegend{{
+constexpr std::array<TextLegendEntry, 20> kLegend{{
     {Meaning::start, "S start"},
     {Meaning::goal, "G goal"},
     {Meaning::path, "→ path", "> path"},
+    {Meaning::planned_line, "○ planned", "o planned"},
+    {Meaning::smoothed_line, "● smoothed", "% smoothed"},
+    {Meaning::driven_line, "◆ driven", "& driven"},
+    {Meaning::robot, "R robot"},
+    {Meaning::collision, "✗ collision", "X collision"},
     {Meaning::narrowest, "! narrowest"},
     {Meaning::current, "@ being expanded"},
     {Meaning::frontier, "+ frontier"},
@@ -73,6 +78,7 @@ std::string text_picture(const Scene& scene, const TextStyle& style) {
   put_arrows(scene, glyphs);
   put_path(scene, glyphs);
   put_driven_path(scene, glyphs);
+  put_lines(scene, glyphs);
   put_marks(scene, glyphs);
 
   std::string text;

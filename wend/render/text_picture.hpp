@@ -8,6 +8,7 @@
 //   .?::G    :  too close for the robot     .  free
 //   *  expanded     +  frontier     @  being expanded     s  start's region     g  goal's region
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
+//   ○ ● ◆  lines: planned, smoothed, driven     R  the robot     ✗  a collision
 //
 // A scene's arrows are shown too, its heatmap is not: see text_numbers() in text_layers.hpp.
 //

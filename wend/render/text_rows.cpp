@@ -29,18 +29,24 @@ constexpr std::string_view ansi_of(Meaning meaning) {
       return "\x1b[36m";
     case Meaning::current:
     case Meaning::narrowest:
+    case Meaning::collision:
     case Meaning::reverse:
       return "\x1b[1;35m";
     case Meaning::start_region:
       return "\x1b[32m";
+    case Meaning::smoothed_line:
+      return "\x1b[1;32m";
     case Meaning::goal_region:
     case Meaning::yard_obstacle:
+    case Meaning::planned_line:
       return "\x1b[31m";
     case Meaning::move:
       return "\x1b[34m";
     case Meaning::path:
     case Meaning::ahead:
     case Meaning::pose:
+    case Meaning::driven_line:
+    case Meaning::robot:
       return "\x1b[1;34m";
     case Meaning::start:
       return "\x1b[1;32m";
