@@ -1,15 +1,17 @@
 #pragma once
 
-// Clearance of an arc: the distance from the nearest of its points to the nearest closed obstacle
-// square, exact up to rounding; and whether a robot can drive along it.
+// Clearance of an arc or a line: the distance from the nearest of its points to the nearest closed
+// obstacle square, exact up to rounding; and whether a robot can drive along it.
 //
-// Arcs are in grid coordinates, finite, and turn by at most 2 pi. They may touch the map's border or
-// leave the map: cells outside it are no obstacles.
+// Arcs and lines are in grid coordinates, finite; arcs turn by at most 2 pi. They may touch the
+// map's border or leave the map: cells outside it are no obstacles.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
 //   if (wend::fits_along(space, arc)) length += arc.length;
 
 #include "wend/geometry/arc.hpp"
+#include "wend/geometry/line.hpp"
+#include "wend/map/connected_regions.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {
@@ -19,9 +21,12 @@ namespace wend {
 /// that it passes leaves open).
 double arc_clearance(const FreeSpace& space, const Arc& arc);
 
-/// Does the space's robot keep far enough from every obstacle, by FreeSpace::far_enough(), along the
-/// whole arc? A point does everywhere: it has no width. O(1) for each length of arc that the
-/// clearance of a cell decides, else O(cells within the radius).
-bool fits_along(const FreeSpace& space, const Arc& arc);
+/// May the space's robot drive along the whole arc or line? A disc keeps far enough from every
+/// obstacle, by FreeSpace::far_enough(). A point (radius 0) keeps out of the union of the obstacles
+/// and, unless `adjacency` is edges_and_corners, does not pass between two that touch at a corner
+/// (point_sweep.hpp has the exact rules). O(1) for each length that the clearance of a cell
+/// decides, else O(cells within the radius).
+bool fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency = Adjacency::edges);
+bool fits_along(const FreeSpace& space, const Line& line, Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

@@ -92,14 +92,26 @@ TEST(ArcClearance, FindsObstaclesFarAwayOnLargeMaps) {
 TEST(FitsAlong, SaysWhetherEveryObstacleIsFarEnough) {
   int fitting = 0;
   int too_near = 0;
-  on_random_arcs(400, 14, [&](const FreeSpace& space, const Arc& arc) {
+  on_random_arcs(800, 14, [&](const FreeSpace& space, const Arc& arc) {
+    if (space.radius_in_cells() == 0) return;
     const double clearance = brute_force(space, arc);
-    const bool fits = space.radius_in_cells() == 0 || clearance >= space.radius_in_cells() - 1e-9;
+    const bool fits = clearance >= space.radius_in_cells() - 1e-9;
     ASSERT_EQ(fits_along(space, arc), fits) << clearance << " for " << space.radius_in_cells();
-    if (space.radius_in_cells() > 0) ++(fits ? fitting : too_near);
+    ++(fits ? fitting : too_near);
   });
   EXPECT_GT(fitting, 500);
   EXPECT_GT(too_near, 500);
+}
+
+TEST(FitsAlong, SaysTheSameOfALineAndOfAnArcThatDoesNotBend) {
+  on_random_arcs(300, 14, [&](const FreeSpace& space, const Arc& arc) {
+    const Arc straight{arc.from, arc.length, 0};
+    const Line line{arc.from.point(), end_of(straight).point()};
+    ASSERT_EQ(fits_along(space, line), fits_along(space, straight));
+    if (space.radius_in_cells() == 0) return;
+    const bool fits = brute_force(space, straight) >= space.radius_in_cells() - 1e-9;
+    ASSERT_EQ(fits_along(space, line), fits);
+  });
 }
 
 /// A disc of just the arc's clearance may touch; rounding does not decide.
@@ -131,10 +143,11 @@ TEST(FitsAlong, JudgesMovesOfACarByRadiiThatTouchExactly) {
   EXPECT_FALSE(fits_along(with_radius(space, std::sqrt(5) - 0.999), turn));
 }
 
-TEST(FitsAlong, LetsAPointPassEverywhere) {
+TEST(FitsAlong, KeepsPointsOutOfObstaclesToo) {
   const FreeSpace space = test::drawn_space("##\n##");
-  EXPECT_TRUE(fits_along(space, arc_to({0, 0, 0}, {1, 1})));
-  EXPECT_FALSE(fits_along(with_radius(space, 1e-9), arc_to({0, 0, 0}, {1, 1})));
+  EXPECT_FALSE(fits_along(space, arc_to({0, 0, 0}, {1, 1})));
+  EXPECT_TRUE(fits_along(space, arc_to({0, 0, 0}, {2, 0})));
+  EXPECT_FALSE(fits_along(with_radius(space, 1e-9), arc_to({0, 0, 0}, {2, 0})));
 }
 
 /// Walls do not grow from the map's edge, and a small disc fits between two obstacles.

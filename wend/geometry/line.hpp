@@ -1,0 +1,32 @@
+#pragma once
+
+// Line: the straight line between two points, and how far it is from points and squares of cells.
+//
+//   const wend::Line line{{0.5, 0.5}, {3.5, 0.5}};
+//   const double gap = wend::distance(line, wend::Cell{2, 2});  // 1.5
+//
+// O(1), exact up to rounding. The ends may be one point.
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/pose.hpp"
+
+namespace wend {
+
+/// Both ends are in the same coordinates, grid or map.
+struct Line {
+  Point from;
+  Point to;
+
+  double length() const { return distance(from, to); }
+  Point middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
+  Point at(double share) const {
+    return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+  }
+};
+
+double distance(const Line& line, Point point);
+
+/// To the closed square of a cell; 0 where the line touches it, crosses it or lies inside.
+double distance(const Line& line, Cell square);
+
+}  // namespace wend
