@@ -179,13 +179,13 @@ bool in_gap(const FreeSpace& space, Point point) { return gap_around(space, poin
 
 /// Where it came from before it stopped in a gap, and where it goes on to: is that through?
 bool PointSweep::passes_its_gap(Point before, Point after) const {
-  const auto gap = gap_around(space_, at_);
+  const auto gap = gap_around(*space_, at_);
   return gap && !gap->contains(after) && (gap->side_of(before) > 0) != (gap->side_of(after) > 0);
 }
 
 void PointSweep::arrive(Point to) {
   if (to == at_) return;
-  const auto gap = adjacency_ == Adjacency::edges ? gap_around(space_, to) : std::nullopt;
+  const auto gap = adjacency_ == Adjacency::edges ? gap_around(*space_, to) : std::nullopt;
   if (!gap) {
     before_gap_.reset();
   } else if (!gap->contains(at_)) {
@@ -196,8 +196,8 @@ void PointSweep::arrive(Point to) {
 
 bool PointSweep::go_to(Point to) {
   const Line line{at_, to};
-  if (!clearly_free(space_, SweptPiece(line))) {
-    const CutLine cut(space_, line);
+  if (!clearly_free(*space_, SweptPiece(line))) {
+    const CutLine cut(*space_, line);
     if (cut.enters_obstacles()) return false;
     if (adjacency_ == Adjacency::edges) {
       if (cut.passes_a_gap()) return false;
@@ -214,7 +214,7 @@ bool PointSweep::go_along(const Arc& arc) {
     // What bulges less than that is a line.
     if (piece.bulge <= kPointTolerance / 8) return go_to(piece.to);
     const bool touches_none =
-        clearly_free(space_, piece) || !any_obstacle(space_, piece.box(), [&](Cell square) {
+        clearly_free(*space_, piece) || !any_obstacle(*space_, piece.box(), [&](Cell square) {
           return distance(piece.middle, square) <= piece.half_chord + kPointTolerance;
         });
     if (touches_none) {
@@ -222,7 +222,7 @@ bool PointSweep::go_along(const Arc& arc) {
       return true;
     }
     const Point middle = point_on(arc, arc.length / 2);
-    if (CutLine(space_, {middle, middle}).enters_obstacles()) return false;
+    if (CutLine(*space_, {middle, middle}).enters_obstacles()) return false;
   }
   const auto halves = halves_of(arc);
   return go_along(halves[0]) && go_along(halves[1]);

@@ -31,7 +31,7 @@ class PointSweep {
  public:
   /// Starts at a finite point in grid coordinates. The space outlives the sweep.
   PointSweep(const FreeSpace& space, Point start, Adjacency adjacency = Adjacency::edges)
-      : space_(space), adjacency_(adjacency), at_(start) {}
+      : space_(&space), adjacency_(adjacency), at_(start) {}
 
   /// On along a line, or along an arc that begins where the point is. False if the way is not
   /// free, the point where it begins included; the sweep is then over. O(1) where the clearance of
@@ -43,7 +43,7 @@ class PointSweep {
   bool passes_its_gap(Point before, Point after) const;
   void arrive(Point to);
 
-  const FreeSpace& space_;
+  const FreeSpace* space_;  // never null
   Adjacency adjacency_;
   Point at_;
   std::optional<Point> before_gap_;  // from where it came, if it is in a gap

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
+#include "tests/testing/random_path.hpp"
 #include "tests/testing/textbook.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/direction.hpp"
@@ -76,18 +76,6 @@ TEST(PathMetrics, HasNoClearanceWhereItCutsACorner) {
   EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), space).smallest_clearance, 0.5);
 }
 
-/// A walk over the map, in steps to neighbours and, now and then, longer ones.
-std::vector<Cell> random_walk(Random& random, const FreeSpace& space) {
-  std::vector<Cell> cells{test::random_cell(random, space.width(), space.height())};
-  for (int i = random.between(0, 12); i > 0; --i) {
-    const auto direction = static_cast<Direction>(random.between(0, kDirections - 1));
-    const Cell next = random.chance(0.1) ? test::random_cell(random, space.width(), space.height())
-                                         : step(cells.back(), direction, false);
-    if (space.contains(next)) cells.push_back(next);
-  }
-  return cells;
-}
-
 /// From a point to the nearest obstacle, over all there are.
 double clearance_at(const FreeSpace& space, double x, double y) {
   double least = test::kInfinite;
@@ -107,7 +95,8 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
     const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
-    const std::vector<Cell> cells = random_walk(random, space);
+    const Path path = test::random_cell_path(random, map.width(), map.height());
+    const auto cells = path.cells();
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
     double least = clearance_at(space, cells[0].x + 0.5, cells[0].y + 0.5);
     double longest = 0;
@@ -121,7 +110,7 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
                                              cells[i - 1].y + 0.5 + share * dy));
       }
     }
-    const double smallest = measure(Path(cells), space).smallest_clearance;
+    const double smallest = measure(path, space).smallest_clearance;
     if (least == test::kInfinite) {
       ASSERT_EQ(smallest, least);
       continue;
@@ -184,19 +173,6 @@ TEST(PathMetrics, OfADrivenPathKnowTheClearanceOfArcs) {
   EXPECT_DOUBLE_EQ(crossing.mean_clearance, (0.5 + 0 + 0.5) / 3) << "1, 0, 0, 1 at its points";
 }
 
-/// As a car drives, and with arcs of any radius; it leaves the map now and then.
-std::vector<Pose> random_drive(Random& random, const FreeSpace& space) {
-  std::vector<Pose> poses;
-  for (int i = random.between(0, 5); i >= 0; --i) {
-    Arc arc = test::random_arc(random, space.width(), space.height());
-    if (!poses.empty()) arc.from = poses.back();
-    if (std::abs(arc.turn()) > kPi) arc.length = kPi / 2 / arc.curvature;
-    if (poses.empty()) poses.push_back(arc.from);
-    poses.push_back(end_of(arc));
-  }
-  return poses;
-}
-
 /// What 40 points of each arc say: never less than what is claimed, and down to it.
 TEST(PathMetrics, OfADrivenPathAreThoseOfItsPoints) {
   constexpr int kSamples = 40;
@@ -204,7 +180,7 @@ TEST(PathMetrics, OfADrivenPathAreThoseOfItsPoints) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
-    const Path path = Path::through(random_drive(random, space));
+    const Path path = test::random_drive(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
     double least = test::kInfinite;
     double longest = 0;

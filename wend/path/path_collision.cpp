@@ -1,0 +1,184 @@
+#include "wend/path/path_collision.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/arc_distance.hpp"
+#include "wend/map/arc_clearance.hpp"
+#include "wend/map/obstacles_near.hpp"
+#include "wend/map/point_sweep.hpp"
+#include "wend/map/swept_piece.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kBisected = 5e-7;  // cells
+
+Line beginning_of(const Line& line, double share) { return {line.from, line.at(share)}; }
+Arc beginning_of(const Arc& arc, double share) {
+  return {arc.from, arc.length * share, arc.curvature};
+}
+
+Point end_point(const Line& line) { return line.to; }
+Point end_point(const Arc& arc) { return point_on(arc, arc.length); }
+
+bool on_map(const FreeSpace& space, Point point) {
+  return point.x >= -kPointTolerance && point.x <= space.width() + kPointTolerance &&
+         point.y >= -kPointTolerance && point.y <= space.height() + kPointTolerance;
+}
+
+bool on_map(const FreeSpace& space, const Line& line) {
+  return on_map(space, line.from) && on_map(space, line.to);
+}
+
+/// It lies farthest out at its ends or where it heads along an axis.
+bool on_map(const FreeSpace& space, const Arc& arc) {
+  if (!on_map(space, arc.from.point()) || !on_map(space, end_point(arc))) return false;
+  if (arc.curvature == 0) return true;
+  constexpr double kQuarter = kPi / 2;
+  const double first = arc.from.heading / kQuarter;
+  const double last = first + arc.turn() / kQuarter;
+  const auto end = static_cast<int>(std::floor(std::max(first, last)));
+  for (auto i = static_cast<int>(std::ceil(std::min(first, last))); i <= end; ++i) {
+    const double along = (i * kQuarter - arc.from.heading) / arc.curvature;
+    if (!on_map(space, point_on(arc, along))) return false;
+  }
+  return true;
+}
+
+/// The obstacle nearest to a point, of several the one whose centre is.
+std::optional<Cell> nearest_obstacle(const FreeSpace& space, Point point, double within) {
+  std::optional<Cell> nearest;
+  double least = within;
+  any_obstacle(space, Box(point).grown_by(within), [&](Cell square) {
+    const double gap = distance(point, square);
+    const bool nearer =
+        gap < least || (gap == least && nearest &&
+                        distance(point, centre_of(square)) < distance(point, centre_of(*nearest)));
+    if (nearer || (gap <= within && !nearest)) {
+      least = gap;
+      nearest = square;
+    }
+    return false;
+  });
+  return nearest;
+}
+
+/// Moves the space's robot along the pieces of a path until it collides.
+class PathSweep {
+ public:
+  PathSweep(const FreeSpace& space, Point start, Adjacency adjacency)
+      : space_(space), adjacency_(adjacency), point_(space, start, adjacency) {}
+
+  template <class Way>
+  std::optional<PathCollision> go_along(const Way& way) {
+    PointSweep point = point_;
+    if (on_map(space_, way) && fits(point, way)) {
+      point_ = point;
+      along_ += length_of(way);
+      ++piece_;
+      return std::nullopt;
+    }
+    return first_contact(way);
+  }
+
+ private:
+  template <class Way>
+  bool fits(PointSweep& point, const Way& way) const {
+    return space_.radius_in_cells() == 0 ? go(point, way) : fits_along(space_, way);
+  }
+
+  static bool go(PointSweep& point, const Line& line) { return point.go_to(line.to); }
+  static bool go(PointSweep& point, const Arc& arc) { return point.go_along(arc); }
+
+  template <class Way>
+  bool fits_from_here(const Way& way) const {
+    PointSweep point = point_;
+    return fits(point, way);
+  }
+
+  /// Bisects a piece that is not free.
+  template <class Way>
+  PathCollision first_contact(const Way& way) const {
+    const auto free = [&](double share) {
+      const Way beginning = beginning_of(way, share);
+      return on_map(space_, beginning) && fits_from_here(beginning);
+    };
+    double low = 0;
+    double high = free(0) ? 1 : 0;
+    while ((high - low) * length_of(way) > kBisected) {
+      const double middle = (low + high) / 2;
+      (free(middle) ? low : high) = middle;
+    }
+    PathCollision collision;
+    collision.piece = piece_;
+    collision.along = along_ + low * length_of(way);
+    collision.point = end_point(beginning_of(way, low));
+    tell(beginning_of(way, high), collision);
+    return collision;
+  }
+
+  /// What the robot collides with at the end of a way that is just too long.
+  template <class Way>
+  void tell(const Way& way, PathCollision& collision) const {
+    if (!on_map(space_, way) && fits_from_here(way)) {
+      collision.kind = CollisionKind::outside;
+      return;
+    }
+    const Point end = end_point(way);
+    constexpr double kReach = 4 * kBisected;
+    collision.obstacle = nearest_obstacle(space_, end, space_.radius_in_cells() + kReach);
+    if (space_.radius_in_cells() > 0) {
+      const bool entered = collision.obstacle && distance(end, *collision.obstacle) == 0;
+      collision.kind = entered ? CollisionKind::obstacle : CollisionKind::too_close;
+    } else if (adjacency_ == Adjacency::edges &&
+               fits_along(space_, way, Adjacency::edges_and_corners)) {
+      collision.kind = CollisionKind::squeezed;
+    } else {
+      collision.kind = CollisionKind::obstacle;
+    }
+  }
+
+  const FreeSpace& space_;
+  Adjacency adjacency_;
+  PointSweep point_;
+  std::size_t piece_ = 0;
+  double along_ = 0;
+};
+
+}  // namespace
+
+std::string_view describe(CollisionKind kind) {
+  switch (kind) {
+    case CollisionKind::outside:
+      return "leaves the map";
+    case CollisionKind::obstacle:
+      return "enters an obstacle";
+    case CollisionKind::too_close:
+      return "comes closer to an obstacle than the robot's radius";
+    case CollisionKind::squeezed:
+      return "squeezes between two obstacles that touch at a corner";
+  }
+  return {};
+}
+
+std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,
+                                             Adjacency adjacency) {
+  assert(!path.empty());
+  const std::vector<Point> points = path.points();
+  PathSweep sweep(space, points.front(), adjacency);
+  if (points.size() == 1) return sweep.go_along(Line{points.front(), points.front()});
+  if (path.driven()) {
+    for (const Arc& arc : path.arcs()) {
+      if (const auto collision = sweep.go_along(arc)) return collision;
+    }
+    return std::nullopt;
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (const auto collision = sweep.go_along(Line{points[i - 1], points[i]})) return collision;
+  }
+  return std::nullopt;
+}
+
+}  // namespace wend

@@ -1,0 +1,157 @@
+#include "wend/path/path_collision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/random_path.hpp"
+#include "tests/testing/sampled_robot.hpp"
+
+namespace wend {
+namespace {
+
+/// Where the first of many points of a path collides.
+double first_sample(const Path& path, const test::SampledRobot& robot) {
+  constexpr double kStep = 0.02;
+  if (robot.collides_at(path.points().front())) return 0;
+  double along = 0;
+  for (const Arc& arc : path.arcs()) {
+    const double length = std::abs(arc.length);
+    const int steps = 1 + static_cast<int>(length / kStep);
+    for (int i = 1; i <= steps; ++i) {
+      if (robot.collides_at(point_on(arc, arc.length * i / steps)))
+        return along + length * i / steps;
+    }
+    along += length;
+  }
+  return test::kInfinite;
+}
+
+/// The point that a collision says it is at, by its piece and how far along it lies.
+Point contact(const Path& path, const PathCollision& collision) {
+  const auto arcs = path.arcs();
+  if (arcs.empty()) return path.points().front();
+  double along = collision.along;
+  for (std::size_t i = 0; i < collision.piece; ++i) along -= std::abs(arcs[i].length);
+  const Arc& arc = arcs[collision.piece];
+  EXPECT_GE(along, -1e-9);
+  EXPECT_LE(along, std::abs(arc.length) + 1e-9);
+  return point_on(arc, arc.length < 0 ? -along : along);
+}
+
+void expect_contact(const PathCollision& collision, const test::SampledRobot& robot,
+                    double radius) {
+  constexpr double kNear = 2e-6;
+  const Point at = collision.point;
+  if (collision.kind == CollisionKind::outside) {
+    EXPECT_LT(robot.inside_border(at), kNear);
+    EXPECT_FALSE(collision.obstacle);
+    return;
+  }
+  ASSERT_TRUE(collision.obstacle);
+  EXPECT_TRUE(robot.is_obstacle(collision.obstacle->x, collision.obstacle->y));
+  const double gap = test::distance_to_square(at.x, at.y, *collision.obstacle);
+  EXPECT_NEAR(gap, robot.nearest_obstacle(at), kNear) << "it is the nearest one";
+  switch (collision.kind) {
+    case CollisionKind::obstacle:
+      EXPECT_LT(gap, kNear);
+      break;
+    case CollisionKind::squeezed: {
+      const Point corner{std::round(at.x), std::round(at.y)};
+      EXPECT_LT(distance(at, corner), kNear);
+      EXPECT_TRUE(robot.is_gap(static_cast<int>(corner.x), static_cast<int>(corner.y)));
+      break;
+    }
+    default:
+      EXPECT_LT(gap, radius + kNear);
+      EXPECT_TRUE(collision.along == 0 || gap > radius - kNear) << gap;
+  }
+}
+
+TEST(PathCollision, IsWhereTheFirstSampleCollides) {
+  int free = 0;
+  std::array<int, 4> kinds{};
+  for (std::uint64_t seed = 1; seed <= 20000 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
+    const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
+    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+    const Path path = test::random_path(random, map.width(), map.height());
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " + std::to_string(radius) + "\n" +
+                 test::drawing_of(map) + test::text_of(path));
+    const test::SampledRobot robot(map, radius);
+    const double first = first_sample(path, robot);
+    const auto collision = first_collision(path, space);
+    if (!collision) {
+      ++free;
+      ASSERT_EQ(first, test::kInfinite);
+      continue;
+    }
+    ++kinds.at(static_cast<std::size_t>(collision->kind));
+    ASSERT_LE(collision->along, first);
+    ASSERT_LT(distance(contact(path, *collision), collision->point), 1e-9);
+    expect_contact(*collision, robot, radius);
+  }
+  EXPECT_GT(free, 300);
+  EXPECT_GT(kinds[0], 300) << "outside";
+  EXPECT_GT(kinds[1], 300) << "obstacle";
+  EXPECT_GT(kinds[2], 300) << "too close";
+  EXPECT_GT(kinds[3], 10) << "squeezed";
+}
+
+TEST(PathCollision, TellsWhatItRunsInto) {
+  const FreeSpace point = test::drawn_space("....\n..#.\n.#..");
+  const auto through = first_collision(Path({{0, 0}, {1, 1}, {2, 2}, {3, 2}}), point);
+  ASSERT_TRUE(through);
+  EXPECT_EQ(through->kind, CollisionKind::squeezed);
+  EXPECT_EQ(through->piece, 1U);
+  EXPECT_NEAR(through->along, 1.5 * std::sqrt(2), 1e-6);
+  EXPECT_EQ(describe(through->kind), "squeezes between two obstacles that touch at a corner");
+  EXPECT_FALSE(
+      first_collision(Path({{0, 0}, {1, 1}, {2, 2}, {3, 2}}), point, Adjacency::edges_and_corners));
+
+  const auto into = first_collision(Path::along({{0.5, 1.25}, {3.5, 1.25}}), point);
+  ASSERT_TRUE(into);
+  EXPECT_EQ(into->kind, CollisionKind::obstacle);
+  EXPECT_NEAR(into->point.x, 2, 1e-6);
+  EXPECT_EQ(into->obstacle, (Cell{2, 1}));
+
+  const auto off = first_collision(Path::along({{0.5, 0.5}, {0.5, -3.5}}), point);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->kind, CollisionKind::outside);
+  EXPECT_NEAR(off->along, 0.5, 1e-6);
+}
+
+TEST(PathCollision, SeesWherePiecesOfAPathMeetInAGap) {
+  const FreeSpace space = test::drawn_space("#.\n.#");
+  const auto turn = first_collision(Path::along({{0.5, 1}, {1, 1}, {1, 1}, {1, 1.5}}), space);
+  EXPECT_FALSE(turn) << "in and out on one side";
+  const auto through = first_collision(Path::along({{0.5, 1}, {1, 1}, {1, 1}, {1.5, 1}}), space);
+  ASSERT_TRUE(through);
+  EXPECT_EQ(through->kind, CollisionKind::squeezed);
+  EXPECT_NEAR(through->along, 0.5, 1e-6);
+  // A car's arcs around (0,2) and then (2,0), which meet there.
+  const Path drive = Path::through({{0, 1, 0}, {1, 1, 0}, {2, 1, 0}});
+  EXPECT_EQ(first_collision(drive, space)->kind, CollisionKind::squeezed);
+}
+
+TEST(PathCollision, OfAPathThatStandsIsWhereItStands) {
+  const FreeSpace space = test::drawn_space("#.\n..", {.robot_radius = 0.6});
+  for (const Path& path :
+       {Path({{0, 0}}), Path({{0, 0}, {0, 0}}), Path::through({{0.5, 0.5, 1}})}) {
+    const auto collision = first_collision(path, space);
+    ASSERT_TRUE(collision);
+    EXPECT_EQ(collision->kind, CollisionKind::obstacle);
+    EXPECT_EQ(collision->along, 0);
+    EXPECT_EQ(collision->piece, 0U);
+  }
+  EXPECT_EQ(first_collision(Path({{1, 0}}), space)->kind, CollisionKind::too_close);
+  EXPECT_FALSE(first_collision(Path({{1, 1}}), space));
+}
+
+}  // namespace
+}  // namespace wend
