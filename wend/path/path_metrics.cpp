@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/map/arc_clearance.hpp"
@@ -12,16 +14,35 @@
 namespace wend {
 namespace {
 
-double turning_of(std::span<const Cell> cells) {
-  double turning = 0;
-  std::optional<double> heading;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    if (cells[i] == cells[i - 1]) continue;
-    const double next = std::atan2(cells[i].y - cells[i - 1].y, cells[i].x - cells[i - 1].x);
-    if (heading) turning += std::abs(normalized_angle(next - *heading));
-    heading = next;
+/// Menger's: 4 times the area of the triangle over the product of its sides.
+double curvature_of(Point a, Point b, Point c) {
+  const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+  const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+  if (cross == 0) return dot < 0 ? std::numeric_limits<double>::infinity() : 0;
+  return 2 * std::abs(cross) / (distance(a, b) * distance(b, c) * distance(c, a));
+}
+
+double angle_of(Point a, Point b, Point c) {
+  const double before = std::atan2(b.y - a.y, b.x - a.x);
+  return std::abs(normalized_angle(std::atan2(c.y - b.y, c.x - b.x) - before));
+}
+
+/// Where lines meet. Points on top of each other count once.
+void measure_bends(const Path& path, PathMetrics& metrics) {
+  std::vector<Point> points = path.points();
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const Point a = points[i - 2];
+    const Point b = points[i - 1];
+    const Point c = points[i];
+    metrics.turning += angle_of(a, b, c);
+    metrics.largest_curvature = std::max(metrics.largest_curvature, curvature_of(a, b, c));
   }
-  return turning;
+}
+
+void measure_bends(const Arc& arc, PathMetrics& metrics) {
+  metrics.turning += std::abs(arc.turn());
+  metrics.largest_curvature = std::max(metrics.largest_curvature, std::abs(arc.curvature));
 }
 
 /// The mean over the length of a way of what is known at points of it, linear between them.
@@ -46,7 +67,6 @@ class Mean {
 PathMetrics measure_cells(const Path& path, const FreeSpace& space) {
   const auto cells = path.cells();
   PathMetrics metrics{.length = path.length(),
-                      .turning = turning_of(cells),
                       .smallest_clearance = space.clearance(cells.front())};
   Mean clearance(space.clearance(cells.front()));
   for (std::size_t i = 1; i < cells.size(); ++i) {
@@ -73,7 +93,7 @@ PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {
   for (const Arc& arc : path.arcs()) {
     if (arc.length == 0) continue;
     const double length = std::abs(arc.length);
-    metrics.turning += std::abs(arc.turn());
+    if (path.driven()) measure_bends(arc, metrics);
     metrics.reversals += arc.length * last_length < 0 ? 1 : 0;
     last_length = arc.length;
     metrics.smallest_clearance = std::min(metrics.smallest_clearance, arc_clearance(space, arc));
@@ -90,7 +110,10 @@ PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {
 
 PathMetrics measure(const Path& path, const FreeSpace& space) {
   assert(!path.empty());
-  return path.driven() ? measure_arcs(path, space) : measure_cells(path, space);
+  PathMetrics metrics =
+      path.cells().empty() ? measure_arcs(path, space) : measure_cells(path, space);
+  if (!path.driven()) measure_bends(path, metrics);
+  return metrics;
 }
 
 }  // namespace wend

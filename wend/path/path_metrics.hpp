@@ -1,7 +1,7 @@
 #pragma once
 
-// PathMetrics: how long a path is, how much it turns, and how near to obstacles it comes. Of paths of
-// cells and of driven ones.
+// PathMetrics: how long a path is, how much and how tightly it turns, and how near to obstacles it
+// comes.
 
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
@@ -12,23 +12,31 @@ struct PathMetrics {
   double length = 0;  // cells, as Path::length()
 
   /// Sum of the absolute changes of heading, radians; of a driven path what its arcs turn. Where a
-  /// path of cells turns back, that is pi; a car that changes gear keeps its heading.
+  /// path of cells or waypoints turns back, that is pi; a car that changes gear keeps its heading.
   double turning = 0;
 
-  int reversals = 0;  // changes between ahead and reverse; 0 of a path of cells
+  /// Of a driven path that of its tightest arc. Of cells and waypoints Menger's curvature, that of
+  /// the circle through three points in a row, so that points on a circle have its curvature however
+  /// far apart they are; infinite where the path turns straight back. 1 / cells.
+  double largest_curvature = 0;
+
+  /// 1 / largest_curvature, in cells; infinite of a straight path, 0 where it turns back.
+  double smallest_turning_radius() const { return 1 / largest_curvature; }
+
+  int reversals = 0;  // changes between ahead and reverse; 0 unless it is driven
 
   /// From the path to the nearest closed obstacle square, in cells; infinite without obstacles.
   /// The smallest one is exact over all points of the way, 0 where it touches an obstacle: of the
-  /// line through the cell centres (a diagonal step that cuts a corner), or of the arcs of a driven
-  /// path. The mean is over the length, taken to be linear (trapezoid rule) from centre to centre,
-  /// or between points that cut each arc into equal pieces of at most one cell; of a path that goes
-  /// nowhere it is the clearance where it stands.
+  /// line through the cell centres (a diagonal step that cuts a corner), or of the arcs and lines of
+  /// other paths. The mean is over the length, taken to be linear (trapezoid rule) from centre to
+  /// centre, or between points that cut each arc or line into equal pieces of at most one cell; of a
+  /// path that goes nowhere it is the clearance where it stands.
   double smallest_clearance = 0;
   double mean_clearance = 0;
 };
 
-/// Measures a path (not empty) whose cells are on the map; poses may also be on its border or outside
-/// of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
+/// Measures a path (not empty) whose cells are on the map; poses and waypoints may also be on its
+/// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
 /// neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
 /// arc_clearance().
 PathMetrics measure(const Path& path, const FreeSpace& space);

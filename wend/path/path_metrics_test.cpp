@@ -1,9 +1,11 @@
 #include "wend/path/path_metrics.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -173,16 +175,18 @@ TEST(PathMetrics, OfADrivenPathKnowTheClearanceOfArcs) {
   EXPECT_DOUBLE_EQ(crossing.mean_clearance, (0.5 + 0 + 0.5) / 3) << "1, 0, 0, 1 at its points";
 }
 
-/// What 40 points of each arc say: never less than what is claimed, and down to it.
-TEST(PathMetrics, OfADrivenPathAreThoseOfItsPoints) {
+/// What 40 points of each piece say: never less than what is claimed, and down to it.
+TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
   constexpr int kSamples = 40;
   for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
-    const Path path = test::random_drive(random, map.width(), map.height());
+    const Path path = seed % 2 == 0 ? test::random_drive(random, map.width(), map.height())
+                                    : test::random_waypoint_path(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
-    double least = test::kInfinite;
+    const Point start = path.points().front();
+    double least = clearance_at(space, start.x, start.y);
     double longest = 0;
     double length = 0;
     double sum = 0;  // of clearance over length, by the midpoint rule
@@ -209,6 +213,56 @@ TEST(PathMetrics, OfADrivenPathAreThoseOfItsPoints) {
     // On a piece of one cell the trapezoid is off by no more than a quarter of a cell.
     ASSERT_NEAR(metrics.mean_clearance, sum / length, 0.25 + longest / 4);
   }
+}
+
+TEST(PathMetrics, OfALineThatStandsInPointsIsStraight) {
+  const PathMetrics metrics =
+      measure(Path::along({{1, 1}, {4, 5}, {4, 5}, {7, 9}}), test::open_space(40, 40));
+  EXPECT_DOUBLE_EQ(metrics.length, 10);
+  EXPECT_EQ(metrics.turning, 0);
+  EXPECT_EQ(metrics.largest_curvature, 0);
+  EXPECT_TRUE(std::isinf(metrics.smallest_turning_radius()));
+  EXPECT_EQ(metrics.reversals, 0);
+}
+
+RC_GTEST_PROP(PathMetrics, OfPointsOnACircleHaveItsCurvature, ()) {
+  const double radius = *rc::gen::inRange(1, 60) / 4.0;
+  const int count = *rc::gen::inRange(3, 200);
+  std::vector<Point> points;
+  for (int i = 0; i <= count; ++i) {
+    const double angle = 2 * kPi * i / count;
+    points.push_back({20 + radius * std::cos(angle), 20 + radius * std::sin(angle)});
+  }
+  const PathMetrics metrics = measure(Path::along(points), test::open_space(40, 40));
+  RC_ASSERT(std::abs(metrics.smallest_turning_radius() - radius) < 1e-6 * radius);
+  RC_ASSERT(std::abs(metrics.turning - 2 * kPi * (count - 1) / count) < 1e-9);
+  RC_ASSERT(std::abs(metrics.length - 2 * radius * count * std::sin(kPi / count)) < 1e-9);
+}
+
+TEST(PathMetrics, OfASquareTurnByThreeRightAngles) {
+  const PathMetrics metrics =
+      measure(Path::along({{5, 5}, {9, 5}, {9, 9}, {5, 9}, {5, 5}}), test::open_space(40, 40));
+  EXPECT_DOUBLE_EQ(metrics.length, 16);
+  EXPECT_DOUBLE_EQ(metrics.turning, 3 * kPi / 2);
+  EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius(), 2 * std::numbers::sqrt2)
+      << "of the circle around it";
+}
+
+TEST(PathMetrics, OfAPathThatTurnsBackHaveNoTurningRadius) {
+  const PathMetrics metrics =
+      measure(Path::along({{5, 5}, {9, 5}, {6, 5}}), test::open_space(40, 40));
+  EXPECT_DOUBLE_EQ(metrics.turning, kPi);
+  EXPECT_TRUE(std::isinf(metrics.largest_curvature));
+  EXPECT_EQ(metrics.smallest_turning_radius(), 0);
+}
+
+TEST(PathMetrics, OfADriveAreThoseOfItsArcs) {
+  const Path drive = Path::through({{5, 5, 0}, {8, 8, kPi / 2}, {8, 6, kPi / 2}, {8, 12, kPi / 2}});
+  const PathMetrics metrics = measure(drive, test::open_space(40, 40));
+  EXPECT_DOUBLE_EQ(metrics.length, 3 * kPi / 2 + 2 + 6);
+  EXPECT_DOUBLE_EQ(metrics.turning, kPi / 2);
+  EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius(), 3);
+  EXPECT_EQ(metrics.reversals, 2);
 }
 
 }  // namespace
