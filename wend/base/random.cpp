@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 
 namespace wend {
 
@@ -40,6 +41,17 @@ int Random::between(int least, int greatest) {
   assert(least <= greatest);
   const auto count = static_cast<std::uint64_t>(std::int64_t{greatest} - least + 1);
   return static_cast<int>(least + static_cast<std::int64_t>(below(count)));
+}
+
+double Random::gaussian() {
+  // Marsaglia's polar method: from a point in the unit disc, all equally likely. That would give a
+  // second number; keeping it would make the next one depend on what was called before.
+  for (;;) {
+    const double x = 2 * uniform() - 1;
+    const double y = 2 * uniform() - 1;
+    const double squared = x * x + y * y;
+    if (squared > 0 && squared < 1) return x * std::sqrt(-2 * std::log(squared) / squared);
+  }
 }
 
 double Random::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }

@@ -27,6 +27,10 @@ class Random {
   /// A number in [0, 1).
   double uniform();
 
+  /// Of the normal distribution with mean 0 and standard deviation 1. On every platform the same, but
+  /// for the last bit of its logarithm and square root.
+  double gaussian();
+
   /// True with the given probability.
   bool chance(double probability) { return uniform() < probability; }
 

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace wend {
@@ -154,6 +157,26 @@ TEST(Random, ChanceComesAsOftenAsItSays) {
     hits += random.chance(0.2) ? 1 : 0;
   }
   EXPECT_NEAR(hits, 20000, 700);
+}
+
+TEST(Random, GaussianHasTheNormalDistribution) {
+  // How many of 100000 lie below each number, by tables of the normal distribution.
+  constexpr std::array<std::pair<double, double>, 7> kBelow{
+      {{-2, 2275}, {-1, 15866}, {-0.5, 30854}, {0, 50000}, {0.5, 69146}, {1, 84134}, {2, 97725}}};
+  Random random(8);
+  std::vector<double> drawn(100000);
+  for (double& number : drawn) number = random.gaussian();
+  for (const auto& [bound, expected] : kBelow) {
+    const auto below = std::count_if(drawn.begin(), drawn.end(),
+                                     [bound = bound](double number) { return number < bound; });
+    EXPECT_NEAR(static_cast<double>(below), expected, 700) << "below " << bound;
+  }
+}
+
+TEST(Random, GaussianIsAFunctionOfTheSeed) {
+  Random random(9);
+  Random same(9);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(random.gaussian(), same.gaussian());
 }
 
 }  // namespace
