@@ -13,20 +13,22 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
+#include "wend/control/motion_model.hpp"
 #include "wend/control/velocity.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {
 
-/// What a controller sees. To drive in reverse it is shown the robot as if it faced backwards, so
-/// that it need not know.
+/// What a controller sees; all numbers are finite. To drive in reverse it is shown the robot as if
+/// it faced backwards, so that it need not know.
 struct Situation {
   Pose pose;                        // as measured
   Velocity velocity;                // as last commanded and limited
@@ -67,5 +69,9 @@ struct ControllerInfo {
 
 /// p, p_moving, pid, pure_pursuit.
 const Registry<ControllerInfo>& controllers();
+
+/// Why a controller is none for a robot: it turns in place, and the robot cannot. Nothing if it is;
+/// whoever puts the two together asks.
+std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
 
 }  // namespace wend

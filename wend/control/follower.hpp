@@ -11,9 +11,7 @@
 //
 // Metres, radians, seconds, in the map's frame.
 
-#include <optional>
-#include <string_view>
-#include <vector>
+#include <cstddef>
 
 #include "wend/control/controller.hpp"
 #include "wend/control/route.hpp"
@@ -25,7 +23,8 @@ struct FollowerOptions {
   double goal_tolerance = 0.1;      // m
   double heading_tolerance = 0;     // rad: turns on the spot at the goal until within; 0 = any
   double off_path = 1;              // m: farther from the route than this is lost
-  double stuck_time = 10;           // s without 0.05 m or 0.1 rad of progress
+  double stuck_time = 10;           // s
+  bool turns_in_place = true;       // can the robot? No option: simulate() knows the robot
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -41,32 +40,74 @@ struct FollowerOptions {
   }
 };
 
-enum class FollowerState { driving, reached, stuck, off_path };
+enum class FollowerState {
+  driving,
+  reached,   // stands within the tolerances of the route's end
+  stuck,     // no progress for stuck_time; a robot that cannot turn stands in the wrong heading
+  off_path,  // too far from the route
+};
 
 struct FollowerStep {
   Velocity command{};
   FollowerState state = FollowerState::driving;
-  double heading_error = 0;  // rad, of the route where the robot is
+  double heading_error = 0;  // rad, in (-pi, pi]: to face as the route leads where the robot is
   double cross_track = 0;    // m, to the route, unsigned
 };
 
+/// Progress is 0.05 m along the route or towards it, or facing it 0.1 rad better than since the last
+/// progress; of robots that are too slow for that, a tenth of what they can do in stuck_time. So every
+/// drive ends, whatever the controller does.
 class Follower {
  public:
   explicit Follower(Controller& controller, VelocityLimits limits = {},
                     FollowerOptions options = {});
 
-  /// Begins a new route; also while driving, where the robot goes on from the nearest point ahead.
+  /// Begins a new route; also while driving, where the robot goes on from the nearest point of the
+  /// route's beginning: as far as the robot drives in a second, and off_path.
   void follow(Route route);
 
-  /// The next command, from the pose that was measured, `seconds` (> 0) after the last one. O(lines
-  /// of the route within reach).
+  /// The next command, from the pose that was measured, `seconds` (> 0) after the last one. It is
+  /// within the limits. Before follow() there is nothing to do: reached. A pose that is not finite is none: the robot brakes. In
+  /// every state but driving it brakes, too, and the state stays. O(lines of the route that it can
+  /// come to within a second); allocates nothing.
   FollowerStep step(const Pose& pose, double seconds);
 
   /// How far along the route the robot has come, m.
-  double along() const;
+  double along() const { return behind_ + along_; }
+
+  /// Which of the route's legs it drives, and how far along that it has come, m.
+  std::size_t leg() const { return leg_; }
+  double along_leg() const { return along_; }
 
  private:
-  // (state)
+  const RouteLeg& current_leg() const { return route_.legs()[leg_]; }
+  bool is_last_leg() const { return leg_ + 1 == route_.legs().size(); }
+
+  void begin_leg(std::size_t leg);
+  FollowerStep brake(double seconds);
+  void locate(const Pose& shown);
+  bool is_at_end_of_leg(const Pose& pose) const;
+  Velocity ask_controller(const Pose& shown, double seconds);
+  void arrive(const Pose& pose, double seconds);
+  void watch_progress(double headway, double heading_error, double seconds);
+
+  Controller* controller_;
+  VelocityLimits limits_;
+  FollowerOptions options_;
+  Route route_{Path::along({Point{}}), Frame{}};
+
+  FollowerState state_ = FollowerState::reached;
+  Velocity velocity_{};  // as last commanded
+  std::size_t leg_ = 0;
+  double behind_ = 0;  // the legs that are done
+  double along_ = 0;   // of this leg
+  double cross_track_ = 0;
+  std::size_t waypoint_ = 0;
+  bool arrives_ = false;  // within the goal's tolerance: only brakes and turns from now on
+
+  double best_headway_ = 0;
+  double least_heading_error_ = 0;
+  double idle_ = 0;  // s since the last progress
 };
 
 }  // namespace wend

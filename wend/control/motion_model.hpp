@@ -56,7 +56,12 @@ struct Step {
   RobotState to;
 };
 
-/// Drives for so long as it is told, within its limits: the velocity is first limited, then held.
+/// Holds a velocity. One that is slower than a nanometre a second turns on the spot.
+Step hold(const Pose& from, const Velocity& velocity, double seconds);
+
+/// Drives for so long as it is told, within its limits: the velocity is first limited, then held. A
+/// bicycle's turn rate is at most |linear| / turning_radius(); where that would change it too fast,
+/// it brakes less.
 Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,
            double seconds);
 

@@ -7,7 +7,8 @@
 //   if (drive.outcome != wend::DriveOutcome::reached) report(wend::describe(drive.outcome));
 //
 // Every command is held for 1 / rate seconds; the robot drives exact arcs, and its disc is swept along
-// each of them over the map. The same seed gives the same drive on every platform.
+// each of them over the map. Noise is Gaussian and from a seed: the same on every platform but for the
+// last bits of its mathematical functions. Thread-safe, with a controller for each thread.
 
 #include <array>
 #include <cstdint>
@@ -76,20 +77,21 @@ struct DriveSample {
 
 struct Drive {
   DriveOutcome outcome = DriveOutcome::reached;
-  double time = 0;                       // s
-  double distance = 0;                   // m
-  double turned = 0;                     // rad, all turns together
-  double cross_track_rms = 0;            // m
-  double cross_track_largest = 0;        // m
-  double final_error = 0;                // m, from the goal
-  double final_heading_error = 0;        // rad; of a route's last heading, or its last line's
-  std::uint64_t collisions = 0;          // of the swept disc: how often it ran into obstacles
-  std::optional<Point> first_collision;  // grid coordinates
+  double time = 0;                 // s
+  double distance = 0;             // m
+  double turned = 0;               // rad, to the left and to the right together
+  double cross_track_rms = 0;      // m
+  double cross_track_largest = 0;  // m
+  double final_error = 0;          // m, from the goal
+  double final_heading_error = 0;  // rad; of a route's last heading, or its last line's
+  std::uint64_t collisions = 0;    // how often the disc, swept, ran into obstacles from free space
+  std::optional<Point> first_collision;  // where its centre was then, grid coordinates
   std::vector<DriveSample> samples;      // one a command, and the last pose
 };
 
-/// Drives from the path's start, heading along it. The path (not empty) is in grid coordinates of
-/// the space's map. The controller is reset first.
+/// Drives from the path's start, heading along it (of a car's path: as its first pose does). The path
+/// (not empty) is in grid coordinates of the space's map. The controller is reset first; one that
+/// why_unfit() refuses gets a bicycle stuck. O(commands); every drive ends: see Follower.
 Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                const MotionModel& model = {}, const SimulationOptions& options = {},
                const FollowerOptions& follower = {});

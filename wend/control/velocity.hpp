@@ -30,7 +30,8 @@ struct VelocityLimits {
   }
 };
 
-/// The nearest to `wanted` that the limits allow `seconds` after `now`.
+/// The nearest to `wanted` that the limits allow `seconds` after `now`; if `now` is beyond them, as
+/// near to them as the accelerations allow.
 Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
                  double seconds);
 

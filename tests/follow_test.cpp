@@ -1,0 +1,86 @@
+// Every controller, with default gains, drives 200 plans through offices and warehouses to their
+// goals: planned for a robot that is a margin larger, driven without a collision of the robot itself.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/base/random.hpp"
+#include "wend/control/simulation.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr double kRadius = 0.2;  // m
+constexpr double kMargin = 0.1;  // m, between the disc that is planned for and the robot
+constexpr int kMapsOfAKind = 100;
+constexpr double kLeastWay = 20;  // cells
+
+struct PlannedDrive {
+  std::string name;
+  FreeSpace space;  // of the robot itself
+  Path path;
+};
+
+Cell random_passable(Random& random, const FreeSpace& space) {
+  for (;;) {
+    const Cell cell{random.between(0, space.width() - 1), random.between(0, space.height() - 1)};
+    if (space.passable(cell)) return cell;
+  }
+}
+
+/// Between random cells that are joined, and not too near.
+Path random_plan(const FreeSpace& space, Random& random) {
+  const auto planner = make_planner("astar", space).value();
+  for (;;) {
+    const auto plan = planner->plan(
+        Query::between(random_passable(random, space), random_passable(random, space)));
+    if (plan && plan->path.length() >= kLeastWay) return plan->path;
+  }
+}
+
+std::vector<PlannedDrive> planned_drives() {
+  std::vector<PlannedDrive> drives;
+  for (const auto& [kind, width, height] :
+       {std::tuple("office", 120, 90), std::tuple("warehouse", 150, 110)}) {
+    for (int seed = 1; seed <= kMapsOfAKind; ++seed) {
+      const GridMap map = generators().find(kind)->make(width, height, seed, {}).value();
+      Random random(static_cast<std::uint64_t>(seed));
+      const FreeSpace cautious(map, {.robot_radius = kRadius + kMargin});
+      drives.push_back({std::string(kind) + " " + std::to_string(seed),
+                        FreeSpace(map, {.robot_radius = kRadius}), random_plan(cautious, random)});
+    }
+  }
+  return drives;
+}
+
+class Follow : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Follow, ReachesTheGoalOfEveryPlan) {
+  const auto controller = controllers().find(GetParam())->make({}).value();
+  double worst = 0;
+  std::string worst_name;
+  for (const PlannedDrive& plan : planned_drives()) {
+    const Drive drive = simulate(plan.space, plan.path, *controller);
+    EXPECT_EQ(drive.outcome, DriveOutcome::reached)
+        << plan.name << ": " << describe(drive.outcome) << " after " << drive.time << " s";
+    EXPECT_EQ(drive.collisions, 0U) << plan.name;
+    EXPECT_LE(drive.final_error, FollowerOptions{}.goal_tolerance) << plan.name;
+    if (drive.cross_track_largest > worst) worst_name = plan.name;
+    worst = std::max(worst, drive.cross_track_largest);
+  }
+  std::cout << GetParam() << ": worst cross-track error " << worst << " m, " << worst_name << "\n";
+  EXPECT_LT(worst, kMargin);
+}
+
+INSTANTIATE_TEST_SUITE_P(Controllers, Follow, ::testing::ValuesIn(controllers().names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace wend::test

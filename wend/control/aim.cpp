@@ -1,0 +1,31 @@
+#include "wend/control/aim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+
+double turn_to(const Pose& pose, Point point) {
+  if (point == pose.point()) return 0;
+  return normalized_angle(std::atan2(point.y - pose.y, point.x - pose.x) - pose.heading);
+}
+
+double way_left(const Polyline& route, double along, Point point) {
+  return std::max(route.length() - along, distance(route.points().back(), point));
+}
+
+Aim aim_of(const Situation& situation) {
+  const Polyline& route = *situation.route;
+  return {turn_to(situation.pose, route.points()[situation.waypoint]),
+          way_left(route, situation.along, situation.pose.point())};
+}
+
+Velocity while_turning(double linear, double angular, const Aim& aim, double standing_angle,
+                       const VelocityLimits& limits) {
+  const double share = std::max(1 - std::abs(aim.heading) / standing_angle, 0.0);
+  return {std::clamp(linear, 0.0, limits.speed) * share, angular};
+}
+
+}  // namespace wend

@@ -1,0 +1,161 @@
+#include "wend/control/follower.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "wend/control/aim.hpp"
+#include "wend/control/nearest_ahead.hpp"
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+bool is_finite(const Pose& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
+/// The robot as its controller sees it.
+Pose shown_to_controller(const Pose& pose, bool reverse) {
+  return reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
+
+/// The greatest speed from which one can brake within `way`.
+double braking_speed(double way, double braking) { return std::sqrt(2 * braking * way); }
+
+}  // namespace
+
+Follower::Follower(Controller& controller, VelocityLimits limits, FollowerOptions options)
+    : controller_(&controller), limits_(limits), options_(options) {}
+
+void Follower::follow(Route route) {
+  route_ = std::move(route);
+  state_ = FollowerState::driving;
+  behind_ = 0;
+  arrives_ = false;
+  begin_leg(0);
+}
+
+void Follower::begin_leg(std::size_t leg) {
+  leg_ = leg;
+  along_ = 0;
+  waypoint_ = 0;
+  idle_ = 0;
+  best_headway_ = -std::numeric_limits<double>::infinity();
+  least_heading_error_ = std::numeric_limits<double>::infinity();
+  controller_->reset();
+}
+
+FollowerStep Follower::step(const Pose& pose, double seconds) {
+  assert(seconds > 0);
+  if (state_ != FollowerState::driving) return brake(seconds);
+  if (!is_finite(pose)) {
+    watch_progress(best_headway_, least_heading_error_, seconds);
+    return brake(seconds);
+  }
+  const Pose shown = shown_to_controller(pose, current_leg().reverse);
+  locate(shown);
+  const double heading = current_leg().line.at(along_).heading;
+  const double heading_error = normalized_angle(heading - shown.heading);
+  if (cross_track_ > options_.off_path) state_ = FollowerState::off_path;
+
+  if (state_ != FollowerState::driving) {
+    brake(seconds);
+  } else if (arrives_ || (is_last_leg() && is_at_end_of_leg(pose))) {
+    arrive(pose, seconds);
+  } else if (is_at_end_of_leg(pose)) {
+    behind_ += current_leg().line.length();
+    begin_leg(leg_ + 1);
+    brake(seconds);
+  } else {
+    velocity_ = limited(ask_controller(shown, seconds), velocity_, limits_, seconds);
+    watch_progress(along() - cross_track_, heading_error, seconds);
+  }
+  return {velocity_, state_, heading_error, cross_track_};
+}
+
+FollowerStep Follower::brake(double seconds) {
+  velocity_ = limited({}, velocity_, limits_, seconds);
+  return {velocity_, state_};
+}
+
+/// Where on the leg the robot is, and its next waypoint: neither ever goes back.
+void Follower::locate(const Pose& shown) {
+  const Polyline& line = current_leg().line;
+  const double reach = options_.off_path + limits_.speed;  // of one second
+  const OnPolyline place =
+      nearest_ahead(line, shown, {along_, along_ + reach, options_.acceptance_radius});
+  along_ = std::max(along_, place.along);
+  cross_track_ = place.distance;
+  while (waypoint_ + 1 < line.points().size() &&
+         (line.along()[waypoint_] <= along_ ||
+          distance(shown.point(), line.points()[waypoint_]) <= options_.acceptance_radius)) {
+    ++waypoint_;
+  }
+}
+
+bool Follower::is_at_end_of_leg(const Pose& pose) const {
+  const Polyline& line = current_leg().line;
+  return line.length() - along_ <= 2 * options_.goal_tolerance &&
+         distance(pose.point(), line.points().back()) <= options_.goal_tolerance;
+}
+
+Velocity Follower::ask_controller(const Pose& shown, double seconds) {
+  const RouteLeg& leg = current_leg();
+  const double sign = leg.reverse ? -1 : 1;
+  const Velocity as_shown{sign * velocity_.linear, velocity_.angular};
+  Velocity wanted =
+      controller_->command({shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_});
+  const double fastest =
+      braking_speed(way_left(leg.line, along_, shown.point()), limits_.acceleration);
+  wanted.linear = sign * std::clamp(wanted.linear, -fastest, fastest);
+  return wanted;
+}
+
+/// Brakes, and turns to the route's last heading if that is asked for.
+void Follower::arrive(const Pose& pose, double seconds) {
+  const double error = normalized_angle(route_.end().heading - pose.heading);
+  const double tolerance = options_.heading_tolerance;
+  if (!arrives_) {
+    arrives_ = true;
+    idle_ = 0;
+    least_heading_error_ = std::abs(error);
+  }
+  Velocity wanted;
+  if (options_.turns_in_place && tolerance > 0 && std::abs(error) > tolerance / 2) {
+    constexpr double kGain = 2;  // 1/s
+    const double fastest = braking_speed(std::abs(error) / 2, limits_.turn_acceleration);
+    wanted.angular = std::clamp(kGain * error, -fastest, fastest);
+  }
+  velocity_ = limited(wanted, velocity_, limits_, seconds);
+  watch_progress(best_headway_, error, seconds);
+  if (velocity_ != Velocity{}) return;
+  if (tolerance == 0 || std::abs(error) <= tolerance) {
+    state_ = FollowerState::reached;
+  } else if (!options_.turns_in_place) {
+    state_ = FollowerState::stuck;
+  }
+}
+
+void Follower::watch_progress(double headway, double heading_error, double seconds) {
+  constexpr double kMetres = 0.05;
+  constexpr double kRadians = 0.1;
+  constexpr double kShare = 0.1;  // of what the robot can do
+  const double time = kShare * options_.stuck_time;
+  const double turn_left = std::abs(heading_error);
+  const bool came_on = headway > best_headway_ + std::min(kMetres, limits_.speed * time);
+  const bool turned =
+      turn_left < least_heading_error_ - std::min(kRadians, limits_.turn_rate * time);
+  if (came_on || turned) {
+    best_headway_ = std::max(best_headway_, headway);
+    least_heading_error_ = turn_left;
+    idle_ = 0;
+    return;
+  }
+  idle_ += seconds;
+  if (idle_ >= options_.stuck_time) state_ = FollowerState::stuck;
+}
+
+}  // namespace wend

@@ -1,0 +1,66 @@
+// A proportional controller that turns in place towards the next waypoint, then drives. K. J. Åström
+// and R. M. Murray, "Feedback Systems", 2008, chapter 1.
+
+#include <cmath>
+
+#include "wend/control/aim.hpp"
+#include "wend/control/controller.hpp"
+#include "wend/control/make_controller.hpp"
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+struct POptions {
+  double heading_gain = 3;
+  double distance_gain = 1;
+  double turn_above = 0.4;
+  double drive_below = 0.1;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"heading_gain", "turn rate for a radian of heading error, 1/s"}, self.heading_gain,
+          {0, 1e3});
+    field({"distance_gain", "speed for a metre that is left to drive, 1/s"}, self.distance_gain,
+          {0, 1e3});
+    field({"turn_above", "stops to turn when the heading error is larger, rad"}, self.turn_above,
+          {1e-3, kPi});
+    field({"drive_below", "and drives on when it is smaller, rad"}, self.drive_below, {1e-3, kPi});
+  }
+};
+
+class PController final : public Controller {
+ public:
+  explicit PController(const POptions& options) : options_(options) {}
+
+  void reset() override { turning_ = true; }
+
+  Velocity command(const Situation& situation) override {
+    const Aim aim = aim_of(situation);
+    turning_ = std::abs(aim.heading) > (turning_ ? options_.drive_below : options_.turn_above);
+    return {turning_ ? 0 : options_.distance_gain * aim.distance,
+            options_.heading_gain * aim.heading};
+  }
+
+ private:
+  POptions options_;
+  bool turning_ = true;
+};
+
+}  // namespace
+
+ControllerInfo p_controller() {
+  return {
+      .name = "p",
+      .summary = "P: turns in place towards the next waypoint, then drives",
+      .idea =
+          "The turn rate is proportional to the angle by which the robot does not face the next "
+          "waypoint, the speed to what is left to drive. While the angle is large it only "
+          "turns.",
+      .citation = "Åström, Murray 2008",
+      .turns_in_place = true,
+      .options = option_schema<POptions>(),
+      .make = make_controller<PController, POptions>};
+}
+
+}  // namespace wend

@@ -1,0 +1,81 @@
+// PID on heading and distance. K. J. Åström and R. M. Murray, "Feedback Systems", 2008, chapter 10.
+
+#include "wend/control/aim.hpp"
+#include "wend/control/controller.hpp"
+#include "wend/control/make_controller.hpp"
+#include "wend/control/pid_term.hpp"
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+struct PidOptions {
+  PidGains heading{.proportional = 3, .integral = 0.2, .derivative = 0.1};
+  PidGains distance{.proportional = 1, .integral = 0.05, .derivative = 0};
+  double filter_time = 0.1;
+  double standing_angle = 0.8;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"heading_gain", "turn rate for a radian of heading error, 1/s"},
+          self.heading.proportional, {0, 1e3});
+    field({"heading_integral", "and for the sum of it, 1/s^2"}, self.heading.integral, {0, 1e3});
+    field({"heading_derivative", "and for its change"}, self.heading.derivative, {0, 1e3});
+    field({"distance_gain", "speed for a metre that is left to drive, 1/s"},
+          self.distance.proportional, {0, 1e3});
+    field({"distance_integral", "and for the sum of it, 1/s^2"}, self.distance.integral, {0, 1e3});
+    field({"distance_derivative", "and for its change"}, self.distance.derivative, {0, 1e3});
+    field({"filter_time", "of the filter through which the changes go, s"}, self.filter_time,
+          {0, 1e3});
+    field({"standing_angle", "slower with heading error, and not at all from this on, rad"},
+          self.standing_angle, {1e-3, 1e3});
+  }
+};
+
+class PidController final : public Controller {
+ public:
+  explicit PidController(const PidOptions& options)
+      : standing_angle_(options.standing_angle),
+        heading_(options.heading, options.filter_time),
+        distance_(options.distance, options.filter_time) {}
+
+  void reset() override {
+    heading_.reset();
+    distance_.reset();
+  }
+
+  Velocity command(const Situation& situation) override {
+    const Aim aim = aim_of(situation);
+    const VelocityLimits& limits = situation.limits;
+    const double linear = distance_.output(aim.distance, aim.distance - last_.distance,
+                                           situation.seconds, limits.speed);
+    const double angular =
+        heading_.output(aim.heading, normalized_angle(aim.heading - last_.heading),
+                        situation.seconds, limits.turn_rate);
+    last_ = aim;
+    return while_turning(linear, angular, aim, standing_angle_, limits);
+  }
+
+ private:
+  double standing_angle_;
+  PidTerm heading_;
+  PidTerm distance_;
+  Aim last_;
+};
+
+}  // namespace
+
+ControllerInfo pid_controller() {
+  return {.name = "pid",
+          .summary = "PID on heading and distance; p_moving where I and D are 0",
+          .idea =
+              "p_moving, with a term for what its errors sum up to, which takes away a lasting "
+              "one, and a term for how fast they change, which damps. While speed or turn rate are "
+              "at their limit nothing is summed that would drive them farther.",
+          .citation = "Åström, Murray 2008",
+          .turns_in_place = true,
+          .options = option_schema<PidOptions>(),
+          .make = make_controller<PidController, PidOptions>};
+}
+
+}  // namespace wend

@@ -1,0 +1,99 @@
+// Pure pursuit: R. Coulter, "Implementation of the Pure Pursuit Path Tracking Algorithm", 1992;
+// regulated as by S. Macenski, S. Singh, F. Martín and J. Ginés, "Regulated Pure Pursuit for Robot
+// Path Tracking", 2023.
+
+#include <algorithm>
+#include <cmath>
+
+#include "wend/control/aim.hpp"
+#include "wend/control/controller.hpp"
+#include "wend/control/make_controller.hpp"
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+struct PurePursuitOptions {
+  double lookahead = 0.2;
+  double lookahead_time = 0.3;
+  double slow_radius = 0.6;
+  double approach = 0.5;
+  double least_speed = 0.05;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"lookahead", "how far ahead on the path it aims when standing, m"}, self.lookahead,
+          {1e-2, 1e3});
+    field({"lookahead_time", "and farther by what it drives in this time, s"}, self.lookahead_time,
+          {0, 1e2});
+    field({"slow_radius", "slower in curves that are tighter than this, m"}, self.slow_radius,
+          {0, 1e3});
+    field({"approach", "slower this near to the goal, m"}, self.approach, {0, 1e3});
+    field({"least_speed", "but never slower, m/s"}, self.least_speed, {1e-4, 1e3});
+  }
+};
+
+class PurePursuitController final : public Controller {
+ public:
+  explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
+
+  void reset() override {}
+
+  Velocity command(const Situation& situation) override {
+    const Pose& pose = situation.pose;
+    const Point target = target_of(situation);
+    const double turn = turn_to(pose, target);
+    if (std::abs(turn) > kPi / 2) {  // behind: round in the tightest circle
+      return {options_.least_speed, std::copysign(situation.limits.turn_rate, turn)};
+    }
+    // The circle through the target that is tangent to the heading.
+    const double chord = distance(pose.point(), target);
+    const double curvature = chord > 0 ? 2 * std::sin(turn) / chord : 0;
+    const double speed = speed_on(curvature, situation);
+    return {speed, speed * curvature};
+  }
+
+ private:
+  /// On the route, the lookahead farther along than the robot; beyond its end on the last line's
+  /// extension, so that the robot comes in straight. Once it has passed the end, the end.
+  Point target_of(const Situation& situation) const {
+    const Polyline& route = *situation.route;
+    const double farther =
+        options_.lookahead + options_.lookahead_time * std::abs(situation.velocity.linear);
+    const double along = situation.along + farther;
+    const Pose place = route.at(along);
+    const double beyond = along - route.length();
+    if (beyond <= 0 || beyond >= farther) return place.point();
+    return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
+  }
+
+  double speed_on(double curvature, const Situation& situation) const {
+    const VelocityLimits& limits = situation.limits;
+    const double bend = std::abs(curvature);
+    const double left = way_left(*situation.route, situation.along, situation.pose.point());
+    double speed = limits.speed;
+    if (bend * options_.slow_radius > 1) speed /= bend * options_.slow_radius;
+    if (left < options_.approach) speed *= left / options_.approach;
+    speed = std::max(speed, options_.least_speed);
+    return bend * speed > limits.turn_rate ? limits.turn_rate / bend : speed;
+  }
+
+  PurePursuitOptions options_;
+};
+
+}  // namespace
+
+ControllerInfo pure_pursuit_controller() {
+  return {.name = "pure_pursuit",
+          .summary = "Pure pursuit: drives on circles to a point of the path ahead",
+          .idea =
+              "It aims at a point of the path a lookahead away and drives on the circle that leads "
+              "there. The faster it drives the farther it looks; in tight curves and near the goal "
+              "it slows down.",
+          .citation = "Coulter 1992; regulated: Macenski, Singh, Martín, Ginés 2023",
+          .turns_in_place = false,
+          .options = option_schema<PurePursuitOptions>(),
+          .make = make_controller<PurePursuitController, PurePursuitOptions>};
+}
+
+}  // namespace wend

@@ -1,0 +1,84 @@
+#include "wend/control/route.hpp"
+
+#include <cassert>
+#include <cstddef>
+#include <utility>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+Polyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
+  std::vector<Point> points(line.points().begin(), line.points().end());
+  for (Point& point : points) point = frame.to_metres(point);
+  return Polyline(points, closed);
+}
+
+/// Of a car's path: a leg for each stretch of arcs that are all ahead or all in reverse.
+std::vector<RouteLeg> legs_of(const Path& path, const Frame& frame) {
+  const std::span<const Pose> poses = path.driven_poses();
+  const std::vector<Arc> arcs = path.arcs();
+  std::vector<RouteLeg> legs;
+  for (std::size_t first = 0; first == 0 || first < arcs.size();) {
+    std::size_t end = first;
+    double sign = 0;  // that of the leg's first arc that has a length
+    while (end < arcs.size() && sign * arcs[end].length >= 0) {
+      if (sign == 0) sign = arcs[end].length;
+      ++end;
+    }
+    const auto stretch = poses.subspan(first, end - first + 1);
+    const Polyline line = Polyline::of(Path::through({stretch.begin(), stretch.end()}));
+    legs.push_back({in_metres(line, frame, false), sign < 0});
+    if (end == first) break;  // a single pose
+    first = end;
+  }
+  return legs;
+}
+
+/// By a straight line that is driven ahead, so it is no part of a leg in reverse.
+void join_end_to_start(std::vector<RouteLeg>& legs) {
+  const Point first = legs.front().line.points().front();
+  const auto last_points = legs.back().line.points();
+  std::vector<Point> points(last_points.begin(), last_points.end());
+  if (points.back() == first) return;
+  if (legs.back().reverse) {
+    legs.push_back({Polyline(std::vector<Point>{points.back(), first}), false});
+  } else {
+    points.push_back(first);
+    legs.back().line = Polyline(points);
+  }
+}
+
+/// How the robot stands there.
+Pose facing(const RouteLeg& leg, double along) {
+  const Pose pose = leg.line.at(along);
+  return leg.reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
+
+}  // namespace
+
+Route::Route(const Path& path, const Frame& frame, bool closed) {
+  assert(!path.empty());
+  if (path.driven()) {
+    legs_ = legs_of(path, frame);
+    if (closed) join_end_to_start(legs_);
+    start_ = frame.to_metres(path.driven_poses().front());
+  } else {
+    legs_.push_back({in_metres(Polyline::of(path), frame, closed), false});
+    start_ = facing(legs_.front(), 0);
+  }
+  end_ = facing(legs_.back(), legs_.back().line.length());
+  if (path.driven() && !closed) {
+    final_heading_ = frame.to_metres(path.driven_poses().back()).heading;
+    end_.heading = *final_heading_;
+  }
+}
+
+double Route::length() const {
+  double length = 0;
+  for (const RouteLeg& leg : legs_) length += leg.line.length();
+  return length;
+}
+
+}  // namespace wend

@@ -1,0 +1,271 @@
+#include "wend/control/simulation.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "wend/base/random.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/map/arc_clearance.hpp"
+
+namespace wend {
+namespace {
+
+/// An arc in metres as one in grid coordinates. Of what goes round more than once: one round, which
+/// is all that matters to where it passes.
+Arc to_grid(const Arc& arc, const Frame& frame) {
+  const double round = 2 * kPi / std::abs(arc.curvature);  // infinite of a line
+  const double length = std::clamp(arc.length, -round, round);
+  return {frame.to_grid(arc.from), length / frame.resolution, arc.curvature * frame.resolution};
+}
+
+/// Moves a disc along arcs and counts how often it runs into obstacles.
+class CollisionCounter {
+ public:
+  explicit CollisionCounter(const FreeSpace& space) : space_(space) {}
+
+  /// Sweeps an arc in metres: how much of it is free, if it runs into something there; nothing if it
+  /// does not, or has already.
+  std::optional<double> sweep(const Arc& arc) {
+    const Arc in_grid = to_grid(arc, space_.map().frame());
+    const bool was_free = free_;
+    free_ = fits_along(space_, in_grid);
+    if (free_ || !was_free) return std::nullopt;
+    const double share = free_share(in_grid);
+    if (count_++ == 0) first_ = point_on(in_grid, share * in_grid.length);
+    return share * in_grid.length * space_.map().frame().resolution;
+  }
+
+  std::uint64_t count() const { return count_; }
+  std::optional<Point> first() const { return first_; }
+
+ private:
+  /// By bisection: free, or 0.
+  double free_share(const Arc& arc) const {
+    constexpr int kHalvings = 30;
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (low + high) / 2;
+      const bool fits = fits_along(space_, {arc.from, middle * arc.length, arc.curvature});
+      (fits ? low : high) = middle;
+    }
+    return low;
+  }
+
+  const FreeSpace& space_;
+  bool free_ = true;
+  std::uint64_t count_ = 0;
+  std::optional<Point> first_;
+};
+
+/// Commands on their way to the wheels.
+class Delay {
+ public:
+  Delay(double latency, double period)
+      : periods_(static_cast<std::size_t>(latency / period + kWhole)),
+        rest_(std::max(latency - static_cast<double>(periods_) * period, 0.0)),
+        commands_(periods_ + 2) {}
+
+  /// How long into a period the command before the one that is due is still in effect.
+  double rest() const { return rest_; }
+
+  void send(const Velocity& command) {
+    newest_ = (newest_ + 1) % commands_.size();
+    commands_[newest_] = command;
+  }
+  const Velocity& due() const { return sent_before(periods_); }
+  const Velocity& due_before() const { return sent_before(periods_ + 1); }
+
+ private:
+  const Velocity& sent_before(std::size_t count) const {
+    return commands_[(newest_ + commands_.size() - count) % commands_.size()];
+  }
+
+  static constexpr double kWhole = 1e-9;  // so near below a whole number of periods is one
+
+  std::size_t periods_;
+  double rest_;
+  std::vector<Velocity> commands_;  // a ring, all standing at first
+  std::size_t newest_ = 0;
+};
+
+class Simulation {
+ public:
+  Simulation(const FreeSpace& space, const Path& path, Controller& controller,
+             const MotionModel& model, const SimulationOptions& options,
+             const FollowerOptions& follower)
+      : frame_(space.map().frame()),
+        route_(path, frame_, options.closed),
+        model_(model),
+        options_(options),
+        period_(1 / options.rate),
+        follower_(controller, model.limits, adapted(follower, model)),
+        collisions_(space),
+        random_(static_cast<std::uint64_t>(options.seed)),
+        delay_(options.latency, period_) {
+    robot_.pose = route_.start();
+    follower_.follow(route_);
+  }
+
+  Drive run() {
+    const double limit = time_limit();
+    std::optional<DriveOutcome> outcome;
+    while (!outcome) {
+      const FollowerStep step = follower_.step(measured(), period_);
+      note();
+      outcome = outcome_of(step.state);
+      if (!outcome && drive_.time >= limit) outcome = DriveOutcome::time;
+      if (!outcome && move(step.command)) outcome = DriveOutcome::collision;
+      if (outcome == DriveOutcome::collision) note();
+    }
+    drive_.outcome = *outcome;
+    finish();
+    return std::move(drive_);
+  }
+
+ private:
+  static FollowerOptions adapted(FollowerOptions options, const MotionModel& model) {
+    options.turns_in_place = model.turning_radius() == 0;
+    return options;
+  }
+
+  double time_limit() const {
+    if (options_.time_limit > 0) return options_.time_limit;
+    constexpr double kSlack = 60;
+    constexpr double kTimes = 10;
+    return kSlack + kTimes * route_.length() / model_.limits.speed;
+  }
+
+  /// Of a robot that has arrived: once it stands, after the commands that were still on their way.
+  std::optional<DriveOutcome> outcome_of(FollowerState state) const {
+    switch (state) {
+      case FollowerState::reached:
+        return robot_.velocity == Velocity{} ? std::optional(DriveOutcome::reached) : std::nullopt;
+      case FollowerState::stuck:
+        return DriveOutcome::stuck;
+      case FollowerState::off_path:
+        return DriveOutcome::off_path;
+      case FollowerState::driving:
+        break;
+    }
+    return std::nullopt;
+  }
+
+  Pose measured() {
+    Pose pose = robot_.pose;
+    if (options_.position_noise > 0) {
+      pose.x += options_.position_noise * random_.gaussian();
+      pose.y += options_.position_noise * random_.gaussian();
+    }
+    if (options_.heading_noise > 0) pose.heading += options_.heading_noise * random_.gaussian();
+    return pose;
+  }
+
+  /// One period. True if the robot ran into something and shall stop there.
+  bool move(const Velocity& command) {
+    delay_.send(command);
+    Velocity errors{1, 1};
+    if (options_.actuation_noise > 0) {
+      errors.linear += options_.actuation_noise * random_.gaussian();
+      errors.angular += options_.actuation_noise * random_.gaussian();
+    }
+    if (delay_.rest() > 0 && move(delay_.due_before(), errors, delay_.rest())) return true;
+    return move(delay_.due(), errors, period_ - delay_.rest());
+  }
+
+  bool move(const Velocity& command, const Velocity& errors, double seconds) {
+    wheels_ = drive(model_, {robot_.pose, wheels_}, command, seconds).to.velocity;
+    const Velocity velocity{wheels_.linear * errors.linear, wheels_.angular * errors.angular};
+    const Step step = hold(robot_.pose, velocity, seconds);
+    const std::optional<double> free = collisions_.sweep(step.arc);
+    if (free && options_.stop_at_collision) {
+      const double share = *free == 0 ? 0 : *free / step.arc.length;
+      add(hold(robot_.pose, velocity, share * seconds), share * seconds);
+      return true;
+    }
+    add(step, seconds);
+    return false;
+  }
+
+  void add(const Step& step, double seconds) {
+    robot_ = step.to;
+    drive_.time += seconds;
+    drive_.distance += std::abs(step.arc.length);
+    drive_.turned += std::abs(robot_.velocity.angular) * seconds;
+  }
+
+  /// A sample of the true robot beside the route, near where the follower thinks that it is.
+  void note() {
+    const RouteLeg& leg = route_.legs()[follower_.leg()];
+    constexpr double kDeviations = 4;
+    const double around = kDeviations * options_.position_noise;
+    const double along = follower_.along_leg();
+    const OnPolyline place = leg.line.nearest(robot_.pose.point(), along - around, along + around);
+    const double heading = leg.line.at(place.along).heading;
+    const double to_x = robot_.pose.x - place.point.x;
+    const double to_y = robot_.pose.y - place.point.y;
+    const double left = std::cos(heading) * to_y - std::sin(heading) * to_x;
+    const double turned = heading + (leg.reverse ? kPi : 0);
+    drive_.samples.push_back({drive_.time, frame_.to_grid(robot_.pose), robot_.velocity,
+                              normalized_angle(turned - robot_.pose.heading),
+                              std::copysign(place.distance, left)});
+  }
+
+  void finish() {
+    double squares = 0;
+    for (const DriveSample& sample : drive_.samples) {
+      squares += sample.cross_track * sample.cross_track;
+      drive_.cross_track_largest =
+          std::max(drive_.cross_track_largest, std::abs(sample.cross_track));
+    }
+    drive_.cross_track_rms = std::sqrt(squares / static_cast<double>(drive_.samples.size()));
+    drive_.final_error = distance(robot_.pose.point(), route_.end().point());
+    drive_.final_heading_error = normalized_angle(route_.end().heading - robot_.pose.heading);
+    drive_.collisions = collisions_.count();
+    drive_.first_collision = collisions_.first();
+  }
+
+  const Frame& frame_;
+  Route route_;
+  MotionModel model_;
+  SimulationOptions options_;
+  double period_;
+  Follower follower_;
+  CollisionCounter collisions_;
+  Random random_;
+  Delay delay_;
+
+  RobotState robot_;
+  Velocity wheels_;  // as the robot means it; errors come on top
+  Drive drive_;
+};
+
+}  // namespace
+
+std::string_view describe(DriveOutcome outcome) {
+  switch (outcome) {
+    case DriveOutcome::reached:
+      return "reached the goal";
+    case DriveOutcome::stuck:
+      return "got stuck";
+    case DriveOutcome::off_path:
+      return "left the path";
+    case DriveOutcome::collision:
+      return "ran into an obstacle";
+    case DriveOutcome::time:
+      return "ran out of time";
+  }
+  return {};
+}
+
+Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
+               const MotionModel& model, const SimulationOptions& options,
+               const FollowerOptions& follower) {
+  assert(!path.empty());
+  return Simulation(space, path, controller, model, options, follower).run();
+}
+
+}  // namespace wend
