@@ -47,19 +47,20 @@ function(wend_module_needs module scope)
   target_link_libraries(wend_${module} ${scope} ${ARGN})
 endfunction()
 
-# The registry is made from planners.def; a planner that is listed there has its own source file.
-function(wend_check_planners)
-  set(list planner/planners.def)
+# wend_check_listed(<list.def> <macro> [<suffix>]): a registry is made from the list; what stands there as
+# MACRO(name) has its own source file beside it, name<suffix>.cpp.
+function(wend_check_listed list macro)
   if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${list}")
     return()
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
-  file(STRINGS ${list} lines REGEX "^WEND_PLANNER\\(")
+  cmake_path(GET list PARENT_PATH folder)
+  file(STRINGS ${list} lines REGEX "^${macro}\\(")
   foreach(line IN LISTS lines)
-    string(REGEX REPLACE "^WEND_PLANNER\\( *([a-z0-9_]+).*" "\\1" planner "${line}")
-    if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/planner/${planner}.cpp")
-      message(FATAL_ERROR "wend/${list} lists the planner '${planner}', but there is no file "
-                          "wend/planner/${planner}.cpp")
+    string(REGEX REPLACE "^${macro}\\( *([a-z0-9_]+).*" "\\1" name "${line}")
+    if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${name}${ARGV2}.cpp")
+      message(FATAL_ERROR "wend/${list} lists '${name}', but there is no file "
+                          "wend/${folder}/${name}${ARGV2}.cpp")
     endif()
   endforeach()
 endfunction()

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "bench/measuring.hpp"
+#include "bench/motion/motion_row.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/map/nearest_passable.hpp"
+#include "wend/path/gradient_smoother.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::bench {
+namespace {
+
+constexpr int kSide = 2000;
+constexpr std::size_t kPoints = 1000;
+constexpr double kSmoothingBar = 1e-3;  // seconds, of a safe one
+
+/// A map, a robot and the first 1000 cells of a long path, as A* finds it.
+struct Walk {
+  std::string name;
+  FreeSpace space;
+  Path path;
+};
+
+[[noreturn]] void fail(const std::string& what) {
+  fmt::print(stderr, "wend-motion-speed: {}\n", what);
+  std::exit(1);
+}
+
+Walk walk_on(std::string name, const std::string& kind, const OptionValues& options,
+             double radius_in_cells) {
+  const auto map = generators().find(kind)->make(kSide, kSide, 1, options);
+  if (!map) fail(map.error().message());
+  FreeSpace space(*map, {.robot_radius = radius_in_cells * map->frame().resolution});
+  constexpr int kBorder = 40;
+  const auto start = nearest_passable(space, {kBorder, kBorder});
+  if (!start) fail("there is no room on the map '" + name + "'");
+  const auto goal = nearest_passable(space, {kSide - kBorder, kSide - kBorder}, start);
+  if (!goal) fail("there is no goal on the map '" + name + "'");
+  const auto plan = (*make_planner("astar", space))->plan(Query::between(*start, *goal));
+  if (!plan || plan->path.size() < kPoints) fail("there is no long path on '" + name + "'");
+  const auto cells = plan->path.cells().first(kPoints);
+  return {fmt::format("{}, radius {} cells", name, radius_in_cells), std::move(space),
+          Path({cells.begin(), cells.end()})};
+}
+
+template <class Run>
+double fastest(int rounds, Run&& run) {
+  double best = 1e9;
+  for (int i = 0; i < rounds; ++i) {
+    const double begin = seconds_now();
+    run();
+    best = std::min(best, seconds_now() - begin);
+  }
+  return best;
+}
+
+MotionRow smoothing(const Walk& walk, const GradientOptions& options, int rounds) {
+  SmoothingResult smoothed;
+  MotionRow row;
+  row.name = (options.unsafe ? "smooth unsafely, " : "smooth, ") + walk.name;
+  row.seconds =
+      fastest(rounds, [&] { smoothed = smooth_by_gradient(walk.path, walk.space, options); });
+  if (!smoothed) fail(smoothed.error().message());
+  if (!options.unsafe) row.bar_seconds = kSmoothingBar;
+  row.note = fmt::format("{} sweeps, {:.1f} % held", smoothed->sweeps, 100 * smoothed->held);
+  return row;
+}
+
+}  // namespace
+
+std::vector<MotionRow> smoothing_rows(int rounds) {
+  std::vector<Walk> walks;
+  walks.push_back(walk_on("open", "random", {{"density", "0.001"}}, 0));
+  walks.push_back(walk_on("open", "random", {{"density", "0.001"}}, 3));
+  walks.push_back(walk_on("office", "office", {}, 0));
+  walks.push_back(walk_on("office", "office", {}, 2));
+  walks.push_back(walk_on("office", "office", {}, 4));
+  walks.push_back(walk_on("cluttered", "random", {{"density", "0.2"}}, 0));
+  walks.push_back(walk_on("cluttered", "random", {{"density", "0.01"}}, 3));
+  std::vector<MotionRow> rows;
+  for (const Walk& walk : walks) {
+    rows.push_back(smoothing(walk, {.unsafe = true}, rounds));
+    rows.push_back(smoothing(walk, {}, rounds));
+  }
+  return rows;
+}
+
+}  // namespace wend::bench

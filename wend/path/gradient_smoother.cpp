@@ -1,0 +1,115 @@
+#include "wend/path/gradient_smoother.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "wend/base/parse.hpp"
+#include "wend/path/movable_path.hpp"
+#include "wend/path/smoothing.hpp"
+
+namespace wend {
+namespace {
+
+/// Why sweeps with such weights would not converge; nothing if they do.
+std::optional<std::string> fault_of(const GradientOptions& options) {
+  const double alpha = options.alpha;
+  const double beta = options.beta;
+  const double neighbours = options.in_place ? 2 : 4;
+  if (!(alpha >= 0 && beta >= 0 && std::isfinite(alpha) && std::isfinite(beta))) {
+    return "alpha and beta are finite and not negative";
+  }
+  if (!(options.epsilon >= 0)) return "epsilon is not negative";
+  if (options.max_sweeps < 1) return "max_sweeps is at least 1";
+  const double sum = alpha + neighbours * beta;
+  if (sum < 2) return std::nullopt;
+  const std::string name = options.in_place ? "alpha + 2 beta" : "alpha + 4 beta";
+  std::string what =
+      name + " is " + format_number(sum) + ", and sweeps diverge unless it is less than 2";
+  if (alpha < 2) {
+    what += ": with this alpha, beta must be less than " + format_number((2 - alpha) / neighbours);
+    if (!options.in_place && alpha + 2 * beta < 2) what += ", or set in_place";
+  }
+  return what;
+}
+
+struct Sweep {
+  double squared_change = 0;
+  std::size_t held = 0;  // points that did not go all the way
+};
+
+/// One sweep over points that `moved` moves, a MovablePath or an UnboundPath.
+template <class Moved>
+Sweep sweep_over(const std::vector<Point>& path, Moved& moved, const GradientOptions& options) {
+  const double alpha = options.alpha;
+  const double beta = options.beta;
+  Sweep sweep;
+  Point before = path.front();
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Point at = moved.points()[i];
+    const Point after = moved.points()[i + 1];
+    const Point to{at.x + alpha * (path[i].x - at.x) + beta * (before.x + after.x - 2 * at.x),
+                   at.y + alpha * (path[i].y - at.y) + beta * (before.y + after.y - 2 * at.y)};
+    if (moved.move(i, to) < 1) ++sweep.held;
+    const Point now = moved.points()[i];
+    const double dx = now.x - at.x;
+    const double dy = now.y - at.y;
+    sweep.squared_change += dx * dx + dy * dy;
+    before = options.in_place ? now : at;
+  }
+  return sweep;
+}
+
+template <class Moved>
+Smoothed smoothed(const Path& path, Moved moved, const GradientOptions& options) {
+  const std::vector<Point> points = path.points();
+  const double inner = points.size() < 3 ? 1 : static_cast<double>(points.size() - 2);
+  Smoothed result;
+  while (!result.converged && result.sweeps < static_cast<std::uint64_t>(options.max_sweeps)) {
+    const Sweep sweep = sweep_over(points, moved, options);
+    ++result.sweeps;
+    result.converged = sweep.squared_change < options.epsilon || sweep.squared_change == 0;
+    result.held = static_cast<double>(sweep.held) / inner;
+  }
+  finish(result, path, moved.points(), options.unsafe);
+  return result;
+}
+
+}  // namespace
+
+SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
+                                   const GradientOptions& options) {
+  assert(!path.empty());
+  if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
+  if (path.driven()) return refused_drive();
+  if (options.unsafe) return smoothed(path, UnboundPath(path.points()), options);
+  auto movable = MovablePath::from(
+      path, space, options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges);
+  if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
+  return smoothed(path, *std::move(movable), options);
+}
+
+double smoothing_objective(const Path& path, const Path& smoothed, const GradientOptions& options) {
+  const std::vector<Point> from = path.points();
+  const std::vector<Point> to = smoothed.points();
+  assert(from.size() == to.size());
+  const auto squared = [](Point a, Point b) {
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+  };
+  double held = 0;
+  double drawn = 0;
+  for (std::size_t i = 1; i < from.size(); ++i) {
+    held += squared(from[i], to[i]);
+    drawn += squared(to[i - 1], to[i]);
+  }
+  return options.alpha * held + options.beta * drawn;
+}
+
+SmootherInfo gradient_smoother() {
+  return smoother_with<GradientOptions>(
+      "gradient", "Gradient descent: near the path, and each point near its neighbours",
+      "Thrun 2012, Artificial Intelligence for Robotics", smooth_by_gradient);
+}
+
+}  // namespace wend
