@@ -9,9 +9,6 @@
 // Paths are not empty, and of cells or waypoints; of a car's drive, only resampling makes sense.
 // Lengths are in cells.
 
-#include <array>
-
-#include "wend/base/options.hpp"
 #include "wend/map/connected_regions.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
@@ -27,8 +24,9 @@ Path without_collinear(const Path& path);
 Path simplified(const Path& path, double tolerance, const FreeSpace& space,
                 Adjacency adjacency = Adjacency::edges);
 
-/// Straight on to the farthest of the following points that can be seen, the swept disc fitting
-/// through; then on from there. Never longer. O(n log n) sights tested, as a rule.
+/// From point to point of the path as far as sight leads, the swept disc fitting through, forwards and
+/// backwards; of the points at which it bends either way the shortest way. Never longer than the
+/// path. O(bends log n) sights tested.
 Path string_pulled(const Path& path, const FreeSpace& space,
                    Adjacency adjacency = Adjacency::edges);
 

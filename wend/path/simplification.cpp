@@ -1,0 +1,221 @@
+#include "wend/path/simplification.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/line.hpp"
+#include "wend/map/arc_clearance.hpp"
+#include "wend/map/point_sweep.hpp"
+#include "wend/path/polyline.hpp"
+
+namespace wend {
+namespace {
+
+/// A point nearer to a line than this lies on it: rounding.
+constexpr double kOnLine = 1e-9;  // cells
+
+/// Which shortcuts are free.
+class Sight {
+ public:
+  Sight(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
+
+  /// Points in gaps see nobody: whether a way through a gap is free depends on where it comes from.
+  bool operator()(Point a, Point b) const {
+    const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
+    if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
+    return fits_along(space_, Line{a, b}, adjacency_);
+  }
+
+ private:
+  const FreeSpace& space_;
+  Adjacency adjacency_;
+};
+
+double distance_to_line(Point point, Point from, Point to) {
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double squared = dx * dx + dy * dy;
+  if (squared == 0) return distance(point, from);
+  const double share =
+      std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / squared, 0.0, 1.0);
+  return distance(point, {from.x + share * dx, from.y + share * dy});
+}
+
+bool goes_straight_on(Point a, Point b, Point c) {
+  const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+  return dot > 0 && distance_to_line(b, a, c) < kOnLine;
+}
+
+/// The index of the inner point of first..last that is farthest from the line between the two.
+std::size_t farthest_from_line(std::span<const Point> points, std::size_t first, std::size_t last) {
+  std::size_t farthest = first + 1;
+  double greatest = -1;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double off = distance_to_line(points[i], points[first], points[last]);
+    if (off > greatest) {
+      greatest = off;
+      farthest = i;
+    }
+  }
+  return farthest;
+}
+
+/// The last point from which on that of `from` is out of sight, found by steps that double and then
+/// halve. At least the next one, to which the path itself leads.
+std::size_t last_in_sight(std::span<const Point> points, std::size_t from, const Sight& sight) {
+  std::size_t seen = from + 1;
+  std::size_t step = 1;
+  while (seen + step < points.size() && sight(points[from], points[seen + step])) {
+    seen += step;
+    step *= 2;
+  }
+  for (; step > 0; step /= 2) {
+    if (seen + step < points.size() && sight(points[from], points[seen + step])) seen += step;
+  }
+  return seen;
+}
+
+std::vector<std::size_t> pulled_forwards(std::span<const Point> points, const Sight& sight) {
+  std::vector<std::size_t> kept{0};
+  while (kept.back() + 1 < points.size()) {
+    kept.push_back(last_in_sight(points, kept.back(), sight));
+  }
+  return kept;
+}
+
+std::vector<std::size_t> pulled_backwards(std::vector<Point> points, const Sight& sight) {
+  std::reverse(points.begin(), points.end());
+  std::vector<std::size_t> kept = pulled_forwards(points, sight);
+  for (std::size_t& index : kept) index = points.size() - 1 - index;
+  std::reverse(kept.begin(), kept.end());
+  return kept;
+}
+
+/// The shortest way through some of the candidates, from the first to the last, that joins those in
+/// sight of each other and no more than so many apart.
+std::vector<Point> shortest_through(const std::vector<std::size_t>& candidates,
+                                    std::span<const Point> points, const Sight& sight) {
+  constexpr std::size_t kReach = 16;
+  const std::size_t count = candidates.size();
+  std::vector<double> lengths(count, std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> from(count, 0);
+  lengths[0] = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < std::min(count, i + 1 + kReach); ++j) {
+      const Point a = points[candidates[i]];
+      const Point b = points[candidates[j]];
+      const double length = lengths[i] + distance(a, b);
+      const bool on_path = candidates[j] == candidates[i] + 1;
+      if (length >= lengths[j] || (!on_path && !sight(a, b))) continue;
+      lengths[j] = length;
+      from[j] = i;
+    }
+  }
+  std::vector<Point> way{points[candidates.back()]};
+  for (std::size_t i = count - 1; i > 0; i = from[i]) way.push_back(points[candidates[from[i]]]);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+/// In how many pieces, all as long, a length is cut so that they are nearest to `spacing`.
+int pieces_of(double length, double spacing) {
+  constexpr double kMost = 1 << 30;
+  return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, kMost));
+}
+
+Path resampled_drive(const Path& path, double spacing) {
+  std::vector<Pose> poses{path.driven_poses().front()};
+  for (const Arc& arc : path.arcs()) {
+    const int pieces = pieces_of(std::abs(arc.length), spacing);
+    for (int i = 1; i < pieces; ++i) {
+      poses.push_back(pose_on(arc, arc.length * i / pieces));
+    }
+    poses.push_back(end_of(arc));
+  }
+  return Path::through(std::move(poses));
+}
+
+}  // namespace
+
+Path without_collinear(const Path& path) {
+  assert(!path.empty() && !path.driven());
+  std::vector<Point> kept;
+  for (const Point point : path.points()) {
+    if (!kept.empty() && kept.back() == point) continue;
+    const std::size_t count = kept.size();
+    if (count >= 2 && goes_straight_on(kept[count - 2], kept[count - 1], point)) kept.pop_back();
+    kept.push_back(point);
+  }
+  return Path::along(std::move(kept));
+}
+
+Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adjacency adjacency) {
+  assert(!path.empty() && !path.driven() && tolerance >= 0);
+  const Sight sight(space, adjacency);
+  const std::vector<Point> points = path.points();
+  std::vector<Point> kept{points.front()};
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    if (last <= first + 1) {
+      if (last > first) kept.push_back(points[last]);
+      continue;
+    }
+    const std::size_t farthest = farthest_from_line(points, first, last);
+    const double off = distance_to_line(points[farthest], points[first], points[last]);
+    if (off <= tolerance && sight(points[first], points[last])) {
+      kept.push_back(points[last]);
+    } else {  // the nearer half comes off the stack first
+      open.emplace_back(farthest, last);
+      open.emplace_back(first, farthest);
+    }
+  }
+  return Path::along(std::move(kept));
+}
+
+Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
+  assert(!path.empty() && !path.driven());
+  const Sight sight(space, adjacency);
+  const std::vector<Point> points = path.points();
+  // Each way alone leaves corners behind itself; the shortest of both mixed has the fewest.
+  const std::vector<std::size_t> forwards = pulled_forwards(points, sight);
+  const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
+  std::vector<std::size_t> candidates;
+  std::ranges::set_union(forwards, backwards, std::back_inserter(candidates));
+  return Path::along(shortest_through(candidates, points, sight));
+}
+
+Path resampled(const Path& path, double spacing, const FreeSpace& space, Adjacency adjacency) {
+  assert(!path.empty() && spacing > 0);
+  if (path.driven()) return resampled_drive(path, spacing);
+  const Sight sight(space, adjacency);
+  const Polyline line = Polyline::of(path);
+  const auto along = line.along();
+  const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
+  std::vector<Point> points{line.points().front()};
+  double last = 0;
+  for (int i = 1; i <= pieces; ++i) {
+    const double next = line.length() * i / pieces;
+    const Point point = i == pieces ? line.points().back() : line.at(next).point();
+    if (!sight(points.back(), point)) {
+      const auto begin = std::ranges::upper_bound(along, last);
+      const auto end = std::ranges::lower_bound(along, next);
+      for (auto own = begin; own < end; ++own) {
+        points.push_back(line.points()[static_cast<std::size_t>(own - along.begin())]);
+      }
+    }
+    points.push_back(point);
+    last = next;
+  }
+  return Path::along(std::move(points));
+}
+
+}  // namespace wend
