@@ -1,58 +1,13 @@
 #include "wend/planner/planner_spec.hpp"
 
-#include <utility>
-
 #include "wend/planner/planners.hpp"
 
 namespace wend {
-namespace {
-
-Unexpected<PlannerError> refused(std::string what) {
-  return Unexpected<PlannerError>({Status::invalid_option, std::move(what)});
-}
-
-/// Cuts off and returns the text before the first separator, or all of it.
-std::string_view take_until(std::string_view& text, char separator) {
-  const std::size_t end = text.find(separator);
-  const std::string_view taken = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return taken;
-}
-
-/// Adds "name=value" to the options; false if it is not of that form.
-bool add_option(std::string_view word, PlannerSpec& spec) {
-  const std::size_t equals = word.find('=');
-  if (equals == std::string_view::npos || equals == 0) return false;
-  spec.options.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-  return true;
-}
-
-}  // namespace
 
 Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list) {
-  if (list.empty()) return refused("no planner is named");
-  std::vector<PlannerSpec> specs;
-  bool more = true;
-  while (more) {
-    more = list.find(',') != std::string_view::npos;
-    const std::string_view word = take_until(list, ',');
-    std::string_view rest = word;
-    const std::string_view name = take_until(rest, ':');
-    const bool continues = !specs.empty() && name.find('=') != std::string_view::npos;
-    if (continues) {
-      specs.back().text.append(",").append(word);
-      if (!add_option(word, specs.back()))
-        return refused('\'' + std::string(word) + "' is no option");
-      continue;
-    }
-    if (planners().find(name) == nullptr) return refused(planners().unknown("planner", name));
-    specs.push_back({std::string(word), std::string(name), {}});
-    if (word.size() > name.size() && !add_option(rest, specs.back())) {
-      return refused('\'' + std::string(rest) + "' in '" + std::string(word) +
-                     "' is not of the form option=value");
-    }
-  }
-  return specs;
+  auto specs = parse_option_specs(list, "planner", planners());
+  if (!specs) return Unexpected<PlannerError>({Status::invalid_option, specs.error()});
+  return *std::move(specs);
 }
 
 }  // namespace wend

@@ -4,21 +4,16 @@
 //
 //   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "wend/base/expected.hpp"
-#include "wend/base/options.hpp"
+#include "wend/base/option_spec.hpp"
 #include "wend/planner/planner_info.hpp"
 
 namespace wend {
 
-struct PlannerSpec {
-  std::string text;  // as typed: "astar:weight=2"
-  std::string name;
-  OptionValues options;
-};
+using PlannerSpec = OptionSpec;
 
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; whether the options fit is for PlannerInfo::make to say.
