@@ -1,7 +1,7 @@
 #include "wend/report/plan_json.hpp"
 
 #include "wend/geometry/angle.hpp"
-#include "wend/report/json.hpp"
+#include "wend/report/path_json.hpp"
 
 namespace wend {
 namespace {
@@ -18,6 +18,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
   put_path(json, result.plan, frame, result.motion);
+  if (result.refined) put_refined(json, *result.refined, frame);
   json["bound"] = result.plan.bound;
   if (result.motion == Motion::car) {
     const bool found = !result.plan.path.empty();

@@ -12,6 +12,11 @@
 // is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
 // the lengths null.
 //
+// Of a path that was simplified, smoothed or resampled, "path_smoothed", "path_smoothed_m",
+// "smoothing", "path_metrics" and "path_smoothed_metrics" follow: see path_report.hpp. `path` and the
+// cost stay those of the plan. `path_smoothed` are waypoints in grid coordinates, in which the centre
+// of cell (i,j) is (i+0.5, j+0.5).
+//
 // Of a car:
 //
 //   {"planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,

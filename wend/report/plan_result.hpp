@@ -3,11 +3,13 @@
 // PlanResult: one query's outcome, found or not, with all that a report says about it.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "wend/base/status.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
+#include "wend/report/path_report.hpp"
 
 namespace wend {
 
@@ -19,6 +21,8 @@ struct PlanResult {
   std::string reason;  // of a failure, for people
   Motion motion = Motion::cells;
   std::uint64_t states = 0;  // Planner::state_count()
+  std::optional<RefinedPath>
+      refined{};  // what became of the path, where it was smoothed or the like
 };
 
 }  // namespace wend

@@ -1,0 +1,130 @@
+#include "wend/report/drive_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/report/comparison_measures.hpp"
+#include "wend/report/text_table.hpp"
+
+namespace wend {
+namespace {
+
+/// What drives are compared by.
+struct DriveMeasure {
+  std::string_view title;
+  std::string_view unit;
+  int decimals;
+  double (*value)(const Drive&);
+};
+
+constexpr std::array<DriveMeasure, 8> kMeasures{{
+    {"time", "s", 2, [](const Drive& drive) { return drive.time; }},
+    {"distance", "m", 2, [](const Drive& drive) { return drive.distance; }},
+    {"turned", "degrees", 0, [](const Drive& drive) { return degrees_from(drive.turned); }},
+    {"rms cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_rms; }},
+    {"largest cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_largest; }},
+    {"final error", "m", 3, [](const Drive& drive) { return drive.final_error; }},
+    {"final heading error", "degrees", 1,
+     [](const Drive& drive) { return degrees_from(std::abs(drive.final_heading_error)); }},
+    {"collisions", "", 0, [](const Drive& drive) { return static_cast<double>(drive.collisions); }},
+}};
+
+bool reached(const Drive& drive) { return drive.outcome == DriveOutcome::reached; }
+
+std::string table_of_one(const ControlledDrive& driven) {
+  TextTable table({{""}, {""}});
+  table.add({"controller", driven.controller});
+  table.add({"outcome", std::string(describe(driven.drive.outcome))});
+  for (const DriveMeasure& measure : kMeasures) {
+    const std::string number =
+        fmt::format("{:.{}f}", measure.value(driven.drive), measure.decimals);
+    table.add({std::string(measure.title),
+               measure.unit.empty() ? number : fmt::format("{} {}", number, measure.unit)});
+  }
+  const std::string text = table.text();
+  return text.substr(text.find('\n') + 1);  // no titles
+}
+
+/// The words of a title below each other, so that columns are narrow.
+std::string heading_of(const DriveMeasure& measure, bool marked) {
+  const std::string end = marked ? " " : "";
+  std::string heading(measure.title);
+  if (!measure.unit.empty()) heading.append(" ").append(measure.unit);
+  std::string lines;
+  for (const char letter : heading) {
+    letter == ' ' ? lines.append(end).append("\n") : lines.append(1, letter);
+  }
+  return lines + end;
+}
+
+struct MarkedColumn {
+  std::string title;
+  std::vector<std::string> fields;
+};
+
+MarkedColumn column_of(std::span<const ControlledDrive> drives, const DriveMeasure& measure,
+                       bool& any_mark) {
+  std::vector<double> competing;
+  for (const ControlledDrive& driven : drives) {
+    competing.push_back(reached(driven.drive) ? measure.value(driven.drive) : std::nan(""));
+  }
+  const std::vector<bool> best = best_of(competing, false);
+  const bool marked = std::ranges::find(best, true) != best.end();
+  any_mark = any_mark || marked;
+  MarkedColumn column{heading_of(measure, marked), {}};
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const char* const mark = !marked ? "" : best[i] ? "*" : " ";
+    column.fields.push_back(
+        fmt::format("{:.{}f}{}", measure.value(drives[i].drive), measure.decimals, mark));
+  }
+  return column;
+}
+
+std::string table_of_many(std::span<const ControlledDrive> drives) {
+  bool marked = false;
+  std::vector<TextTable::Column> titles{{"controller"}, {"outcome"}};
+  std::vector<MarkedColumn> columns;
+  for (const DriveMeasure& measure : kMeasures) {
+    columns.push_back(column_of(drives, measure, marked));
+    titles.push_back({columns.back().title, Align::right});
+  }
+  TextTable table(std::move(titles));
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    std::vector<std::string> fields{drives[i].controller,
+                                    std::string(choice_name(drives[i].drive.outcome))};
+    for (const MarkedColumn& column : columns) fields.push_back(column.fields[i]);
+    table.add(std::move(fields));
+  }
+  return table.text() + (marked ? "* best of those that reached the goal\n" : "");
+}
+
+}  // namespace
+
+std::string drive_table(std::span<const ControlledDrive> drives) {
+  return drives.size() == 1 ? table_of_one(drives.front()) : table_of_many(drives);
+}
+
+std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& frame) {
+  std::string text =
+      "controller,time_s,x_m,y_m,yaw,linear_m_s,angular_rad_s,heading_error_rad,cross_track_m\n";
+  for (const ControlledDrive& driven : drives) {
+    std::string name = driven.controller;  // options have commas between them
+    if (name.find(',') != std::string::npos) name = "\"" + name + "\"";
+    for (const DriveSample& sample : driven.drive.samples) {
+      const Pose pose = frame.to_metres(sample.pose);
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", name, sample.time,
+                     pose.x, pose.y, pose.heading, sample.velocity.linear, sample.velocity.angular,
+                     sample.heading_error, sample.cross_track);
+    }
+  }
+  return text;
+}
+
+}  // namespace wend

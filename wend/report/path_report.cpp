@@ -1,0 +1,155 @@
+#include "wend/report/path_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/report/path_json.hpp"
+#include "wend/report/text_table.hpp"
+
+namespace wend {
+namespace {
+
+std::string number(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+/// As many decimals as make a hundredth of a cell visible where people count in metres.
+int decimals_of(const LengthUnit& unit) { return unit.per_cell < 0.5 ? 3 : 2; }
+
+struct Row {
+  std::string title;
+  std::function<std::string(const MeasuredPath&)> value;
+};
+
+std::vector<Row> rows_of(const LengthUnit& unit) {
+  const auto length = [&unit](double PathMetrics::* member) {
+    return [&unit, member](const MeasuredPath& path) {
+      return number(path.metrics.*member * unit.per_cell, decimals_of(unit));
+    };
+  };
+  const auto titled = [&unit](std::string_view what) {
+    return fmt::format("{}, {}", what, unit.name);
+  };
+  return {{"points", [](const MeasuredPath& path) { return std::to_string(path.points); }},
+          {titled("length"), length(&PathMetrics::length)},
+          {"turning, degrees",
+           [](const MeasuredPath& path) { return number(degrees_from(path.metrics.turning), 0); }},
+          {fmt::format("largest curvature, 1/{}", unit.name),
+           [&unit](const MeasuredPath& path) {
+             return number(path.metrics.largest_curvature / unit.per_cell, 2);
+           }},
+          {titled("smallest turning radius"),
+           [&unit](const MeasuredPath& path) {
+             return number(unit.per_cell / path.metrics.largest_curvature, decimals_of(unit));
+           }},
+          {titled("smallest clearance"), length(&PathMetrics::smallest_clearance)},
+          {titled("mean clearance"), length(&PathMetrics::mean_clearance)},
+          {"reversals",
+           [](const MeasuredPath& path) { return std::to_string(path.metrics.reversals); }}};
+}
+
+std::string line(std::string_view name, const std::string& what) {
+  return fmt::format("{:<10}{}\n", name, what);
+}
+
+std::string ending_text(const Smoothed& smoothed) {
+  return fmt::format("{} {}{}", smoothed.sweeps, smoothed.sweeps == 1 ? "sweep" : "sweeps",
+                     smoothed.converged ? "" : ", then the limit ended it");
+}
+
+std::string held_text(const Smoothed& smoothed) {
+  if (smoothed.returned) return "all: the result would have been longer, the path is as it was";
+  if (smoothed.held == 0) return "nothing: no obstacle was in the way";
+  return fmt::format("{:.3g} % of the inner points, by obstacles", 100 * smoothed.held);
+}
+
+}  // namespace
+
+MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space) {
+  const bool on_map =
+      std::ranges::all_of(path.cells(), [&space](Cell cell) { return space.contains(cell); });
+  // Waypoints may lie outside, cells may not.
+  return {std::move(title), path.size(),
+          measure(on_map ? path : Path::along(path.points()), space)};
+}
+
+std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit) {
+  std::vector<TextTable::Column> columns{{""}};
+  for (const MeasuredPath& path : paths) {
+    columns.push_back({paths.size() > 1 ? path.title : "", Align::right});
+  }
+  TextTable table(std::move(columns));
+  for (const Row& row : rows_of(unit)) {
+    std::vector<std::string> fields{row.title};
+    for (const MeasuredPath& path : paths) fields.push_back(row.value(path));
+    table.add(std::move(fields));
+  }
+  const std::string text = table.text();
+  return paths.size() > 1 ? text : text.substr(text.find('\n') + 1);  // no titles
+}
+
+std::string_view to_string(CollisionKind kind) {
+  switch (kind) {
+    case CollisionKind::outside:
+      return "outside";
+    case CollisionKind::obstacle:
+      return "obstacle";
+    case CollisionKind::too_close:
+      return "too_close";
+    case CollisionKind::squeezed:
+      return "squeezed";
+  }
+  return "";
+}
+
+std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
+                       const Frame& frame) {
+  Json json{{"free", !collision.has_value()}, {"collision", Json()}};
+  if (collision) {
+    const Point metres = frame.to_metres(collision->point);
+    json["collision"] = {
+        {"kind", to_string(collision->kind)},
+        {"along_cells", collision->along},
+        {"along_m", collision->along * frame.resolution},
+        {"point", json_of(collision->point)},
+        {"point_m", Json::array({metres.x, metres.y})},
+        {"obstacle", collision->obstacle ? json_of(*collision->obstacle) : Json()}};
+  }
+  json["metrics"] = json_of(path, frame);
+  return text_of(json);
+}
+
+RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
+                         const FreeSpace& space) {
+  RefinedPath path{std::move(before), wanted, std::move(refined), {}, {}};
+  path.measured_before = measured("planned", path.before, space);
+  path.measured_after =
+      measured(path.wanted.smoother ? "smoothed" : "simplified", path.refined.path, space);
+  return path;
+}
+
+std::string smoothing_text(const RefinedPath& path) {
+  const auto& smoothing = path.refined.smoothing;
+  if (!smoothing) return {};
+  std::string text = line("smoother", path.wanted.smoother ? path.wanted.smoother->name : "") +
+                     line("smoothed", ending_text(*smoothing)) +
+                     line("held", held_text(*smoothing));
+  if (!smoothing->within_bound) {
+    text += line("curvature", "beyond the bound in places: obstacles leave no room");
+  }
+  return text;
+}
+
+std::string smoothing_json(const RefinedPath& path, const Frame& frame) {
+  Json json;
+  put_paths(json, path, frame);
+  return text_of(json);
+}
+
+}  // namespace wend
