@@ -22,6 +22,7 @@ Command add_compare(CLI::App& app);
 Command add_explain(CLI::App& app);
 Command add_view(CLI::App& app);
 Command add_convert(CLI::App& app);
+Command add_check(CLI::App& app);
 
 /// Completes the subcommands that have been added to `app` before.
 Command add_completion(CLI::App& app);

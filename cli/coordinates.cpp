@@ -150,4 +150,14 @@ bool has_heading(std::string_view typed) { return std::count(typed.begin(), type
 
 std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
 
+std::string size_text(const GridMap& map) {
+  const Frame& frame = map.frame();
+  std::string text = fmt::format("{} x {} cells", map.width(), map.height());
+  if (frame.metric) {
+    text += fmt::format(", {:.4g} x {:.4g} m", map.width() * frame.resolution,
+                        map.height() * frame.resolution);
+  }
+  return text;
+}
+
 }  // namespace wend::cli

@@ -9,6 +9,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/report/path_report.hpp"
 
 namespace wend::cli {
 
@@ -70,6 +71,12 @@ class Coordinates {
   /// A length in the user's units, in metres.
   double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
 
+  /// The same in cells.
+  double in_cells(double length) const { return metric_ ? length / frame_.resolution : length; }
+
+  /// What the user counts lengths in.
+  LengthUnit unit() const { return metric_ ? metres_of(frame_) : LengthUnit{}; }
+
  private:
   std::string metric_extent() const;
 
@@ -84,5 +91,8 @@ bool has_heading(std::string_view typed);
 
 /// "(3,4)"
 std::string cell_text(Cell cell);
+
+/// "160 x 100 cells, 8 x 5 m"
+std::string size_text(const GridMap& map);
 
 }  // namespace wend::cli

@@ -12,11 +12,11 @@
 #include "map_arguments.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
+#include "path_file.hpp"
 #include "picture.hpp"
 #include "picture_files.hpp"
 #include "shown_layers.hpp"
 #include "wend/io/load_map.hpp"
-#include "wend/io/load_path.hpp"
 #include "wend/path/path_metrics.hpp"
 
 namespace wend::cli {
@@ -40,48 +40,16 @@ constexpr const char* kExamples = R"(Examples:
   wend view office.yaml --show clearance -o clearance.png
   wend view a.map --beside b.map -o both.png
 
-Paths are those that `wend plan -o` writes (.csv, .json). Several paths, maps, layers or styles
-come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
+Paths are those that `wend plan -o` writes (.csv, .json; of a plan with --smooth the smoothed one),
+or centrelines in metres. Several paths, maps, layers or styles come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
 
 /// The title of a panel that shows a file.
 std::string name_of(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
-std::string size_text(const GridMap& map) {
-  const Frame& frame = map.frame();
-  std::string text = fmt::format("{} x {} cells", map.width(), map.height());
-  if (frame.metric) {
-    text += fmt::format(", {:.4g} x {:.4g} m", map.width() * frame.resolution,
-                        map.height() * frame.resolution);
-  }
-  return text;
-}
-
-/// What of a path does not lie on the map, if something does not.
-std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
-  for (const Cell cell : path.cells()) {
-    if (!space.contains(cell)) return "the cell " + cell_text(cell);
-  }
-  if (!path.driven()) return std::nullopt;
-  for (const Pose& pose : path.poses()) {
-    if (pose.x >= 0 && pose.y >= 0 && pose.x <= space.width() && pose.y <= space.height()) continue;
-    return fmt::format("the point ({:g},{:g})", pose.x, pose.y);
-  }
-  return std::nullopt;
-}
-
-Path load_path_on(const FreeSpace& space, const std::string& file) {
-  auto path = load_path(file, space.map().frame());
-  if (!path) throw InputError(path.error().message());
-  const auto outside = part_outside(*path, space);
-  if (!outside) return *std::move(path);
-  throw InputError(fmt::format("{}: {} does not lie on the map, which has {}", file, *outside,
-                               size_text(space.map())));
-}
-
 Panel path_panel(const FreeSpace& space, const Coordinates& coordinates, const std::string& file) {
-  Scene scene = scene_of(space, load_path_on(space, file));
+  Scene scene = scene_of(space, load_path_on(space, file, PathStage::smoothed));
   const PathMetrics metrics = measure(scene.path, space);
   return {name_of(file), std::move(scene),
           fmt::format("length {}, clearance {}", coordinates.length(metrics.length),

@@ -1,0 +1,17 @@
+#include "corner_rule.hpp"
+
+#include "flags.hpp"
+
+namespace wend::cli {
+
+void add_corner_rule(CLI::App& app, CornerRule& rule) {
+  NamedValues<CornerRule> rules;
+  for (const auto& choice : choice_names(CornerRule{})) {
+    rules.emplace_back(choice.name, choice.value);
+  }
+  add_choice<CornerRule>(app, "--corner-rule", rule, rules,
+                         "As the path was planned: with both, a robot without a radius may pass "
+                         "between two obstacles that touch at a corner (default none)");
+}
+
+}  // namespace wend::cli

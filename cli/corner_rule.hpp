@@ -1,0 +1,14 @@
+#pragma once
+
+// --corner-rule where no planner has it among its options.
+
+#include <CLI/App.hpp>
+
+#include "wend/planner/cost_to_go.hpp"
+
+namespace wend::cli {
+
+/// --corner-rule none|one|both
+void add_corner_rule(CLI::App& app, CornerRule& rule);
+
+}  // namespace wend::cli
