@@ -2,6 +2,7 @@
 
 // Random paths for tests, of cells, waypoints and a car's poses; most run into something.
 
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -10,7 +11,8 @@
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/path/path.hpp"
+#include "wend/map/nearest_passable.hpp"
+#include "wend/path/path_collision.hpp"
 
 namespace wend::test {
 
@@ -62,6 +64,30 @@ inline Path random_path(Random& random, int width, int height) {
     default:
       return random_drive(random, width, height);
   }
+}
+
+/// Free by first_collision(), of cells or waypoints; it wanders on as long as it finds a way. Empty if
+/// the robot can stand nowhere.
+inline Path random_free_path(Random& random, const FreeSpace& space, Adjacency adjacency) {
+  const auto start = nearest_passable(space, random_cell(random, space.width(), space.height()));
+  if (!start) return {};
+  const bool on_centres = random.chance(0.5);
+  const int most = one_of<int>(random, std::array{0, 1, 5, 30, 60});
+  std::vector<Point> points{centre_of(*start)};
+  int direction = random.between(0, kDirections - 1);
+  for (int i = 0; i < most; ++i) {
+    if (random.chance(0.3)) direction = random.between(0, kDirections - 1);
+    const Cell way = kDrawnSteps[static_cast<std::size_t>(direction)];
+    const double far = on_centres ? 1 : random.uniform() * 2;
+    points.push_back({points.back().x + way.x * far, points.back().y + way.y * far});
+    if (!first_collision(Path::along(points), space, adjacency)) continue;
+    points.pop_back();
+    direction = random.between(0, kDirections - 1);
+  }
+  if (!on_centres) return Path::along(points);
+  Path path;
+  for (const Point point : points) path.append(cell_at(point));
+  return path;
 }
 
 inline std::string text_of(const Path& path) {

@@ -1,0 +1,62 @@
+#include "wend/path/refinement.hpp"
+
+#include <utility>
+
+#include "wend/path/simplification.hpp"
+#include "wend/path/smoothing.hpp"
+
+namespace wend {
+namespace {
+
+Path simplified_by(const Simplification& simplify, const Path& path, const FreeSpace& space,
+                   Adjacency adjacency) {
+  switch (simplify.by) {
+    case SimplifyBy::collinear:
+      return without_collinear(path);
+    case SimplifyBy::tolerance:
+      return simplified(path, simplify.tolerance, space, adjacency);
+    case SimplifyBy::sight:
+      return string_pulled(path, space, adjacency);
+  }
+  return path;
+}
+
+SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, const FreeSpace& space,
+                            Adjacency adjacency) {
+  const SmootherInfo* info = smoothers().find(choice.name);
+  if (info == nullptr) {
+    return refused(Status::invalid_option, smoothers().unknown("smoother", choice.name));
+  }
+  OptionValues options = choice.options;
+  if (adjacency == Adjacency::edges_and_corners) {
+    options.insert(options.begin(), {"squeeze", "true"});
+  }
+  return info->smooth(path, space, options);
+}
+
+}  // namespace
+
+Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& space,
+                                          const Refinement& refinement) {
+  const Adjacency adjacency = refinement.adjacency;
+  Refined refined{path};
+  if (refinement.simplify) {
+    if (path.driven()) {
+      return refused(Status::unsupported_query,
+                     "a car's drive is not simplified: its arcs need their ends");
+    }
+    refined.path = simplified_by(*refinement.simplify, path, space, adjacency);
+  }
+  if (refinement.smoother) {
+    auto smoothed = smoothed_by(*refinement.smoother, refined.path, space, adjacency);
+    if (!smoothed) return Unexpected<SmoothingError>(std::move(smoothed).error());
+    refined.path = smoothed->path;
+    refined.smoothing = *std::move(smoothed);
+  }
+  if (refinement.spacing) {
+    refined.path = resampled(refined.path, *refinement.spacing, space, adjacency);
+  }
+  return refined;
+}
+
+}  // namespace wend
