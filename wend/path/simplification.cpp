@@ -48,9 +48,13 @@ double distance_to_line(Point point, Point from, Point to) {
   return distance(point, {from.x + share * dx, from.y + share * dy});
 }
 
-bool goes_straight_on(Point a, Point b, Point c) {
-  const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
-  return dot > 0 && distance_to_line(b, a, c) < kOnLine;
+/// Does a line go straight on, from b to c, in the direction in which it left a for `second`? All
+/// its points are held to one direction, so that many small bends are not lost one by one.
+bool goes_straight_on(Point a, Point second, Point b, Point c) {
+  const double length = distance(a, second);
+  const Point along{(second.x - a.x) / length, (second.y - a.y) / length};
+  const double off = along.x * (c.y - a.y) - along.y * (c.x - a.x);
+  return std::abs(off) < kOnLine && along.x * (c.x - b.x) + along.y * (c.y - b.y) > 0;
 }
 
 /// The index of the inner point of first..last that is farthest from the line between the two.
@@ -131,27 +135,34 @@ int pieces_of(double length, double spacing) {
 }
 
 Path resampled_drive(const Path& path, double spacing) {
-  std::vector<Pose> poses{path.driven_poses().front()};
-  for (const Arc& arc : path.arcs()) {
-    const int pieces = pieces_of(std::abs(arc.length), spacing);
-    for (int i = 1; i < pieces; ++i) {
-      poses.push_back(pose_on(arc, arc.length * i / pieces));
+  const auto poses = path.driven_poses();
+  const auto arcs = path.arcs();
+  std::vector<Pose> divided{poses.front()};
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const int pieces = pieces_of(std::abs(arcs[i].length), spacing);
+    for (int k = 1; k < pieces; ++k) {
+      divided.push_back(pose_on(arcs[i], arcs[i].length * k / pieces));
     }
-    poses.push_back(end_of(arc));
+    divided.push_back(poses[i + 1]);
   }
-  return Path::through(std::move(poses));
+  return Path::through(std::move(divided));
 }
 
 }  // namespace
 
 Path without_collinear(const Path& path) {
   assert(!path.empty() && !path.driven());
-  std::vector<Point> kept;
-  for (const Point point : path.points()) {
-    if (!kept.empty() && kept.back() == point) continue;
-    const std::size_t count = kept.size();
-    if (count >= 2 && goes_straight_on(kept[count - 2], kept[count - 1], point)) kept.pop_back();
-    kept.push_back(point);
+  const Polyline line(path.points());  // without points on top of each other
+  const auto points = line.points();
+  std::vector<Point> kept{points.front()};
+  std::size_t begin = 0;  // of the straight line that the path is on
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const bool last = i + 1 == points.size();
+    if (!last && goes_straight_on(points[begin], points[begin + 1], points[i], points[i + 1])) {
+      continue;
+    }
+    kept.push_back(points[i]);
+    begin = i;
   }
   return Path::along(std::move(kept));
 }

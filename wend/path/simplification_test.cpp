@@ -116,6 +116,18 @@ TEST(WithoutCollinear, KeepsBendsAndWhereItTurnsBack) {
   EXPECT_EQ(without_collinear(Path({{3, 3}, {3, 3}})), Path::along({{3.5, 3.5}}));
 }
 
+TEST(WithoutCollinear, KeepsAWayThatBendsEverSoLittle) {
+  std::vector<Point> points;
+  for (int i = 0; i <= 1000; ++i) points.push_back({i / 100.0, 1e-8 * (i / 100.0) * (i / 100.0)});
+  const Path bend = Path::along(points);
+  const Path fewer = without_collinear(bend);
+  EXPECT_LT(fewer.size(), bend.size() / 2);
+  const Polyline line = Polyline::of(fewer);
+  for (const Point point : points) {
+    EXPECT_LT(line.nearest(point, 0, line.length()).distance, 1e-8);
+  }
+}
+
 TEST(Simplified, KeepsToItsToleranceAndStaysFree) {
   for_walks([](FreeWalk& walk) {
     const double tolerance = 0.6 * walk.random.between(0, 4);
