@@ -20,7 +20,7 @@ bool run(int rounds) {
     for (const MotionRow& row : benchmark(rounds)) {
       const bool below = row.bar_seconds == 0 || row.seconds < row.bar_seconds;
       all_below = all_below && below;
-      fmt::print("  {:<44} {:>10.2f} us  {}{}\n", row.name, row.seconds * 1e6, row.note,
+      fmt::print("  {:<54} {:>10.2f} us  {}{}\n", row.name, row.seconds * 1e6, row.note,
                  below ? "" : fmt::format("  ABOVE {:.2f} us", row.bar_seconds * 1e6));
     }
   }

@@ -9,6 +9,7 @@
 #include "wend/map/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::bench {
@@ -70,6 +71,16 @@ MotionRow smoothing(const Walk& walk, const GradientOptions& options, int rounds
   return row;
 }
 
+template <class Simplify>
+MotionRow simplifying(const std::string& name, const Walk& walk, int rounds, Simplify&& simplify) {
+  Path simple;
+  MotionRow row;
+  row.name = name + ", " + walk.name;
+  row.seconds = fastest(rounds, [&] { simple = simplify(); });
+  row.note = fmt::format("{} points", simple.size());
+  return row;
+}
+
 }  // namespace
 
 std::vector<MotionRow> smoothing_rows(int rounds) {
@@ -79,12 +90,19 @@ std::vector<MotionRow> smoothing_rows(int rounds) {
   walks.push_back(walk_on("office", "office", {}, 0));
   walks.push_back(walk_on("office", "office", {}, 2));
   walks.push_back(walk_on("office", "office", {}, 4));
-  walks.push_back(walk_on("cluttered", "random", {{"density", "0.2"}}, 0));
-  walks.push_back(walk_on("cluttered", "random", {{"density", "0.01"}}, 3));
+  walks.push_back(walk_on("clutter of 33 %", "random", {{"density", "0.33"}}, 0));
+  walks.push_back(walk_on("clutter of 10 %", "random", {{"density", "0.1"}}, 0.5));
+  walks.push_back(walk_on("clutter of 1 %", "random", {{"density", "0.01"}}, 3));
   std::vector<MotionRow> rows;
   for (const Walk& walk : walks) {
     rows.push_back(smoothing(walk, {.unsafe = true}, rounds));
     rows.push_back(smoothing(walk, {}, rounds));
+    rows.push_back(simplifying("pull taut", walk, rounds,
+                               [&] { return string_pulled(walk.path, walk.space); }));
+    rows.push_back(simplifying("simplify to 0.5 cells", walk, rounds,
+                               [&] { return simplified(walk.path, 0.5, walk.space); }));
+    rows.push_back(simplifying("resample at 0.5 cells", walk, rounds,
+                               [&] { return resampled(walk.path, 0.5, walk.space); }));
   }
   return rows;
 }

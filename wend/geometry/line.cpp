@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "wend/geometry/arc_distance.hpp"
-
 namespace wend {
 namespace {
 
@@ -31,26 +29,31 @@ double squared_distance(const Line& line, Point point) {
 double distance(const Line& line, Point point) { return std::sqrt(squared_distance(line, point)); }
 
 double distance(const Line& line, Cell square) {
-  const std::array<Point, 4> corners{{{square.x + 0.0, square.y + 0.0},
-                                      {square.x + 1.0, square.y + 0.0},
-                                      {square.x + 0.0, square.y + 1.0},
-                                      {square.x + 1.0, square.y + 1.0}}};
-  const bool apart = std::max(line.from.x, line.to.x) < square.x ||
-                     std::min(line.from.x, line.to.x) > square.x + 1 ||
-                     std::max(line.from.y, line.to.y) < square.y ||
-                     std::min(line.from.y, line.to.y) > square.y + 1;
+  const double left = square.x;
+  const double right = square.x + 1.0;
+  const double low = square.y;
+  const double high = square.y + 1.0;
+  const std::array<Point, 4> corners{{{left, low}, {right, low}, {left, high}, {right, high}}};
   double least_side = side_of(line, corners[0]);
   double greatest_side = least_side;
-  double least = squared_distance(line, corners[0]);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double side = side_of(line, corners[i]);
     least_side = std::min(least_side, side);
     greatest_side = std::max(greatest_side, side);
-    least = std::min(least, squared_distance(line, corners[i]));
   }
+  const bool apart =
+      std::max(line.from.x, line.to.x) < left || std::min(line.from.x, line.to.x) > right ||
+      std::max(line.from.y, line.to.y) < low || std::min(line.from.y, line.to.y) > high;
   // Neither an axis nor the line itself separates them.
   if (!apart && least_side <= 0 && greatest_side >= 0) return 0;
-  return std::min({std::sqrt(least), distance(line.from, square), distance(line.to, square)});
+  // Two points that are nearest to each other: an end of the line, or a corner.
+  const auto to_square = [&](Point point) {
+    return squared({std::max({left - point.x, point.x - right, 0.0}),
+                    std::max({low - point.y, point.y - high, 0.0})});
+  };
+  double least = std::min(to_square(line.from), to_square(line.to));
+  for (const Point corner : corners) least = std::min(least, squared_distance(line, corner));
+  return std::sqrt(least);
 }
 
 }  // namespace wend

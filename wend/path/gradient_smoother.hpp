@@ -16,9 +16,10 @@
 //
 //   const auto smoothed = wend::smooth_by_gradient(plan->path, space, {.beta = 0.4});
 //
-// Safe (unless `unsafe`): a move of a point whose two lines would not stay free is halved a few
-// times, and else left out in that sweep. With such moves masked the objective still does not grow.
-// O(points) a sweep; far from obstacles a sight costs two comparisons.
+// Safe (unless `unsafe`): where the two lines of a point would not stay free it makes an eighth of its
+// move, or none in that sweep; one that could not move rests for 1, 2, 4 and then 8 sweeps. With such
+// moves cut or left out the objective still does not grow from sweep to sweep. O(points) a sweep; a
+// move where there is room costs two comparisons (movable_path.hpp).
 
 #include <cstdint>
 

@@ -4,7 +4,8 @@
 //
 // Every line remembers where its ends were when it was last looked at on the map, and how much room
 // there was beside it (line_room.hpp): while its ends stay within that room the line is free, as all
-// its points stay within it. So most moves cost two comparisons.
+// its points stay within it. So most moves cost two comparisons. What was found to be blocked is
+// looked at less and less often.
 
 #include <cstddef>
 #include <span>
@@ -29,8 +30,9 @@ class MovablePath {
 
   std::span<const Point> points() const { return points_; }
 
-  /// Moves an inner point all the way to a place, or half of it, a quarter, an eighth or not at all,
-  /// the most after which both of its lines are free. Returns that share.
+  /// Moves an inner point all the way to a place, or an eighth of it, or not at all: the most after
+  /// which both of its lines are free. Returns that share. A point that could not move at all rests:
+  /// unless the room seen before allows it, its next 1, 2, 4, 8, 8 ... moves are left out.
   double move(std::size_t i, Point to) {
     if (beside_[i - 1].allows_end(to) && beside_[i].allows_begin(to) && on_map(to)) {
       points_[i] = to;
@@ -55,6 +57,11 @@ class MovablePath {
     }
   };
 
+  struct Rest {
+    int left = 0;    // moves to leave out
+    int before = 0;  // how many that were when it could not move the last time
+  };
+
   MovablePath(const FreeSpace& space, std::vector<Point> points, Adjacency adjacency)
       : space_(&space), adjacency_(adjacency), points_(std::move(points)) {}
 
@@ -70,6 +77,7 @@ class MovablePath {
   const FreeSpace* space_;  // never null
   Adjacency adjacency_;
   std::vector<Point> points_;
+  std::vector<Rest> rests_;     // of the points
   std::vector<Beside> beside_;  // line i goes from point i to the next
 };
 

@@ -32,7 +32,12 @@ std::vector<Point> Path::points() const {
 double Path::length() const {
   if (cells_.empty()) {
     double length = 0;
-    for (const Arc& arc : arcs()) length += std::abs(arc.length);
+    for (std::size_t i = 1; i < waypoints_.size(); ++i) {
+      length += distance(waypoints_[i - 1], waypoints_[i]);
+    }
+    if (driven()) {
+      for (const Arc& arc : arcs()) length += std::abs(arc.length);
+    }
     return length;
   }
   std::uint64_t straight = 0;
