@@ -22,8 +22,10 @@ Pose shown_to_controller(const Pose& pose, bool reverse) {
   return reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
 }
 
-/// The greatest speed from which one can brake within `way`.
-double braking_speed(double way, double braking) { return std::sqrt(2 * braking * way); }
+/// The greatest speed that can be held for a moment and then be braked within `way`.
+double braking_speed(double way, double braking, double seconds) {
+  return braking * (std::sqrt(seconds * seconds + 2 * way / braking) - seconds);
+}
 
 }  // namespace
 
@@ -109,7 +111,7 @@ Velocity Follower::ask_controller(const Pose& shown, double seconds) {
   Velocity wanted =
       controller_->command({shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_});
   const double fastest =
-      braking_speed(way_left(leg.line, along_, shown.point()), limits_.acceleration);
+      braking_speed(way_left(leg.line, along_, shown.point()), limits_.acceleration, seconds);
   wanted.linear = sign * std::clamp(wanted.linear, -fastest, fastest);
   return wanted;
 }
@@ -126,7 +128,7 @@ void Follower::arrive(const Pose& pose, double seconds) {
   Velocity wanted;
   if (options_.turns_in_place && tolerance > 0 && std::abs(error) > tolerance / 2) {
     constexpr double kGain = 2;  // 1/s
-    const double fastest = braking_speed(std::abs(error) / 2, limits_.turn_acceleration);
+    const double fastest = braking_speed(std::abs(error), limits_.turn_acceleration, seconds);
     wanted.angular = std::clamp(kGain * error, -fastest, fastest);
   }
   velocity_ = limited(wanted, velocity_, limits_, seconds);

@@ -13,6 +13,9 @@ double squared_distance(Point a, Point b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
+/// Of several places that are as near but for rounding the first counts.
+constexpr double kSquaredRounding = 1e-18;
+
 /// The nearest place of one of the lines, as far as it is in reach.
 struct Place {
   std::size_t piece = 0;
@@ -49,7 +52,8 @@ class Search {
     std::optional<Place> visit;
     for (std::size_t i = first_; in_reach(i); ++i) {
       const Place place = place_on(i);
-      if (place.squared <= squared_limit && (!visit || place.squared < visit->squared)) {
+      if (place.squared <= squared_limit &&
+          (!visit || place.squared + kSquaredRounding < visit->squared)) {
         visit = place;
       }
       const bool goes_on = place.squared_end <= squared_limit && in_reach(i + 1);
@@ -78,12 +82,19 @@ class Search {
     return {piece, along, squared_distance(point, at_), squared_distance(b, at_), point};
   }
 
+  /// In a corner one of its two lines is enough.
   bool leads(const Place& place) const {
-    const Point a = points_[place.piece];
-    const Point b = points_[place.piece + 1];
+    if (leads_on(place.piece)) return true;
+    const bool in_corner = place.squared_end <= place.squared + kSquaredRounding;
+    return in_corner && in_reach(place.piece + 1) && leads_on(place.piece + 1);
+  }
+
+  bool leads_on(std::size_t piece) const {
+    const Point a = points_[piece];
+    const Point b = points_[piece + 1];
     const double ahead =
         std::cos(pose_.heading) * (b.x - a.x) + std::sin(pose_.heading) * (b.y - a.y);
-    const bool reverse = !gears_.empty() && gears_[place.piece] < 0;
+    const bool reverse = !gears_.empty() && gears_[piece] < 0;
     return reverse ? ahead <= 0 : ahead >= 0;
   }
 

@@ -5,7 +5,8 @@
 // The nearest place, unless the line comes near the robot several times, where it crosses itself or
 // comes back: then the first of those visits in which the line leads the way the robot faces, so
 // that no loop is skipped; if none does, the first one. A visit is a stretch of the line whose points
-// are no more than `tie` farther from the robot than the nearest point.
+// are no more than `tie` farther from the robot than the nearest point. In a corner it is enough if one
+// of the two lines leads that way.
 //
 //   const wend::Polyline there_and_back({{0, 0}, {9, 0}, {0, 0}});
 //   const wend::OnPolyline there = wend::nearest_ahead(there_and_back, {4, 0, 0}, {0, 18, 1});

@@ -1,0 +1,118 @@
+#include "wend/control/route.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+void expect_near(const Pose& a, const Pose& b) {
+  EXPECT_NEAR(a.x, b.x, kRounding);
+  EXPECT_NEAR(a.y, b.y, kRounding);
+  EXPECT_NEAR(normalized_angle(a.heading - b.heading), 0, kRounding);
+}
+
+TEST(Route, OfCellsIsOneLegInMetres) {
+  const Frame frame{.resolution = 0.1, .origin = {1, 2, kPi / 2}};
+  const Route route(Path({{0, 0}, {1, 0}, {1, 1}}), frame);
+  ASSERT_EQ(route.legs().size(), 1U);
+  EXPECT_FALSE(route.legs()[0].reverse);
+  EXPECT_NEAR(route.length(), 0.2, kRounding);
+  EXPECT_EQ(route.final_heading(), std::nullopt);
+  expect_near(route.start(), {0.95, 2.05, kPi / 2});
+  expect_near(route.end(), {0.85, 2.15, kPi});
+}
+
+TEST(Route, OfASinglePointHasNoLength) {
+  for (const Path& path : {Path(std::vector<Cell>{{3, 4}}), Path::along({{3.5, 4.5}}),
+                           Path::through({{3.5, 4.5, 0}})}) {
+    const Route route(path, {});
+    ASSERT_EQ(route.legs().size(), 1U);
+    EXPECT_EQ(route.length(), 0);
+    EXPECT_EQ(route.start(), (Pose{3.5, 4.5, 0}));
+    EXPECT_EQ(route.end(), route.start());
+  }
+}
+
+TEST(Route, OfALapComesBack) {
+  const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const Route route(Path::along(square), {}, true);
+  EXPECT_EQ(route.length(), 16);
+  expect_near(route.start(), {0, 0, 0});
+  expect_near(route.end(), {0, 0, -kPi / 2});
+  EXPECT_EQ(Route(Path::along(square), {}).length(), 12);
+}
+
+/// Ahead 2, a quarter circle to the left in reverse, ahead 1, with headings all along.
+Path three_legs() {
+  return Path::through({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, -kPi / 2}, {1, 0, -kPi / 2}});
+}
+
+TEST(Route, HasALegForEachStretchBetweenReversals) {
+  const Route route(three_legs(), {.resolution = 0.5});
+  ASSERT_EQ(route.legs().size(), 3U);
+  EXPECT_FALSE(route.legs()[0].reverse);
+  EXPECT_TRUE(route.legs()[1].reverse);
+  EXPECT_FALSE(route.legs()[2].reverse);
+  EXPECT_NEAR(route.legs()[0].line.length(), 1, kRounding);
+  EXPECT_NEAR(route.legs()[1].line.length(), kPi / 4, 0.01);
+  EXPECT_NEAR(route.legs()[2].line.length(), 0.5, kRounding);
+  expect_near(route.start(), {0, 0, 0});
+  expect_near(route.end(), {0.5, 0, -kPi / 2});
+  EXPECT_EQ(route.final_heading(), -kPi / 2);
+}
+
+TEST(Route, JoinsItsLegs) {
+  const Route route(three_legs(), {});
+  for (std::size_t i = 1; i < route.legs().size(); ++i) {
+    const Point before = route.legs()[i - 1].line.points().back();
+    EXPECT_NEAR(distance(before, route.legs()[i].line.points().front()), 0, kRounding);
+  }
+}
+
+TEST(Route, FollowsArcsWithinAHundredthOfACell) {
+  const Route route(Path::through({{0, 0, 0}, {10, 10, kPi / 2}}), {});
+  const auto points = route.legs()[0].line.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_NEAR(distance(points[i], {0, 10}), 10, kRounding);
+    const Point middle{(points[i].x + points[i - 1].x) / 2, (points[i].y + points[i - 1].y) / 2};
+    EXPECT_GE(distance(middle, {0, 10}), 10 - 0.01);
+  }
+}
+
+TEST(Route, EndsInReverseAsItsLastPoseSays) {
+  const Route route(Path::through({{3, 0, 0}, {0, 0, 0}}), {});
+  ASSERT_EQ(route.legs().size(), 1U);
+  EXPECT_TRUE(route.legs()[0].reverse);
+  expect_near(route.start(), {3, 0, 0});
+  expect_near(route.end(), {0, 0, 0});
+}
+
+TEST(Route, ComesBackFromADriveAhead) {
+  const Route ahead(Path::through({{0, 0, 0}, {4, 4, kPi / 2}}), {}, true);
+  ASSERT_EQ(ahead.legs().size(), 1U);
+  EXPECT_EQ(ahead.final_heading(), std::nullopt);
+  expect_near(ahead.end(), {0, 0, -3 * kPi / 4});
+
+  const Route back(Path::through({{4, 0, 0}, {0, 0, 0}}), {}, true);
+  ASSERT_EQ(back.legs().size(), 2U);
+  EXPECT_TRUE(back.legs()[0].reverse);
+  EXPECT_FALSE(back.legs()[1].reverse);
+  expect_near(back.end(), {4, 0, 0});
+}
+
+TEST(Route, IgnoresPosesOnTopOfEachOther) {
+  const Route route(Path::through({{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {1, 0, 0}}), {});
+  ASSERT_EQ(route.legs().size(), 2U);
+  EXPECT_NEAR(route.length(), 3, kRounding);
+}
+
+}  // namespace
+}  // namespace wend
