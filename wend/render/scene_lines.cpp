@@ -17,7 +17,7 @@ bool is_dashed(LineRole role) { return role == LineRole::planned; }
 
 /// Pixels.
 double width_of(LineRole role, const MarkSizes& sizes) {
-  return std::max(kLeastWidth, sizes.line * (role == LineRole::smoothed ? 1 : 0.45));
+  return std::max(kLeastWidth, sizes.line * (role == LineRole::smoothed ? 1.5 : 0.5));
 }
 
 void trace(cairo_t* context, const std::vector<Point>& points, const MapView& view) {
@@ -101,7 +101,7 @@ void draw_robot_at(cairo_t* context, const Scene& scene, const MapView& view,
 
 void draw_line_sample(cairo_t* context, Point centre, double length, LineRole role,
                       const Style& style) {
-  constexpr MarkSizes kSizes{.line = 5, .halo = 1.5, .mark = 0};
+  constexpr MarkSizes kSizes{.line = 4, .halo = 1.5, .mark = 0};
   for (const bool halo : {true, false}) {
     cairo_new_path(context);
     cairo_move_to(context, centre.x - length / 2, centre.y);

@@ -22,6 +22,7 @@ struct DriveMeasure {
   std::string_view unit;
   int decimals;
   double (*value)(const Drive&);
+  bool compared = true;  // else there is no column for it
 };
 
 constexpr std::array<DriveMeasure, 8> kMeasures{{
@@ -32,7 +33,7 @@ constexpr std::array<DriveMeasure, 8> kMeasures{{
     {"largest cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_largest; }},
     {"final error", "m", 3, [](const Drive& drive) { return drive.final_error; }},
     {"final heading error", "degrees", 1,
-     [](const Drive& drive) { return degrees_from(std::abs(drive.final_heading_error)); }},
+     [](const Drive& drive) { return degrees_from(std::abs(drive.final_heading_error)); }, false},
     {"collisions", "", 0, [](const Drive& drive) { return static_cast<double>(drive.collisions); }},
 }};
 
@@ -59,7 +60,8 @@ std::string heading_of(const DriveMeasure& measure, bool marked) {
   if (!measure.unit.empty()) heading.append(" ").append(measure.unit);
   std::string lines;
   for (const char letter : heading) {
-    letter == ' ' ? lines.append(end).append("\n") : lines.append(1, letter);
+    if (letter != ' ') lines += letter;
+    if (letter == ' ' || letter == '-') lines.append(end).append("\n");
   }
   return lines + end;
 }
@@ -92,6 +94,7 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
   std::vector<TextTable::Column> titles{{"controller"}, {"outcome"}};
   std::vector<MarkedColumn> columns;
   for (const DriveMeasure& measure : kMeasures) {
+    if (!measure.compared) continue;
     columns.push_back(column_of(drives, measure, marked));
     titles.push_back({columns.back().title, Align::right});
   }

@@ -18,7 +18,7 @@ struct ControlledDrive {
 };
 
 /// Of one drive a line for each thing; of several a line for each controller, the best of each column
-/// marked among those that reached the goal. At most 100 columns where names have no more than 25.
+/// marked among those that reached the goal. At most 100 columns where names have no more than 20.
 std::string drive_table(std::span<const ControlledDrive> drives);
 
 enum class DriveSamples { none, all };

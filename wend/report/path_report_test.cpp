@@ -1,0 +1,119 @@
+#include "wend/report/path_report.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
+
+FreeSpace open_space() { return FreeSpace(GridMap(Grid<CellState>(8, 6), kFrame)); }
+
+const Path kPlanned({{0, 0}, {1, 0}, {2, 0}, {2, 1}});
+
+RefinedPath refined_by(const Refinement& refinement) {
+  return refined_path(kPlanned, refinement, *refined(kPlanned, open_space(), refinement),
+                      open_space());
+}
+
+TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
+  const MeasuredPath path = measured("path", Path::along({{0, 0}, {3, 4}}), open_space());
+  EXPECT_EQ(metrics_table(std::vector{path}, metres_of(kFrame)),
+            "points                         2\n"
+            "length, m                   2.50\n"
+            "turning, degrees               0\n"
+            "largest curvature, 1/m      0.00\n"
+            "smallest turning radius, m     -\n"
+            "smallest clearance, m          -\n"
+            "mean clearance, m              -\n"
+            "reversals                      0\n");
+  EXPECT_THAT(metrics_table(std::vector{path}, {}),
+              HasSubstr("length, cells                   5.00"));
+}
+
+TEST(MetricsTable, SetsPathsBesideEachOther) {
+  const std::vector<MeasuredPath> paths{
+      measured("planned", kPlanned, open_space()),
+      measured("other", Path::along({{1, 1}, {2, 1}}), open_space())};
+  const std::string table = metrics_table(paths, {});
+  EXPECT_THAT(table, testing::StartsWith("                                planned  other\n"));
+  EXPECT_THAT(table, HasSubstr("length, cells                      3.00   1.00\n"));
+  EXPECT_THAT(table, HasSubstr("turning, degrees                     90      0\n"));
+}
+
+TEST(Measured, TakesCellsThatAreNotOnTheMap) {
+  EXPECT_EQ(measured("far", Path({{20, 3}, {22, 3}}), open_space()).metrics.length, 2);
+}
+
+TEST(CheckJson, TellsWhereAPathCollides) {
+  const MeasuredPath path = measured("path", kPlanned, open_space());
+  const json is_free = json::parse(check_json(path, std::nullopt, kFrame));
+  EXPECT_EQ(is_free.at("free"), true);
+  EXPECT_TRUE(is_free.at("collision").is_null());
+  EXPECT_EQ(is_free.at("metrics").at("length_cells"), 3);
+  EXPECT_EQ(is_free.at("metrics").at("length_m"), 1.5);
+  EXPECT_TRUE(is_free.at("metrics").at("smallest_clearance_m").is_null());
+  const PathCollision collision{CollisionKind::too_close, 1, 1.5, {2, 0.5}, Cell{3, 1}};
+  const json collides = json::parse(check_json(path, collision, kFrame));
+  EXPECT_EQ(collides.at("free"), false);
+  EXPECT_EQ(collides.at("collision"),
+            json::parse(R"({"kind":"too_close","along_cells":1.5,"along_m":0.75,
+                            "point":[2,0.5],"point_m":[0.0,2.25],"obstacle":[3,1]})"));
+}
+
+TEST(SmoothingJson, HasBothPathsAndWhatWasDone) {
+  const json smoothed =
+      json::parse(smoothing_json(refined_by({.smoother = SmootherChoice{"gradient"}}), kFrame));
+  EXPECT_EQ(smoothed.at("path"), json::parse("[[0,0],[1,0],[2,0],[2,1]]"));
+  EXPECT_EQ(smoothed.at("path_smoothed").size(), 4U);
+  EXPECT_EQ(smoothed.at("path_smoothed").front(), json::parse("[0.5,0.5]"));
+  EXPECT_EQ(smoothed.at("path_smoothed").back(), json::parse("[2.5,1.5]"));
+  EXPECT_EQ(smoothed.at("path_smoothed_m").back(), json::parse("[0.25,2.75]"));
+  EXPECT_EQ(smoothed.at("smoothing").at("smoother"), "gradient");
+  EXPECT_EQ(smoothed.at("smoothing").at("converged"), true);
+  EXPECT_EQ(smoothed.at("smoothing").at("held"), 0);
+  EXPECT_LT(smoothed.at("path_smoothed_metrics").at("length_cells").get<double>(), 3);
+  EXPECT_EQ(smoothed.at("path_metrics").at("length_cells"), 3);
+}
+
+TEST(SmoothingJson, SaysNothingOfSmoothingWhereNothingWasSmoothed) {
+  const RefinedPath simplified = refined_by({.simplify = Simplification{SimplifyBy::collinear}});
+  const json plan = json::parse(smoothing_json(simplified, kFrame));
+  EXPECT_TRUE(plan.at("smoothing").is_null());
+  EXPECT_EQ(plan.at("path_smoothed"), json::parse("[[0.5,0.5],[2.5,0.5],[2.5,1.5]]"));
+  EXPECT_EQ(smoothing_text(simplified), "");
+  EXPECT_EQ(simplified.measured_after.title, "simplified");
+}
+
+TEST(SmoothingJson, OfWaypointsHasNoCells) {
+  RefinedPath path = refined_by({.simplify = Simplification{SimplifyBy::collinear}});
+  path.before = Path::along({{0.5, 0.5}, {2.5, 1.5}});
+  EXPECT_FALSE(json::parse(smoothing_json(path, kFrame)).contains("path"));
+}
+
+TEST(SmoothingText, SaysHowItWent) {
+  RefinedPath path = refined_by({.smoother = SmootherChoice{"gradient"}});
+  EXPECT_THAT(smoothing_text(path), HasSubstr("smoother  gradient\nsmoothed  "));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("held      nothing: no obstacle was in the way\n"));
+  path.refined.smoothing->held = 0.125;
+  path.refined.smoothing->converged = false;
+  path.refined.smoothing->sweeps = 1;
+  EXPECT_THAT(smoothing_text(path), HasSubstr("1 sweep, then the limit ended it\n"));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("12.5 % of the inner points, by obstacles\n"));
+  EXPECT_THAT(smoothing_text(path), Not(HasSubstr("bound")));
+  path.refined.smoothing->within_bound = false;
+  path.refined.smoothing->returned = true;
+  EXPECT_THAT(smoothing_text(path), HasSubstr("held      all: the result would have been longer"));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("curvature beyond the bound"));
+}
+
+}  // namespace
+}  // namespace wend
