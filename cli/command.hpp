@@ -23,6 +23,8 @@ Command add_explain(CLI::App& app);
 Command add_view(CLI::App& app);
 Command add_convert(CLI::App& app);
 Command add_check(CLI::App& app);
+Command add_smooth(CLI::App& app);
+Command add_follow(CLI::App& app);
 
 /// Completes the subcommands that have been added to `app` before.
 Command add_completion(CLI::App& app);

@@ -9,7 +9,9 @@
 #include "exit_code.hpp"
 #include "flags.hpp"
 #include "output.hpp"
+#include "wend/control/controller.hpp"
 #include "wend/map/generators.hpp"
+#include "wend/path/smoother.hpp"
 #include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/style.hpp"
@@ -67,6 +69,8 @@ std::vector<std::string> choices_of_planners(const std::string& type) {
 /// The words that complete a value of that type; none where files do, or nothing.
 std::vector<std::string> words_of(const std::string& type) {
   if (type == kPlannerType) return planners().names();
+  if (type == kSmootherType) return smoothers().names();
+  if (type == kControllerType) return controllers().names();
   if (type == kGeneratorType) return generators().names();
   if (type == kLayerType) return names_of<LayerKind>();
   if (type == kStyleType) return names_of<StyleName>();

@@ -21,6 +21,8 @@ namespace wend::cli {
 inline constexpr const char* kFileType = "FILE";
 inline constexpr const char* kPlannerType = "PLANNER";
 inline constexpr const char* kGeneratorType = "KIND";
+inline constexpr const char* kSmootherType = "SMOOTHER";
+inline constexpr const char* kControllerType = "CONTROLLER";
 inline constexpr const char* kLayerType = "LAYER";
 inline constexpr const char* kStyleType = "STYLE";
 

@@ -57,7 +57,8 @@ std::string defaults_of(const std::vector<std::string>& owners,
                         const std::vector<OptionInfo>& options) {
   const std::string& first = options.front().default_value;
   if (std::ranges::all_of(options, [&](const auto& own) { return own.default_value == first; })) {
-    return fmt::format("default {}; {}", first, joined(owners));
+    const std::string whose = owners.front().empty() ? "" : "; " + joined(owners);
+    return fmt::format("default {}{}", first, whose);
   }
   std::vector<std::string> defaults;
   defaults.reserve(owners.size());

@@ -21,7 +21,7 @@ class OptionFlags {
   OptionFlags(const OptionFlags&) = delete;  // the app's callbacks point here
   OptionFlags& operator=(const OptionFlags&) = delete;
 
-  /// Takes up the options of one owner.
+  /// Takes up the options of one owner; an empty name is that of the only one.
   void collect(const std::string& owner, const std::vector<OptionInfo>& options);
 
   /// Adds a flag for every option collected.

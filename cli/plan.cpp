@@ -20,6 +20,7 @@ constexpr const char* kExamples = R"(Examples:
   wend plan grid.txt --start 0,0 --goal 9,9 --step --show g
   wend plan office.yaml --start 1,1 --goal 15,9 -o search.gif --trace office.trace.yaml
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
+  wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 --smooth -o smooth.csv
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map with
 arrows; large ones a summary and, on a terminal, a picture. A car stands on the corners of
@@ -67,14 +68,16 @@ Command add_plan(CLI::App& app) {
           wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
                   "in astar:weight=2"))
       ->type_name(kPlannerType);
+  arguments->refine.add_to(plan);
   arguments->limits.add_to(plan);
   add_format(plan, arguments->format);
   arguments->layers.add_to(plan);
   arguments->pictures.add_to(plan);
-  arguments->output.add_to(plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
-                           "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
-                           "the path (.csv; nothing if there is none) or the JSON; may be given "
-                           "several times");
+  arguments->output.add_to(
+      plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
+      "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
+      "the path (.csv, smoothed or the like if that is asked for; nothing if there is "
+      "none) or the JSON; may be given several times");
   arguments->watch.add_to(plan);
   for (const PlannerInfo& planner : planners()) {
     arguments->options.collect(planner.name, planner.options);

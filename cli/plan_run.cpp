@@ -27,8 +27,15 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace 
     : arguments_(arguments),
       spec_(std::move(planner)),
       space_(std::move(space)),
-      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)) {
+      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
+      refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
+                                              moves_of(spec_).adjacency())) {
   asked_->check(arguments.layers);
+  if (!arguments.refine.any() || info_of(spec_).motion == Motion::cells) return;
+  throw InputError(fmt::format(
+      "--simplify, --smooth and --resample are for paths from cell to cell: what the planner {} "
+      "drives is made of arcs, which are to stay as they are",
+      spec_.name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -77,6 +84,7 @@ void PlanRun::search() {
     fail(result_.status,
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
   }
+  if (result_.status == Status::found && arguments_.refine.any()) refine_path();
   if (trace) write_trace(*trace);
   make_layers(query.limits);
 }
@@ -115,6 +123,8 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
   }
 }
 
+void PlanRun::refine_path() { result_.refined = refine(result_.plan.path, space_, refinement_); }
+
 void PlanRun::make_layers(const Limits& limits) {
   std::optional<CostToGo> field;
   if (arguments_.layers.any_from(LayerSource::cost_to_go)) field = asked_->cost_to_go(limits);
@@ -144,6 +154,10 @@ void PlanRun::fail(Status status, std::string reason) {
 /// path: the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
   Scene scene = asked_->scene();
+  if (result_.refined) {
+    scene.lines = lines_of(*result_.refined);
+    return scene;
+  }
   const bool walked = spec_.name == "random_walk" && recorder_;
   if (!walked && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
@@ -184,6 +198,9 @@ std::string PlanRun::text() const {
     text += picture(outcome(), screen_, arguments_.pictures);
   }
   if (found) text += asked_->summary(result_);
+  if (result_.refined) {
+    text += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
+  }
   return text;
 }
 
@@ -211,7 +228,8 @@ void PlanRun::write_files() const {
   }
   if (result_.status == Status::found) {
     writers[".csv"] = [&](const std::string& file) {
-      const auto written = save_path_csv(result_.plan.path, frame, file);
+      const Path& path = result_.refined ? result_.refined->refined.path : result_.plan.path;
+      const auto written = save_path_csv(path, frame, file);
       return written ? std::string() : written.error().message();
     };
   }

@@ -15,6 +15,7 @@
 #include "option_flags.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
+#include "refine_arguments.hpp"
 #include "shown_layers.hpp"
 #include "typed_query.hpp"
 #include "watching.hpp"
@@ -33,6 +34,7 @@ struct PlanArguments {
   LimitArguments limits;
   bool nearest = false;
   Format format = Format::text;
+  RefineArguments refine;
   PictureArguments pictures;
   ShownLayers layers;
   WatchArguments watch;
@@ -53,6 +55,7 @@ class PlanRun {
   void search();
   Status search_to_the_end(const Query& query);
   Status search_in_steps(const Query& query, const SearchRecorder& recorder);
+  void refine_path();
   void make_layers(const Limits& limits);
   void fail(Status status, std::string reason);
 
@@ -72,6 +75,7 @@ class PlanRun {
   std::optional<SearchRecorder> recorder_;
   LastExpansion last_expansion_;  // of a search that is stepped
   std::vector<Layer> layers_;
+  Refinement refinement_;
   PlanResult result_;
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };

@@ -35,6 +35,7 @@ std::string progress_line(const SearchSnapshot& snapshot, std::size_t expansions
 
 Scene without_path(Scene scene) {
   scene.path = {};
+  scene.lines.clear();
   return scene;
 }
 

@@ -1,0 +1,165 @@
+#include "follow_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "drive_frames.hpp"
+#include "gnuplot.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "path_file.hpp"
+#include "picture_files.hpp"
+#include "planner_argument.hpp"
+#include "wend/control/simulation.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/report/drive_plot.hpp"
+
+namespace wend::cli {
+namespace {
+
+bool reached(const ControlledDrive& driven) {
+  return driven.drive.outcome == DriveOutcome::reached;
+}
+
+/// "reached the goal in 32.1 s, cross-track 0.021 m rms"
+std::string caption_of(const Drive& drive) {
+  return fmt::format("{} in {:.1f} s\ncross-track {:.3f} m rms, {:.3f} m at most",
+                     describe(drive.outcome), drive.time, drive.cross_track_rms,
+                     drive.cross_track_largest);
+}
+
+}  // namespace
+
+FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space)
+    : arguments_(arguments),
+      space_(std::move(space)),
+      planning_space_(std::move(planning_space)),
+      coordinates_(arguments.map.coordinates(space_.map())),
+      planner_(parse_planner(arguments.planner)),
+      refinement_(arguments.refine.refinement(coordinates_, moves_of(planner_).adjacency())),
+      robot_(arguments.drive.robot()),
+      simulation_(arguments.drive.simulation(arguments.loop)),
+      following_(arguments.drive.following()),
+      controllers_(arguments.drive.controllers(robot_)) {}
+
+bool FollowRun::find_path() {
+  std::optional<Path> path =
+      arguments_.path.empty() ? plan() : load_path_on(space_, arguments_.path, PathStage::smoothed);
+  if (!path) return false;
+  path_ = refine(*path, planning_space_, refinement_);
+  return true;
+}
+
+std::optional<Path> FollowRun::plan() {
+  const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
+  auto planner = info_of(planner_).make(planning_space_, planner_.options);
+  if (!planner) throw InputError(planner.error().message());
+  ProgressBar progress("planning", (*planner)->state_count());
+  Query query = asked->query();
+  query.limits = arguments_.limits.limits(progress);
+  Plan plan;
+  const Status status = (*planner)->plan(query, plan);
+  if (status == Status::found) return std::move(plan.path);
+  complain(fmt::format(
+      "{} (planned with a margin of {} around the robot)",
+      asked->reason(**planner, status, query.limits, plan.metrics),
+      coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells())));
+  return std::nullopt;
+}
+
+void FollowRun::drive() {
+  const auto& cancelled = cancel_on_interrupt();
+  for (ChosenController& chosen : controllers_) {
+    if (cancelled) break;
+    drives_.push_back({chosen.text, simulate(space_, path_.refined.path, *chosen.controller, robot_,
+                                             simulation_, following_)});
+  }
+}
+
+Scene FollowRun::scene_of_path() const {
+  std::vector<SceneLine> lines = lines_of(path_);
+  if (!arguments_.refine.any()) lines.pop_back();
+  for (SceneLine& line : lines) {
+    if (arguments_.loop) line.points.push_back(line.points.front());
+  }
+  return scene_of(space_, std::move(lines));
+}
+
+Scene FollowRun::scene_of_drive(const ControlledDrive& driven) const {
+  Scene scene = scene_of_path();
+  SceneLine line{LineRole::driven, {}};
+  for (const DriveSample& sample : driven.drive.samples) line.points.push_back(sample.pose.point());
+  scene.lines.push_back(std::move(line));
+  scene.collision = driven.drive.first_collision;
+  return scene;
+}
+
+/// One drive is a picture of its own.
+std::vector<Panel> FollowRun::panels() const {
+  std::vector<Panel> panels;
+  for (const ControlledDrive& driven : drives_) {
+    const bool alone = drives_.size() == 1;
+    panels.push_back({alone ? "" : driven.controller, scene_of_drive(driven),
+                      alone ? "" : caption_of(driven.drive)});
+  }
+  return panels;
+}
+
+std::string FollowRun::text() const {
+  std::string text;
+  if (drives_.size() == 1) {
+    text = picture(scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
+  }
+  if (arguments_.refine.any()) {
+    text += refined_text(path_, coordinates_);
+  } else {
+    text += metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
+  }
+  return text + "\n" + drive_table(drives_);
+}
+
+void FollowRun::write_files() const {
+  const Frame& frame = space_.map().frame();
+  const StyleName style = arguments_.pictures.style;
+  auto writers = picture_writers(panels(), style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, drive_json(path_, drives_, frame, DriveSamples::all));
+  };
+  writers[".csv"] = [&](const std::string& file) {
+    return write_bytes(file, drive_csv(drives_, frame));
+  };
+  writers[".gif"] = [&](const std::string& file) {
+    return write_picture(file, gif_of_drive(scene_of_path(), drives_.front().drive,
+                                            arguments_.speed, style_of(style)));
+  };
+  arguments_.output.write(writers);
+  if (arguments_.plot.empty()) return;
+  const std::string script =
+      drive_plot(drives_, plot_kind_of(arguments_.plot), plot_colours_of(style));
+  const std::string wrong = write_bytes(arguments_.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+ExitCode FollowRun::report() const {
+  if (drives_.empty()) {
+    complain("cancelled before the robot drove");
+    return no_plan;
+  }
+  const DriveSamples samples = arguments_.samples ? DriveSamples::all : DriveSamples::none;
+  print(arguments_.format == Format::json
+            ? drive_json(path_, drives_, space_.map().frame(), samples)
+            : text());
+  write_files();
+  for (const ControlledDrive& driven : drives_) {
+    if (reached(driven)) continue;
+    const Point end = driven.drive.samples.back().pose.point();
+    complain(fmt::format("{}: it {} after {:.2f} s, at {}", driven.controller,
+                         describe(driven.drive.outcome), driven.drive.time,
+                         coordinates_.text(end)));
+  }
+  return std::ranges::any_of(drives_, reached) ? success : no_plan;
+}
+
+}  // namespace wend::cli

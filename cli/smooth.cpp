@@ -1,0 +1,173 @@
+// wend smooth: a path simplified, smoothed and resampled.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "collision_text.hpp"
+#include "command.hpp"
+#include "corner_rule.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "map_arguments.hpp"
+#include "option_flags.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "path_file.hpp"
+#include "picture.hpp"
+#include "picture_files.hpp"
+#include "refine_arguments.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/path_csv.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::string_view kNoSmoother = "none";
+constexpr OptionRange kRadii{0, 1e6};
+
+struct SmoothArguments {
+  MapArguments map;
+  std::string path;
+  GridMoves moves;
+  std::string smoother = "gradient";
+  OptionFlags options{"smoother"};
+  std::optional<double> turning_radius;  // in the user's units
+  RefineArguments points;
+  Format format = Format::text;
+  PictureArguments pictures;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend smooth office.yaml plan.csv --robot-radius 0.2 -o smooth.csv -o smooth.png
+  wend smooth office.yaml plan.json --alpha 0.02 --beta 0.4 --simplify collinear --resample 0.1
+  wend smooth office.yaml plan.csv --smoother curvature --turning-radius 0.5
+  wend smooth office.yaml plan.csv --smoother none --simplify sight -o taut.csv
+  wend smooth office.yaml plan.csv --unsafe --format json
+
+Paths are those that `wend plan -o` writes (.csv, .json; of a plan the path as planned), or
+centrelines in metres. First points are left out (--simplify), then the path is smoothed, then
+resampled. Unless --unsafe is given, no part of the result touches an obstacle. Exit codes:
+0 done, 1 the path is not free to begin with (standard error says where), 2 bad usage or
+input.)";
+
+/// What the flags of the command say otherwise.
+bool has_flag_of_its_own(const OptionInfo& option) {
+  return option.name == "squeeze" || option.name == "radius";
+}
+
+bool is_unsafe(const SmootherChoice& choice) {
+  bool unsafe = false;
+  for (const auto& [name, value] : choice.options) {
+    if (name == "unsafe") unsafe = value == option_text::format(true);
+  }
+  return unsafe;
+}
+
+std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
+                                          const Coordinates& coordinates) {
+  if (arguments.smoother == kNoSmoother) {
+    arguments.options.values_for(arguments.smoother);  // refuses them
+    if (arguments.turning_radius)
+      throw InputError("--turning-radius: --smoother none smooths nothing");
+    return std::nullopt;
+  }
+  SmootherChoice choice = parse_smoother(arguments.smoother);
+  const OptionValues flags = arguments.options.values_for(choice.name);
+  choice.options.insert(choice.options.end(), flags.begin(), flags.end());
+  if (arguments.turning_radius) {
+    choice.options.emplace_back("radius",
+                                format_number(coordinates.in_cells(*arguments.turning_radius)));
+  }
+  return choice;
+}
+
+std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
+                                             const RefinedPath& path, const FreeSpace& space,
+                                             const Scene& scene) {
+  const Frame& frame = space.map().frame();
+  auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
+  writers[".json"] = [&path, frame](const std::string& file) {
+    return write_bytes(file, smoothing_json(path, frame));
+  };
+  writers[".csv"] = [&path, frame](const std::string& file) {
+    return write_bytes(file, path_csv(path.refined.path, frame));
+  };
+  return writers;
+}
+
+/// Says so and returns true if safe smoothing is asked for where there is no safe way.
+bool collides(const Path& path, const FreeSpace& space, const Refinement& refinement,
+              const Coordinates& coordinates) {
+  if (!refinement.smoother || is_unsafe(*refinement.smoother)) return false;
+  const auto collision = first_collision(path, space, refinement.adjacency);
+  if (!collision) return false;
+  complain(fmt::format("the path is not free, and can only be smoothed with --unsafe: {}",
+                       collision_text(*collision, coordinates)));
+  return true;
+}
+
+int run(const SmoothArguments& arguments) {
+  arguments.output.check();
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  const Coordinates coordinates = arguments.map.coordinates(loaded.map);
+  const Path path = load_path_on(space, arguments.path, PathStage::planned);
+  Refinement refinement = arguments.points.refinement(coordinates, arguments.moves.adjacency());
+  refinement.smoother = smoother_of(arguments, coordinates);
+  if (collides(path, space, refinement, coordinates)) return no_plan;
+  const RefinedPath refined = refine(path, space, refinement);
+  const Scene scene = scene_of(space, lines_of(refined));
+  print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
+                                         : picture(scene, detect_screen(), arguments.pictures) +
+                                               refined_text(refined, coordinates));
+  arguments.output.write(writers_of(arguments, refined, space, scene));
+  return success;
+}
+
+void add_smoothers(CLI::App& app, SmoothArguments& arguments) {
+  std::string names;
+  for (const SmootherInfo& smoother : smoothers()) {
+    names += fmt::format("{}: {}; ", smoother.name, smoother.summary);
+    std::vector<OptionInfo> options = smoother.options;
+    std::erase_if(options, has_flag_of_its_own);
+    arguments.options.collect(smoother.name, options);
+  }
+  app.add_option("--smoother", arguments.smoother,
+                 wrapped("How to smooth (default gradient). " + names + "none"))
+      ->type_name(kSmootherType);
+  add_number(app, "--turning-radius", arguments.turning_radius, kRadii,
+             "No bend is to be tighter than this (units as --robot-radius; curvature)");
+  arguments.points.add_points_to(app);
+  arguments.options.add_to(app);
+}
+
+}  // namespace
+
+Command add_smooth(CLI::App& app) {
+  CLI::App& smooth = *app.add_subcommand("smooth", "Smooth or simplify a path, clear of obstacles");
+  const auto arguments = std::make_shared<SmoothArguments>();
+  arguments->map.add_to(smooth);
+  smooth
+      .add_option(
+          "PATH", arguments->path,
+          wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
+                  "(.csv with columns x_m and y_m)"))
+      ->required()
+      ->type_name(kFileType);
+  add_corner_rule(smooth, arguments->moves.corner_rule);
+  add_format(smooth, arguments->format);
+  arguments->pictures.add_to(smooth);
+  arguments->output.add_to(smooth, {".csv", ".json", ".png", ".svg", ".pdf"},
+                           "Also write the path (.csv, .json) or a picture of both (.png, .svg, "
+                           ".pdf); may be given several times");
+  add_smoothers(smooth, *arguments);
+  smooth.footer(kExamples);
+  return {&smooth, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

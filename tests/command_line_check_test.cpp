@@ -1,0 +1,103 @@
+// `wend check`, from outside.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr const char* kGrid =
+    ".......\n"
+    ".......\n"
+    "...#...\n"
+    ".......\n"
+    "......#\n"
+    ".....#.\n";
+
+class CheckCommand : public testing::Test {
+ protected:
+  Outcome check(const std::string& path, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"check", map_, path});
+    return wend(std::move(more));
+  }
+
+  std::string waypoints(const std::string& lines) const {
+    return folder_.write("path.csv", "x_grid,y_grid,x_m,y_m,yaw\n" + lines);
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("grid.txt", kGrid);
+};
+
+TEST_F(CheckCommand, SaysThatAFreePathIsAndMeasuresIt) {
+  const Outcome outcome = check(waypoints("0.5,0.5,0,0,0\n6.5,0.5,0,0,0\n6.5,2.5,0,0,0\n"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("free: it enters no obstacle\n"),
+                                 HasSubstr("length, cells                   8.00\n"),
+                                 HasSubstr("turning, degrees                  90\n"),
+                                 HasSubstr("smallest clearance, cells       1.50\n")));
+}
+
+TEST_F(CheckCommand, SaysWhereAPathFirstCollides) {
+  const std::string path = waypoints("0.5,2.5,0,0,0\n6.5,2.5,0,0,0\n");
+  const Outcome outcome = check(path);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, StartsWith("wend: the path is not free: after 2.5 cells, at (3,2.5), "));
+  EXPECT_THAT(outcome.err, HasSubstr(", it enters an obstacle: the one at cell (3,2)\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("✗"));
+  const Outcome with_radius = check(path, {"--robot-radius", "0.5", "--format", "json"});
+  EXPECT_EQ(with_radius.code, 1);
+  const json collision = json::parse(with_radius.out).at("collision");
+  EXPECT_EQ(collision.at("kind"), "too_close");
+  EXPECT_NEAR(collision.at("along_cells").get<double>(), 2, 1e-6);
+  EXPECT_EQ(collision.at("obstacle"), json::parse("[3,2]"));
+}
+
+TEST_F(CheckCommand, LetsARobotSqueezeIfTheCornerRuleDoes) {
+  const std::string path = waypoints("5.5,4.5,0,0,0\n6.5,5.5,0,0,0\n");
+  EXPECT_THAT(check(path).err, HasSubstr("squeezes between two obstacles"));
+  EXPECT_EQ(check(path, {"--corner-rule", "both"}).code, 0);
+}
+
+TEST_F(CheckCommand, MarksTheCollisionInPicturesAndWritesTheJson) {
+  const std::string path = waypoints("0.5,2.5,0,0,0\n6.5,2.5,0,0,0\n");
+  const std::string svg = folder_ / "collision.svg";
+  const std::string file = folder_ / "check.json";
+  EXPECT_EQ(check(path, {"-o", svg, "-o", file}).code, 1);
+  EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
+  EXPECT_EQ(json::parse(bytes_of(file)).at("free"), false);
+}
+
+TEST_F(CheckCommand, SaysSoOfPathsThatLeaveTheMap) {
+  const std::string path = folder_.write("out.csv", "x,y,x_m,y_m\n5,0,0,0\n6,0,0,0\n9,0,0,0\n");
+  const Outcome outcome = check(path);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("it leaves the map"));
+}
+
+TEST_F(CheckCommand, ChecksTheSmoothedPathOfAPlan) {
+  const std::string path =
+      folder_.write("plan.json", R"({"path":[[0,2],[6,2]],"path_smoothed":[[0.5,0.5],[6.5,0.5]]})");
+  EXPECT_EQ(check(path).code, 0);
+}
+
+TEST_F(CheckCommand, RefusesWhatIsNoPath) {
+  const Outcome outcome = check(folder_.write("bad.csv", "x_m,y_m\n1,two\n"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("bad.csv:2: y_m must be a finite number, not 'two'"));
+  EXPECT_EQ(check(folder_ / "missing.csv").code, 2);
+  EXPECT_EQ(check(map_, {"-o", map_}).code, 2);
+}
+
+}  // namespace
+}  // namespace wend::test

@@ -1,0 +1,165 @@
+// `wend follow`, from outside.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kGrid =
+    "..........\n"
+    ".####.....\n"
+    ".#........\n"
+    "...#####..\n"
+    "..........\n";
+
+class FollowCommand : public testing::Test {
+ protected:
+  Outcome follow(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"follow", map_, "--start", "0,0", "--goal", "9,4"});
+    return wend(std::move(more));
+  }
+
+  Outcome follow_path(const std::string& path, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"follow", map_, "--path", path});
+    return wend(std::move(more));
+  }
+
+  json drives(std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"--format", "json"});
+    return json::parse(follow(std::move(more)).out).at("drives");
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("grid.txt", kGrid);
+};
+
+TEST_F(FollowCommand, DrivesAlongAPlannedAndSmoothedPath) {
+  const Outcome outcome = follow({"--smooth"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("◆ driven"), HasSubstr("smoother  gradient\n"),
+                                 HasSubstr("controller           pure_pursuit\n"),
+                                 HasSubstr("outcome              reached the goal\n"),
+                                 HasSubstr("collisions           0\n")));
+}
+
+TEST_F(FollowCommand, ComparesAllControllersThatFitTheRobot) {
+  const json all = drives({"--compare"});
+  ASSERT_GE(all.size(), 4U);
+  for (const json& driven : all) {
+    EXPECT_EQ(driven.at("outcome"), "reached") << driven.at("controller");
+    EXPECT_EQ(driven.at("collisions"), 0) << driven.at("controller");
+  }
+  EXPECT_THAT(follow({"--compare", "p,pid:heading_gain=3"}).out,
+              AllOf(HasSubstr("controller          outcome"), HasSubstr("\npid:heading_gain=3  ")));
+  EXPECT_LT(drives({"--compare", "--drivetrain", "bicycle"}).size(), all.size());
+}
+
+TEST_F(FollowCommand, SaysWhyTheGoalWasNotReached) {
+  const Outcome outcome = follow({"--controller", "p", "--heading-gain", "0"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("wend: p: it got stuck after "));
+  EXPECT_THAT(outcome.out, HasSubstr("outcome              got stuck\n"));
+  EXPECT_EQ(follow({"--time-limit", "1"}).code, 1);
+  EXPECT_EQ(follow({"--compare", "p:heading_gain=0,pure_pursuit"}).code, 0) << "one of them did";
+}
+
+TEST_F(FollowCommand, SaysWhyThereIsNoPathWithTheMargin) {
+  const Outcome outcome = follow({"--margin", "3"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("(planned with a margin of 3 cells around the robot)"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+}
+
+TEST_F(FollowCommand, DrivesTheSameWithTheSameSeed) {
+  const json once = drives({"--noise", "0.02", "--seed", "4", "--samples"});
+  EXPECT_EQ(drives({"--noise", "0.02", "--seed", "4", "--samples"}), once);
+  EXPECT_NE(drives({"--noise", "0.02", "--seed", "5", "--samples"}), once);
+  EXPECT_EQ(drives({"--noise", "0.02", "--seed", "4", "--samples", "--actuation-noise", "0",
+                    "--position-noise", "0", "--heading-noise", "0"}),
+            drives({"--samples"}))
+      << "each kind overrides";
+}
+
+TEST_F(FollowCommand, DrivesAPathFromAFile) {
+  const std::string file = folder_ / "smooth.csv";
+  ASSERT_EQ(wend({"plan", map_, "--start", "0,0", "--goal", "9,4", "--smooth", "-o", file}).code,
+            0);
+  const Outcome outcome = follow_path(file, {"--controller", "p_moving"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("smoother")));
+}
+
+TEST_F(FollowCommand, DrivesALap) {
+  const std::string map = folder_.write(
+      "open.txt", std::string(20, '.') + "\n" + [] {
+        std::string rows;
+        for (int i = 0; i < 19; ++i) rows += std::string(20, '.') + "\n";
+        return rows;
+      }());
+  const std::string line = folder_.write("square.csv", "# x_m, y_m\n4,4\n16,4\n16,16\n4,16\n");
+  const Outcome outcome =
+      wend({"follow", map, "--path", line, "--loop", "--controller", "p", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out).at("drives").at(0).at("distance_m").get<double>(), 48, 1);
+}
+
+TEST_F(FollowCommand, WritesPicturesFilmsAndSamples) {
+  const std::string gif = folder_ / "drive.gif";
+  const std::string svg = folder_ / "drive.svg";
+  const std::string csv = folder_ / "drive.csv";
+  const std::string file = folder_ / "drive.json";
+  ASSERT_EQ(
+      follow({"--smooth", "--film-speed", "8", "-o", gif, "-o", svg, "-o", csv, "-o", file}).code,
+      0);
+  EXPECT_THAT(bytes_of(gif), StartsWith("GIF89a"));
+  EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
+  EXPECT_THAT(bytes_of(csv), StartsWith("controller,time_s,x_m,y_m,yaw,"));
+  const json written = json::parse(bytes_of(file));
+  EXPECT_TRUE(written.contains("path_smoothed"));
+  EXPECT_GT(written.at("drives").at(0).at("samples").at("time_s").size(), 100U);
+}
+
+TEST_F(FollowCommand, PlotsWhereGnuplotIs) {
+  if (shell("command -v gnuplot").code != 0) GTEST_SKIP() << "gnuplot is missing";
+  const std::string plot = folder_ / "drive.svg";
+  ASSERT_EQ(follow({"--compare", "--plot", plot}).code, 0);
+  EXPECT_THAT(bytes_of(plot), AllOf(HasSubstr("cross-track error, m"), HasSubstr("p_moving")));
+}
+
+TEST_F(FollowCommand, RefusesWhatMeansNothing) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--path", "x.csv"}, "leave out --start and --goal"},
+      {{"--loop"}, "--loop is for a path"},
+      {{"--controller", "pidd"}, "did you mean 'pid'?"},
+      {{"--controller", "p,pid"}, "name one, or use --compare"},
+      {{"--controller", "p", "--lookahead", "1"}, "has no option --lookahead"},
+      {{"--compare", "p", "--heading-gain", "1"}, "options follow each controller"},
+      {{"--drivetrain", "bicycle", "--controller", "p"}, "turns in place"},
+      {{"--rate", "0"}, "rate"},
+      {{"--noise", "-1"}, "--noise"},
+      {{"--compare", "-o", folder_ / "drive.gif"}, "for one drive"},
+      {{"--plot", folder_ / "drive.txt"}, "must end in .png, .svg or .pdf"},
+  };
+  for (const auto& [arguments, wrong] : cases) {
+    const Outcome outcome = follow(arguments);
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_THAT(outcome.err, HasSubstr(wrong));
+    EXPECT_THAT(outcome.out, IsEmpty()) << wrong;
+  }
+  EXPECT_EQ(wend({"follow", map_}).code, 2);
+}
+
+}  // namespace
+}  // namespace wend::test
