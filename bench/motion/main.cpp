@@ -1,9 +1,11 @@
-// wend-motion-speed: from path to motion, on large maps: smoothing, simplifying.
+// wend-motion-speed: from path to motion, on large maps: smoothing, simplifying, following.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdlib>
+#include <string_view>
 
 #include "bench/measuring.hpp"
 #include "bench/motion/motion_row.hpp"
@@ -11,7 +13,7 @@
 namespace wend::bench {
 namespace {
 
-constexpr std::array kBenchmarks{smoothing_rows};
+constexpr std::array kBenchmarks{smoothing_rows, following_rows};
 
 /// Says whether everything stayed below its bar.
 bool run(int rounds) {
@@ -28,11 +30,17 @@ bool run(int rounds) {
 }
 
 }  // namespace
+
+void fail(std::string_view what) {
+  fmt::print(stderr, "wend-motion-speed: {}\n", what);
+  std::exit(1);
+}
+
 }  // namespace wend::bench
 
 int main(int argc, char** argv) {
   int rounds = 20;
-  CLI::App app("Times smoothing and simplifying of paths on large maps.");
+  CLI::App app("Times smoothing, simplifying and following of paths on large maps.");
   app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();

@@ -2,8 +2,12 @@
 
 // What wend-motion-speed prints: how long one thing takes.
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "bench/measuring.hpp"
 
 namespace wend::bench {
 
@@ -14,7 +18,25 @@ struct MotionRow {
   std::string note;        // what was done in that time
 };
 
+/// The seconds of the fastest of several rounds.
+template <class Run>
+double fastest(int rounds, Run&& run) {
+  double best = 1e9;
+  for (int i = 0; i < rounds; ++i) {
+    const double begin = seconds_now();
+    run();
+    best = std::min(best, seconds_now() - begin);
+  }
+  return best;
+}
+
+/// Says why there is nothing to time, and ends the program.
+[[noreturn]] void fail(std::string_view what);
+
 /// Smoothing and simplifying paths of 1000 points on maps of 2000 x 2000 cells.
 std::vector<MotionRow> smoothing_rows(int rounds);
+
+/// Following a path through an office with every controller: a control step, and a simulated minute.
+std::vector<MotionRow> following_rows(int rounds);
 
 }  // namespace wend::bench

@@ -1,10 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <utility>
 
-#include "bench/measuring.hpp"
 #include "bench/motion/motion_row.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
@@ -26,11 +23,6 @@ struct Walk {
   Path path;
 };
 
-[[noreturn]] void fail(const std::string& what) {
-  fmt::print(stderr, "wend-motion-speed: {}\n", what);
-  std::exit(1);
-}
-
 Walk walk_on(std::string name, const std::string& kind, const OptionValues& options,
              double radius_in_cells) {
   const auto map = generators().find(kind)->make(kSide, kSide, 1, options);
@@ -46,17 +38,6 @@ Walk walk_on(std::string name, const std::string& kind, const OptionValues& opti
   const auto cells = plan->path.cells().first(kPoints);
   return {fmt::format("{}, radius {} cells", name, radius_in_cells), std::move(space),
           Path({cells.begin(), cells.end()})};
-}
-
-template <class Run>
-double fastest(int rounds, Run&& run) {
-  double best = 1e9;
-  for (int i = 0; i < rounds; ++i) {
-    const double begin = seconds_now();
-    run();
-    best = std::min(best, seconds_now() - begin);
-  }
-  return best;
 }
 
 MotionRow smoothing(const Walk& walk, const GradientOptions& options, int rounds) {
