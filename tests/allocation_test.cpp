@@ -1,5 +1,5 @@
 // What planners take from the heap: nothing in a warm query, and at most 20 bytes a cell of their
-// own, or 24 a pose.
+// own, or 24 a pose. What a follower takes while it drives: nothing.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
+#include "wend/control/follower.hpp"
+#include "wend/control/motion_model.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planner_spec.hpp"
@@ -184,6 +186,27 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACellOr24APose) {
     EXPECT_LE(bytes_in_use() - before, most) << "after a query that was watched";
     planner->update(space);
     EXPECT_LE(bytes_in_use() - before, most) << "after an update";
+  }
+}
+
+TEST(FollowerAllocation, OfADriveIsNone) {
+  const Path path = Path::through({{0, 0, 0}, {5, 0, 0}, {4, 1, -1}, {4, 6, -1}, {6, 9, 0}});
+  for (const ControllerInfo& info : controllers()) {
+    SCOPED_TRACE(info.name);
+    const auto controller = info.make({}).value();
+    Follower follower(*controller, {}, {.heading_tolerance = 0.1});
+    const Route route(path, {});
+    RobotState robot{route.start()};
+    follower.follow(route);
+    const std::size_t before = allocations;
+    FollowerState state = FollowerState::driving;
+    while (state == FollowerState::driving) {
+      const FollowerStep step = follower.step(robot.pose, 0.05);
+      robot = drive({}, robot, step.command, 0.05).to;
+      state = step.state;
+    }
+    EXPECT_EQ(allocations - before, 0U);
+    EXPECT_EQ(state, FollowerState::reached);
   }
 }
 

@@ -2,9 +2,11 @@
 
 // PidTerm: one feedback loop of a PID controller, with a filtered derivative and anti-windup.
 //
-//   u = proportional e + integral (sum of e dt) + derivative (filtered de/dt)
+//   wend::PidTerm heading({.proportional = 3, .integral = 0.2, .derivative = 0.1}, 0.1);
+//   const double turn_rate = heading.output(error, change, 0.05, 1.5);
 //
-// The derivative goes through a first-order filter. Anti-windup is conditional integration: while u
+// is proportional times the error, plus integral times its sum over time, plus derivative times its
+// filtered slope. The derivative goes through a first-order filter. Anti-windup is conditional integration: while u
 // is beyond its limit, an error that would drive it farther is not summed.
 
 namespace wend {

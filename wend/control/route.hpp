@@ -3,7 +3,7 @@
 // Route: a path in metres, as a follower drives it: legs of one direction each, ahead or in reverse.
 //
 //   const wend::Route route(plan->path, space.map().frame());
-//   robot.stand_at(route.start());
+//   for (const wend::RouteLeg& leg : route.legs()) metres += leg.line.length();
 
 #include <optional>
 #include <vector>

@@ -11,6 +11,7 @@
 // its first; points on top of each other count once. Immutable.
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Polyline {
  public:
   /// At least one point, all finite. `closed`: the last is joined to the first.
   explicit Polyline(std::span<const Point> points, bool closed = false);
+  explicit Polyline(std::initializer_list<Point> points, bool closed = false)
+      : Polyline(std::span(points.begin(), points.size()), closed) {}
 
   /// Of a path (not empty), in grid coordinates; arcs within `tolerance` cells.
   static Polyline of(const Path& path, bool closed = false, double tolerance = 0.01);
