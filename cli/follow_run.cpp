@@ -23,6 +23,13 @@ bool reached(const ControlledDrive& driven) {
   return driven.drive.outcome == DriveOutcome::reached;
 }
 
+std::string oscillation(const ControlledDrive& driven) {
+  return fmt::format(
+      "{}: it oscillates, {} swings to and fro in {:.2f} s: its gains are too high for this rate, "
+      "latency or noise",
+      driven.controller, driven.drive.swings, driven.drive.time);
+}
+
 /// "reached the goal in 32.1 s, cross-track 0.021 m rms"
 std::string caption_of(const Drive& drive) {
   return fmt::format("{} in {:.1f} s\ncross-track {:.3f} m rms, {:.3f} m at most",
@@ -153,6 +160,7 @@ ExitCode FollowRun::report() const {
             : text());
   write_files();
   for (const ControlledDrive& driven : drives_) {
+    if (driven.drive.oscillates()) complain(oscillation(driven));
     if (reached(driven)) continue;
     const Point end = driven.drive.samples.back().pose.point();
     complain(fmt::format("{}: it {} after {:.2f} s, at {}", driven.controller,

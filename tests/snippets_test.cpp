@@ -33,6 +33,7 @@
 #include "wend/map/arc_clearance.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
+#include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/layer.hpp"
 #include "wend/planner/no_path.hpp"
@@ -272,6 +273,17 @@ TEST(Snippets, OfScene) {
   std::cout << wend::text_picture(scene);
   const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
   EXPECT_TRUE(svg);
+}
+
+TEST(Snippets, OfSceneOfADrive) {
+  const wend::FreeSpace& space = open_space();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  const wend::Path smoothed = wend::smooth_by_gradient(plan->path, space)->path;
+  wend::Scene scene{.space = space};
+  scene.lines = {{wend::LineRole::planned, plan->path.points()},
+                 {wend::LineRole::smoothed, smoothed.points()}};
+  EXPECT_EQ(scene.lines.size(), 2U);
 }
 
 TEST(Snippets, OfSceneOfACar) {

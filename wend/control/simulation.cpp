@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "wend/base/random.hpp"
@@ -195,6 +196,15 @@ class Simulation {
     drive_.time += seconds;
     drive_.distance += std::abs(step.arc.length);
     drive_.turned += std::abs(robot_.velocity.angular) * seconds;
+    watch_swings();
+  }
+
+  void watch_swings() {
+    constexpr double kFast = 0.2;  // of the greatest turn rate
+    if (std::abs(robot_.velocity.angular) < kFast * model_.limits.turn_rate) return;
+    const bool left = robot_.velocity.angular > 0;
+    if (turned_left_ && *turned_left_ != left) ++drive_.swings;
+    turned_left_ = left;
   }
 
   /// A sample of the true robot beside the route, near where the follower thinks that it is.
@@ -239,11 +249,14 @@ class Simulation {
   Delay delay_;
 
   RobotState robot_;
-  Velocity wheels_;  // as the robot means it; errors come on top
+  Velocity wheels_;                  // as the robot means it; errors come on top
+  std::optional<bool> turned_left_;  // when it last turned fast
   Drive drive_;
 };
 
 }  // namespace
+
+bool Drive::oscillates() const { return static_cast<double>(swings) > std::max(time, 1.0); }
 
 std::string_view describe(DriveOutcome outcome) {
   switch (outcome) {

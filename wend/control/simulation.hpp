@@ -80,6 +80,7 @@ struct Drive {
   double time = 0;                 // s
   double distance = 0;             // m
   double turned = 0;               // rad, to the left and to the right together
+  std::uint64_t swings = 0;        // from turning fast one way to turning fast the other way
   double cross_track_rms = 0;      // m
   double cross_track_largest = 0;  // m
   double final_error = 0;          // m, from the goal
@@ -87,6 +88,10 @@ struct Drive {
   std::uint64_t collisions = 0;    // how often the disc, swept, ran into obstacles from free space
   std::optional<Point> first_collision;  // where its centre was then, grid coordinates
   std::vector<DriveSample> samples;      // one a command, and the last pose
+
+  /// Does the robot swing to and fro more than once a second? Then the controller's gains are too
+  /// high for its rate, its latency or the noise. Fast is a fifth of the greatest turn rate.
+  bool oscillates() const;
 };
 
 /// Drives from the path's start, heading along it (of a car's path: as its first pose does). The path

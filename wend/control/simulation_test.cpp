@@ -46,6 +46,20 @@ Path circle(double radius) {
   return Path::along(points);
 }
 
+TEST(Simulate, TellsGainsThatMakeARobotOscillate) {
+  const Path path = Path::along(kTour);
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    EXPECT_FALSE(simulate(open_ground(), path, *make(name)).oscillates());
+  }
+  for (const char* name : {"p", "p_moving", "pid"}) {
+    SCOPED_TRACE(name);
+    const auto wild = make(name, {{"heading_gain", "100"}});
+    const Drive drive = simulate(open_ground(), path, *wild);
+    EXPECT_TRUE(drive.oscillates()) << drive.swings << " swings in " << drive.time << " s";
+  }
+}
+
 TEST(Simulate, DrivesToTheGoal) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);

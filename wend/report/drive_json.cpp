@@ -38,6 +38,7 @@ Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples sam
             {"cross_track_largest_m", drive.cross_track_largest},
             {"final_error_m", drive.final_error},
             {"final_heading_error_degrees", degrees_from(drive.final_heading_error)},
+            {"swings", drive.swings},
             {"collisions", drive.collisions},
             {"first_collision", Json()},
             {"first_collision_m", Json()}};
