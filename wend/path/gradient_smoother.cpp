@@ -1,37 +1,19 @@
 #include "wend/path/gradient_smoother.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "wend/base/parse.hpp"
 #include "wend/path/movable_path.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
 namespace {
 
-/// Why sweeps with such weights would not converge; nothing if they do.
 std::optional<std::string> fault_of(const GradientOptions& options) {
-  const double alpha = options.alpha;
-  const double beta = options.beta;
-  const double neighbours = options.in_place ? 2 : 4;
-  if (!(alpha >= 0 && beta >= 0 && std::isfinite(alpha) && std::isfinite(beta))) {
-    return "alpha and beta are finite and not negative";
-  }
   if (!(options.epsilon >= 0)) return "epsilon is not negative";
   if (options.max_sweeps < 1) return "max_sweeps is at least 1";
-  const double sum = alpha + neighbours * beta;
-  if (sum < 2) return std::nullopt;
-  const std::string name = options.in_place ? "alpha + 2 beta" : "alpha + 4 beta";
-  std::string what =
-      name + " is " + format_number(sum) + ", and sweeps diverge unless it is less than 2";
-  if (alpha < 2) {
-    what += ": with this alpha, beta must be less than " + format_number((2 - alpha) / neighbours);
-    if (!options.in_place && alpha + 2 * beta < 2) what += ", or set in_place";
-  }
-  return what;
+  return fault_of_weights(options.alpha, options.beta, options.in_place);
 }
 
 struct Sweep {

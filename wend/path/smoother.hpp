@@ -26,7 +26,7 @@
 namespace wend {
 
 struct Smoothed {
-  Path path;                 // waypoints, as many as the path had points
+  Path path;                 // waypoints, at least as many as the path had points
   std::uint64_t sweeps = 0;  // over all points
   bool converged = false;    // else the limit of sweeps ended it
   double held = 0;           // the share of the inner points, 0 to 1, that safety held back

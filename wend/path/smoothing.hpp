@@ -22,6 +22,10 @@ inline Unexpected<SmoothingError> refused_drive() {
                  "a car's drive is not smoothed: it is arcs that a car can drive already");
 }
 
+/// Why gradient descent with such weights would not converge; nothing if it does. `in_place`: each
+/// point sees where its neighbours are already, not where they were in the sweep before.
+std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place);
+
 /// Moves the points of a path wherever they are to go: what is left of MovablePath for an unsafe
 /// smoother.
 class UnboundPath {

@@ -1,0 +1,201 @@
+#include "wend/path/curvature_smoother.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/line.hpp"
+#include "wend/path/movable_path.hpp"
+#include "wend/path/smoothing.hpp"
+
+namespace wend {
+namespace {
+
+// Measured on random office plans: what meets the bound most often, and soonest.
+constexpr std::uint64_t kGradientSweeps = 50;
+constexpr double kEvening = 0.3;         // the share of the way to the middle of the neighbours
+constexpr double kOverRelaxation = 1.8;  // how much farther than put right a bend is moved
+constexpr double kWider = 1.01;          // what is aimed at, so that the bound is met some day
+constexpr double kRounding = 1e-6;       // of the radius
+constexpr double kStill = 1e-12;         // squared cells: a sweep that changes less ends it all
+
+std::optional<std::string> fault_of(const CurvatureOptions& options) {
+  if (!(options.radius >= 0 && std::isfinite(options.radius))) {
+    return "the radius is finite and not negative";
+  }
+  if (options.max_sweeps < 1) return "max_sweeps is at least 1";
+  return fault_of_weights(options.alpha, options.beta, true);
+}
+
+/// The same way with points near enough to each other that three of them know a bend when they see
+/// one: Menger's curvature of points far apart is small however sharply the lines between them meet.
+Path divided(const Path& path, double radius) {
+  constexpr double kLongest = 1.5;  // cells: steps to neighbouring cells stay whole
+  constexpr double kShortest = 0.1;
+  const double longest = std::clamp(radius / 2, kShortest, kLongest);
+  const std::vector<Point> points = path.points();
+  std::vector<Point> dense{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Line line{points[i - 1], points[i]};
+    const int pieces = std::max(1, static_cast<int>(std::ceil(line.length() / longest)));
+    for (int k = 1; k < pieces; ++k) dense.push_back(line.at(k / static_cast<double>(pieces)));
+    dense.push_back(line.to);
+  }
+  return Path::along(std::move(dense));
+}
+
+/// How far the middle one of three points is off the line through the others, beyond what a turning
+/// radius allows; and the direction from it to that line.
+struct Bend {
+  double excess = 0;
+  Point inwards;
+};
+
+Bend bend_of(Point a, Point b, Point c, double radius) {
+  const double before = distance(a, b);
+  const double length = distance(a, c);
+  if (before == 0) return {};
+  if (length == 0) return {before, {(a.x - b.x) / before, (a.y - b.y) / before}};
+  const Point across{(a.y - c.y) / length, (c.x - a.x) / length};
+  const double off = (a.x - b.x) * across.x + (a.y - b.y) * across.y;
+  // Menger's curvature is 2 off / (|ab| |bc|).
+  const double most = before * distance(b, c) / (2 * radius);
+  const double side = off < 0 ? -1 : 1;
+  return {std::max(0.0, std::abs(off) - most), {side * across.x, side * across.y}};
+}
+
+/// Is no bend tighter than that? Points on top of each other count once.
+bool is_within(std::vector<Point> points, double radius) {
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const double least = radius * (1 - kRounding);
+    if (bend_of(points[i - 2], points[i - 1], points[i], least).excess > 0) return false;
+  }
+  return true;
+}
+
+/// Moves the points of a path, a MovablePath or an UnboundPath, sweep by sweep.
+template <class Moved>
+class CurvatureSweeps {
+ public:
+  CurvatureSweeps(const Path& path, Moved moved, const CurvatureOptions& options)
+      : path_(path.points()), moved_(std::move(moved)), options_(options), held_(path_.size()) {}
+
+  Smoothed run() && {
+    Smoothed result;
+    const auto most = static_cast<std::uint64_t>(options_.max_sweeps);
+    while (!result.converged && result.sweeps < most) {
+      begin_sweep();
+      if (result.sweeps < kGradientSweeps) {
+        for_each_inner([&](std::size_t i) { descend(i); });
+      } else if (is_within(points(), options_.radius)) {
+        result.converged = true;
+        break;
+      } else {
+        for_each_inner([&](std::size_t i) { even_out(i), widen(i); });
+        backwards_ = !backwards_;  // what is moved at one end soon reaches the other
+        result.converged = squared_change_ < kStill;
+      }
+      ++result.sweeps;
+    }
+    const auto held = std::count(held_.begin(), held_.end(), true);
+    if (path_.size() > 2) {
+      result.held = static_cast<double>(held) / static_cast<double>(path_.size() - 2);
+    }
+    finish(result, Path::along(path_), moved_.points(), options_.unsafe);
+    result.within_bound = is_within(result.path.points(), options_.radius);
+    result.converged = result.converged || result.within_bound;
+    return result;
+  }
+
+ private:
+  std::vector<Point> points() const { return {moved_.points().begin(), moved_.points().end()}; }
+  Point at(std::size_t i) const { return moved_.points()[i]; }
+
+  void begin_sweep() {
+    held_.assign(path_.size(), false);
+    squared_change_ = 0;
+  }
+
+  template <class Visit>
+  void for_each_inner(Visit&& visit) {
+    for (std::size_t i = 1; i + 1 < path_.size(); ++i) visit(backwards_ ? path_.size() - 1 - i : i);
+  }
+
+  void move(std::size_t i, Point by) {
+    if (i == 0 || i + 1 == path_.size()) return;
+    const Point before = at(i);
+    if (moved_.move(i, {before.x + by.x, before.y + by.y}) < 1) held_[i] = true;
+    const Point change{at(i).x - before.x, at(i).y - before.y};
+    squared_change_ += change.x * change.x + change.y * change.y;
+  }
+
+  /// The step of the textbook, in place.
+  void descend(std::size_t i) {
+    const Point b = at(i);
+    const double alpha = options_.alpha;
+    const double beta = options_.beta;
+    move(i, {alpha * (path_[i].x - b.x) + beta * (at(i - 1).x + at(i + 1).x - 2 * b.x),
+             alpha * (path_[i].y - b.y) + beta * (at(i - 1).y + at(i + 1).y - 2 * b.y)});
+  }
+
+  /// Towards equal distances from both neighbours, without bending more or less: bends would push
+  /// their points together.
+  void even_out(std::size_t i) {
+    const Point chord{at(i + 1).x - at(i - 1).x, at(i + 1).y - at(i - 1).y};
+    const double squared = chord.x * chord.x + chord.y * chord.y;
+    if (squared == 0) return;
+    const Point to_middle{(at(i - 1).x + at(i + 1).x) / 2 - at(i).x,
+                          (at(i - 1).y + at(i + 1).y) / 2 - at(i).y};
+    const double share = kEvening * (to_middle.x * chord.x + to_middle.y * chord.y) / squared;
+    move(i, {share * chord.x, share * chord.y});
+  }
+
+  /// The point towards the line through its neighbours, and these away: the least that widens the
+  /// bend as far as it should be, and somewhat more.
+  void widen(std::size_t i) {
+    const Bend bend = bend_of(at(i - 1), at(i), at(i + 1), kWider * options_.radius);
+    if (bend.excess == 0) return;
+    const double step = kOverRelaxation * bend.excess / 3;
+    move(i, {2 * step * bend.inwards.x, 2 * step * bend.inwards.y});
+    move(i - 1, {-step * bend.inwards.x, -step * bend.inwards.y});
+    move(i + 1, {-step * bend.inwards.x, -step * bend.inwards.y});
+  }
+
+  std::vector<Point> path_;
+  Moved moved_;
+  CurvatureOptions options_;
+  std::vector<bool> held_;  // points that did not go all the way in this sweep
+  double squared_change_ = 0;
+  bool backwards_ = false;
+};
+
+}  // namespace
+
+SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
+                                    const CurvatureOptions& options) {
+  assert(!path.empty());
+  if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
+  if (path.driven()) return refused_drive();
+  const Path dense = divided(path, options.radius);
+  if (options.unsafe) {
+    return CurvatureSweeps(dense, UnboundPath(dense.points()), options).run();
+  }
+  auto movable = MovablePath::from(
+      dense, space, options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges);
+  if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
+  return CurvatureSweeps(dense, *std::move(movable), options).run();
+}
+
+SmootherInfo curvature_smoother() {
+  return smoother_with<CurvatureOptions>(
+      "curvature", "Bends no tighter than a turning radius, where obstacles leave room for that",
+      "Kaczmarz 1937; Mueller and others 2007, Position based dynamics", smooth_by_curvature);
+}
+
+}  // namespace wend
