@@ -123,6 +123,7 @@ std::vector<ChosenController> DriveArguments::controllers(const MotionModel& rob
     specs.front().options.insert(specs.front().options.end(), flags.begin(), flags.end());
   }
   std::vector<ChosenController> chosen;
+  chosen.reserve(specs.size());
   for (const OptionSpec& spec : specs) chosen.push_back(made(spec, robot));
   return chosen;
 }

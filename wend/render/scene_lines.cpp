@@ -80,7 +80,7 @@ void draw_robot_at(cairo_t* context, const Scene& scene, const MapView& view,
   const Point centre = view.to_picture(scene.robot->point());
   const double angle = view.y_up ? -scene.robot->heading : scene.robot->heading;
   const double radius =
-      std::max(scene.space.radius_in_cells() * view.scale(), std::max(2.0, 0.7 * sizes.mark));
+      std::max({scene.space.radius_in_cells() * view.scale(), 2.0, 0.7 * sizes.mark});
   const double line = std::max(kLeastWidth, 0.5 * sizes.line);
   cairo_save(context);
   cairo_new_path(context);

@@ -27,7 +27,9 @@ struct ComparisonRow {
   double cost = 0;                // as in Plan::cost; of a car its fuel
   double length = 0;              // cells
   double turning = 0;             // degrees, all turns together
+  double largest_curvature = 0;   // 1 / cells; infinite where the path turns straight back
   double smallest_clearance = 0;  // cells; infinite without obstacles
+  double mean_clearance = 0;      // the same, over the path's length
   std::uint64_t steps = 0;        // moves
   std::uint64_t reversals = 0;    // how often a car changes from ahead to reverse or back
   std::uint64_t expanded = 0;
@@ -51,15 +53,17 @@ struct Comparison {
   Motion motion = Motion::cells;  // of all planners
 };
 
-/// For people. Of one query: a line for each planner and, below, why some found nothing. Of many:
-/// a block for each measure, with a line for each planner; at most 100 columns where planners'
+/// For people. Of one query: a line for each planner with what its path is, then one with what its
+/// search took, and why some found nothing. Of many: a block for each measure, with a line for each planner; at most 100 columns where planners'
 /// names have no more than 40. The best of what is compared is marked, unless all are equal; only
-/// those that found a path compete. Lengths are in metres too (of many queries: instead) where
-/// people mean metres. Cars are compared by steps and reversals too.
+/// those that found a path compete. Lengths are in metres where people mean metres, in cells where
+/// they do not. Cars are compared by steps and reversals too.
 std::string comparison_table(const Comparison& comparison);
 
 /// {"queries": [{"start", "goal", "planners": [{"planner", "status", "cost", "length_cells",
-/// "length_m", "turning_degrees", "clearance_cells", "clearance_m", "metrics"}]}],
+/// "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m", "turning_radius_cells",
+/// "turning_radius_m", "clearance_cells", "clearance_m", "mean_clearance_cells", "mean_clearance_m",
+/// "metrics"}]}],
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}. A failure has a "reason", and null for what is not known of it, as for what is infinite.
 /// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y], of

@@ -20,6 +20,7 @@ double cost_ratio(const ComparedQuery& query, const ComparisonRow& row) {
 }
 
 double length(const ComparedQuery&, const ComparisonRow& row) { return row.length; }
+double radius(const ComparedQuery&, const ComparisonRow& row) { return 1 / row.largest_curvature; }
 double clearance(const ComparedQuery&, const ComparisonRow& row) { return row.smallest_clearance; }
 
 /// Of a row, as a number.
@@ -57,6 +58,34 @@ constexpr std::array kMeasures{
             .unit = "degrees",
             .of_path = true,
             .value = value<&ComparisonRow::turning>},
+    Measure{.key = "curvature_per_cell",
+            .title = "curvature",
+            .unit = "1/cells",
+            .decimals = 2,
+            .of_path = true,
+            .value = value<&ComparisonRow::largest_curvature>},
+    Measure{.key = "curvature_per_m",
+            .title = "curvature",
+            .unit = "1/m",
+            .decimals = 2,
+            .of_path = true,
+            .per_metre = true,
+            .value = value<&ComparisonRow::largest_curvature>},
+    Measure{.key = "turning_radius_cells",
+            .title = "turning radius",
+            .unit = "cells",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .value = radius},
+    Measure{.key = "turning_radius_m",
+            .title = "turning radius",
+            .unit = "m",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .in_metres = true,
+            .value = radius},
     Measure{.key = "steps",
             .title = "steps",
             .of_path = true,
@@ -82,6 +111,21 @@ constexpr std::array kMeasures{
             .more_is_better = true,
             .in_metres = true,
             .value = clearance},
+    Measure{.key = "mean_clearance_cells",
+            .title = "mean clearance",
+            .unit = "cells",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .value = value<&ComparisonRow::mean_clearance>},
+    Measure{.key = "mean_clearance_m",
+            .title = "mean clearance",
+            .unit = "m",
+            .decimals = 2,
+            .of_path = true,
+            .more_is_better = true,
+            .in_metres = true,
+            .value = value<&ComparisonRow::mean_clearance>},
     Measure{.key = "expanded", .title = "expanded", .value = value<&ComparisonRow::expanded>},
     Measure{.key = "generated", .title = "generated", .value = value<&ComparisonRow::generated>},
     Measure{
@@ -107,7 +151,8 @@ double Measure::of(const Comparison& comparison, const ComparedQuery& query,
                    std::size_t planner) const {
   const ComparisonRow& row = query.rows[planner];
   if (of_path && !row.found()) return kNothing;
-  return value(query, row) * (in_metres ? comparison.frame.resolution : 1);
+  const double resolution = comparison.frame.resolution;
+  return value(query, row) * (in_metres ? resolution : per_metre ? 1 / resolution : 1);
 }
 
 std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison) {
@@ -152,7 +197,8 @@ Summary summary_of(const Comparison& comparison, const Measure& measure, std::si
     if (all_found(query)) values.push_back(sign * measure.of(comparison, query, planner));
   }
   const Summary summary = summary_of(std::move(values));
-  return {sign * summary.median, sign * summary.mean, sign * summary.p99};
+  const auto value = [sign](double signed_value) { return sign * signed_value + 0.0; };  // no -0
+  return {value(summary.median), value(summary.mean), value(summary.p99)};
 }
 
 std::vector<bool> best_of(std::span<const double> values, bool more_is_better) {

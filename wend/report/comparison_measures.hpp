@@ -22,7 +22,12 @@ struct Measure {
   bool of_cars = false;     // is of no interest where planners move from cell to cell
   bool more_is_better = false;
   bool in_metres = false;  // what `value` gives is in cells and to be multiplied by the resolution
+  bool per_metre = false;  // it is in 1 / cells and to be divided by it
   double (*value)(const ComparedQuery&, const ComparisonRow&);
+
+  /// Does it count in metres, or in cells? Neither of those without a length in their unit.
+  bool metric() const { return in_metres || per_metre; }
+  bool of_cells() const { return unit == "cells" || unit == "1/cells"; }
 
   /// Of one planner on one query. NaN if it has no meaning.
   double of(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) const;

@@ -156,7 +156,9 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   const PathMetrics metrics = measure(plan_.path, space_);
   row.length = metrics.length;
   row.turning = without_rounding(degrees_from(metrics.turning));
+  row.largest_curvature = metrics.largest_curvature;
   row.smallest_clearance = metrics.smallest_clearance;
+  row.mean_clearance = metrics.mean_clearance;
   row.steps = plan_.path.size() - 1;
   row.reversals = static_cast<std::uint64_t>(metrics.reversals);
   return row;

@@ -68,23 +68,51 @@ std::string reasons_of(const ComparedQuery& query) {
   return text;
 }
 
-std::string table_of_one(const Comparison& comparison) {
-  const ComparedQuery& query = comparison.queries.front();
+/// In the unit that people mean.
+bool has_wanted_unit(const Measure& measure, bool metric) {
+  return metric ? !measure.of_cells() : !measure.metric();
+}
+
+/// Of one query: what paths are, or what searches took, as far as there is room.
+bool is_shown_of_one(const Measure& measure, bool of_path, Motion motion) {
+  if (measure.key == "cost_ratio" || measure.title == "turning radius") return false;
+  if (measure.title == "mean clearance" && motion == Motion::car) return false;
+  return measure.of_path == of_path;
+}
+
+std::vector<Column> columns_of_one(const Comparison& comparison, bool of_path) {
   std::vector<Column> columns;
   for (const Measure& measure : measures_of(comparison)) {
-    if (measure.key == "cost_ratio" || (measure.in_metres && !comparison.frame.metric)) continue;
-    columns.push_back(column_of(comparison, query, measure));
+    if (!has_wanted_unit(measure, comparison.frame.metric)) continue;
+    if (!is_shown_of_one(measure, of_path, comparison.motion)) continue;
+    columns.push_back(column_of(comparison, comparison.queries.front(), measure));
   }
-  std::vector<TextTable::Column> titles{{"planner"}, {"status"}};
+  return columns;
+}
+
+std::string table_of(const ComparedQuery& query, const std::vector<Column>& columns,
+                     bool with_status) {
+  std::vector<TextTable::Column> titles{{"planner"}};
+  if (with_status) titles.push_back({"status"});
   for (const Column& column : columns) titles.push_back({column.title(), Align::right});
   TextTable table(std::move(titles));
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     const ComparisonRow& row = query.rows[i];
-    std::vector<std::string> fields{row.planner, std::string(to_string(row.status))};
+    std::vector<std::string> fields{row.planner};
+    if (with_status) fields.emplace_back(to_string(row.status));
     for (const Column& column : columns) fields.push_back(column.field(i));
     table.add(std::move(fields));
   }
-  return table.text() + reasons_of(query) + (has_marks(columns) ? "* best of its column\n" : "");
+  return table.text();
+}
+
+std::string table_of_one(const Comparison& comparison) {
+  const ComparedQuery& query = comparison.queries.front();
+  const std::vector<Column> paths = columns_of_one(comparison, true);
+  const std::vector<Column> searches = columns_of_one(comparison, false);
+  const bool marked = has_marks(paths) || has_marks(searches);
+  return table_of(query, paths, true) + "\n" + table_of(query, searches, false) +
+         reasons_of(query) + (marked ? "* best of its column\n" : "");
 }
 
 /// Median, mean and 99th percentile of every planner.
@@ -119,9 +147,7 @@ std::vector<bool> best_solvers(const Comparison& comparison) {
 }
 
 bool is_shown_of_many(const Measure& measure, bool metric) {
-  if (measure.key == "cost") return false;
-  if (measure.key == "length_cells" || measure.key == "clearance_cells") return !metric;
-  return metric || !measure.in_metres;
+  return measure.key != "cost" && has_wanted_unit(measure, metric);
 }
 
 /// "length, m"

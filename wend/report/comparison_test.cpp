@@ -27,7 +27,9 @@ const ComparisonRow kAStar{.planner = "astar",
                            .cost = 10.25,
                            .length = 10.25,
                            .turning = 90,
+                           .largest_curvature = 0.5,
                            .smallest_clearance = 1.5,
+                           .mean_clearance = 3,
                            .expanded = 120,
                            .generated = 200,
                            .max_frontier = 80,
@@ -36,7 +38,9 @@ const ComparisonRow kGreedy{.planner = "greedy",
                             .cost = 14,
                             .length = 14,
                             .turning = 270,
+                            .largest_curvature = 1,
                             .smallest_clearance = 2,
+                            .mean_clearance = 2.5,
                             .expanded = 20,
                             .generated = 60,
                             .max_frontier = 40,
@@ -60,11 +64,17 @@ std::string tabled(const Comparison& comparison) { return "\n" + comparison_tabl
 
 TEST(ComparisonTable, OfOneQueryHasALineForEachPlanner) {
   EXPECT_EQ(tabled(of_one({kAStar, kGreedy, kLost})), R"(
-                                 length   turning   clearance                                     time
-planner      status       cost    cells   degrees       cells   expanded   generated   frontier     us
-astar        found       10.25*   10.25*       90*       1.50        120         200         80   12.3
-greedy       found       14.00    14.00       270        2.00*        20*         60*        40*   3.0*
-random_walk  step_limit      -        -         -           -          3           4          1    1.0
+                                 length   turning   curvature   clearance   mean clearance
+planner      status       cost    cells   degrees     1/cells       cells            cells
+astar        found       10.25*   10.25*       90*       0.50*       1.50             3.00*
+greedy       found       14.00    14.00       270        1.00        2.00*            2.50
+random_walk  step_limit      -        -         -           -           -                -
+
+                                               time
+planner      expanded   generated   frontier     us
+astar             120         200         80   12.3
+greedy             20*         60*        40*   3.0*
+random_walk         3           4          1    1.0
 random_walk: the walk used up its steps
 * best of its column
 )");
@@ -72,10 +82,23 @@ random_walk: the walk used up its steps
 
 TEST(ComparisonTable, HasMetresWherePeopleMeanMetres) {
   EXPECT_EQ(tabled(of_one({kAStar}, kMetric)), R"(
-                        length  length  turning  clearance  clearance                                 time
-planner  status   cost   cells       m  degrees      cells          m  expanded  generated  frontier    us
-astar    found   10.25   10.25    5.12       90       1.50       0.75       120        200        80  12.3
+                        length  turning  curvature  clearance  mean clearance
+planner  status   cost       m  degrees        1/m          m               m
+astar    found   10.25    5.12       90       1.00       0.75            1.50
+
+                                        time
+planner  expanded  generated  frontier    us
+astar         120        200        80  12.3
 )");
+}
+
+TEST(ComparisonTable, OfOneQueryFitsIntoAHundredColumns) {
+  Comparison comparison = of_one({kAStar, kGreedy, kLost}, kMetric);
+  comparison.motion = Motion::car;
+  comparison.queries[0].rows[0].planner = "car:weight=2";
+  comparison.queries[0].rows[0].cost = 12345.67;
+  std::istringstream lines(comparison_table(comparison));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
 }
 
 TEST(ComparisonTable, MarksNothingThatNobodyIsBestIn) {
@@ -90,12 +113,12 @@ TEST(ComparisonTable, HasStepsAndReversalsOfACar) {
   comparison.motion = Motion::car;
   comparison.queries[0].rows[0].steps = 12;
   comparison.queries[0].rows[0].reversals = 3;
-  EXPECT_THAT(comparison_table(comparison), HasSubstr(" degrees  steps  reversals      cells "));
-  EXPECT_THAT(comparison_table(comparison), HasSubstr("       90     12          3       1.50  "));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr(" 1/cells  steps  reversals      cells\n"));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("      0.50     12          3       1.50\n"));
   comparison.queries.push_back(comparison.queries[0]);
   comparison.queries[0].rows.pop_back();
   comparison.queries[1].rows.pop_back();
-  EXPECT_THAT(comparison_table(comparison), HasSubstr("reversals         astar         3"));
+  EXPECT_THAT(comparison_table(comparison), HasSubstr("reversals              astar         3"));
 }
 
 TEST(ComparisonTable, OfNothingSaysSo) { EXPECT_EQ(comparison_table({}), "no queries\n"); }
@@ -117,30 +140,39 @@ greedy       2
 
 Of the 2 that every planner solved:
 
-measure           planner  median    mean    99 %
-cost / least      astar     1.000*  1.000*  1.000*
-                  greedy    1.366   1.366   1.366
+measure            planner  median    mean    99 %
+cost / least       astar     1.000*  1.000*  1.000*
+                   greedy    1.366   1.366   1.366
 
-length, m         astar      5.12*   5.12*   5.12*
-                  greedy     7.00    7.00    7.00
+length, m          astar      5.12*   5.12*   5.12*
+                   greedy     7.00    7.00    7.00
 
-turning, degrees  astar        90*     90*     90*
-                  greedy      270     270     270
+turning, degrees   astar        90*     90*     90*
+                   greedy      270     270     270
 
-clearance, m      astar      0.75    0.75    0.75
-                  greedy     1.00*   1.00*   1.00*
+curvature, 1/m     astar      1.00*   1.00*   1.00*
+                   greedy     2.00    2.00    2.00
 
-expanded          astar       120     120     120
-                  greedy       20*     20*     20*
+turning radius, m  astar      1.00*   1.00*   1.00*
+                   greedy     0.50    0.50    0.50
 
-generated         astar       200     200     200
-                  greedy       60*     60*     60*
+clearance, m       astar      0.75    0.75    0.75
+                   greedy     1.00*   1.00*   1.00*
 
-frontier          astar        80      80      80
-                  greedy       40*     40*     40*
+mean clearance, m  astar      1.50*   1.50*   1.50*
+                   greedy     1.25    1.25    1.25
 
-time, us          astar      12.3    12.3    12.3
-                  greedy      3.0*    3.0*    3.0*
+expanded           astar       120     120     120
+                   greedy       20*     20*     20*
+
+generated          astar       200     200     200
+                   greedy       60*     60*     60*
+
+frontier           astar        80      80      80
+                   greedy       40*     40*     40*
+
+time, us           astar      12.3    12.3    12.3
+                   greedy      3.0*    3.0*    3.0*
 
 * best of the planners
 99 %: so many of 100 queries did no worse
@@ -174,12 +206,17 @@ TEST(ComparisonJson, HasEveryRow) {
   EXPECT_EQ(query.at("goal"), json({3, 4}));
   EXPECT_EQ(query.at("planners").at(0), json::parse(R"({
       "planner": "astar", "status": "found", "cost": 10.25, "length_cells": 10.25,
-      "length_m": 5.125, "turning_degrees": 90, "clearance_cells": 1.5, "clearance_m": 0.75,
+      "length_m": 5.125, "turning_degrees": 90, "curvature_per_cell": 0.5,
+      "curvature_per_m": 1, "turning_radius_cells": 2, "turning_radius_m": 1,
+      "clearance_cells": 1.5, "clearance_m": 0.75, "mean_clearance_cells": 3,
+      "mean_clearance_m": 1.5,
       "metrics": {"expanded": 120, "generated": 200, "max_frontier": 80, "time_us": 12.34}})"));
   EXPECT_EQ(query.at("planners").at(1), json::parse(R"({
       "planner": "random_walk", "status": "step_limit", "reason": "the walk used up its steps",
       "cost": null, "length_cells": null, "length_m": null, "turning_degrees": null,
-      "clearance_cells": null, "clearance_m": null,
+      "curvature_per_cell": null, "curvature_per_m": null, "turning_radius_cells": null,
+      "turning_radius_m": null, "clearance_cells": null, "clearance_m": null,
+      "mean_clearance_cells": null, "mean_clearance_m": null,
       "metrics": {"expanded": 3, "generated": 4, "max_frontier": 1, "time_us": 1}})"));
   EXPECT_EQ(read.at("solved_by_all"), 0);
   EXPECT_EQ(read.at("statistics").at(1).at("solved"), 0);
@@ -222,18 +259,18 @@ TEST(ComparisonCsv, HasALineForEachQueryAndPlanner) {
   open_map.planner = "greedy:a=1,b=\"2\"";
   open_map.smallest_clearance = kInfinity;
   EXPECT_EQ("\n" + comparison_csv(of_one({kAStar, open_map, kLost}, kMetric)), R"(
-start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_degrees,clearance_cells,clearance_m,expanded,generated,max_frontier,time_us,reason
-1,2,3,4,astar,found,10.25,10.25,5.125,90,1.5,0.75,120,200,80,12.34,
-1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,inf,inf,20,60,40,3,
-1,2,3,4,random_walk,step_limit,,,,,,,3,4,1,1,the walk used up its steps
+start_x,start_y,goal_x,goal_y,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,expanded,generated,max_frontier,time_us,reason
+1,2,3,4,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,1.5,0.75,3,1.5,120,200,80,12.34,
+1,2,3,4,"greedy:a=1,b=""2""",found,14,14,7,270,1,2,1,0.5,inf,inf,2.5,1.25,20,60,40,3,
+1,2,3,4,random_walk,step_limit,,,,,,,,,,,,,3,4,1,1,the walk used up its steps
 )");
 }
 
 TEST(ComparisonCsv, HasHeadingsStepsAndReversalsOfACar) {
   EXPECT_EQ("\n" + comparison_csv(of_a_car({kAStar})), R"(
-start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner,status,cost,length_cells,length_m,turning_degrees,steps,reversals,clearance_cells,clearance_m,expanded,generated,max_frontier,time_us,reason
-1,2,E,3.5,4,N,astar,found,10.25,10.25,5.125,90,12,3,1.5,0.75,120,200,80,12.34,
-1,2,0.25,3,4,any,astar,found,10.25,10.25,5.125,90,12,3,1.5,0.75,120,200,80,12.34,
+start_x,start_y,start_heading,goal_x,goal_y,goal_heading,planner,status,cost,length_cells,length_m,turning_degrees,curvature_per_cell,curvature_per_m,turning_radius_cells,turning_radius_m,steps,reversals,clearance_cells,clearance_m,mean_clearance_cells,mean_clearance_m,expanded,generated,max_frontier,time_us,reason
+1,2,E,3.5,4,N,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,120,200,80,12.34,
+1,2,0.25,3,4,any,astar,found,10.25,10.25,5.125,90,0.5,1,2,1,12,3,1.5,0.75,3,1.5,120,200,80,12.34,
 )");
 }
 

@@ -119,7 +119,7 @@ std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& fram
       "controller,time_s,x_m,y_m,yaw,linear_m_s,angular_rad_s,heading_error_rad,cross_track_m\n";
   for (const ControlledDrive& driven : drives) {
     std::string name = driven.controller;  // options have commas between them
-    if (name.find(',') != std::string::npos) name = "\"" + name + "\"";
+    if (name.find(',') != std::string::npos) name.insert(0, 1, '"').append(1, '"');
     for (const DriveSample& sample : driven.drive.samples) {
       const Pose pose = frame.to_metres(sample.pose);
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", name, sample.time,
