@@ -31,7 +31,7 @@ class Polyline {
  public:
   /// At least one point, all finite. `closed`: the last is joined to the first.
   explicit Polyline(std::span<const Point> points, bool closed = false);
-  explicit Polyline(std::initializer_list<Point> points, bool closed = false)
+  Polyline(std::initializer_list<Point> points, bool closed = false)
       : Polyline(std::span(points.begin(), points.size()), closed) {}
 
   /// Of a path (not empty), in grid coordinates; arcs within `tolerance` cells.
