@@ -184,6 +184,16 @@ TEST(PidTerm, DoesNotWindUp) {
   EXPECT_LT(wound.integral(), 0.5) << "what drives it back is summed";
 }
 
+TEST(Pid, DampsByTheShorterWayRound) {
+  const auto pid = make("pid", {{"heading_gain", "0"},
+                                {"heading_integral", "0"},
+                                {"heading_derivative", "1"},
+                                {"filter_time", "0"}});
+  pid->command(on_straight_line({0, 0, kPi - 0.01}).situation());
+  const Velocity wanted = pid->command(on_straight_line({0, 0, kPi + 0.01}).situation());
+  EXPECT_NEAR(wanted.angular, -0.02 / 0.05, 1e-9);
+}
+
 TEST(PurePursuit, StaysOnACircle) {
   // On the route's circle, the circle to a point of it ahead is the route's.
   std::vector<Point> points;
@@ -229,6 +239,17 @@ TEST(PurePursuit, SlowsInCurvesAndBeforeTheGoal) {
   near_goal.along = 9.99;
   near_goal.pose.x = 9.99;
   EXPECT_EQ(pursuit->command(near_goal).linear, 0.05);
+}
+
+TEST(PurePursuit, ComesInStraightAndTurnsBackToAnEndThatItPassed) {
+  const auto pursuit = make("pure_pursuit");
+  Scene scene = on_straight_line({9.95, 0.02, 0});
+  Situation near_end = scene.situation();
+  near_end.along = 9.95;
+  EXPECT_LT(std::abs(pursuit->command(near_end).angular), 0.1) << "it aims beyond the end";
+  near_end.pose.x = 10.15;
+  near_end.along = 10;
+  EXPECT_EQ(std::abs(pursuit->command(near_end).angular), VelocityLimits{}.turn_rate);
 }
 
 TEST(Aim, OfWhereTheRobotStandsIsNoTurn) {

@@ -277,12 +277,15 @@ TEST(Follower, TellsThatItLeftThePath) {
 TEST(Follower, TellsThatItIsStuck) {
   const std::array<Velocity, 4> stubborn{{{0, 0}, {0.5, 1.5}, {0, 1.5}, {-0.01, 0}}};
   for (const Velocity& wanted : stubborn) {
-    SCOPED_TRACE(std::to_string(wanted.linear) + " " + std::to_string(wanted.angular));
-    Stubborn controller(wanted);  // stands, circles, turns on the spot, creeps back
-    Robot robot{Follower(controller, {}, {.stuck_time = 3})};
-    robot.follower.follow(route_through({{0, 0}, {90, 0}}));
-    EXPECT_EQ(robot.run(), FollowerState::stuck);
-    EXPECT_LT(robot.time, 10);
+    for (const double heading : {0.0, kPi / 2, kPi}) {
+      SCOPED_TRACE(std::to_string(wanted.linear) + " " + std::to_string(wanted.angular));
+      Stubborn controller(wanted);  // stands, circles, turns on the spot, creeps back
+      Robot robot{Follower(controller, {}, {.stuck_time = 3})};
+      robot.state.pose.heading = heading;
+      robot.follower.follow(route_through({{0, 0}, {90, 0}}));
+      EXPECT_EQ(robot.run(), FollowerState::stuck);
+      EXPECT_LT(robot.time, 20);
+    }
   }
 }
 

@@ -63,7 +63,7 @@ class PurePursuitController final : public Controller {
     const double along = situation.along + farther;
     const Pose place = route.at(along);
     const double beyond = along - route.length();
-    if (beyond <= 0 || beyond >= farther) return place.point();
+    if (beyond <= 0 || situation.along >= route.length()) return place.point();
     return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
   }
 

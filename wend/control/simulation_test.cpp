@@ -120,6 +120,21 @@ TEST(Simulate, TellsTheSidesOfTheRoute) {
   EXPECT_GT(drive.cross_track_rms, 0);
 }
 
+TEST(Simulate, InReverseTheBackLeads) {
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    const auto controller = make(name);
+    const Path back = Path::through({{90, 60, 0}, {30, 60, 0}});
+    const Drive drive = simulate(open_ground(), back, *controller);
+    EXPECT_EQ(drive.outcome, DriveOutcome::reached);
+    EXPECT_NEAR(drive.final_heading_error, 0, 1e-9);
+    for (const DriveSample& sample : drive.samples) {
+      EXPECT_LE(sample.velocity.linear, 0);
+      EXPECT_NEAR(sample.heading_error, 0, 1e-9);
+    }
+  }
+}
+
 /// Of a path of waypoints, by ternary search on each of its lines.
 double distance_to_path(const std::vector<Point>& points, Point point) {
   double nearest = 1e9;
