@@ -28,12 +28,19 @@
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/heading.hpp"
+#include "wend/geometry/line.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/io/write_file.hpp"
 #include "wend/map/arc_clearance.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
+#include "wend/map/point_sweep.hpp"
+#include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/path_collision.hpp"
+#include "wend/path/refinement.hpp"
+#include "wend/path/simplification.hpp"
+#include "wend/path/smoother.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/layer.hpp"
 #include "wend/planner/no_path.hpp"
@@ -144,6 +151,55 @@ TEST(Snippets, OfArcClearance) {
   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
   if (wend::fits_along(space, arc)) length += arc.length;
   EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
+}
+
+TEST(Snippets, OfLineAndPointSweep) {
+  const wend::Line line{{0.5, 0.5}, {3.5, 0.5}};
+  const double gap = wend::distance(line, wend::Cell{2, 2});  // 1.5
+  EXPECT_EQ(gap, 1.5);
+
+  wend::Grid<wend::CellState> cells(4, 2, wend::CellState::free);
+  cells[{2, 0}] = cells[{2, 1}] = wend::CellState::occupied;
+  const wend::FreeSpace space{wend::GridMap(cells)};
+  wend::PointSweep sweep(space, {0.5, 0.5});
+  if (!sweep.go_to({3.5, 1.5})) report("blocked");
+  EXPECT_EQ(reported, "blocked");
+}
+
+TEST(Snippets, OfSmoothingAndSimplification) {
+  wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
+  for (int y = 0; y < 8; ++y) cells[{10, y}] = wend::CellState::occupied;
+  const wend::FreeSpace space(wend::GridMap(cells), {.robot_radius = 0.4});
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({2, 2}, {17, 2}));
+  reported.clear();
+  {
+    const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
+    const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
+    if (!smoothed) report(smoothed.error().message());
+    EXPECT_TRUE(smoothed);
+  }
+  {
+    const auto smoothed = wend::smooth_by_gradient(plan->path, space, {.beta = 0.4});
+    EXPECT_TRUE(smoothed);
+    const wend::Path& path = smoothed->path;
+    if (const auto collision = wend::first_collision(path, space)) {
+      report(wend::describe(collision->kind));
+    }
+  }
+  const auto drivable = wend::smooth_by_curvature(plan->path, space, {.radius = 4});
+  if (drivable && !drivable->within_bound) report("too tight");
+  EXPECT_TRUE(drivable);
+  EXPECT_TRUE(reported.empty()) << reported;
+
+  const wend::Path fewer = wend::without_collinear(plan->path);
+  const wend::Path taut = wend::string_pulled(plan->path, space);
+  EXPECT_LT(fewer.size(), plan->path.size());
+  EXPECT_LE(taut.length(), fewer.length());
+  const auto refined = wend::refined(plan->path, space,
+                                     {.simplify = wend::Simplification{wend::SimplifyBy::sight},
+                                      .smoother = wend::SmootherChoice{"gradient"}});
+  EXPECT_TRUE(refined);
 }
 
 TEST(Snippets, OfMapsAndFreeSpace) {
@@ -508,6 +564,14 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "map/arc_clearance.hpp",
                                         "path/path.hpp",
                                         "path/polyline.hpp",
+                                        "path/path_collision.hpp",
+                                        "path/simplification.hpp",
+                                        "path/smoother.hpp",
+                                        "path/gradient_smoother.hpp",
+                                        "path/curvature_smoother.hpp",
+                                        "path/refinement.hpp",
+                                        "geometry/line.hpp",
+                                        "map/point_sweep.hpp",
                                         "control/motion_model.hpp",
                                         "control/pid_term.hpp",
                                         "control/controller.hpp",

@@ -5,6 +5,7 @@
 #include "bench/motion/motion_row.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
+#include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"
@@ -18,6 +19,7 @@ constexpr double kSmoothingBar = 1e-3;  // seconds, of a safe one
 
 /// A map, a robot and the first 1000 cells of a long path, as A* finds it.
 struct Walk {
+  std::string kind;  // the generator
   std::string name;
   FreeSpace space;
   Path path;
@@ -36,7 +38,7 @@ Walk walk_on(std::string name, const std::string& kind, const OptionValues& opti
   const auto plan = (*make_planner("astar", space))->plan(Query::between(*start, *goal));
   if (!plan || plan->path.size() < kPoints) fail("there is no long path on '" + name + "'");
   const auto cells = plan->path.cells().first(kPoints);
-  return {fmt::format("{}, radius {} cells", name, radius_in_cells), std::move(space),
+  return {kind, fmt::format("{}, radius {} cells", name, radius_in_cells), std::move(space),
           Path({cells.begin(), cells.end()})};
 }
 
@@ -49,6 +51,18 @@ MotionRow smoothing(const Walk& walk, const GradientOptions& options, int rounds
   if (!smoothed) fail(smoothed.error().message());
   if (!options.unsafe) row.bar_seconds = kSmoothingBar;
   row.note = fmt::format("{} sweeps, {:.1f} % held", smoothed->sweeps, 100 * smoothed->held);
+  return row;
+}
+
+MotionRow bounding(const Walk& walk, double radius, int rounds) {
+  SmoothingResult smoothed;
+  MotionRow row;
+  row.name = fmt::format("bound turns to {} cells, {}", radius, walk.name);
+  row.seconds = fastest(
+      rounds, [&] { smoothed = smooth_by_curvature(walk.path, walk.space, {.radius = radius}); });
+  if (!smoothed) fail(smoothed.error().message());
+  row.note =
+      fmt::format("{} sweeps{}", smoothed->sweeps, smoothed->within_bound ? "" : ", too tight");
   return row;
 }
 
@@ -78,6 +92,7 @@ std::vector<MotionRow> smoothing_rows(int rounds) {
   for (const Walk& walk : walks) {
     rows.push_back(smoothing(walk, {.unsafe = true}, rounds));
     rows.push_back(smoothing(walk, {}, rounds));
+    if (walk.kind == "office") rows.push_back(bounding(walk, 3, rounds));
     rows.push_back(simplifying("pull taut", walk, rounds,
                                [&] { return string_pulled(walk.path, walk.space); }));
     rows.push_back(simplifying("simplify to 0.5 cells", walk, rounds,
