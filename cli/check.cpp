@@ -53,14 +53,15 @@ Scene scene_of(const FreeSpace& space, const Path& path,
 std::string text_of(const CheckArguments& arguments, const Scene& scene, const MeasuredPath& path,
                     bool is_free) {
   const Coordinates coordinates = arguments.map.coordinates(scene.space.map());
-  std::string text = picture(scene, detect_screen(), arguments.pictures);
+  std::string text;
   if (is_free) {
     text += scene.space.radius_in_cells() > 0
                 ? fmt::format("free: the robot keeps its radius of {} from every obstacle\n",
                               coordinates.length(scene.space.radius_in_cells()))
                 : "free: it enters no obstacle\n";
   }
-  return text + metrics_table(std::vector{path}, coordinates.unit());
+  text += metrics_table(std::vector{path}, coordinates.unit());
+  return picture_above(text, scene, detect_screen(), arguments.pictures);
 }
 
 int run(const CheckArguments& arguments) {

@@ -66,8 +66,19 @@ std::vector<std::string> choices_of_planners(const std::string& type) {
   return choices;
 }
 
+/// The words among what may follow a flag; placeholders are in capitals.
+std::vector<std::string> words_of_optional(const std::string& inner) {
+  if (inner.starts_with(kControllerType)) return controllers().names();
+  std::vector<std::string> words = split(inner, '|');
+  std::erase_if(words, [](const std::string& word) {
+    return word.empty() || std::isupper(static_cast<unsigned char>(word.front())) != 0;
+  });
+  return words;
+}
+
 /// The words that complete a value of that type; none where files do, or nothing.
 std::vector<std::string> words_of(const std::string& type) {
+  if (type.starts_with('[')) return words_of_optional(type.substr(1, type.size() - 2));
   if (type == kPlannerType) return planners().names();
   if (type == kSmootherType) return smoothers().names();
   if (type == kControllerType) return controllers().names();

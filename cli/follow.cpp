@@ -77,6 +77,10 @@ void add_path(CLI::App& app, FollowArguments& arguments) {
       ->type_name("X,Y[,HEADING]");
   add_texts(app, "--goal", arguments.ends.goals, "Where to; of several the cheapest to reach")
       ->type_name("X,Y[,HEADING]");
+  app.add_flag(
+      "--nearest", arguments.nearest,
+      wrapped("Where start or goal is blocked, with the margin, take the nearest free cell "
+              "that is connected to the other end (not of a car)"));
   app.add_option("--planner", arguments.planner,
                  wrapped("The planner (default astar); options may follow as in astar:weight=2"))
       ->type_name(kPlannerType);

@@ -61,6 +61,9 @@ bool FollowRun::find_path() {
 
 std::optional<Path> FollowRun::plan() {
   const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
+  if (arguments_.nearest) {
+    for (const auto& note : asked->move_to_nearest()) complain(note);
+  }
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
   if (!planner) throw InputError(planner.error().message());
   ProgressBar progress("planning", (*planner)->state_count());
@@ -115,16 +118,13 @@ std::vector<Panel> FollowRun::panels() const {
 }
 
 std::string FollowRun::text() const {
-  std::string text;
-  if (drives_.size() == 1) {
-    text = picture(scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
-  }
-  if (arguments_.refine.any()) {
-    text += refined_text(path_, coordinates_);
-  } else {
-    text += metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
-  }
-  return text + "\n" + drive_table(drives_);
+  const std::string path =
+      arguments_.refine.any()
+          ? refined_text(path_, coordinates_)
+          : metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
+  const std::string text = path + "\n" + drive_table(drives_);
+  if (drives_.size() > 1) return text;
+  return picture_above(text, scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
 }
 
 void FollowRun::write_files() const {

@@ -25,6 +25,7 @@ struct FollowArguments {
   MapArguments map;
   EndArguments ends;  // empty where a path is read
   std::string planner = "astar";
+  bool nearest = false;
   std::string path;
   bool loop = false;
   std::optional<double> margin;  // in the user's units

@@ -13,6 +13,8 @@ constexpr int kSmallRows = 40;
 constexpr int kSmallLatticeRows = 50;  // two a cell
 constexpr int kRowsForSummary = 9;     // below picture and legend
 constexpr int kFewestRows = 2;
+constexpr int kRowsForPrompt = 3;     // the command, and the one after it
+constexpr int kRowsWorthSeeing = 14;  // of a picture above a long text, which then scrolls
 
 int small_columns(const Screen& screen) {
   return screen.is_terminal ? std::min(screen.columns, kSmallColumns) : kSmallColumns;
@@ -85,6 +87,14 @@ std::string picture(const Scene& scene, const Screen& screen, const PictureArgum
   if (arguments.when == PictureWhen::never) return {};
   const SmallPicture small = small_picture(scene, screen);
   return small.map + small.legend;
+}
+
+std::string picture_above(const std::string& text, const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments) {
+  if (is_small(scene, screen)) return picture(scene, screen, arguments) + text;
+  const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  const int rows = std::max(screen.rows - lines - kRowsForPrompt, kRowsWorthSeeing);
+  return large_picture(scene, screen, arguments, rows) + text;
 }
 
 std::string large_picture(const Scene& scene, const Screen& screen,

@@ -47,6 +47,10 @@ SmallPicture small_picture(const Scene& scene, const Screen& screen);
 /// The map as text or as a picture; empty where it is not to be shown.
 std::string picture(const Scene& scene, const Screen& screen, const PictureArguments& arguments);
 
+/// The same above a text, so that a terminal shows both.
+std::string picture_above(const std::string& text, const Scene& scene, const Screen& screen,
+                          const PictureArguments& arguments);
+
 /// The map as a picture, however small it is; empty where it is not to be shown.
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments);

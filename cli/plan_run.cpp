@@ -192,16 +192,16 @@ std::string PlanRun::text() const {
   for (const Layer& layer : layers_) {
     text += layer_text(outcome(), layer, screen_, arguments_.pictures);
   }
-  // Of a failure there is something to see where a search has begun.
-  if (layers_.empty() && !outcome_is_shown_ &&
-      (found || (small && result_.plan.metrics.expanded > 0))) {
-    text += picture(outcome(), screen_, arguments_.pictures);
-  }
-  if (found) text += asked_->summary(result_);
+  std::string summary;
+  if (found) summary += asked_->summary(result_);
   if (result_.refined) {
-    text += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
+    summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
   }
-  return text;
+  // Of a failure there is something to see where a search has begun.
+  const bool shows_map = layers_.empty() && !outcome_is_shown_ &&
+                         (found || (small && result_.plan.metrics.expanded > 0));
+  if (!shows_map) return text + summary;
+  return text + picture_above(summary, outcome(), screen_, arguments_.pictures);
 }
 
 void PlanRun::write_trace(PosthocTrace& trace) const {

@@ -53,6 +53,7 @@
 #include "wend/render/terminal_picture.hpp"
 #include "wend/render/text_picture.hpp"
 #include "wend/report/comparison_run.hpp"
+#include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace {
@@ -436,6 +437,18 @@ std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {
 
 TEST(Snippets, OfComparisonRun) {
   EXPECT_NE(compare(open_space(), [] { return 0.0; }).find("100 queries"), std::string::npos);
+}
+
+TEST(Snippets, OfPathReport) {
+  const wend::FreeSpace space = open_space();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  const auto refined =
+      wend::refined(plan->path, space, {.smoother = wend::SmootherChoice{"gradient"}});
+  const std::vector<wend::MeasuredPath> paths{wend::measured("planned", plan->path, space),
+                                              wend::measured("smoothed", refined->path, space)};
+  std::cout << wend::metrics_table(paths, wend::metres_of(space.map().frame()));
+  EXPECT_LT(paths[1].metrics.length, paths[0].metrics.length);
 }
 
 TEST(Snippets, OfPolylineAndNearestAhead) {
