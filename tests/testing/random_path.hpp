@@ -66,28 +66,24 @@ inline Path random_path(Random& random, int width, int height) {
   }
 }
 
-/// Free by first_collision(), of cells or waypoints; it wanders on as long as it finds a way. Empty if
-/// the robot can stand nowhere.
+/// Waypoints, free by first_collision(): it wanders on as long as it finds a way. Half of them go by
+/// half cells, along edges of obstacles and by their corners. Empty if the robot can stand nowhere.
 inline Path random_free_path(Random& random, const FreeSpace& space, Adjacency adjacency) {
   const auto start = nearest_passable(space, random_cell(random, space.width(), space.height()));
   if (!start) return {};
-  const bool on_centres = random.chance(0.5);
-  const int most = one_of<int>(random, std::array{0, 1, 5, 30, 60});
+  const bool by_halves = random.chance(0.5);
   std::vector<Point> points{centre_of(*start)};
   int direction = random.between(0, kDirections - 1);
-  for (int i = 0; i < most; ++i) {
+  for (int i = one_of<int>(random, std::array{0, 1, 5, 30, 60}); i > 0; --i) {
     if (random.chance(0.3)) direction = random.between(0, kDirections - 1);
     const Cell way = kDrawnSteps[static_cast<std::size_t>(direction)];
-    const double far = on_centres ? 1 : random.uniform() * 2;
+    const double far = by_halves ? random.between(1, 2) / 2.0 : number_between(random, 0, 2);
     points.push_back({points.back().x + way.x * far, points.back().y + way.y * far});
     if (!first_collision(Path::along(points), space, adjacency)) continue;
     points.pop_back();
     direction = random.between(0, kDirections - 1);
   }
-  if (!on_centres) return Path::along(points);
-  Path path;
-  for (const Point point : points) path.append(cell_at(point));
-  return path;
+  return Path::along(points);
 }
 
 inline std::string text_of(const Path& path) {

@@ -66,6 +66,11 @@ class Sweep {
 
 double arc_clearance(const FreeSpace& space, const Arc& arc) {
   const double length = std::abs(arc.length);
+  constexpr double kLong = 64;  // the box around a long one grows with the square of its length
+  if (length > kLong) {
+    const auto halves = halves_of(arc);
+    return std::min(arc_clearance(space, halves[0]), arc_clearance(space, halves[1]));
+  }
   const int pieces = std::max(static_cast<int>(std::ceil(length)), 1);
   double least = std::numeric_limits<double>::infinity();
   Box box(arc.from.point());

@@ -85,6 +85,7 @@ TEST(ArcClearance, FindsObstaclesFarAwayOnLargeMaps) {
   const FreeSpace space((GridMap(cells)));
   EXPECT_DOUBLE_EQ(arc_clearance(space, {{300, 200, 0}, 0, 0}), std::hypot(169, 192));
   EXPECT_DOUBLE_EQ(arc_clearance(space, {{0, 0, 0}, 300, 0}), 7);
+  EXPECT_DOUBLE_EQ(arc_clearance(space, arc_to({0, 200, -kPi / 4}, {200, 0})), 61 * std::sqrt(0.5));
   // A circle around (130,100), of radius 50.
   EXPECT_DOUBLE_EQ(arc_clearance(space, {{130, 150, 0}, 100 * kPi, -0.02}), 42);
 }

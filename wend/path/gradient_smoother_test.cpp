@@ -4,12 +4,18 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/random_path.hpp"
+#include "tests/testing/sampled_robot.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/map/point_sweep.hpp"
 #include "wend/path/path_collision.hpp"
 
 namespace wend {
@@ -145,6 +151,34 @@ TEST(GradientSmoother, HoldsBackWhereItWouldCollide) {
   const auto textbook = smooth_by_gradient(path, space, unsafe);
   EXPECT_TRUE(first_collision(textbook->path, space));
   EXPECT_EQ(textbook->held, 0);
+}
+
+TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {
+  int in_gaps = 0;
+  for (std::uint64_t seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const GridMap map = test::random_map(random, random.between(2, 10), random.between(2, 10));
+    const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.5, 1.0});
+    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+    const Path path = test::random_free_path(random, space, Adjacency::edges);
+    if (path.empty()) continue;
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map) +
+                 test::text_of(path));
+    for (const Point point : path.points()) in_gaps += in_gap(space, point) ? 1 : 0;
+    const auto smoothed =
+        smooth_by_gradient(path, space, {.alpha = 0.02, .beta = 0.4, .epsilon = 1e-6});
+    ASSERT_TRUE(smoothed);
+    ASSERT_FALSE(first_collision(smoothed->path, space)) << test::text_of(smoothed->path);
+    ASSERT_LE(smoothed->path.length(), path.length() + 1e-9);
+    const test::SampledRobot robot(map, radius);
+    for (const Arc& arc : smoothed->path.arcs()) {
+      const int steps = 1 + static_cast<int>(arc.length / 0.02);
+      for (int i = 0; i <= steps; ++i) {
+        ASSERT_FALSE(robot.collides_at(point_on(arc, arc.length * i / steps)));
+      }
+    }
+  }
+  EXPECT_GT(in_gaps, 30);
 }
 
 SmoothingError error_of(const Path& path, const FreeSpace& space, const GradientOptions& options) {
