@@ -1,0 +1,27 @@
+#pragma once
+
+// What rviz shows of maps and plans: obstacle cells red, rough cells yellow, path, start and goal.
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Path.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "wend/map/grid_map.hpp"
+
+
+namespace wend_ros {
+
+/// Obstacle cells as one red marker, rough ones as one yellow.
+visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id);
+
+/// Start, goal and the line between; of an empty path what takes them away.
+visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path);
+
+/// The cells in the order in which a search expanded them, from 0 to 100; -1 where it did not go.
+nav_msgs::OccupancyGrid heatmap_of(const std::vector<wend::Cell>& order, const wend::GridMap& map,
+                                   const std::string& frame_id);
+
+}  // namespace wend_ros

@@ -1,0 +1,58 @@
+#pragma once
+
+// Parameters: what people can set of the planner's node, made at run time from the planners' own
+// option schemas: on the parameter server when the node starts, and by dynamic_reconfigure's
+// messages while it runs (rqt_reconfigure, dynparam, or any client).
+//
+// Every option of a planner is a parameter of the same name, and its aliases too (`lambda` is
+// `weight`); planners that do not have it do not get it. Then there is what concerns them all:
+//
+//   planner         which one                robot_radius   metres
+//   unknown_free    drive into unknown       keep_away      metres
+//   time_limit      s, 0: none               rough          values below the threshold cost more
+//   smooth, smooth_alpha, smooth_beta        smooth the path
+
+#include <dynamic_reconfigure/Config.h>
+#include <dynamic_reconfigure/ConfigDescription.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/options.hpp"
+
+namespace wend_ros {
+
+class Parameters {
+ public:
+  /// All at their defaults.
+  Parameters();
+
+  const std::vector<wend::OptionInfo>& schema() const { return schema_; }
+
+  /// Sets one by its name or an alias; what is wrong with the value, empty if nothing is.
+  std::string set(std::string_view name, std::string_view value);
+
+  /// As text: "1.5", "true", "octile".
+  const std::string& text(std::string_view name) const;
+  double number(std::string_view name) const;
+  bool flag(std::string_view name) const;
+
+  /// Those of a planner that are not at their defaults.
+  wend::OptionValues options_of(std::string_view planner) const;
+
+  dynamic_reconfigure::ConfigDescription description() const;
+  dynamic_reconfigure::Config config() const;
+
+  /// Takes what it can, all else stays; what is wrong, a line for each value refused.
+  std::vector<std::string> apply(const dynamic_reconfigure::Config& config);
+
+ private:
+  const wend::OptionInfo* find(std::string_view name) const;
+  dynamic_reconfigure::Config config_of(const std::vector<std::string>& values) const;
+
+  std::vector<wend::OptionInfo> schema_;
+  std::vector<std::string> values_;  // of each in the schema
+};
+
+}  // namespace wend_ros

@@ -1,0 +1,33 @@
+#pragma once
+
+// Paths as messages, in the map's frame.
+
+#include <geometry_msgs/PoseArray.h>
+#include <nav_msgs/Path.h>
+#include <wend_ros/PathMetrics.h>
+
+#include <string>
+
+#include "wend/geometry/frame.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
+
+namespace wend_ros {
+
+geometry_msgs::Pose to_message(const wend::Pose& metres);
+
+/// The heading is that of the orientation about z; of one of all zeros +x.
+wend::Pose pose_from(const geometry_msgs::Pose& message);
+
+/// Is every number of it one?
+bool is_finite(const geometry_msgs::Pose& pose);
+
+/// A pose for each cell, waypoint or pose, heading along the path. An empty path stays empty.
+nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
+                          const std::string& frame_id);
+
+geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path);
+
+PathMetrics metrics_message(const wend::Path& path, const wend::FreeSpace& space);
+
+}  // namespace wend_ros

@@ -1,0 +1,87 @@
+#pragma once
+
+// PlannerNode: the planners as services, an action and topics. Maps come in by /map; goals by rviz's
+// tools, services and actions; every plan goes out by /plan and what shows it.
+//
+// Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
+// the spinner's for services. A new goal by topic stops the search for the one before.
+
+#include <actionlib/server/simple_action_server.h>
+#include <nav_msgs/GetPlan.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+#include <wend_ros/PlanPath.h>
+#include <wend_ros/PlanPathAction.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "wend_ros/map_message.hpp"
+#include "wend_ros/planning.hpp"
+#include "wend_ros/reconfigure.hpp"
+#include "wend_ros/robot_pose.hpp"
+#include "wend_ros/search_watch.hpp"
+
+namespace wend_ros {
+
+class PlannerNode {
+ public:
+  PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own);
+  ~PlannerNode();
+  PlannerNode(const PlannerNode&) = delete;
+  PlannerNode& operator=(const PlannerNode&) = delete;
+
+ private:
+  using ActionServer = actionlib::SimpleActionServer<PlanPathAction>;
+
+  void take_map(const nav_msgs::OccupancyGrid& message);
+  void take_goal(const geometry_msgs::PoseStamped& goal);
+  void take_start(const geometry_msgs::PoseWithCovarianceStamped& start);
+  bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
+  bool plan_path(PlanPath::Request& request, PlanPath::Response& response);
+  void execute(const PlanPathGoalConstPtr& goal);
+
+  /// Plans, publishes and tells the log.
+  PlanResult answer(const PlanRequest& request, const std::atomic<bool>* cancel,
+                    SearchWatch* watch);
+  /// The request in the map's frame, or why it cannot be.
+  wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
+                                         const MapSnapshot& map) const;
+  void publish(const PlanResult& result, const MapSnapshot& map, const SearchWatch* watch);
+
+  void plan_for_topics();
+  void wake();
+
+  MapHolder maps_;
+  MapReading reading_;
+  Planning planning_;
+  RobotPose robot_;
+  std::unique_ptr<Reconfigure> reconfigure_;
+
+  ros::Publisher plan_;
+  ros::Publisher smoothed_;
+  ros::Publisher poses_;
+  ros::Publisher expansion_;
+  ros::Publisher markers_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> servers_;
+
+  // What topics asked for last.
+  std::mutex mutex_;
+  std::condition_variable asked_;
+  std::optional<geometry_msgs::PoseStamped> goal_;
+  bool wanted_ = false;
+  bool stopping_ = false;
+  std::atomic<bool> cancel_topics_{false};
+  std::atomic<bool> cancel_action_{false};
+  std::thread worker_;
+
+  std::unique_ptr<ActionServer> action_;
+};
+
+}  // namespace wend_ros

@@ -1,0 +1,122 @@
+// car_planner_client: asks car_planner_server for a drive on a random yard, logs the way-points, and
+// shows yard and drive in rviz, in the frame `car_map`.
+//
+//   rosrun wend_ros car_planner_client 20 20 0 0 2 18 18 2 25 25
+
+#include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <wend_ros/PlanCar.h>
+
+#include <string>
+#include <vector>
+
+#include "wend_ros/car_client_arguments.hpp"
+#include "wend_ros/car_planning.hpp"
+#include "wend_ros/markers.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace {
+
+constexpr const char* kFrame = "car_map";
+constexpr double kPatience = 10;  // s, for the server
+
+enum ExitCode : int { kFound = 0, kNoPlan = 1, kBadArguments = 2, kNoServer = 3 };
+
+/// `map` turned by pi about x: +y points south.
+geometry_msgs::TransformStamped car_map_transform() {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time::now();
+  transform.header.frame_id = "map";
+  transform.child_frame_id = kFrame;
+  transform.transform.rotation.x = 1;
+  return transform;
+}
+
+/// The words for us: `yard:=FILE` looks like one of ROS's own, which ros::init() takes away.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool remapping = word.find(":=") != std::string::npos && !word.starts_with("yard:=");
+    if (!remapping && word != "yard:=") words.push_back(word);
+  }
+  return words;
+}
+
+class Show {
+ public:
+  explicit Show(ros::NodeHandle& node)
+      : markers_(node.advertise<visualization_msgs::MarkerArray>("car_markers", 4, true)),
+        poses_(node.advertise<geometry_msgs::PoseArray>("car_poses", 1, true)),
+        path_(node.advertise<nav_msgs::Path>("car_path", 1, true)) {
+    broadcaster_.sendTransform(car_map_transform());
+  }
+
+  void yard(const wend::GridMap& yard) {
+    auto markers = wend_ros::yard_markers(yard, kFrame);
+    markers_.publish(markers);
+  }
+
+  void drive(const wend_ros::CarResult& result, const wend::Frame& frame) {
+    const nav_msgs::Path path =
+        wend_ros::to_message(wend_ros::path_of(result), frame, kFrame);
+    path_.publish(path);
+    poses_.publish(wend_ros::poses_of(path));
+  }
+
+ private:
+  tf2_ros::StaticTransformBroadcaster broadcaster_;
+  ros::Publisher markers_;
+  ros::Publisher poses_;
+  ros::Publisher path_;
+};
+
+int plan_and_show(ros::NodeHandle& node, const wend_ros::CarRequest& request, bool stays) {
+  ros::ServiceClient client = node.serviceClient<wend_ros::PlanCar>("plan_car");
+  if (!client.waitForExistence(ros::Duration(kPatience))) {
+    ROS_ERROR("there is no service plan_car: is car_planner_server running?");
+    return kNoServer;
+  }
+  wend_ros::PlanCar call;
+  call.request.request = request;
+  if (!client.call(call)) {
+    ROS_ERROR("the call of plan_car failed: car_planner_server went away");
+    return kNoServer;
+  }
+  const wend_ros::CarResult& result = call.response.result;
+  Show show(node);
+  if (const auto yard = wend_ros::yard_of(request)) {
+    show.yard(*yard);
+    show.drive(result, yard->frame());
+  }
+  if (result.status == 0) {
+    for (const std::string& line : wend_ros::commands_of(result)) ROS_INFO_STREAM(line);
+    ROS_INFO_STREAM(result.moves.size() << " moves, fuel " << result.fuel << ", "
+                                        << result.metrics.expanded << " states expanded");
+  } else {
+    ROS_ERROR_STREAM("no drive, " << result.status << " " << result.status_name << ": "
+                                  << result.reason);
+  }
+  if (stays) ros::spin();  // for rviz, which may come later
+  return result.status == 0 ? kFound : kNoPlan;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words = words_of(argc, argv);
+  ros::init(argc, argv, "car_planner_client");
+  ros::NodeHandle node;
+  ros::NodeHandle own("~");
+  const auto request =
+      wend_ros::car_request(words, static_cast<std::uint64_t>(own.param("seed", 1)));
+  if (!request) {
+    ROS_ERROR_STREAM(request.error());
+    return kBadArguments;
+  }
+  return plan_and_show(node, *request, own.param("stay", true));
+}

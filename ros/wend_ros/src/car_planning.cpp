@@ -1,0 +1,173 @@
+#include "wend_ros/car_planning.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/heading.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend_ros {
+namespace {
+
+constexpr double kRough = 2;
+constexpr int kMostCorners = 8193;
+
+std::string text_of(int x, int y) { return "(" + std::to_string(x) + "," + std::to_string(y) + ")"; }
+
+wend::Unexpected<std::string> wrong(std::string what) {
+  return wend::Unexpected<std::string>(std::move(what));
+}
+
+CarResult car_refusal(StatusCode code, std::string reason) {
+  CarResult result;
+  result.status = static_cast<std::uint16_t>(code);
+  result.status_name = to_string(code);
+  result.reason = std::move(reason);
+  return result;
+}
+
+std::optional<std::string> first_outside(const std::vector<YardCell>& cells, const char* name,
+                                         int width, int height) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const YardCell& cell = cells[i];
+    if (cell.x >= 0 && cell.y >= 0 && cell.x < width && cell.y < height) continue;
+    return std::string(name) + "[" + std::to_string(i) + "]: the cell " + text_of(cell.x, cell.y) +
+           " is outside: x from 0 to " + std::to_string(width - 1) + ", y from 0 to " +
+           std::to_string(height - 1);
+  }
+  return std::nullopt;
+}
+
+wend::Expected<wend::Pose, std::string> pose_of(const CarPose& pose, const char* name) {
+  if (pose.d < 0 || pose.d >= wend::kHeadings) {
+    return wrong(std::string(name) + ": the heading must be 0 (N), 1 (W), 2 (E) or 3 (S), not " +
+                 std::to_string(pose.d));
+  }
+  const wend::CornerPose corner{{pose.x, pose.y}, static_cast<wend::Heading>(pose.d)};
+  return wend::pose_of(corner, false);
+}
+
+void put_plan(CarResult& result, const wend::Plan& plan) {
+  for (const wend::Pose& pose : plan.path.poses()) {
+    CarPose& stop = result.path.emplace_back();
+    stop.x = static_cast<std::int32_t>(std::lround(pose.x));
+    stop.y = static_cast<std::int32_t>(std::lround(pose.y));
+    stop.d = static_cast<std::int32_t>(wend::nearest_heading(pose.heading, false));
+  }
+  for (const std::string_view name : plan.moves) {
+    if (const auto move = wend::car_move_from_string(name)) {
+      result.moves.push_back(static_cast<std::uint8_t>(*move));
+    }
+  }
+  result.fuel = plan.cost;
+}
+
+std::string pose_text(const CarPose& pose) {
+  return "(" + std::to_string(pose.x) + "," + std::to_string(pose.y) + "," +
+         std::string(wend::to_string(static_cast<wend::Heading>(pose.d))) + ")";
+}
+
+}  // namespace
+
+wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request) {
+  const auto in_range = [](int corners) { return corners >= 2 && corners <= kMostCorners; };
+  if (!in_range(request.mapWidth) || !in_range(request.mapHeight)) {
+    return wrong("mapWidth and mapHeight count corners, from 2 to " + std::to_string(kMostCorners) +
+                 ", not " + std::to_string(request.mapWidth) + " x " +
+                 std::to_string(request.mapHeight));
+  }
+  const int width = request.mapWidth - 1;
+  const int height = request.mapHeight - 1;
+  if (auto outside = first_outside(request.obstacles, "obstacles", width, height)) {
+    return wrong(*std::move(outside));
+  }
+  if (auto outside = first_outside(request.roughRoads, "roughRoads", width, height)) {
+    return wrong(*std::move(outside));
+  }
+  wend::Grid<wend::CellState> cells(width, height, wend::CellState::free);
+  wend::Grid<double> terrain;
+  if (!request.roughRoads.empty()) terrain = {width, height, 1.0};
+  for (const YardCell& cell : request.obstacles) {
+    cells[{cell.x, cell.y}] = wend::CellState::occupied;
+  }
+  for (const YardCell& cell : request.roughRoads) terrain[{cell.x, cell.y}] = kRough;
+  return wend::GridMap(cells, {}, std::move(terrain));
+}
+
+CarResult plan_car(const CarRequest& request, const Watch& watch) {
+  auto yard = yard_of(request);
+  if (!yard) return car_refusal(StatusCode::invalid_request, yard.error());
+  const auto start = pose_of(request.start, "start");
+  if (!start) return car_refusal(StatusCode::invalid_request, start.error());
+  const auto goal = pose_of(request.goal, "goal");
+  if (!goal) return car_refusal(StatusCode::invalid_request, goal.error());
+
+  auto planner = wend::make_planner("car", wend::FreeSpace(*std::move(yard)), {});
+  if (!planner) return car_refusal(code_of(planner.error().status), planner.error().message());
+  wend::Query query{.start = *start, .goals = {*goal}};
+  query.limits.cancel = watch.cancel;
+  query.observer = watch.observer;
+  const auto begin = std::chrono::steady_clock::now();
+  wend::Plan plan;
+  const wend::Status status = (*planner)->plan(query, plan);
+  CarResult result = car_refusal(code_of(status), {});
+  if (status == wend::Status::found) {
+    put_plan(result, plan);
+  } else {
+    result.reason = (*planner)->reason(query, status);
+  }
+  result.metrics.expanded = plan.metrics.expanded;
+  result.metrics.generated = plan.metrics.generated;
+  result.metrics.max_frontier = plan.metrics.max_frontier;
+  result.metrics.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+CarRequest request_for(const wend::GridMap& yard) {
+  CarRequest request;
+  request.mapWidth = yard.width() + 1;
+  request.mapHeight = yard.height() + 1;
+  for (int y = 0; y < yard.height(); ++y) {
+    for (int x = 0; x < yard.width(); ++x) {
+      YardCell cell;
+      cell.x = x;
+      cell.y = y;
+      if (yard.state({x, y}) != wend::CellState::free) {
+        request.obstacles.push_back(cell);
+      } else if (yard.terrain({x, y}) > 1) {
+        request.roughRoads.push_back(cell);
+      }
+    }
+  }
+  return request;
+}
+
+std::vector<std::string> commands_of(const CarResult& result) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < result.path.size(); ++i) {
+    const std::string pose = pose_text(result.path[i]);
+    if (i == 0) {
+      lines.push_back("Start " + pose);
+      continue;
+    }
+    const auto move = static_cast<wend::CarMove>(result.moves[i - 1]);
+    lines.push_back("Go " + std::string(wend::to_string(move)) + " -> " + pose);
+  }
+  return lines;
+}
+
+wend::Path path_of(const CarResult& result) {
+  wend::Path path;
+  for (const CarPose& pose : result.path) {
+    path.drive_to(wend::pose_of(
+        wend::CornerPose{{pose.x, pose.y}, static_cast<wend::Heading>(pose.d)}, false));
+  }
+  return path;
+}
+
+}  // namespace wend_ros

@@ -1,0 +1,138 @@
+#include "wend_ros/markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "wend_ros/map_message.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+using visualization_msgs::Marker;
+
+struct Rgb {
+  float red;
+  float green;
+  float blue;
+};
+constexpr Rgb kRed{0.78F, 0.14F, 0.17F};
+constexpr Rgb kYellow{0.95F, 0.77F, 0.06F};
+constexpr Rgb kGreen{0.0F, 0.62F, 0.45F};
+constexpr Rgb kOrange{0.84F, 0.37F, 0.0F};
+constexpr Rgb kBlue{0.0F, 0.45F, 0.7F};
+constexpr double kThin = 0.02;  // m: flat things
+
+Marker marker_of(const std::string& frame_id, const std::string& name, int type, const Rgb& colour) {
+  Marker marker;
+  marker.header.frame_id = frame_id;
+  marker.ns = name;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.color.r = colour.red;
+  marker.color.g = colour.green;
+  marker.color.b = colour.blue;
+  marker.color.a = 1;
+  return marker;
+}
+
+geometry_msgs::Point point_of(wend::Point metres, double z) {
+  geometry_msgs::Point point;
+  point.x = metres.x;
+  point.y = metres.y;
+  point.z = z;
+  return point;
+}
+
+/// A marker without points would be an error to rviz.
+void finish(Marker& marker) {
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+}
+
+Marker end_marker(const geometry_msgs::PoseStamped& end, const std::string& name,
+                  const Rgb& colour) {
+  constexpr double kLength = 0.5;  // m
+  Marker marker = marker_of(end.header.frame_id, name, Marker::ARROW, colour);
+  marker.pose = end.pose;
+  marker.scale.x = kLength;
+  marker.scale.y = kLength / 3;
+  marker.scale.z = kLength / 3;
+  return marker;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id) {
+  const wend::Frame& frame = map.frame();
+  Marker obstacles = marker_of(frame_id, "obstacles", Marker::CUBE_LIST, kRed);
+  Marker rough = marker_of(frame_id, "rough", Marker::CUBE_LIST, kYellow);
+  for (Marker* marker : {&obstacles, &rough}) {
+    marker->scale.x = frame.resolution;
+    marker->scale.y = frame.resolution;
+    marker->scale.z = kThin;
+  }
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const wend::Cell cell{x, y};
+      const auto point = point_of(frame.to_metres(wend::centre_of(cell)), 0);
+      if (map.state(cell) == wend::CellState::occupied) {
+        obstacles.points.push_back(point);
+      } else if (map.terrain(cell) > 1) {
+        rough.points.push_back(point);
+      }
+    }
+  }
+  visualization_msgs::MarkerArray array;
+  for (Marker* marker : {&obstacles, &rough}) {
+    finish(*marker);
+    array.markers.push_back(*marker);
+  }
+  return array;
+}
+
+visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path) {
+  const std::string& frame_id = path.header.frame_id;
+  Marker line = marker_of(frame_id, "path", Marker::LINE_STRIP, kBlue);
+  line.scale.x = 0.04;
+  for (const auto& stamped : path.poses) {
+    line.points.push_back(stamped.pose.position);
+    line.points.back().z = kThin;
+  }
+  if (line.points.size() < 2) line.points.clear();  // one point is no line
+  finish(line);
+  visualization_msgs::MarkerArray array;
+  array.markers.push_back(line);
+  if (path.poses.empty()) {
+    for (const char* name : {"start", "goal"}) {
+      Marker gone = marker_of(frame_id, name, Marker::ARROW, kGreen);
+      gone.action = Marker::DELETE;
+      array.markers.push_back(gone);
+    }
+    return array;
+  }
+  array.markers.push_back(end_marker(path.poses.front(), "start", kGreen));
+  array.markers.push_back(end_marker(path.poses.back(), "goal", kOrange));
+  return array;
+}
+
+nav_msgs::OccupancyGrid heatmap_of(const std::vector<wend::Cell>& order, const wend::GridMap& map,
+                                   const std::string& frame_id) {
+  nav_msgs::OccupancyGrid grid;
+  grid.header.frame_id = frame_id;
+  grid.info = information_of(map);
+  grid.data.assign(map.size(), -1);
+  const auto last = static_cast<double>(std::max<std::size_t>(order.size(), 2) - 1);
+  for (std::size_t i = order.size(); i-- > 0;) {  // the first time that a cell was expanded counts
+    const wend::Cell cell = order[i];
+    if (!map.contains(cell)) continue;
+    const int row = map.frame().y_up ? cell.y : map.height() - 1 - cell.y;
+    grid.data[static_cast<std::size_t>(row) * grid.info.width + static_cast<std::size_t>(cell.x)] =
+        static_cast<std::int8_t>(std::lround(100 * static_cast<double>(i) / last));
+  }
+  return grid;
+}
+
+}  // namespace wend_ros

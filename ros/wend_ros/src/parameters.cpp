@@ -1,0 +1,262 @@
+#include "wend_ros/parameters.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+
+#include "wend/base/parse.hpp"
+#include "wend/path/gradient_smoother.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend_ros {
+namespace {
+
+using wend::OptionInfo;
+using wend::OptionKind;
+
+/// What concerns all planners.
+struct NodeOptions {
+  double robot_radius = 0;
+  bool unknown_free = false;
+  double keep_away = 0;
+  bool rough = false;
+  double time_limit = 0;
+  bool smooth = true;
+  double smooth_alpha = wend::GradientOptions{}.alpha;
+  double smooth_beta = wend::GradientOptions{}.beta;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"robot_radius", "the robot is a disc of this radius, m"}, self.robot_radius, {0, 100});
+    field({"unknown_free", "the robot may drive where nothing is known"}, self.unknown_free);
+    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"},
+          self.keep_away, {0, 100});
+    field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
+    field({"time_limit", "give up after so many seconds; 0: never"}, self.time_limit, {0, 3600});
+    field({"smooth", "publish a smoothed path as well"}, self.smooth);
+    field({"smooth_alpha", "how strongly the path holds its points"}, self.smooth_alpha, {0, 2});
+    field({"smooth_beta", "how strongly neighbours are drawn together"}, self.smooth_beta, {0, 1});
+  }
+};
+
+OptionInfo planner_option() {
+  return {.name = "planner",
+          .aliases = {},
+          .kind = OptionKind::choice,
+          .default_value = "astar",
+          .choices = wend::planners().names(),
+          .help = "which planner"};
+}
+
+/// Of options of the same name, one that takes what any of them does.
+void merge(std::vector<OptionInfo>& schema, const OptionInfo& option) {
+  const auto same = std::ranges::find(schema, option.name, &OptionInfo::name);
+  if (same == schema.end()) {
+    schema.push_back(option);
+    return;
+  }
+  for (const std::string& choice : option.choices) {
+    if (std::ranges::find(same->choices, choice) == same->choices.end()) {
+      same->choices.push_back(choice);
+    }
+  }
+  same->least = std::min(same->least, option.least);
+  same->greatest = std::max(same->greatest, option.greatest);
+}
+
+std::vector<OptionInfo> full_schema() {
+  std::vector<OptionInfo> schema{planner_option()};
+  for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
+  for (const wend::PlannerInfo& planner : wend::planners()) {
+    for (const OptionInfo& option : planner.options) merge(schema, option);
+  }
+  return schema;
+}
+
+bool is_called(const OptionInfo& option, std::string_view name) {
+  return option.name == name ||
+         std::ranges::find(option.aliases, name) != option.aliases.end();
+}
+
+/// What is wrong with a value, empty if nothing is.
+std::string fault_of(const OptionInfo& option, std::string_view text) {
+  const wend::OptionRange range{option.least, option.greatest};
+  switch (option.kind) {
+    case OptionKind::flag: {
+      bool value = false;
+      return wend::option_text::parse(text, value);
+    }
+    case OptionKind::integer: {
+      std::int64_t value = 0;
+      return wend::option_text::parse(text, value, range);
+    }
+    case OptionKind::number: {
+      double value = 0;
+      return wend::option_text::parse(text, value, range);
+    }
+    case OptionKind::choice:
+      break;
+  }
+  const bool known = std::ranges::find(option.choices, text) != option.choices.end();
+  return known ? std::string() : wend::option_text::unknown_choice(text, option.choices);
+}
+
+bool is_true(std::string_view text) {
+  bool value = false;
+  wend::option_text::parse(text, value);
+  return value;
+}
+
+std::string type_of(OptionKind kind) {
+  switch (kind) {
+    case OptionKind::flag:
+      return "bool";
+    case OptionKind::integer:
+      return "int";
+    case OptionKind::number:
+      return "double";
+    case OptionKind::choice:
+      return "str";
+  }
+  return "str";
+}
+
+/// The choices as dynamic_reconfigure's clients read them: a Python literal.
+std::string edit_method(const OptionInfo& option) {
+  if (option.kind != OptionKind::choice) return {};
+  std::string text = "{'enum_description': '" + option.help + "', 'enum': [";
+  for (std::size_t i = 0; i < option.choices.size(); ++i) {
+    const std::string& choice = option.choices[i];
+    text += std::string(i > 0 ? ", " : "") + "{'name': '" + choice +
+            "', 'type': 'str', 'value': '" + choice + "', 'description': '" + choice +
+            "', 'srcline': 0, 'srcfile': '', 'cconsttype': 'const char * const', 'ctype': "
+            "'std::string'}";
+  }
+  return text + "]}";
+}
+
+template <class Message, class Value>
+Message entry(const std::string& name, Value value) {
+  Message message;
+  message.name = name;
+  message.value = value;
+  return message;
+}
+
+}  // namespace
+
+Parameters::Parameters() : schema_(full_schema()) {
+  for (const OptionInfo& option : schema_) values_.push_back(option.default_value);
+}
+
+const OptionInfo* Parameters::find(std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      schema_, [&](const OptionInfo& option) { return is_called(option, name); });
+  return found == schema_.end() ? nullptr : &*found;
+}
+
+std::string Parameters::set(std::string_view name, std::string_view value) {
+  const OptionInfo* option = find(name);
+  if (option == nullptr) return "there is no parameter '" + std::string(name) + "'";
+  const std::string fault = fault_of(*option, value);
+  if (!fault.empty()) return "parameter '" + std::string(name) + "': " + fault;
+  values_[static_cast<std::size_t>(option - schema_.data())] = value;
+  return {};
+}
+
+const std::string& Parameters::text(std::string_view name) const {
+  const OptionInfo* option = find(name);
+  assert(option != nullptr);
+  return values_[static_cast<std::size_t>(option - schema_.data())];
+}
+
+double Parameters::number(std::string_view name) const {
+  return wend::parse_number(text(name)).value_or(0);
+}
+
+bool Parameters::flag(std::string_view name) const { return is_true(text(name)); }
+
+wend::OptionValues Parameters::options_of(std::string_view planner) const {
+  wend::OptionValues values;
+  const wend::PlannerInfo* info = wend::planners().find(planner);
+  if (info == nullptr) return values;
+  for (const OptionInfo& option : info->options) {
+    const std::string& value = text(option.name);
+    if (value != option.default_value) values.emplace_back(option.name, value);
+  }
+  return values;
+}
+
+dynamic_reconfigure::ConfigDescription Parameters::description() const {
+  dynamic_reconfigure::ConfigDescription description;
+  dynamic_reconfigure::Group group;
+  group.name = "Default";
+  for (const OptionInfo& option : schema_) {
+    dynamic_reconfigure::ParamDescription parameter;
+    parameter.name = option.name;
+    parameter.type = type_of(option.kind);
+    parameter.description = option.help;
+    parameter.edit_method = edit_method(option);
+    group.parameters.push_back(parameter);
+  }
+  description.groups = {group};
+  std::vector<std::string> least;
+  std::vector<std::string> greatest;
+  std::vector<std::string> defaults;
+  for (const OptionInfo& option : schema_) {
+    const bool number = option.kind == OptionKind::integer || option.kind == OptionKind::number;
+    least.push_back(number ? wend::format_number(option.least) : option.default_value);
+    greatest.push_back(number ? wend::format_number(option.greatest) : option.default_value);
+    defaults.push_back(option.default_value);
+  }
+  description.min = config_of(least);
+  description.max = config_of(greatest);
+  description.dflt = config_of(defaults);
+  return description;
+}
+
+dynamic_reconfigure::Config Parameters::config() const { return config_of(values_); }
+
+dynamic_reconfigure::Config Parameters::config_of(const std::vector<std::string>& values) const {
+  dynamic_reconfigure::Config config;
+  for (std::size_t i = 0; i < schema_.size(); ++i) {
+    const OptionInfo& option = schema_[i];
+    const double number = wend::parse_number(values[i]).value_or(0);
+    switch (option.kind) {
+      case OptionKind::flag:
+        config.bools.push_back(
+            entry<dynamic_reconfigure::BoolParameter>(option.name, is_true(values[i])));
+        break;
+      case OptionKind::integer:
+        config.ints.push_back(entry<dynamic_reconfigure::IntParameter>(
+            option.name, static_cast<std::int32_t>(std::clamp<double>(number, INT32_MIN, INT32_MAX))));
+        break;
+      case OptionKind::number:
+        config.doubles.push_back(entry<dynamic_reconfigure::DoubleParameter>(option.name, number));
+        break;
+      case OptionKind::choice:
+        config.strs.push_back(entry<dynamic_reconfigure::StrParameter>(option.name, values[i]));
+        break;
+    }
+  }
+  dynamic_reconfigure::GroupState group;
+  group.name = "Default";
+  group.state = true;
+  config.groups = {group};
+  return config;
+}
+
+std::vector<std::string> Parameters::apply(const dynamic_reconfigure::Config& config) {
+  std::vector<std::string> faults;
+  const auto take = [&](const std::string& name, const std::string& value) {
+    std::string fault = set(name, value);
+    if (!fault.empty()) faults.push_back(std::move(fault));
+  };
+  for (const auto& given : config.bools) take(given.name, given.value ? "true" : "false");
+  for (const auto& given : config.ints) take(given.name, std::to_string(given.value));
+  for (const auto& given : config.doubles) take(given.name, wend::format_number(given.value));
+  for (const auto& given : config.strs) take(given.name, given.value);
+  return faults;
+}
+
+}  // namespace wend_ros

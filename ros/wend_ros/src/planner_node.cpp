@@ -1,0 +1,206 @@
+#include "wend_ros/planner_node.hpp"
+
+#include <nav_msgs/Path.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <utility>
+
+#include "wend_ros/feedback.hpp"
+#include "wend_ros/markers.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
+  return {.robot_radius = parameters.number("robot_radius"),
+          .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
+                                                     : wend::UnknownPolicy::blocked,
+          .keep_away = parameters.number("keep_away")};
+}
+
+wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {
+  return wend::Unexpected<PlanResult>(refusal(code, std::move(reason)));
+}
+
+}  // namespace
+
+PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own)
+    : robot_(node, own),
+      plan_(node.advertise<nav_msgs::Path>("plan", 1, true)),
+      smoothed_(node.advertise<nav_msgs::Path>("plan_smoothed", 1, true)),
+      poses_(node.advertise<geometry_msgs::PoseArray>("plan_poses", 1, true)),
+      expansion_(node.advertise<nav_msgs::OccupancyGrid>("expansion", 1, true)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 8, true)) {
+  reading_.occupied_from = own.param("occupied_from", reading_.occupied_from);
+  reconfigure_ = std::make_unique<Reconfigure>(own, [this](const Parameters& parameters) {
+    maps_.set_robot(robot_of(parameters));
+    wake();
+  });
+  worker_ = std::thread([this] { plan_for_topics(); });
+  subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
+                  node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
+                  node.subscribe("initialpose", 1, &PlannerNode::take_start, this)};
+  servers_ = {node.advertiseService("make_plan", &PlannerNode::make_plan, this),
+              node.advertiseService("plan_path", &PlannerNode::plan_path, this)};
+  action_ = std::make_unique<ActionServer>(
+      node, "plan_path_action", [this](const PlanPathGoalConstPtr& goal) { execute(goal); }, false);
+  action_->registerPreemptCallback([this] { cancel_action_ = true; });
+  action_->start();
+}
+
+PlannerNode::~PlannerNode() {
+  cancel_action_ = true;
+  action_.reset();
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    cancel_topics_ = true;
+  }
+  asked_.notify_all();
+  worker_.join();
+}
+
+void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
+  MapReading reading = reading_;
+  reading.rough = reconfigure_->parameters().flag("rough");
+  auto map = map_from(message, reading);
+  if (!map) {
+    ROS_ERROR_STREAM("/map: " << map.error());
+    maps_.set_wrong(map.error());
+    return;
+  }
+  ROS_INFO_STREAM("/map: " << map->width() << " x " << map->height() << " cells in the frame '"
+                           << message.header.frame_id << "'");
+  markers_.publish(yard_markers(*map, message.header.frame_id));
+  maps_.set_map(*std::move(map), message.header.frame_id);
+  wake();
+}
+
+void PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
+  {
+    const std::lock_guard lock(mutex_);
+    goal_ = goal;
+  }
+  wake();
+}
+
+void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
+
+/// Plans to the topics' goal again, if there is one, and stops the search for it that may be running.
+void PlannerNode::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!goal_) return;
+    wanted_ = true;
+    cancel_topics_ = true;
+  }
+  asked_.notify_all();
+}
+
+void PlannerNode::plan_for_topics() {
+  for (;;) {
+    PlanRequest request;
+    {
+      std::unique_lock lock(mutex_);
+      asked_.wait(lock, [this] { return wanted_ || stopping_; });
+      if (stopping_) return;
+      wanted_ = false;
+      cancel_topics_ = false;
+      request.goals = {*goal_};
+    }
+    SearchWatch watch(expansion_.getNumSubscribers() > 0);
+    answer(request, &cancel_topics_, &watch);
+  }
+}
+
+wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
+                                                    const MapSnapshot& map) const {
+  Ask ask{.start = {},
+          .goals = {},
+          .any_heading = request.any_heading != 0,
+          .planner = request.planner,
+          .options = request.options,
+          .time_limit = request.time_limit,
+          .from_field = request.from_field != 0};
+  if (request.goals.empty()) return refused(StatusCode::invalid_request, "there is no goal");
+  const auto start =
+      request.use_start ? robot_.in(map.frame_id, request.start) : robot_.in(map.frame_id);
+  if (!start) return refused(StatusCode::tf_error, "start: " + start.error());
+  ask.start = *start;
+  for (const auto& stamped : request.goals) {
+    const auto goal = robot_.in(map.frame_id, stamped);
+    if (!goal) return refused(StatusCode::tf_error, "goal: " + goal.error());
+    ask.goals.push_back(*goal);
+  }
+  return ask;
+}
+
+PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
+                               SearchWatch* watch) {
+  const auto map = maps_.snapshot();
+  PlanResult result;
+  if (!map) {
+    result = refusal(StatusCode::no_map, maps_.why_none());
+  } else if (const auto ask = ask_of(request, *map); !ask) {
+    result = ask.error();
+  } else {
+    result = planning_.answer(*map, reconfigure_->parameters(), *ask, {cancel, watch});
+  }
+  if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
+    ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
+                             << result.metrics.expanded << " expanded in "
+                             << 1e3 * result.metrics.seconds << " ms");
+  } else {
+    ROS_WARN_STREAM("no plan, " << result.status << " " << result.status_name << ": "
+                                << result.reason);
+  }
+  if (map) publish(result, *map, watch);
+  return result;
+}
+
+void PlannerNode::publish(const PlanResult& result, const MapSnapshot& map,
+                          const SearchWatch* watch) {
+  const ros::Time now = ros::Time::now();
+  nav_msgs::Path path = result.path;
+  path.header.frame_id = map.frame_id;
+  path.header.stamp = now;
+  plan_.publish(path);
+  poses_.publish(poses_of(path));
+  nav_msgs::Path smoothed = result.smoothed.poses.empty() ? path : result.smoothed;
+  smoothed.header = path.header;
+  smoothed_.publish(smoothed);
+  markers_.publish(path_markers(path));
+  if (watch != nullptr && !watch->order().empty()) {
+    expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
+  }
+}
+
+bool PlannerNode::make_plan(nav_msgs::GetPlan::Request& request,
+                            nav_msgs::GetPlan::Response& response) {
+  PlanRequest ask;
+  ask.use_start = !request.start.header.frame_id.empty();
+  ask.start = request.start;
+  ask.goals = {request.goal};
+  response.plan = answer(ask, nullptr, nullptr).path;
+  return true;
+}
+
+bool PlannerNode::plan_path(PlanPath::Request& request, PlanPath::Response& response) {
+  response.result = answer(request.request, nullptr, nullptr);
+  return true;
+}
+
+void PlannerNode::execute(const PlanPathGoalConstPtr& goal) {
+  cancel_action_ = action_->isPreemptRequested();
+  SearchWatch watch(false);
+  PlanPathResult result;
+  {
+    const auto publish = [this](const auto& message) { action_->publishFeedback(message); };
+    const Feedback<PlanPathFeedback, decltype(publish)> feedback(watch, publish);
+    result.result = answer(goal->request, &cancel_action_, &watch);
+  }
+  finish(*action_, result);
+}
+
+}  // namespace wend_ros

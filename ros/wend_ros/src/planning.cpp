@@ -1,0 +1,145 @@
+#include "wend_ros/planning.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "wend/base/parse.hpp"
+#include "wend/path/gradient_smoother.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+constexpr std::size_t kMostIdle = 2;
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The planner of an ask with all its options, or why there is none.
+wend::Expected<wend::PlannerSpec, wend::PlannerError> spec_of(const Parameters& parameters,
+                                                              const Ask& ask) {
+  std::string text = ask.planner.empty() ? parameters.text("planner") : ask.planner;
+  if (!ask.options.empty()) text += (text.find(':') == std::string::npos ? ":" : ",") + ask.options;
+  auto specs = wend::parse_planner_specs(text);
+  if (!specs) return wend::Unexpected(specs.error());
+  if (specs->size() != 1) {
+    return wend::Unexpected<wend::PlannerError>(
+        {wend::Status::invalid_option, "one planner expected, not '" + text + "'"});
+  }
+  wend::PlannerSpec spec = std::move(specs->front());
+  // What the request says comes last, and so counts.
+  wend::OptionValues options = parameters.options_of(spec.name);
+  options.insert(options.end(), spec.options.begin(), spec.options.end());
+  spec.options = std::move(options);
+  return spec;
+}
+
+std::string key_of(const wend::PlannerSpec& spec) {
+  std::string key = spec.name;
+  for (const auto& [name, value] : spec.options) key += "," + name + "=" + value;
+  return key;
+}
+
+wend::Query query_of(const wend::Frame& frame, const Ask& ask) {
+  wend::Query query{.start = frame.to_grid(ask.start), .goals = {}};
+  for (const wend::Pose& goal : ask.goals) {
+    const wend::Pose in_grid = frame.to_grid(goal);
+    query.goals.push_back(ask.any_heading ? wend::Goal(in_grid.point()) : wend::Goal(in_grid));
+  }
+  return query;
+}
+
+void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
+              const wend::Plan& plan) {
+  const wend::Frame& frame = map.space.map().frame();
+  result.path = to_message(plan.path, frame, map.frame_id);
+  result.cost = plan.cost;
+  result.bound = plan.bound;
+  for (const std::string_view move : plan.moves) result.moves.emplace_back(move);
+  result.path_metrics = metrics_message(plan.path, map.space);
+  if (!parameters.flag("smooth") || plan.path.driven()) return;
+  const wend::GradientOptions options{.alpha = parameters.number("smooth_alpha"),
+                                      .beta = parameters.number("smooth_beta")};
+  const auto smoothed = wend::smooth_by_gradient(plan.path, map.space, options);
+  if (smoothed) {
+    result.smoothed = to_message(smoothed->path, frame, map.frame_id);
+  } else {
+    result.reason = "not smoothed: " + smoothed.error().message();
+  }
+}
+
+void put_metrics(PlanResult& result, const wend::SearchMetrics& metrics, double seconds) {
+  result.metrics.expanded = metrics.expanded;
+  result.metrics.generated = metrics.generated;
+  result.metrics.max_frontier = metrics.max_frontier;
+  result.metrics.seconds = seconds;
+}
+
+}  // namespace
+
+PlanResult refusal(StatusCode code, std::string reason) {
+  PlanResult result;
+  result.status = static_cast<std::uint16_t>(code);
+  result.status_name = to_string(code);
+  result.reason = std::move(reason);
+  return result;
+}
+
+std::unique_ptr<wend::Planner> Planning::take(std::uint64_t version, const std::string& spec) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(idle_, [&](const Warm& warm) { return warm.version != version; });
+  for (auto warm = idle_.begin(); warm != idle_.end(); ++warm) {
+    if (warm->spec != spec) continue;
+    auto planner = std::move(warm->planner);
+    idle_.erase(warm);
+    return planner;
+  }
+  return nullptr;
+}
+
+void Planning::give_back(Warm warm) {
+  const std::lock_guard lock(mutex_);
+  if (idle_.size() >= kMostIdle) idle_.erase(idle_.begin());
+  idle_.push_back(std::move(warm));
+}
+
+PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters, const Ask& ask,
+                            const Watch& watch) {
+  const auto spec = spec_of(parameters, ask);
+  if (!spec) return refusal(code_of(spec.error().status), spec.error().message());
+  const std::string key = key_of(*spec);
+  auto planner = take(map.version, key);
+  if (!planner) {
+    auto made = wend::make_planner(spec->name, map.space, spec->options);
+    if (!made) return refusal(code_of(made.error().status), made.error().message());
+    planner = *std::move(made);
+  }
+  wend::Query query = query_of(map.space.map().frame(), ask);
+  query.observer = watch.observer;
+  query.limits.cancel = watch.cancel;
+  query.limits.clock = seconds_now;
+  const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
+  if (limit > 0) query.limits.seconds = limit;
+
+  const double begin = seconds_now();
+  wend::Plan plan;
+  const wend::Status status = planner->plan(query, plan);
+  const double seconds = seconds_now() - begin;
+  PlanResult result;
+  if (status == wend::Status::found) {
+    result.status_name = to_string(StatusCode::found);
+    put_plan(result, map, parameters, plan);
+  } else {
+    const std::string reason = planner->reason(query, status);
+    result = refusal(code_of(status), reason);
+  }
+  put_metrics(result, plan.metrics, seconds);
+  give_back({map.version, key, std::move(planner)});
+  return result;
+}
+
+}  // namespace wend_ros

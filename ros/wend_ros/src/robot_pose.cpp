@@ -1,0 +1,86 @@
+#include "wend_ros/robot_pose.hpp"
+
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include "wend_ros/path_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+/// A robot whose tf is older than this is somewhere else by now.
+constexpr double kStale = 2;
+
+std::optional<wend::Pose> start_parameter(ros::NodeHandle& own) {
+  wend::Pose pose;
+  if (!own.getParam("startx", pose.x) || !own.getParam("starty", pose.y)) return std::nullopt;
+  own.getParam("startyaw", pose.heading);
+  return pose;
+}
+
+wend::Unexpected<std::string> wrong(std::string what) {
+  return wend::Unexpected<std::string>(std::move(what));
+}
+
+}  // namespace
+
+RobotPose::RobotPose(ros::NodeHandle& node, ros::NodeHandle& own)
+    : robot_frame_(own.param<std::string>("robot_frame", "base_link")),
+      parameter_(start_parameter(own)),
+      listener_(buffer_),
+      subscriber_(node.subscribe("initialpose", 1, &RobotPose::take, this)) {}
+
+void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  if (!is_finite(message.pose.pose)) {
+    ROS_WARN("initialpose: a number that is none; the pose is not used");
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  initial_.emplace();
+  initial_->header = message.header;
+  initial_->pose = message.pose.pose;
+}
+
+wend::Expected<wend::Pose, std::string> RobotPose::in(
+    const std::string& frame_id, const geometry_msgs::PoseStamped& pose) const {
+  if (!is_finite(pose.pose)) return wrong("a pose has a number that is none");
+  if (pose.header.frame_id.empty() || pose.header.frame_id == frame_id) {
+    return pose_from(pose.pose);
+  }
+  try {
+    geometry_msgs::PoseStamped moved;
+    const auto transform = buffer_.lookupTransform(frame_id, pose.header.frame_id, ros::Time(0));
+    tf2::doTransform(pose, moved, transform);
+    return pose_from(moved.pose);
+  } catch (const tf2::TransformException& error) {
+    return wrong("the frame '" + pose.header.frame_id + "' cannot be taken to '" + frame_id +
+                 "': " + error.what());
+  }
+}
+
+wend::Expected<wend::Pose, std::string> RobotPose::in(const std::string& frame_id) const {
+  try {
+    const auto transform = buffer_.lookupTransform(frame_id, robot_frame_, ros::Time(0));
+    const bool is_static = transform.header.stamp.isZero();
+    const bool fresh = (ros::Time::now() - transform.header.stamp).toSec() < kStale;
+    if (is_static || fresh) {
+      geometry_msgs::Pose pose;
+      pose.position.x = transform.transform.translation.x;
+      pose.position.y = transform.transform.translation.y;
+      pose.orientation = transform.transform.rotation;
+      return pose_from(pose);
+    }
+  } catch (const tf2::TransformException&) {
+    // Then it is known from elsewhere, or not at all.
+  }
+  std::optional<geometry_msgs::PoseStamped> initial;
+  {
+    const std::lock_guard lock(mutex_);
+    initial = initial_;
+  }
+  if (initial) return in(frame_id, *initial);
+  if (parameter_) return *parameter_;
+  return wrong("nobody knows where the robot is: no tf from '" + frame_id + "' to '" +
+               robot_frame_ + "', no /initialpose, no parameters ~startx and ~starty");
+}
+
+}  // namespace wend_ros
