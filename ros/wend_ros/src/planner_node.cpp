@@ -3,10 +3,13 @@
 #include <nav_msgs/Path.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <chrono>
 #include <utility>
 
+#include "wend/base/parse.hpp"
 #include "wend_ros/feedback.hpp"
 #include "wend_ros/markers.hpp"
+#include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 
 namespace wend_ros {
@@ -37,6 +40,9 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own)
     maps_.set_robot(robot_of(parameters));
     wake();
   });
+  const double replan_rate = own.param("replan_rate", 0.0);
+  if (replan_rate > 0) replan_period_ = 1 / replan_rate;
+  take_goal_parameter(own);
   worker_ = std::thread([this] { plan_for_topics(); });
   subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
                   node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
@@ -77,6 +83,18 @@ void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   wake();
 }
 
+/// A first goal: ~goalx and ~goaly, numbers or texts of numbers; empty ones are none.
+void PlannerNode::take_goal_parameter(ros::NodeHandle& own) {
+  const auto number = [&](const char* name) {
+    return wend::parse_number(parameter_text(own, name).value_or(""));
+  };
+  const auto x = number("goalx");
+  const auto y = number("goaly");
+  if (!x || !y) return;
+  goal_.emplace();
+  goal_->pose = to_message(wend::Pose{*x, *y, number("goalyaw").value_or(0)});
+}
+
 void PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
   {
     const std::lock_guard lock(mutex_);
@@ -98,19 +116,33 @@ void PlannerNode::wake() {
   asked_.notify_all();
 }
 
+/// Waits for something to plan, or for the next time to plan anew. False: it is time to stop.
+bool PlannerNode::wait_for_topics() {
+  std::unique_lock lock(mutex_);
+  const auto called = [this] { return wanted_ || stopping_; };
+  if (active_ && replan_period_ > 0) {
+    asked_.wait_for(lock, std::chrono::duration<double>(replan_period_), called);
+  } else {
+    asked_.wait(lock, called);
+  }
+  wanted_ = false;
+  cancel_topics_ = false;
+  return !stopping_;
+}
+
 void PlannerNode::plan_for_topics() {
-  for (;;) {
+  constexpr double kArrived = 0.3;  // m of path left
+  while (wait_for_topics()) {
     PlanRequest request;
     {
-      std::unique_lock lock(mutex_);
-      asked_.wait(lock, [this] { return wanted_ || stopping_; });
-      if (stopping_) return;
-      wanted_ = false;
-      cancel_topics_ = false;
+      const std::lock_guard lock(mutex_);
       request.goals = {*goal_};
     }
     SearchWatch watch(expansion_.getNumSubscribers() > 0);
-    answer(request, &cancel_topics_, &watch);
+    const PlanResult result = answer(request, &cancel_topics_, &watch);
+    const std::lock_guard lock(mutex_);
+    active_ = result.status == static_cast<std::uint16_t>(StatusCode::found) &&
+              result.path_metrics.length > kArrived;
   }
 }
 

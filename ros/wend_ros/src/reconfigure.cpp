@@ -1,35 +1,11 @@
 #include "wend_ros/reconfigure.hpp"
 
-#include <optional>
 #include <string>
 #include <utility>
 
-#include "wend/base/parse.hpp"
+#include "wend_ros/option_parameters.hpp"
 
 namespace wend_ros {
-namespace {
-
-/// A parameter of the server as text, whatever its type: <param name="connectivity" value="4"/> is a
-/// number, and the option a choice.
-std::optional<std::string> text_of(ros::NodeHandle& own, const std::string& name) {
-  XmlRpc::XmlRpcValue value;
-  if (!own.getParam(name, value)) return std::nullopt;
-  switch (value.getType()) {
-    case XmlRpc::XmlRpcValue::TypeBoolean:
-      return static_cast<bool>(value) ? "true" : "false";
-    case XmlRpc::XmlRpcValue::TypeInt:
-      return std::to_string(static_cast<int>(value));
-    case XmlRpc::XmlRpcValue::TypeDouble:
-      return wend::format_number(static_cast<double>(value));
-    case XmlRpc::XmlRpcValue::TypeString:
-      return static_cast<std::string>(value);
-    default:
-      return "";
-  }
-}
-
-}  // namespace
-
 Reconfigure::Reconfigure(ros::NodeHandle& own, std::function<void(const Parameters&)> changed)
     : changed_(std::move(changed)) {
   read(own);
@@ -49,7 +25,7 @@ Parameters Reconfigure::parameters() const {
 
 void Reconfigure::read(ros::NodeHandle& own) {
   const auto take = [&](const std::string& name) {
-    const auto text = text_of(own, name);
+    const auto text = parameter_text(own, name);
     if (!text) return;
     const std::string fault = parameters_.set(name, *text);
     if (!fault.empty()) ROS_ERROR_STREAM(fault << "; it stays " << parameters_.text(name));

@@ -4,7 +4,8 @@
 // tools, services and actions; every plan goes out by /plan and what shows it.
 //
 // Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
-// the spinner's for services. A new goal by topic stops the search for the one before.
+// the spinner's for services. A new goal by topic stops the search for the one before. With the
+// parameter replan_rate (Hz) the plan to that goal is made anew until the robot is there.
 
 #include <actionlib/server/simple_action_server.h>
 #include <nav_msgs/GetPlan.h>
@@ -40,6 +41,7 @@ class PlannerNode {
   using ActionServer = actionlib::SimpleActionServer<PlanPathAction>;
 
   void take_map(const nav_msgs::OccupancyGrid& message);
+  void take_goal_parameter(ros::NodeHandle& own);
   void take_goal(const geometry_msgs::PoseStamped& goal);
   void take_start(const geometry_msgs::PoseWithCovarianceStamped& start);
   bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
@@ -55,6 +57,7 @@ class PlannerNode {
   void publish(const PlanResult& result, const MapSnapshot& map, const SearchWatch* watch);
 
   void plan_for_topics();
+  bool wait_for_topics();
   void wake();
 
   MapHolder maps_;
@@ -76,7 +79,9 @@ class PlannerNode {
   std::condition_variable asked_;
   std::optional<geometry_msgs::PoseStamped> goal_;
   bool wanted_ = false;
+  bool active_ = false;  // the robot is on its way to that goal
   bool stopping_ = false;
+  double replan_period_ = 0;  // s; 0: only when something new comes
   std::atomic<bool> cancel_topics_{false};
   std::atomic<bool> cancel_action_{false};
   std::thread worker_;

@@ -1,0 +1,129 @@
+// robot_sim: a differential-drive robot. /cmd_vel moves it, /odom and tf say where it is, and
+// /initialpose puts it somewhere. It drives through walls: what it does not see, it cannot mind.
+//
+//   rosrun wend_ros robot_sim _startx:=1 _starty:=1
+//
+// Parameters: startx, starty, startyaw; rate (Hz); actuation_noise, position_noise, heading_noise and
+// seed as in wend's simulation; speed, turn_rate, acceleration, turn_acceleration.
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cmath>
+#include <string>
+
+#include "wend/base/random.hpp"
+#include "wend/control/motion_model.hpp"
+#include "wend/control/simulation.hpp"
+#include "wend_ros/option_parameters.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace {
+
+constexpr double kCommandTimeout = 0.5;  // s: a robot without commands stops
+
+geometry_msgs::TransformStamped transform_of(const wend::Pose& pose, const std::string& from,
+                                             const std::string& to) {
+  const geometry_msgs::Pose message = wend_ros::to_message(pose);
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time::now();
+  transform.header.frame_id = from;
+  transform.child_frame_id = to;
+  transform.transform.translation.x = message.position.x;
+  transform.transform.translation.y = message.position.y;
+  transform.transform.rotation = message.orientation;
+  return transform;
+}
+
+class RobotSim {
+ public:
+  RobotSim(ros::NodeHandle& node, ros::NodeHandle& own)
+      : model_(wend_ros::options_from_parameters<wend::MotionModel>(own)),
+        noise_(wend_ros::options_from_parameters<wend::SimulationOptions>(own)),
+        random_(static_cast<std::uint64_t>(noise_.seed)),
+        odometry_(node.advertise<nav_msgs::Odometry>("odom", 10)),
+        commands_(node.subscribe("cmd_vel", 1, &RobotSim::take_command, this)),
+        placings_(node.subscribe("initialpose", 1, &RobotSim::place, this)) {
+    state_.pose = {own.param("startx", 0.0), own.param("starty", 0.0), own.param("startyaw", 0.0)};
+    // It knows where it is on the map: odometry's frame is the map's.
+    fixed_.sendTransform(transform_of({}, "map", "odom"));
+    timer_ = node.createTimer(ros::Duration(1 / noise_.rate), &RobotSim::step, this);
+  }
+
+ private:
+  void take_command(const geometry_msgs::Twist& twist) {
+    if (!std::isfinite(twist.linear.x + twist.angular.z)) {
+      ROS_WARN_THROTTLE(1, "cmd_vel: a number that is none; the robot does as before");
+      return;
+    }
+    wanted_ = {twist.linear.x, twist.angular.z};
+    commanded_ = ros::Time::now();
+  }
+
+  void place(const geometry_msgs::PoseWithCovarianceStamped& message) {
+    if (!wend_ros::is_finite(message.pose.pose)) {
+      ROS_WARN("initialpose: a number that is none; the robot stays where it is");
+      return;
+    }
+    if (!message.header.frame_id.empty() && message.header.frame_id != "map") {
+      ROS_WARN_STREAM("initialpose: in the frame '" << message.header.frame_id << "', not 'map'");
+      return;
+    }
+    state_ = {wend_ros::pose_from(message.pose.pose)};
+    wanted_ = {};
+  }
+
+  void step(const ros::TimerEvent& event) {
+    const double seconds = 1 / noise_.rate;
+    if ((event.current_real - commanded_).toSec() > kCommandTimeout) wanted_ = {};
+    const wend::Velocity slipping{wanted_.linear * (1 + noise_.actuation_noise * random_.gaussian()),
+                                  wanted_.angular *
+                                      (1 + noise_.actuation_noise * random_.gaussian())};
+    state_ = wend::drive(model_, state_, slipping, seconds).to;
+    publish();
+  }
+
+  void publish() {
+    const wend::Pose measured{state_.pose.x + noise_.position_noise * random_.gaussian(),
+                              state_.pose.y + noise_.position_noise * random_.gaussian(),
+                              state_.pose.heading + noise_.heading_noise * random_.gaussian()};
+    nav_msgs::Odometry message;
+    message.header.stamp = ros::Time::now();
+    message.header.frame_id = "odom";
+    message.child_frame_id = "base_link";
+    message.pose.pose = wend_ros::to_message(measured);
+    message.twist.twist.linear.x = state_.velocity.linear;
+    message.twist.twist.angular.z = state_.velocity.angular;
+    odometry_.publish(message);
+    moving_.sendTransform(transform_of(measured, "odom", "base_link"));
+  }
+
+  wend::MotionModel model_;
+  wend::SimulationOptions noise_;
+  wend::Random random_;
+  wend::RobotState state_;
+  wend::Velocity wanted_;
+  ros::Time commanded_;
+  ros::Publisher odometry_;
+  ros::Subscriber commands_;
+  ros::Subscriber placings_;
+  tf2_ros::StaticTransformBroadcaster fixed_;
+  tf2_ros::TransformBroadcaster moving_;
+  ros::Timer timer_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "robot_sim");
+  ros::NodeHandle node;
+  ros::NodeHandle own("~");
+  const RobotSim robot(node, own);
+  ros::spin();
+  return 0;
+}
