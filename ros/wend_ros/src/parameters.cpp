@@ -182,7 +182,9 @@ wend::OptionValues Parameters::options_of(std::string_view planner) const {
   if (info == nullptr) return values;
   for (const OptionInfo& option : info->options) {
     const std::string& value = text(option.name);
-    if (value != option.default_value) values.emplace_back(option.name, value);
+    // What nobody has set is for the planner to choose.
+    if (value == find(option.name)->default_value || !fault_of(option, value).empty()) continue;
+    values.emplace_back(option.name, value);
   }
   return values;
 }

@@ -1,5 +1,6 @@
 #include "wend_ros/planning.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -36,6 +37,27 @@ wend::Expected<wend::PlannerSpec, wend::PlannerError> spec_of(const Parameters& 
   options.insert(options.end(), spec.options.begin(), spec.options.end());
   spec.options = std::move(options);
   return spec;
+}
+
+/// How the planner moves, as far as its options say.
+wend::GridMoves moves_of(const wend::PlannerSpec& spec) {
+  const std::vector<wend::OptionInfo> schema = wend::option_schema<wend::GridMoves>();
+  wend::OptionValues values;
+  for (const auto& value : spec.options) {
+    const auto is_it = [&](const wend::OptionInfo& option) { return option.name == value.first; };
+    if (std::ranges::any_of(schema, is_it)) values.push_back(value);
+  }
+  return wend::parse_options<wend::GridMoves>(values).value_or(wend::GridMoves{});
+}
+
+/// Do all its points lie in cells that have numbers?
+bool are_cells(const wend::Query& query) {
+  constexpr double kMost = 1e9;
+  const auto is_cell = [](wend::Point point) {
+    return std::abs(point.x) < kMost && std::abs(point.y) < kMost;
+  };
+  return is_cell(query.start.point()) &&
+         std::ranges::all_of(query.goals, [&](const auto& goal) { return is_cell(goal.point); });
 }
 
 std::string key_of(const wend::PlannerSpec& spec) {
@@ -107,6 +129,52 @@ void Planning::give_back(Warm warm) {
   idle_.push_back(std::move(warm));
 }
 
+/// The field of costs to the goals, made once for a map, goals and moves.
+std::shared_ptr<const wend::CostToGo> Planning::field_to(const MapSnapshot& map,
+                                                         const std::vector<wend::Cell>& goals,
+                                                         const wend::GridMoves& moves,
+                                                         const wend::Limits& limits,
+                                                         wend::PlanFailure& failure) {
+  const std::lock_guard lock(mutex_);
+  if (field_ && field_->version == map.version && field_->goals == goals && field_->moves == moves) {
+    return field_->costs;
+  }
+  auto made = wend::CostToGo::make(map.space, goals, moves, limits);
+  if (!made) {
+    failure = made.error();
+    return nullptr;
+  }
+  failure.metrics = made->metrics();
+  field_ = Field{map.version, goals, moves,
+                 std::make_shared<const wend::CostToGo>(*std::move(made))};
+  return field_->costs;
+}
+
+PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters& parameters,
+                                       const wend::Query& query,
+                                       const wend::GridMoves& moves) {
+  std::vector<wend::Cell> goals;
+  for (const wend::Goal& goal : query.goals) goals.push_back(wend::cell_at(goal.point));
+  const double begin = seconds_now();
+  wend::PlanFailure failure{wend::Status::found, {}};
+  const auto field = field_to(map, goals, moves, query.limits, failure);
+  const auto refused = [&](wend::Status status) {
+    return refusal(code_of(status), std::string(wend::describe(status)));
+  };
+  PlanResult result;
+  if (!field) {
+    result = refused(failure.status);
+  } else if (const auto plan = field->path_from(wend::cell_at(query.start.point())); !plan) {
+    result = refused(plan.error().status);
+  } else {
+    result.status_name = to_string(StatusCode::found);
+    put_plan(result, map, parameters, *plan);
+  }
+  result.from_field = 1;
+  put_metrics(result, failure.metrics, seconds_now() - begin);
+  return result;
+}
+
 PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters, const Ask& ask,
                             const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
@@ -124,6 +192,14 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
   query.limits.clock = seconds_now;
   const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
   if (limit > 0) query.limits.seconds = limit;
+
+  if (ask.from_field) {
+    if (wend::planners().find(spec->name)->motion == wend::Motion::cells && are_cells(query)) {
+      return answer_from_field(map, parameters, query, moves_of(*spec));
+    }
+    return refusal(StatusCode::unsupported_query,
+                   "only planners from cell to cell answer from a field");
+  }
 
   const double begin = seconds_now();
   wend::Plan plan;

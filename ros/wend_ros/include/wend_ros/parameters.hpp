@@ -38,7 +38,7 @@ class Parameters {
   double number(std::string_view name) const;
   bool flag(std::string_view name) const;
 
-  /// Those of a planner that are not at their defaults.
+  /// Those of a planner that somebody has set, to values that it takes.
   wend::OptionValues options_of(std::string_view planner) const;
 
   dynamic_reconfigure::ConfigDescription description() const;

@@ -54,12 +54,20 @@ class Planning {
   };
   struct Field {
     std::uint64_t version;
-    std::string key;  // goals and moves
+    std::vector<wend::Cell> goals;
+    wend::GridMoves moves;
     std::shared_ptr<const wend::CostToGo> costs;
   };
 
   std::unique_ptr<wend::Planner> take(std::uint64_t version, const std::string& spec);
   void give_back(Warm warm);
+  PlanResult answer_from_field(const MapSnapshot& map, const Parameters& parameters,
+                               const wend::Query& query, const wend::GridMoves& moves);
+  std::shared_ptr<const wend::CostToGo> field_to(const MapSnapshot& map,
+                                                 const std::vector<wend::Cell>& goals,
+                                                 const wend::GridMoves& moves,
+                                                 const wend::Limits& limits,
+                                                 wend::PlanFailure& failure);
 
   std::mutex mutex_;
   std::vector<Warm> idle_;

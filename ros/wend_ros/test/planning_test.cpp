@@ -1,0 +1,162 @@
+#include "wend_ros/planning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "wend/planner/planners.hpp"
+#include "wend_ros/path_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+/// A room of 10 m with a wall that leaves a way at the top.
+wend::GridMap room() {
+  wend::Grid<wend::CellState> cells(100, 100, wend::CellState::free);
+  for (int y = 0; y < 80; ++y) cells[{50, y}] = wend::CellState::occupied;
+  return wend::GridMap(cells, {.resolution = 0.1, .y_up = true, .metric = true});
+}
+
+MapSnapshot snapshot() { return {wend::FreeSpace(room()), "map", 1}; }
+
+Ask ask(wend::Pose start, wend::Pose goal) {
+  return {.start = start, .goals = {goal}, .planner = {}, .options = {}};
+}
+
+TEST(StatusCodes, OfEveryReasonHaveANameAndNav2sNumbers) {
+  std::set<std::string_view> names;
+  for (int i = 0; i <= static_cast<int>(wend::Status::index_mismatch); ++i) {
+    const StatusCode code = code_of(static_cast<wend::Status>(i));
+    EXPECT_NE(code, StatusCode::unknown_error) << i;
+    names.insert(to_string(code));
+  }
+  EXPECT_GE(names.size(), 14U);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::start_outside)), 203);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::goal_outside)), 204);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::start_blocked)), 205);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::goal_blocked)), 206);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::time_limit)), 207);
+  EXPECT_EQ(static_cast<int>(code_of(wend::Status::unreachable)), 208);
+}
+
+TEST(Planning, AnswersInTheMapsFrame) {
+  Planning planning;
+  const PlanResult result =
+      planning.answer(snapshot(), {}, ask({1.05, 1.05, 0}, {9.05, 1.05, 0}));
+  ASSERT_EQ(result.status, 0) << result.reason;
+  EXPECT_EQ(result.path.header.frame_id, "map");
+  EXPECT_NEAR(result.path.poses.front().pose.position.x, 1.05, 1e-9);
+  EXPECT_NEAR(result.path.poses.back().pose.position.x, 9.05, 1e-9);
+  EXPECT_GT(result.path_metrics.length, 15);
+  EXPECT_NEAR(result.path_metrics.length, result.cost * 0.1, 1e-9);
+  EXPECT_EQ(result.bound, 1);
+  EXPECT_EQ(result.smoothed.poses.size(), result.path.poses.size());
+}
+
+TEST(Planning, TellsWhyThereIsNoPlan) {
+  Planning planning;
+  EXPECT_EQ(planning.answer(snapshot(), {}, ask({-1, 1, 0}, {9, 1, 0})).status, 203);
+  EXPECT_EQ(planning.answer(snapshot(), {}, ask({1, 1, 0}, {9, 11, 0})).status, 204);
+  EXPECT_EQ(planning.answer(snapshot(), {}, ask({5.05, 1, 0}, {9, 1, 0})).status, 205);
+  const PlanResult blocked = planning.answer(snapshot(), {}, ask({1, 1, 0}, {5.05, 1, 0}));
+  EXPECT_EQ(blocked.status, 206);
+  EXPECT_NE(blocked.reason.find("obstacle"), std::string::npos) << blocked.reason;
+}
+
+TEST(Planning, ChecksPlannersAndOptions) {
+  Planning planning;
+  Ask wrong = ask({1, 1, 0}, {9, 1, 0});
+  wrong.planner = "astr";
+  const PlanResult unknown = planning.answer(snapshot(), {}, wrong);
+  EXPECT_EQ(unknown.status, 201);
+  EXPECT_NE(unknown.reason.find("astar"), std::string::npos) << unknown.reason;
+  wrong.planner = "astar";
+  wrong.options = "weight=-3";
+  EXPECT_EQ(planning.answer(snapshot(), {}, wrong).status, 201);
+  wrong.options = "weight=3";
+  const PlanResult weighted = planning.answer(snapshot(), {}, wrong);
+  EXPECT_EQ(weighted.status, 0) << weighted.reason;
+  EXPECT_EQ(weighted.bound, 3);
+}
+
+TEST(Planning, TakesItsOptionsFromTheParameters) {
+  Planning planning;
+  Parameters parameters;
+  EXPECT_EQ(parameters.set("lambda", "2"), "");
+  EXPECT_EQ(parameters.text("weight"), "2") << "lambda is its other name";
+  EXPECT_NE(parameters.set("lambda", "-1"), "");
+  EXPECT_EQ(parameters.set("smooth", "false"), "");
+  const PlanResult result = planning.answer(snapshot(), parameters, ask({1, 1, 0}, {9, 1, 0}));
+  EXPECT_EQ(result.bound, 2);
+  EXPECT_TRUE(result.smoothed.poses.empty());
+}
+
+TEST(Planning, IsStoppedByItsFlag) {
+  Planning planning;
+  const std::atomic<bool> cancel{true};
+  const PlanResult result =
+      planning.answer(snapshot(), {}, ask({1, 1, 0}, {9, 1, 0}), {&cancel, nullptr});
+  EXPECT_EQ(result.status, static_cast<int>(StatusCode::cancelled));
+}
+
+TEST(Planning, AnswersFromTheFieldWithTheSameCost) {
+  Planning planning;
+  Ask from_field = ask({1, 1, 0}, {9, 1, 0});
+  const double cost = planning.answer(snapshot(), {}, from_field).cost;
+  from_field.from_field = true;
+  const PlanResult first = planning.answer(snapshot(), {}, from_field);
+  ASSERT_EQ(first.status, 0) << first.reason;
+  EXPECT_TRUE(first.from_field);
+  EXPECT_NEAR(first.cost, cost, 1e-9);
+  from_field.start = {2, 2, 0};
+  const PlanResult second = planning.answer(snapshot(), {}, from_field);
+  EXPECT_TRUE(second.from_field);
+  EXPECT_EQ(second.metrics.expanded, 0U) << "the field was there already";
+  from_field.from_field = false;
+  EXPECT_NEAR(planning.answer(snapshot(), {}, from_field).cost, second.cost, 1e-9);
+}
+
+TEST(Parameters, AreDescribedFromTheSchema) {
+  const Parameters parameters;
+  const auto description = parameters.description();
+  ASSERT_EQ(description.groups.size(), 1U);
+  std::set<std::string> names;
+  for (const auto& parameter : description.groups.front().parameters) names.insert(parameter.name);
+  for (const wend::PlannerInfo& planner : wend::planners()) {
+    for (const wend::OptionInfo& option : planner.options) {
+      EXPECT_TRUE(names.contains(option.name)) << option.name;
+    }
+  }
+  for (const char* name : {"planner", "robot_radius", "smooth_alpha", "smooth_beta"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+  EXPECT_EQ(parameters.config().bools.size() + parameters.config().ints.size() +
+                parameters.config().doubles.size() + parameters.config().strs.size(),
+            names.size());
+}
+
+TEST(Parameters, TakeWhatIsRightAndTellTheRest) {
+  Parameters parameters;
+  dynamic_reconfigure::Config config;
+  dynamic_reconfigure::DoubleParameter radius;
+  radius.name = "robot_radius";
+  radius.value = 0.3;
+  dynamic_reconfigure::DoubleParameter weight;
+  weight.name = "weight";
+  weight.value = -1;
+  config.doubles = {radius, weight};
+  const auto faults = parameters.apply(config);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults.front().find("weight"), std::string::npos);
+  EXPECT_EQ(parameters.number("robot_radius"), 0.3);
+}
+
+TEST(Poses, WithoutAnOrientationHeadAlongX) {
+  EXPECT_EQ(pose_from(geometry_msgs::Pose{}).heading, 0);
+  const wend::Pose pose{1, 2, -2.5};
+  const wend::Pose back = pose_from(to_message(pose));
+  EXPECT_NEAR(back.heading, -2.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace wend_ros
