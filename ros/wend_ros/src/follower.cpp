@@ -2,8 +2,8 @@
 //
 //   rosrun wend_ros follower _controller:=pure_pursuit
 //
-// It stops when the pose is lost, when ~cancel is called, when an empty path comes, and at the goal;
-// a path that is too old when it comes is not driven. A new path takes over while it drives. What it
+// It stops when the pose is lost, when /cancel says so, when an empty path comes, and at the goal; a
+// path that is too old when it comes is not driven. A new path takes over while it drives. What it
 // is doing it says on ~state: "driving", "reached", "stuck", "off_path", "idle", "no_pose".
 //
 // Parameters: controller, and the options of the controller, of the follower (acceptance_radius,
@@ -13,8 +13,8 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
+#include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
@@ -59,7 +59,7 @@ class FollowerNode {
         commands_(node.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
         states_(own.advertise<std_msgs::String>("state", 1, true)),
         paths_(node.subscribe("plan_smoothed", 1, &FollowerNode::take_path, this)),
-        cancel_(own.advertiseService("cancel", &FollowerNode::cancel, this)),
+        cancels_(node.subscribe("cancel", 1, &FollowerNode::cancel, this)),
         timer_(node.createTimer(ros::Duration(1 / rate_), &FollowerNode::step, this)) {
     say("idle");
   }
@@ -86,12 +86,7 @@ class FollowerNode {
     driving_ = true;
   }
 
-  bool cancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-    response.success = driving_ ? 1 : 0;
-    response.message = driving_ ? "stopped" : "nothing was being driven";
-    stop("idle");
-    return true;
-  }
+  void cancel(const std_msgs::Empty&) { stop("idle"); }
 
   std::optional<wend::Pose> pose() const {
     try {
@@ -156,7 +151,7 @@ class FollowerNode {
   ros::Publisher commands_;
   ros::Publisher states_;
   ros::Subscriber paths_;
-  ros::ServiceServer cancel_;
+  ros::Subscriber cancels_;
   ros::Timer timer_;
   bool driving_ = false;
   std::string frame_id_;

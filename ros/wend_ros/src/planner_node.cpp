@@ -46,7 +46,8 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own)
   worker_ = std::thread([this] { plan_for_topics(); });
   subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
                   node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
-                  node.subscribe("initialpose", 1, &PlannerNode::take_start, this)};
+                  node.subscribe("initialpose", 1, &PlannerNode::take_start, this),
+                  node.subscribe("cancel", 1, &PlannerNode::cancel, this)};
   servers_ = {node.advertiseService("make_plan", &PlannerNode::make_plan, this),
               node.advertiseService("plan_path", &PlannerNode::plan_path, this)};
   action_ = std::make_unique<ActionServer>(
@@ -103,6 +104,17 @@ void PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
   wake();
 }
 
+/// Forgets the topics' goal, and takes the plan to it away.
+void PlannerNode::cancel(const std_msgs::Empty&) {
+  {
+    const std::lock_guard lock(mutex_);
+    goal_.reset();
+    wanted_ = active_ = false;
+    cancel_topics_ = true;
+  }
+  if (const auto map = maps_.snapshot()) publish(PlanResult(), *map, nullptr);
+}
+
 void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
 
 /// Plans to the topics' goal again, if there is one, and stops the search for it that may be running.
@@ -136,12 +148,13 @@ void PlannerNode::plan_for_topics() {
     PlanRequest request;
     {
       const std::lock_guard lock(mutex_);
+      if (!goal_) continue;
       request.goals = {*goal_};
     }
     SearchWatch watch(expansion_.getNumSubscribers() > 0);
     const PlanResult result = answer(request, &cancel_topics_, &watch);
     const std::lock_guard lock(mutex_);
-    active_ = result.status == static_cast<std::uint16_t>(StatusCode::found) &&
+    active_ = goal_ && result.status == static_cast<std::uint16_t>(StatusCode::found) &&
               result.path_metrics.length > kArrived;
   }
 }

@@ -17,22 +17,13 @@
 #include <wend_ros/PlanPath.h>
 #include <wend_ros/PlanPathAction.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "next_message.hpp"
+
 namespace wend_ros {
 namespace {
-
-const ros::Duration kPatience(20);
-
-/// The next message of a topic, the latched one if there is one.
-template <class Message>
-std::optional<Message> next(const std::string& topic) {
-  const auto message = ros::topic::waitForMessage<Message>(topic, kPatience);
-  if (!message) return std::nullopt;
-  return *message;
-}
 
 geometry_msgs::PoseStamped pose(double x, double y, const std::string& frame_id = "map") {
   geometry_msgs::PoseStamped stamped;

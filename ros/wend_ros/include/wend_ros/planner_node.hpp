@@ -5,12 +5,14 @@
 //
 // Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
 // the spinner's for services. A new goal by topic stops the search for the one before. With the
-// parameter replan_rate (Hz) the plan to that goal is made anew until the robot is there.
+// parameter replan_rate (Hz) the plan to that goal is made anew until the robot is there, or /cancel
+// says to leave it.
 
 #include <actionlib/server/simple_action_server.h>
 #include <nav_msgs/GetPlan.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
+#include <std_msgs/Empty.h>
 #include <wend_ros/PlanPath.h>
 #include <wend_ros/PlanPathAction.h>
 
@@ -43,6 +45,7 @@ class PlannerNode {
   void take_map(const nav_msgs::OccupancyGrid& message);
   void take_goal_parameter(ros::NodeHandle& own);
   void take_goal(const geometry_msgs::PoseStamped& goal);
+  void cancel(const std_msgs::Empty& message);
   void take_start(const geometry_msgs::PoseWithCovarianceStamped& start);
   bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool plan_path(PlanPath::Request& request, PlanPath::Response& response);

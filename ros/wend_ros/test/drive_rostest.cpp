@@ -1,0 +1,133 @@
+// drive.launch: map, planner, follower and simulated robot together, from a click to the goal.
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+#include <std_msgs/Empty.h>
+#include <std_msgs/String.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <string>
+
+#include "next_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+class Driving : public testing::Test {
+ protected:
+  void SetUp() override {
+    goals_ = node_.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
+    starts_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>("initialpose", 1);
+    states_ = node_.subscribe<std_msgs::String>(
+        "follower/state", 10, [this](const std_msgs::StringConstPtr& state) {
+          const std::lock_guard lock(mutex_);
+          state_ = state->data;
+        });
+    odometry_ = node_.subscribe<nav_msgs::Odometry>(
+        "odom", 10, [this](const nav_msgs::OdometryConstPtr& odometry) {
+          const std::lock_guard lock(mutex_);
+          robot_ = *odometry;
+        });
+    plans_ = node_.subscribe<nav_msgs::Path>(
+        "plan", 10, [this](const nav_msgs::PathConstPtr&) { ++plans_seen_; });
+    ASSERT_TRUE(next<nav_msgs::Odometry>("odom"));
+    ASSERT_TRUE(wait_until([this] { return goals_.getNumSubscribers() > 0; }));
+    ASSERT_TRUE(wait_until([this] { return starts_.getNumSubscribers() > 1; }));
+  }
+
+  void click(double x, double y) const {
+    geometry_msgs::PoseStamped goal;
+    goal.header.frame_id = "map";
+    goal.pose.position.x = x;
+    goal.pose.position.y = y;
+    goal.pose.orientation.w = 1;
+    goals_.publish(goal);
+  }
+
+  void place(double x, double y) const {
+    geometry_msgs::PoseWithCovarianceStamped start;
+    start.header.frame_id = "map";
+    start.pose.pose.position.x = x;
+    start.pose.pose.position.y = y;
+    start.pose.pose.orientation.w = 1;
+    starts_.publish(start);
+  }
+
+  double distance_to(double x, double y) {
+    const std::lock_guard lock(mutex_);
+    return std::hypot(robot_.pose.pose.position.x - x, robot_.pose.pose.position.y - y);
+  }
+
+  double speed() {
+    const std::lock_guard lock(mutex_);
+    return std::abs(robot_.twist.twist.linear.x);
+  }
+
+  std::string state() {
+    const std::lock_guard lock(mutex_);
+    return state_;
+  }
+
+  ros::NodeHandle node_;
+  ros::Publisher goals_;
+  ros::Publisher starts_;
+  ros::Subscriber states_;
+  ros::Subscriber odometry_;
+  ros::Subscriber plans_;
+  std::mutex mutex_;
+  std::string state_;
+  nav_msgs::Odometry robot_;
+  std::atomic<int> plans_seen_{0};
+};
+
+TEST_F(Driving, ReachesAGoalBehindAWallAndPlansAnewOnTheWay) {
+  place(16.5, 28.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(16.5, 28.5) < 0.1; }));
+  click(24.5, 28.5);
+  ASSERT_TRUE(wait_until([this] { return state() == "driving"; }));
+  ASSERT_TRUE(wait_until([this] { return state() == "reached"; })) << state();
+  EXPECT_LT(distance_to(24.5, 28.5), 0.5);
+  EXPECT_GE(plans_seen_, 3);
+}
+
+TEST_F(Driving, TurnsToANewGoalWhileItDrives) {
+  place(1.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 1.5) < 0.1; }));
+  click(15.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return speed() > 1; }));
+  click(1.5, 8.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 8.5) < 0.5; })) << state();
+}
+
+TEST_F(Driving, StopsWhereItIsToldTo) {
+  place(1.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 1.5) < 0.1; }));
+  click(15.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return speed() > 1; }));
+  auto cancels = node_.advertise<std_msgs::Empty>("cancel", 1);
+  ASSERT_TRUE(wait_until([&] { return cancels.getNumSubscribers() == 2; }));
+  cancels.publish(std_msgs::Empty());
+  ASSERT_TRUE(wait_until([this] { return state() == "idle"; }));
+  ASSERT_TRUE(wait_until([this] { return speed() == 0; }));
+  EXPECT_TRUE(next<nav_msgs::Path>("plan")->poses.empty()) << "the plan is taken away";
+  EXPECT_EQ(state(), "idle");
+}
+
+}  // namespace
+}  // namespace wend_ros
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "drive_rostest");
+  const ros::NodeHandle node;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
