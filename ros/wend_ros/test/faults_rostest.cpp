@@ -1,0 +1,216 @@
+// What goes wrong on a robot: no map, maps that are none, huge ones, cancelled goals, a killed node.
+// The test itself publishes the maps.
+
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+#include <ros/network.h>
+#include <signal.h>
+#include <wend_ros/PlanPath.h>
+#include <wend_ros/PlanPathAction.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+
+#include <iostream>
+#include <limits>
+#include <thread>
+
+#include "next_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+nav_msgs::OccupancyGrid free_map(std::uint32_t side, float resolution = 1) {
+  nav_msgs::OccupancyGrid grid;
+  grid.header.frame_id = "map";
+  grid.info.width = grid.info.height = side;
+  grid.info.resolution = resolution;
+  grid.info.origin.orientation.w = 1;
+  grid.data.assign(std::size_t{side} * side, 0);
+  return grid;
+}
+
+geometry_msgs::PoseStamped pose(double x, double y) {
+  geometry_msgs::PoseStamped stamped;
+  stamped.header.frame_id = "map";
+  stamped.pose.position.x = x;
+  stamped.pose.position.y = y;
+  stamped.pose.orientation.w = 1;
+  return stamped;
+}
+
+PlanRequest request(double x, double y) {
+  PlanRequest request;
+  request.use_start = 1;
+  request.start = pose(1.5, 1.5);
+  request.goals = {pose(x, y)};
+  return request;
+}
+
+class Faults : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    maps_ = new ros::Publisher(ros::NodeHandle().advertise<nav_msgs::OccupancyGrid>("map", 1, true));
+  }
+  static void TearDownTestSuite() { delete maps_; }
+
+  void SetUp() override {
+    client_ = node_.serviceClient<PlanPath>("plan_path");
+    ASSERT_TRUE(client_.waitForExistence(kPatience));
+    ASSERT_TRUE(wait_until([] { return maps_->getNumSubscribers() > 0; }));
+  }
+
+  /// The status, or -1 if nobody answers.
+  int status_of(const PlanRequest& request) {
+    PlanPath call;
+    call.request.request = request;
+    return client_.call(call) ? call.response.result.status : -1;
+  }
+
+  /// Publishes a map and waits until the planner has it, which a goal shows.
+  void put_map(const nav_msgs::OccupancyGrid& map, const PlanRequest& shows, int status) {
+    maps_->publish(map);
+    ASSERT_TRUE(wait_until([&] { return status_of(shows) == status; }));
+  }
+
+  static ros::Publisher* maps_;
+  ros::NodeHandle node_;
+  ros::ServiceClient client_;
+};
+
+ros::Publisher* Faults::maps_ = nullptr;
+
+TEST_F(Faults, WithoutAMapEveryQueryIsAnswered) {
+  EXPECT_EQ(status_of(request(3.5, 3.5)), 250);
+}
+
+TEST_F(Faults, MapsThatAreNoneAreToldAndNotUsed) {
+  put_map(free_map(20), request(3.5, 3.5), 0);
+  put_map(free_map(0), request(3.5, 3.5), 250);
+  put_map(free_map(20), request(3.5, 3.5), 0);
+  put_map(free_map(20, 0), request(3.5, 3.5), 250);
+  put_map(free_map(20), request(3.5, 3.5), 0);
+  put_map(free_map(20, std::numeric_limits<float>::quiet_NaN()), request(3.5, 3.5), 250);
+  nav_msgs::OccupancyGrid cut = free_map(20);
+  put_map(cut, request(3.5, 3.5), 0);
+  cut.data.pop_back();
+  put_map(cut, request(3.5, 3.5), 250);
+}
+
+TEST_F(Faults, ANewMapCounts) {
+  put_map(free_map(20), request(3.5, 3.5), 0);
+  EXPECT_EQ(status_of(request(30.5, 3.5)), 204);
+  put_map(free_map(40), request(30.5, 3.5), 0);
+}
+
+TEST_F(Faults, TwoClientsAtOnceAreBothAnswered) {
+  put_map(free_map(400), request(399.5, 399.5), 0);
+  const auto ask_often = [](int& found) {
+    ros::NodeHandle node;
+    ros::ServiceClient client = node.serviceClient<PlanPath>("plan_path");
+    for (int i = 0; i < 30; ++i) {
+      PlanPath call;
+      call.request.request = request(399.5, 10 * i + 1.5);
+      if (client.call(call) && call.response.result.status == 0) ++found;
+    }
+  };
+  int first = 0;
+  int second = 0;
+  std::thread other([&] { ask_often(first); });
+  ask_often(second);
+  other.join();
+  EXPECT_EQ(first, 30);
+  EXPECT_EQ(second, 30);
+}
+
+TEST_F(Faults, ACancelledSearchEndsAtOnceOnAHugeMap) {
+  put_map(free_map(4096), request(4095.5, 4095.5), 0);
+  actionlib::SimpleActionClient<PlanPathAction> action("plan_path_action", true);
+  ASSERT_TRUE(action.waitForServer(kPatience));
+  PlanPathGoal goal;
+  goal.request = request(4095.5, 4095.5);
+  goal.request.planner = "dijkstra";
+  bool running = false;
+  double bound = 0;
+  std::uint64_t expanded = 0;
+  action.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
+    running = feedback->expanded > 1000;
+    expanded = feedback->expanded;
+    bound = feedback->best_bound;
+  });
+  ASSERT_TRUE(wait_until([&] { return running; }));
+  EXPECT_GT(bound, 0);
+  const ros::WallTime asked = ros::WallTime::now();
+  action.cancelGoal();
+  ASSERT_TRUE(action.waitForResult(kPatience));
+  const double seconds = (ros::WallTime::now() - asked).toSec();
+  std::cout << "cancelled after " << expanded << " expansions, answered in " << 1e3 * seconds
+            << " ms\n";
+  EXPECT_EQ(action.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
+  EXPECT_EQ(action.getResult()->result.status, 251);
+  EXPECT_LT(action.getResult()->result.metrics.expanded, 4096U * 4096U) << "it did not run on";
+}
+
+TEST_F(Faults, ANewGoalPreemptsTheOneBefore) {
+  put_map(free_map(4096), request(4095.5, 4095.5), 0);
+  actionlib::SimpleActionClient<PlanPathAction> first("plan_path_action", true);
+  actionlib::SimpleActionClient<PlanPathAction> second("plan_path_action", true);
+  ASSERT_TRUE(first.waitForServer(kPatience));
+  ASSERT_TRUE(second.waitForServer(kPatience));
+  PlanPathGoal goal;
+  goal.request = request(4095.5, 4095.5);
+  goal.request.planner = "dijkstra";
+  bool running = false;
+  first.sendGoal(goal, {}, {},
+                 [&](const PlanPathFeedbackConstPtr& feedback) { running = feedback->expanded > 0; });
+  ASSERT_TRUE(wait_until([&] { return running; }));
+  goal.request = request(10.5, 10.5);
+  EXPECT_EQ(second.sendGoalAndWait(goal, kPatience),
+            actionlib::SimpleClientGoalState::SUCCEEDED);
+  ASSERT_TRUE(first.waitForResult(kPatience));
+  EXPECT_EQ(first.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
+}
+
+/// The process of a node.
+int pid_of(const std::string& name) {
+  XmlRpc::XmlRpcValue arguments;
+  XmlRpc::XmlRpcValue result;
+  XmlRpc::XmlRpcValue payload;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = name;
+  if (!ros::master::execute("lookupNode", arguments, result, payload, false)) return 0;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(static_cast<std::string>(payload), host, port)) return 0;
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue caller;
+  caller[0] = ros::this_node::getName();
+  XmlRpc::XmlRpcValue answer;
+  if (!client.execute("getPid", caller, answer)) return 0;
+  return static_cast<int>(answer[2]);
+}
+
+TEST_F(Faults, AKilledNodeComesBackAndAnswers) {
+  put_map(free_map(20), request(3.5, 3.5), 0);
+  const int pid = pid_of("/planner_server");
+  ASSERT_GT(pid, 0);
+  ASSERT_EQ(kill(pid, SIGKILL), 0);
+  ASSERT_TRUE(wait_until([&] {
+    const int now = pid_of("/planner_server");
+    return now > 0 && now != pid;
+  }));
+  // The map is latched: the new process gets it.
+  EXPECT_TRUE(wait_until([&] { return status_of(request(3.5, 3.5)) == 0; }));
+}
+
+}  // namespace
+}  // namespace wend_ros
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "faults_rostest");
+  const ros::NodeHandle node;
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
