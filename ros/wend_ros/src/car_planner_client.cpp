@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/path/simplification.hpp"
 #include "wend_ros/car_client_arguments.hpp"
 #include "wend_ros/car_planning.hpp"
 #include "wend_ros/markers.hpp"
@@ -61,11 +62,13 @@ class Show {
     markers_.publish(markers);
   }
 
-  void drive(const wend_ros::CarResult& result, const wend::Frame& frame) {
-    const nav_msgs::Path path =
-        wend_ros::to_message(wend_ros::path_of(result), frame, kFrame);
-    path_.publish(path);
-    poses_.publish(wend_ros::poses_of(path));
+  void drive(const wend_ros::CarResult& result, const wend::FreeSpace& space) {
+    const wend::Frame& frame = space.map().frame();
+    constexpr double kSpacing = 0.1;  // cells: lines so short that arcs look like arcs
+    const wend::Path drive = wend_ros::path_of(result);
+    poses_.publish(wend_ros::poses_of(wend_ros::to_message(drive, frame, kFrame)));
+    if (drive.empty()) return;
+    path_.publish(wend_ros::to_message(wend::resampled(drive, kSpacing, space), frame, kFrame));
   }
 
  private:
@@ -91,7 +94,7 @@ int plan_and_show(ros::NodeHandle& node, const wend_ros::CarRequest& request, bo
   Show show(node);
   if (const auto yard = wend_ros::yard_of(request)) {
     show.yard(*yard);
-    show.drive(result, yard->frame());
+    show.drive(result, wend::FreeSpace(*yard));
   }
   if (result.status == 0) {
     for (const std::string& line : wend_ros::commands_of(result)) ROS_INFO_STREAM(line);

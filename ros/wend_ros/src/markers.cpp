@@ -73,11 +73,16 @@ visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std
     marker->scale.x = frame.resolution;
     marker->scale.y = frame.resolution;
     marker->scale.z = kThin;
+    if (!frame.y_up) {
+      marker->pose.orientation.w = 0;
+      marker->pose.orientation.x = 1;
+    }
   }
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
       const wend::Cell cell{x, y};
-      const auto point = point_of(frame.to_metres(wend::centre_of(cell)), 0);
+      auto point = point_of(frame.to_metres(wend::centre_of(cell)), 0);
+      if (!frame.y_up) point.y = -point.y;
       if (map.state(cell) == wend::CellState::occupied) {
         obstacles.points.push_back(point);
       } else if (map.terrain(cell) > 1) {

@@ -14,7 +14,9 @@
 
 namespace wend_ros {
 
-/// Obstacle cells as one red marker, rough ones as one yellow.
+/// Obstacle cells as one red marker, rough ones as one yellow. Those of a map with y down are turned
+/// by pi about x within their frame, so that rviz, where that frame is turned too, lights them from
+/// above; their points then have -y.
 visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id);
 
 /// Start, goal and the line between; of an empty path what takes them away.
