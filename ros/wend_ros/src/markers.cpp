@@ -128,14 +128,17 @@ nav_msgs::OccupancyGrid heatmap_of(const std::vector<wend::Cell>& order, const w
   nav_msgs::OccupancyGrid grid;
   grid.header.frame_id = frame_id;
   grid.info = information_of(map);
-  grid.data.assign(map.size(), -1);
+  constexpr double kFirst = 1;
+  constexpr double kLast = 98;
+  grid.data.assign(map.size(), 0);
   const auto last = static_cast<double>(std::max<std::size_t>(order.size(), 2) - 1);
   for (std::size_t i = order.size(); i-- > 0;) {  // the first time that a cell was expanded counts
     const wend::Cell cell = order[i];
     if (!map.contains(cell)) continue;
     const int row = map.frame().y_up ? cell.y : map.height() - 1 - cell.y;
     grid.data[static_cast<std::size_t>(row) * grid.info.width + static_cast<std::size_t>(cell.x)] =
-        static_cast<std::int8_t>(std::lround(100 * static_cast<double>(i) / last));
+        static_cast<std::int8_t>(
+            std::lround(kFirst + (kLast - kFirst) * static_cast<double>(i) / last));
   }
   return grid;
 }

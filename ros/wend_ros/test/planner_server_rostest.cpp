@@ -179,8 +179,8 @@ TEST_F(PlannerServer, ShowsTheOrderOfExpansion) {
   int first = 0;
   int beyond = 0;
   for (const auto value : seen->data) {
-    first += value == 0 ? 1 : 0;
-    beyond += value > 100 || value < -1 ? 1 : 0;
+    first += value == 1 ? 1 : 0;
+    beyond += value > 98 || value < 0 ? 1 : 0;
   }
   EXPECT_GE(first, 1);
   EXPECT_EQ(beyond, 0);

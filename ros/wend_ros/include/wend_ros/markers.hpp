@@ -22,7 +22,8 @@ visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std
 /// Start, goal and the line between; of an empty path what takes them away.
 visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path);
 
-/// The cells in the order in which a search expanded them, from 0 to 100; -1 where it did not go.
+/// The cells in the order in which a search expanded them, from 1 to 98; 0 where it did not go. rviz's
+/// colours for costmaps go from blue to red in that range, and 0 is transparent.
 nav_msgs::OccupancyGrid heatmap_of(const std::vector<wend::Cell>& order, const wend::GridMap& map,
                                    const std::string& frame_id);
 
