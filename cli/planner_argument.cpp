@@ -24,16 +24,6 @@ PlannerSpec parse_planner(const std::string& text) {
 
 const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find(planner.name); }
 
-GridMoves moves_of(const PlannerSpec& planner) {
-  const std::vector<OptionInfo> schema = option_schema<GridMoves>();
-  OptionValues values;
-  for (const auto& value : planner.options) {
-    const auto is_it = [&value](const OptionInfo& option) { return option.name == value.first; };
-    if (std::any_of(schema.begin(), schema.end(), is_it)) values.push_back(value);
-  }
-  return parse_options<GridMoves>(values).value_or(GridMoves{});
-}
-
 int unit_of(const PlannerSpec& planner) {
   int unit = 1;
   for (const auto& [name, value] : planner.options) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/planner_spec.hpp"
 
@@ -19,9 +18,6 @@ std::vector<PlannerSpec> parse_planners(const std::string& text);
 PlannerSpec parse_planner(const std::string& text);
 
 const PlannerInfo& info_of(const PlannerSpec& planner);
-
-/// How the planner moves, as far as its options say; values that are none count as not given.
-GridMoves moves_of(const PlannerSpec& planner);
 
 /// Of a car: how many map cells apart the corners lie on which it stands, as far as its options say.
 int unit_of(const PlannerSpec& planner);

@@ -10,6 +10,7 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/option_spec.hpp"
 #include "wend/planner/planner_info.hpp"
+#include "wend/space/grid_moves.hpp"
 
 namespace wend {
 
@@ -18,5 +19,8 @@ using PlannerSpec = OptionSpec;
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; whether the options fit is for PlannerInfo::make to say.
 Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list);
+
+/// How a planner moves on a grid, as far as its options say; values that are none count as not given.
+GridMoves moves_of(const PlannerSpec& planner);
 
 }  // namespace wend

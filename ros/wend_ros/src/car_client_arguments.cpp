@@ -89,9 +89,10 @@ wend::Expected<CarRequest, std::string> car_request(const std::vector<std::strin
   }
   if (words.empty()) return random_request(kDefaults, seed);
   if (words.size() != kCarArguments) {
-    return wrong("all ten arguments or none expected (mapWidth mapHeight startX startY startD goalX "
-                 "goalY goalD obstacleCount roughRoadCount), or yard:=FILE; " +
-                 std::to_string(words.size()) + " given");
+    return wrong(
+        "all ten arguments or none expected (mapWidth mapHeight startX startY startD goalX "
+        "goalY goalD obstacleCount roughRoadCount), or yard:=FILE; " +
+        std::to_string(words.size()) + " given");
   }
   std::array<std::int32_t, kCarArguments> numbers{};
   for (std::size_t i = 0; i < kCarArguments; ++i) {

@@ -17,8 +17,9 @@ class CarPlannerServer {
  public:
   explicit CarPlannerServer(ros::NodeHandle& node)
       : service_(node.advertiseService("plan_car", &CarPlannerServer::serve, this)),
-        action_(node, "plan_car_action",
-                [this](const wend_ros::PlanCarGoalConstPtr& goal) { execute(*goal); }, false) {
+        action_(
+            node, "plan_car_action",
+            [this](const wend_ros::PlanCarGoalConstPtr& goal) { execute(*goal); }, false) {
     action_.registerPreemptCallback([this] { cancel_ = true; });
     action_.start();
   }
@@ -49,7 +50,7 @@ class CarPlannerServer {
     {
       const auto publish = [this](const auto& message) { action_.publishFeedback(message); };
       const wend_ros::Feedback<wend_ros::PlanCarFeedback, decltype(publish)> feedback(watch,
-                                                                                    publish);
+                                                                                      publish);
       result.result = answer(goal.request, {&cancel_, &watch});
     }
     wend_ros::finish(action_, result);

@@ -16,7 +16,9 @@ namespace {
 constexpr double kRough = 2;
 constexpr int kMostCorners = 8193;
 
-std::string text_of(int x, int y) { return "(" + std::to_string(x) + "," + std::to_string(y) + ")"; }
+std::string text_of(int x, int y) {
+  return "(" + std::to_string(x) + "," + std::to_string(y) + ")";
+}
 
 wend::Unexpected<std::string> wrong(std::string what) {
   return wend::Unexpected<std::string>(std::move(what));

@@ -1,7 +1,7 @@
 #include "wend_ros/map_message.hpp"
 
-#include <tf2/utils.h>
 #include <tf2/LinearMath/Quaternion.h>
+#include <tf2/utils.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
@@ -96,7 +96,8 @@ wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGri
   const auto& info = message.info;
   const std::size_t width = info.width;
   const std::size_t height = info.height;
-  if (width == 0 || height == 0) return wrong("the map is empty: " + text_of(width, height) + " cells");
+  if (width == 0 || height == 0)
+    return wrong("the map is empty: " + text_of(width, height) + " cells");
   if (width > wend::GridMap::kMaxCells / height) {
     return wrong("the map is too large: " + text_of(width, height) + " cells");
   }
@@ -125,11 +126,11 @@ wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGri
       terrain[cell] = 1 + kScale * value / 100;
     }
   }
-  const wend::Frame frame{.resolution = as_written(info.resolution),
-                          .origin = {info.origin.position.x, info.origin.position.y,
-                                     yaw_of(info.origin.orientation)},
-                          .y_up = true,
-                          .metric = true};
+  const wend::Frame frame{
+      .resolution = as_written(info.resolution),
+      .origin = {info.origin.position.x, info.origin.position.y, yaw_of(info.origin.orientation)},
+      .y_up = true,
+      .metric = true};
   return wend::GridMap(cells, frame, std::move(terrain));
 }
 

@@ -25,7 +25,8 @@ constexpr Rgb kOrange{0.84F, 0.37F, 0.0F};
 constexpr Rgb kBlue{0.0F, 0.45F, 0.7F};
 constexpr double kThin = 0.02;  // m: flat things
 
-Marker marker_of(const std::string& frame_id, const std::string& name, int type, const Rgb& colour) {
+Marker marker_of(const std::string& frame_id, const std::string& name, int type,
+                 const Rgb& colour) {
   Marker marker;
   marker.header.frame_id = frame_id;
   marker.ns = name;
@@ -65,7 +66,8 @@ Marker end_marker(const geometry_msgs::PoseStamped& end, const std::string& name
 
 }  // namespace
 
-visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id) {
+visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map,
+                                             const std::string& frame_id) {
   const wend::Frame& frame = map.frame();
   Marker obstacles = marker_of(frame_id, "obstacles", Marker::CUBE_LIST, kRed);
   Marker rough = marker_of(frame_id, "rough", Marker::CUBE_LIST, kYellow);

@@ -29,8 +29,8 @@ struct NodeOptions {
   static void fields(Self& self, Field&& field) {
     field({"robot_radius", "the robot is a disc of this radius, m"}, self.robot_radius, {0, 100});
     field({"unknown_free", "the robot may drive where nothing is known"}, self.unknown_free);
-    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"},
-          self.keep_away, {0, 100});
+    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"}, self.keep_away,
+          {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
     field({"time_limit", "give up after so many seconds; 0: never"}, self.time_limit, {0, 3600});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
@@ -74,8 +74,7 @@ std::vector<OptionInfo> full_schema() {
 }
 
 bool is_called(const OptionInfo& option, std::string_view name) {
-  return option.name == name ||
-         std::ranges::find(option.aliases, name) != option.aliases.end();
+  return option.name == name || std::ranges::find(option.aliases, name) != option.aliases.end();
 }
 
 /// What is wrong with a value, empty if nothing is.
@@ -231,7 +230,8 @@ dynamic_reconfigure::Config Parameters::config_of(const std::vector<std::string>
         break;
       case OptionKind::integer:
         config.ints.push_back(entry<dynamic_reconfigure::IntParameter>(
-            option.name, static_cast<std::int32_t>(std::clamp<double>(number, INT32_MIN, INT32_MAX))));
+            option.name,
+            static_cast<std::int32_t>(std::clamp<double>(number, INT32_MIN, INT32_MAX))));
         break;
       case OptionKind::number:
         config.doubles.push_back(entry<dynamic_reconfigure::DoubleParameter>(option.name, number));

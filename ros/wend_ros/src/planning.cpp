@@ -39,17 +39,6 @@ wend::Expected<wend::PlannerSpec, wend::PlannerError> spec_of(const Parameters& 
   return spec;
 }
 
-/// How the planner moves, as far as its options say.
-wend::GridMoves moves_of(const wend::PlannerSpec& spec) {
-  const std::vector<wend::OptionInfo> schema = wend::option_schema<wend::GridMoves>();
-  wend::OptionValues values;
-  for (const auto& value : spec.options) {
-    const auto is_it = [&](const wend::OptionInfo& option) { return option.name == value.first; };
-    if (std::ranges::any_of(schema, is_it)) values.push_back(value);
-  }
-  return wend::parse_options<wend::GridMoves>(values).value_or(wend::GridMoves{});
-}
-
 /// Do all its points lie in cells that have numbers?
 bool are_cells(const wend::Query& query) {
   constexpr double kMost = 1e9;
@@ -76,7 +65,7 @@ wend::Query query_of(const wend::Frame& frame, const Ask& ask) {
 }
 
 void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
-              const wend::Plan& plan) {
+              const wend::GridMoves& moves, const wend::Plan& plan) {
   const wend::Frame& frame = map.space.map().frame();
   result.path = to_message(plan.path, frame, map.frame_id);
   result.cost = plan.cost;
@@ -84,8 +73,10 @@ void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& para
   for (const std::string_view move : plan.moves) result.moves.emplace_back(move);
   result.path_metrics = metrics_message(plan.path, map.space);
   if (!parameters.flag("smooth") || plan.path.driven()) return;
-  const wend::GradientOptions options{.alpha = parameters.number("smooth_alpha"),
-                                      .beta = parameters.number("smooth_beta")};
+  const wend::GradientOptions options{
+      .alpha = parameters.number("smooth_alpha"),
+      .beta = parameters.number("smooth_beta"),
+      .squeeze = moves.adjacency() == wend::Adjacency::edges_and_corners};
   const auto smoothed = wend::smooth_by_gradient(plan.path, map.space, options);
   if (smoothed) {
     result.smoothed = to_message(smoothed->path, frame, map.frame_id);
@@ -136,7 +127,8 @@ std::shared_ptr<const wend::CostToGo> Planning::field_to(const MapSnapshot& map,
                                                          const wend::Limits& limits,
                                                          wend::PlanFailure& failure) {
   const std::lock_guard lock(mutex_);
-  if (field_ && field_->version == map.version && field_->goals == goals && field_->moves == moves) {
+  if (field_ && field_->version == map.version && field_->goals == goals &&
+      field_->moves == moves) {
     return field_->costs;
   }
   auto made = wend::CostToGo::make(map.space, goals, moves, limits);
@@ -145,14 +137,13 @@ std::shared_ptr<const wend::CostToGo> Planning::field_to(const MapSnapshot& map,
     return nullptr;
   }
   failure.metrics = made->metrics();
-  field_ = Field{map.version, goals, moves,
-                 std::make_shared<const wend::CostToGo>(*std::move(made))};
+  field_ =
+      Field{map.version, goals, moves, std::make_shared<const wend::CostToGo>(*std::move(made))};
   return field_->costs;
 }
 
 PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters& parameters,
-                                       const wend::Query& query,
-                                       const wend::GridMoves& moves) {
+                                       const wend::Query& query, const wend::GridMoves& moves) {
   std::vector<wend::Cell> goals;
   for (const wend::Goal& goal : query.goals) goals.push_back(wend::cell_at(goal.point));
   const double begin = seconds_now();
@@ -168,7 +159,7 @@ PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters&
     result = refused(plan.error().status);
   } else {
     result.status_name = to_string(StatusCode::found);
-    put_plan(result, map, parameters, *plan);
+    put_plan(result, map, parameters, moves, *plan);
   }
   result.from_field = 1;
   put_metrics(result, failure.metrics, seconds_now() - begin);
@@ -195,7 +186,7 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
 
   if (ask.from_field) {
     if (wend::planners().find(spec->name)->motion == wend::Motion::cells && are_cells(query)) {
-      return answer_from_field(map, parameters, query, moves_of(*spec));
+      return answer_from_field(map, parameters, query, wend::moves_of(*spec));
     }
     return refusal(StatusCode::unsupported_query,
                    "only planners from cell to cell answer from a field");
@@ -208,7 +199,7 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
   PlanResult result;
   if (status == wend::Status::found) {
     result.status_name = to_string(StatusCode::found);
-    put_plan(result, map, parameters, plan);
+    put_plan(result, map, parameters, wend::moves_of(*spec), plan);
   } else {
     const std::string reason = planner->reason(query, status);
     result = refusal(code_of(status), reason);

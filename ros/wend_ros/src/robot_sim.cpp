@@ -81,9 +81,9 @@ class RobotSim {
   void step(const ros::TimerEvent& event) {
     const double seconds = 1 / noise_.rate;
     if ((event.current_real - commanded_).toSec() > kCommandTimeout) wanted_ = {};
-    const wend::Velocity slipping{wanted_.linear * (1 + noise_.actuation_noise * random_.gaussian()),
-                                  wanted_.angular *
-                                      (1 + noise_.actuation_noise * random_.gaussian())};
+    const wend::Velocity slipping{
+        wanted_.linear * (1 + noise_.actuation_noise * random_.gaussian()),
+        wanted_.angular * (1 + noise_.actuation_noise * random_.gaussian())};
     state_ = wend::drive(model_, state_, slipping, seconds).to;
     publish();
   }

@@ -44,8 +44,7 @@ TEST(CarLaunch, ShowsTheYardInColoursAndTheDriveAsPoses) {
 TEST(CarLaunch, TurnsTheMapOverSoThatYPointsSouth) {
   tf2_ros::Buffer buffer;
   const tf2_ros::TransformListener listener(buffer);
-  const auto transform =
-      buffer.lookupTransform("map", "car_map", ros::Time(0), kPatience);
+  const auto transform = buffer.lookupTransform("map", "car_map", ros::Time(0), kPatience);
   EXPECT_NEAR(transform.transform.rotation.x, 1, 1e-12);
   EXPECT_NEAR(transform.transform.rotation.w, 0, 1e-12);
 }

@@ -25,11 +25,11 @@ class Driving : public testing::Test {
   void SetUp() override {
     goals_ = node_.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
     starts_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>("initialpose", 1);
-    states_ = node_.subscribe<std_msgs::String>(
-        "follower/state", 10, [this](const std_msgs::StringConstPtr& state) {
-          const std::lock_guard lock(mutex_);
-          state_ = state->data;
-        });
+    states_ = node_.subscribe<std_msgs::String>("follower/state", 10,
+                                                [this](const std_msgs::StringConstPtr& state) {
+                                                  const std::lock_guard lock(mutex_);
+                                                  state_ = state->data;
+                                                });
     odometry_ = node_.subscribe<nav_msgs::Odometry>(
         "odom", 10, [this](const nav_msgs::OdometryConstPtr& odometry) {
           const std::lock_guard lock(mutex_);

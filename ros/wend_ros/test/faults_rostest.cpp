@@ -4,8 +4,8 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <ros/ros.h>
 #include <ros/network.h>
+#include <ros/ros.h>
 #include <signal.h>
 #include <wend_ros/PlanPath.h>
 #include <wend_ros/PlanPathAction.h>
@@ -50,7 +50,8 @@ PlanRequest request(double x, double y) {
 class Faults : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    maps_ = new ros::Publisher(ros::NodeHandle().advertise<nav_msgs::OccupancyGrid>("map", 1, true));
+    maps_ =
+        new ros::Publisher(ros::NodeHandle().advertise<nav_msgs::OccupancyGrid>("map", 1, true));
   }
   static void TearDownTestSuite() { delete maps_; }
 
@@ -80,9 +81,7 @@ class Faults : public testing::Test {
 
 ros::Publisher* Faults::maps_ = nullptr;
 
-TEST_F(Faults, WithoutAMapEveryQueryIsAnswered) {
-  EXPECT_EQ(status_of(request(3.5, 3.5)), 250);
-}
+TEST_F(Faults, WithoutAMapEveryQueryIsAnswered) { EXPECT_EQ(status_of(request(3.5, 3.5)), 250); }
 
 TEST_F(Faults, MapsThatAreNoneAreToldAndNotUsed) {
   put_map(free_map(20), request(3.5, 3.5), 0);
@@ -161,12 +160,12 @@ TEST_F(Faults, ANewGoalPreemptsTheOneBefore) {
   goal.request = request(4095.5, 4095.5);
   goal.request.planner = "dijkstra";
   bool running = false;
-  first.sendGoal(goal, {}, {},
-                 [&](const PlanPathFeedbackConstPtr& feedback) { running = feedback->expanded > 0; });
+  first.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
+    running = feedback->expanded > 0;
+  });
   ASSERT_TRUE(wait_until([&] { return running; }));
   goal.request = request(10.5, 10.5);
-  EXPECT_EQ(second.sendGoalAndWait(goal, kPatience),
-            actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(second.sendGoalAndWait(goal, kPatience), actionlib::SimpleClientGoalState::SUCCEEDED);
   ASSERT_TRUE(first.waitForResult(kPatience));
   EXPECT_EQ(first.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
 }

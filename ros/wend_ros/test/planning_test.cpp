@@ -41,8 +41,7 @@ TEST(StatusCodes, OfEveryReasonHaveANameAndNav2sNumbers) {
 
 TEST(Planning, AnswersInTheMapsFrame) {
   Planning planning;
-  const PlanResult result =
-      planning.answer(snapshot(), {}, ask({1.05, 1.05, 0}, {9.05, 1.05, 0}));
+  const PlanResult result = planning.answer(snapshot(), {}, ask({1.05, 1.05, 0}, {9.05, 1.05, 0}));
   ASSERT_EQ(result.status, 0) << result.reason;
   EXPECT_EQ(result.path.header.frame_id, "map");
   EXPECT_NEAR(result.path.poses.front().pose.position.x, 1.05, 1e-9);

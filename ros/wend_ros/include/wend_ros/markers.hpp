@@ -11,7 +11,6 @@
 
 #include "wend/map/grid_map.hpp"
 
-
 namespace wend_ros {
 
 /// Obstacle cells as one red marker, rough ones as one yellow. Those of a map with y down are turned

@@ -55,8 +55,7 @@ class PlannerNode {
   PlanResult answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                     SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
-  wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
-                                         const MapSnapshot& map) const;
+  wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request, const MapSnapshot& map) const;
   void publish(const PlanResult& result, const MapSnapshot& map, const SearchWatch* watch);
 
   void plan_for_topics();
