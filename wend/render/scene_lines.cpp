@@ -15,9 +15,22 @@ constexpr double kTick = 1.35;           // how far the robot's tick reaches, in
 
 bool is_dashed(LineRole role) { return role == LineRole::planned; }
 
+/// In widths of a path's line: what is driven leaves the others to be seen.
+constexpr double share_of(LineRole role) {
+  switch (role) {
+    case LineRole::planned:
+      return 0.8;
+    case LineRole::smoothed:
+      return 1.5;
+    case LineRole::driven:
+      break;
+  }
+  return 0.45;
+}
+
 /// Pixels.
 double width_of(LineRole role, const MarkSizes& sizes) {
-  return std::max(kLeastWidth, sizes.line * (role == LineRole::smoothed ? 1.5 : 0.5));
+  return std::max(kLeastWidth, share_of(role) * sizes.line);
 }
 
 void trace(cairo_t* context, const std::vector<Point>& points, const MapView& view) {
