@@ -167,6 +167,41 @@ TEST_F(SharedData, PlansOnARealRosMap) {
   EXPECT_EQ(text.out.find("\x1b"), std::string::npos);
 }
 
+TEST_F(SharedData, SmoothsChecksAndFollowsOnARealRosMap) {
+  const TemporaryFolder folder;
+  const std::string map = data("ros/nav2/depot.yaml");
+  const std::string csv = folder / "smooth.csv";
+  const std::vector<std::string> robot{"--robot-radius", "0.25"};
+  const auto run = [&robot](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), robot.begin(), robot.end());
+    return wend(std::move(arguments));
+  };
+  ASSERT_EQ(run({"plan", map, "--start", "2,2", "--goal", "28,13", "--smooth", "-o", csv}).code, 0);
+  const Outcome checked = run({"check", map, csv, "--format", "json"});
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_GE(json::parse(checked.out).at("metrics").at("smallest_clearance_m").get<double>(),
+            0.25 - 1e-9);
+  const Outcome driven =
+      run({"follow", map, "--start", "2,2", "--goal", "28,13", "--smooth", "--format", "json"});
+  EXPECT_EQ(driven.code, 0) << driven.err;
+  EXPECT_EQ(json::parse(driven.out).at("drives").at(0).at("collisions"), 0);
+}
+
+TEST_F(SharedData, DrivesALapOfARaceTrack) {
+  const Outcome outcome =
+      wend({"follow", data("tracks/Spielberg_map.yaml"), "--path",
+            data("tracks/Spielberg_centerline.csv"), "--loop", "--robot-radius", "0.3", "--speed",
+            "3", "--drivetrain", "bicycle", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json drive = json::parse(outcome.out).at("drives").at(0);
+  EXPECT_EQ(drive.at("collisions"), 0);
+  EXPECT_NEAR(drive.at("distance_m").get<double>(), 343, 5);
+  const Outcome raceline = wend({"check", data("tracks/Spielberg_map.yaml"),
+                                 data("tracks/Spielberg_raceline.csv"), "--format", "json"});
+  EXPECT_EQ(raceline.code, 0) << raceline.err;
+  EXPECT_NEAR(json::parse(raceline.out).at("metrics").at("length_m").get<double>(), 338, 2);
+}
+
 TEST_F(SharedData, ARobotThatIsTooLargeIsToldWhy) {
   const Outcome outcome = wend({"plan", data("ros/nav2/tb3_sandbox.yaml"), "--start", "-2,-0.5",
                                 "--goal", "1.8,0.6", "--robot-radius", "0.6"});
