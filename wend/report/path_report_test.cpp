@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "wend/map/grid_map.hpp"
@@ -61,6 +62,14 @@ TEST(CheckJson, TellsWhereAPathCollides) {
   EXPECT_EQ(is_free.at("metrics").at("length_cells"), 3);
   EXPECT_EQ(is_free.at("metrics").at("length_m"), 1.5);
   EXPECT_TRUE(is_free.at("metrics").at("smallest_clearance_m").is_null());
+  // Three points of a right angle lie on a circle around the middle of its hypotenuse.
+  const auto metric = [&](const char* name) {
+    return is_free.at("metrics").at(name).get<double>();
+  };
+  EXPECT_NEAR(metric("largest_curvature_per_cell"), std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(metric("largest_curvature_per_m"), 2 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(metric("smallest_turning_radius_cells"), std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(metric("smallest_turning_radius_m"), std::sqrt(0.5) / 2, 1e-9);
   const PathCollision collision{CollisionKind::too_close, 1, 1.5, {2, 0.5}, Cell{3, 1}};
   const json collides = json::parse(check_json(path, collision, kFrame));
   EXPECT_EQ(collides.at("free"), false);
