@@ -10,6 +10,7 @@
 
 #include "wend_ros/car_planning.hpp"
 #include "wend_ros/feedback.hpp"
+#include "wend_ros/master_watch.hpp"
 
 namespace {
 
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "car_planner_server");
   ros::NodeHandle node;
   CarPlannerServer server(node);
+  const wend_ros::MasterWatch watch;
   constexpr int kThreads = 2;
   ros::AsyncSpinner spinner(kThreads);
   spinner.start();

@@ -25,6 +25,7 @@
 
 #include "wend/control/controller.hpp"
 #include "wend/control/follower.hpp"
+#include "wend_ros/master_watch.hpp"
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -176,6 +177,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const FollowerNode follower(node, own, *std::move(controller));
+  const wend_ros::MasterWatch watch;
   ros::spin();
   return 0;
 }

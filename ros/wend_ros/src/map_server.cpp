@@ -14,6 +14,7 @@
 
 #include "wend/io/load_map.hpp"
 #include "wend_ros/map_message.hpp"
+#include "wend_ros/master_watch.hpp"
 
 namespace {
 
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
     ROS_ERROR_STREAM(wrong);
     return 1;
   }
+  const wend_ros::MasterWatch watch;
   ros::spin();
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
+#include "wend/io/load_map.hpp"
 #include "wend_ros/feedback.hpp"
 #include "wend_ros/markers.hpp"
 #include "wend_ros/option_parameters.hpp"
@@ -28,7 +29,7 @@ wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {
 
 }  // namespace
 
-PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own)
+PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeHandle& services)
     : robot_(node, own),
       plan_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       smoothed_(node.advertise<nav_msgs::Path>("plan_smoothed", 1, true)),
@@ -43,13 +44,14 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own)
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
+  load_map_parameter(own);
   worker_ = std::thread([this] { plan_for_topics(); });
   subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
                   node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
                   node.subscribe("initialpose", 1, &PlannerNode::take_start, this),
                   node.subscribe("cancel", 1, &PlannerNode::cancel, this)};
-  servers_ = {node.advertiseService("make_plan", &PlannerNode::make_plan, this),
-              node.advertiseService("plan_path", &PlannerNode::plan_path, this)};
+  servers_ = {services.advertiseService("make_plan", &PlannerNode::make_plan, this),
+              services.advertiseService("plan_path", &PlannerNode::plan_path, this)};
   action_ = std::make_unique<ActionServer>(
       node, "plan_path_action", [this](const PlanPathGoalConstPtr& goal) { execute(goal); }, false);
   action_->registerPreemptCallback([this] { cancel_action_ = true; });
@@ -66,6 +68,18 @@ PlannerNode::~PlannerNode() {
   }
   asked_.notify_all();
   worker_.join();
+}
+
+void PlannerNode::load_map_parameter(ros::NodeHandle& own) {
+  const auto file = own.param<std::string>("map", "");
+  if (file.empty()) return;
+  const auto loaded = wend::load_map(file);
+  if (!loaded) {
+    ROS_ERROR_STREAM("~map: " << loaded.error().message());
+    maps_.set_wrong(loaded.error().message());
+    return;
+  }
+  take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));
 }
 
 void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {

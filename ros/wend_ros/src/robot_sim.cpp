@@ -20,6 +20,7 @@
 #include "wend/base/random.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend_ros/master_watch.hpp"
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -124,6 +125,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node;
   ros::NodeHandle own("~");
   const RobotSim robot(node, own);
+  const wend_ros::MasterWatch watch;
   ros::spin();
   return 0;
 }

@@ -170,6 +170,25 @@ TEST_F(Faults, ANewGoalPreemptsTheOneBefore) {
   EXPECT_EQ(first.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
 }
 
+TEST_F(Faults, AMapThatChangesWhileASearchRunsDoesNotDisturbIt) {
+  put_map(free_map(4096), request(4095.5, 4095.5), 0);
+  actionlib::SimpleActionClient<PlanPathAction> action("plan_path_action", true);
+  ASSERT_TRUE(action.waitForServer(kPatience));
+  PlanPathGoal goal;
+  goal.request = request(1500.5, 1500.5);
+  goal.request.planner = "dijkstra";
+  bool running = false;
+  action.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
+    running = feedback->expanded > 0;
+  });
+  ASSERT_TRUE(wait_until([&] { return running; }));
+  maps_->publish(free_map(20));
+  ASSERT_TRUE(action.waitForResult(kPatience));
+  EXPECT_EQ(action.getResult()->result.status, 0) << "it is the plan on the map that it began with";
+  EXPECT_EQ(action.getResult()->result.path.poses.size(), 1500U);
+  EXPECT_TRUE(wait_until([&] { return status_of(request(1500.5, 1500.5)) == 204; }));
+}
+
 /// The process of a node.
 int pid_of(const std::string& name) {
   XmlRpc::XmlRpcValue arguments;

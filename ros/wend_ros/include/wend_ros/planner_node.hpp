@@ -4,7 +4,7 @@
 // tools, services and actions; every plan goes out by /plan and what shows it.
 //
 // Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
-// the spinner's for services. A new goal by topic stops the search for the one before. With the
+// those of the services' spinner. A new goal by topic stops the search for the one before. With the
 // parameter replan_rate (Hz) the plan to that goal is made anew until the robot is there, or /cancel
 // says to leave it.
 
@@ -34,7 +34,9 @@ namespace wend_ros {
 
 class PlannerNode {
  public:
-  PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own);
+  /// Services are called from the queue of `services`. With the parameter ~map, a file, the map is
+  /// that one until another comes by /map.
+  PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeHandle& services);
   ~PlannerNode();
   PlannerNode(const PlannerNode&) = delete;
   PlannerNode& operator=(const PlannerNode&) = delete;
@@ -42,6 +44,7 @@ class PlannerNode {
  private:
   using ActionServer = actionlib::SimpleActionServer<PlanPathAction>;
 
+  void load_map_parameter(ros::NodeHandle& own);
   void take_map(const nav_msgs::OccupancyGrid& message);
   void take_goal_parameter(ros::NodeHandle& own);
   void take_goal(const geometry_msgs::PoseStamped& goal);
