@@ -8,8 +8,8 @@
 
 #include <costmap_2d/costmap_2d_ros.h>
 #include <nav_core/base_global_planner.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/ros.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
 #include <string>

@@ -165,7 +165,7 @@ void PlannerNode::plan_for_topics() {
       if (!goal_) continue;
       request.goals = {*goal_};
     }
-    SearchWatch watch(expansion_.getNumSubscribers() > 0);
+    SearchWatch watch(true);
     const PlanResult result = answer(request, &cancel_topics_, &watch);
     const std::lock_guard lock(mutex_);
     active_ = goal_ && result.status == static_cast<std::uint16_t>(StatusCode::found) &&

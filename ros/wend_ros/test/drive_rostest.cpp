@@ -7,6 +7,7 @@
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
+#include <signal.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
 
@@ -16,6 +17,7 @@
 #include <string>
 
 #include "next_message.hpp"
+#include "process_of_node.hpp"
 
 namespace wend_ros {
 namespace {
@@ -118,6 +120,39 @@ TEST_F(Driving, StopsWhereItIsToldTo) {
   ASSERT_TRUE(wait_until([this] { return speed() == 0; }));
   EXPECT_TRUE(next<nav_msgs::Path>("plan")->poses.empty()) << "the plan is taken away";
   EXPECT_EQ(state(), "idle");
+}
+
+TEST_F(Driving, DoesNotDriveAStalePath) {
+  auto paths = node_.advertise<nav_msgs::Path>("plan_smoothed", 1);
+  ASSERT_TRUE(wait_until([&] { return paths.getNumSubscribers() > 0; }));
+  nav_msgs::Path path;
+  path.header.frame_id = "map";
+  path.poses.resize(2);
+  for (auto& stamped : path.poses) stamped.pose.orientation.w = 1;
+  path.poses[0].pose.position.x = path.poses[1].pose.position.x = 1.5;
+  path.poses[1].pose.position.y = 8.5;
+  place(1.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 1.5) < 0.1; }));
+  path.header.stamp = ros::Time::now();
+  paths.publish(path);
+  ASSERT_TRUE(wait_until([this] { return state() == "driving"; })) << "a fresh one it drives";
+  path.header.stamp = ros::Time::now() - ros::Duration(3600);
+  paths.publish(path);
+  ASSERT_TRUE(wait_until([this] { return state() == "idle"; })) << state();
+  ASSERT_TRUE(wait_until([this] { return speed() == 0; }));
+}
+
+TEST_F(Driving, StopsWhereItsPoseIsLost) {
+  place(1.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return distance_to(1.5, 1.5) < 0.1; }));
+  click(15.5, 1.5);
+  ASSERT_TRUE(wait_until([this] { return speed() > 1; }));
+  const int pid = pid_of("/robot_sim");
+  ASSERT_GT(pid, 0);
+  ASSERT_EQ(kill(pid, SIGKILL), 0);
+  ASSERT_TRUE(wait_until([this] { return state() == "no_pose"; })) << state();
+  // The launch file starts the robot anew, where it stood at first.
+  EXPECT_TRUE(wait_until([this] { return state() != "no_pose"; })) << state();
 }
 
 }  // namespace

@@ -4,18 +4,17 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <ros/network.h>
 #include <ros/ros.h>
 #include <signal.h>
 #include <wend_ros/PlanPath.h>
 #include <wend_ros/PlanPathAction.h>
-#include <xmlrpcpp/XmlRpcClient.h>
 
 #include <iostream>
 #include <limits>
 #include <thread>
 
 #include "next_message.hpp"
+#include "process_of_node.hpp"
 
 namespace wend_ros {
 namespace {
@@ -187,25 +186,6 @@ TEST_F(Faults, AMapThatChangesWhileASearchRunsDoesNotDisturbIt) {
   EXPECT_EQ(action.getResult()->result.status, 0) << "it is the plan on the map that it began with";
   EXPECT_EQ(action.getResult()->result.path.poses.size(), 1500U);
   EXPECT_TRUE(wait_until([&] { return status_of(request(1500.5, 1500.5)) == 204; }));
-}
-
-/// The process of a node.
-int pid_of(const std::string& name) {
-  XmlRpc::XmlRpcValue arguments;
-  XmlRpc::XmlRpcValue result;
-  XmlRpc::XmlRpcValue payload;
-  arguments[0] = ros::this_node::getName();
-  arguments[1] = name;
-  if (!ros::master::execute("lookupNode", arguments, result, payload, false)) return 0;
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(static_cast<std::string>(payload), host, port)) return 0;
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue caller;
-  caller[0] = ros::this_node::getName();
-  XmlRpc::XmlRpcValue answer;
-  if (!client.execute("getPid", caller, answer)) return 0;
-  return static_cast<int>(answer[2]);
 }
 
 TEST_F(Faults, AKilledNodeComesBackAndAnswers) {
