@@ -37,16 +37,25 @@ geometry_msgs::TransformStamped car_map_transform() {
   return transform;
 }
 
-/// The words for us: `yard:=FILE` looks like one of ROS's own, which ros::init() takes away.
-std::vector<std::string> words_of(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool remapping = word.find(":=") != std::string::npos && !word.starts_with("yard:=");
-    if (!remapping && word != "yard:=") words.push_back(word);
+/// The command line, ours and ROS's own words apart. `yard:=FILE` looks like one of ROS's, which
+/// would take the file for a name and throw.
+struct CommandLine {
+  CommandLine(int argc, char** argv) {
+    for (int i = 0; i < argc; ++i) {
+      const std::string word = argv[i];
+      const bool yard = word.starts_with("yard:=");
+      const bool for_ros = i == 0 || (word.find(":=") != std::string::npos && !yard);
+      if (for_ros) {
+        ros_words.push_back(argv[i]);
+      } else if (word != "yard:=") {
+        words.push_back(word);
+      }
+    }
   }
-  return words;
-}
+
+  std::vector<std::string> words;
+  std::vector<char*> ros_words;
+};
 
 class Show {
  public:
@@ -111,12 +120,13 @@ int plan_and_show(ros::NodeHandle& node, const wend_ros::CarRequest& request, bo
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words = words_of(argc, argv);
-  ros::init(argc, argv, "car_planner_client");
+  CommandLine line(argc, argv);
+  int ros_words = static_cast<int>(line.ros_words.size());
+  ros::init(ros_words, line.ros_words.data(), "car_planner_client");
   ros::NodeHandle node;
   ros::NodeHandle own("~");
   const auto request =
-      wend_ros::car_request(words, static_cast<std::uint64_t>(own.param("seed", 1)));
+      wend_ros::car_request(line.words, static_cast<std::uint64_t>(own.param("seed", 1)));
   if (!request) {
     ROS_ERROR_STREAM(request.error());
     return kBadArguments;
