@@ -122,7 +122,7 @@ std::string FollowRun::text() const {
       arguments_.refine.any()
           ? refined_text(path_, coordinates_)
           : metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
-  const std::string text = path + "\n" + drive_table(drives_);
+  std::string text = path + "\n" + drive_table(drives_);
   if (drives_.size() > 1) return text;
   return picture_above(text, scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
 }
