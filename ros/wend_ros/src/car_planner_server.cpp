@@ -45,16 +45,10 @@ class CarPlannerServer {
   }
 
   void execute(const wend_ros::PlanCarGoal& goal) {
-    cancel_ = action_.isPreemptRequested();
-    wend_ros::SearchWatch watch(false);
-    wend_ros::PlanCarResult result;
-    {
-      const auto publish = [this](const auto& message) { action_.publishFeedback(message); };
-      const wend_ros::Feedback<wend_ros::PlanCarFeedback, decltype(publish)> feedback(watch,
-                                                                                      publish);
-      result.result = answer(goal.request, {&cancel_, &watch});
-    }
-    wend_ros::finish(action_, result);
+    wend_ros::carry_out<wend_ros::PlanCarResult, wend_ros::PlanCarFeedback>(
+        action_, cancel_, [&](const std::atomic<bool>* cancel, wend_ros::SearchWatch* watch) {
+          return answer(goal.request, {cancel, watch});
+        });
   }
 
   std::atomic<bool> cancel_{false};

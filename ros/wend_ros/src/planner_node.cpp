@@ -93,7 +93,9 @@ void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   }
   ROS_INFO_STREAM("/map: " << map->width() << " x " << map->height() << " cells in the frame '"
                            << message.header.frame_id << "'");
-  markers_.publish(yard_markers(*map, message.header.frame_id));
+  // rviz draws a box for each; of large maps /map itself has to do.
+  constexpr std::size_t kMostBoxes = 250'000;
+  if (map->size() <= kMostBoxes) markers_.publish(yard_markers(*map, message.header.frame_id));
   maps_.set_map(*std::move(map), message.header.frame_id);
   wake();
 }
@@ -251,15 +253,10 @@ bool PlannerNode::plan_path(PlanPath::Request& request, PlanPath::Response& resp
 }
 
 void PlannerNode::execute(const PlanPathGoalConstPtr& goal) {
-  cancel_action_ = action_->isPreemptRequested();
-  SearchWatch watch(false);
-  PlanPathResult result;
-  {
-    const auto publish = [this](const auto& message) { action_->publishFeedback(message); };
-    const Feedback<PlanPathFeedback, decltype(publish)> feedback(watch, publish);
-    result.result = answer(goal->request, &cancel_action_, &watch);
-  }
-  finish(*action_, result);
+  carry_out<PlanPathResult, PlanPathFeedback>(
+      *action_, cancel_action_, [&](const std::atomic<bool>* cancel, SearchWatch* watch) {
+        return answer(goal->request, cancel, watch);
+      });
 }
 
 }  // namespace wend_ros

@@ -1,9 +1,12 @@
 #pragma once
 
-// Feedback: tells how far a search is, every so often, while it lives.
+// What the actions of planners have in common: Feedback tells how far a search is, every so often,
+// while it lives; carry_out() runs a search as an action.
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -21,14 +24,20 @@ class Feedback {
   Feedback(const Feedback&) = delete;
   Feedback& operator=(const Feedback&) = delete;
   ~Feedback() {
-    done_ = true;
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    ended_.notify_all();
     teller_.join();
   }
 
  private:
-  void tell() const {
+  /// Between two messages it waits for the end of the search, which is not to wait for it.
+  void tell() {
     constexpr auto kPeriod = std::chrono::milliseconds(50);
     const auto begin = std::chrono::steady_clock::now();
+    std::unique_lock lock(mutex_);
     while (!done_) {
       Message message;
       message.expanded = watch_.expanded();
@@ -36,19 +45,32 @@ class Feedback {
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       message.best_bound = watch_.f();
       publish_(message);
-      std::this_thread::sleep_for(kPeriod);
+      ended_.wait_for(lock, kPeriod, [this] { return done_; });
     }
   }
 
   const SearchWatch& watch_;
   Publish publish_;
-  std::atomic<bool> done_{false};
-  std::thread teller_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool done_ = false;
+  std::thread teller_;  // last: it uses the others
 };
 
-/// Ends an action as its result's status says.
-template <class Server, class Result>
-void finish(Server& server, const Result& result) {
+/// Runs `answer(cancel, watch)` for an action's goal, tells how far it is, and ends the action as the
+/// status of what it returns says. The preempt callback sets `cancel`.
+template <class Result, class Message, class Server, class Answer>
+void carry_out(Server& server, std::atomic<bool>& cancel, const Answer& answer) {
+  // In this order no preemption is lost that comes in between.
+  cancel = false;
+  if (server.isPreemptRequested()) cancel = true;
+  SearchWatch watch(false);
+  Result result;
+  {
+    const auto publish = [&](const Message& message) { server.publishFeedback(message); };
+    const Feedback<Message, decltype(publish)> feedback(watch, publish);
+    result.result = answer(&cancel, &watch);
+  }
   const auto status = static_cast<StatusCode>(result.result.status);
   if (status == StatusCode::found) {
     server.setSucceeded(result);
