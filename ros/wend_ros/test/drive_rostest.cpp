@@ -155,6 +155,25 @@ TEST_F(Driving, StopsWhereItsPoseIsLost) {
   EXPECT_TRUE(wait_until([this] { return state() != "no_pose"; })) << state();
 }
 
+TEST_F(Driving, EveryKilledNodeComesBackAndTheNextClickIsDriven) {
+  for (const char* name : {"/map_server", "/planner_server", "/follower"}) {
+    SCOPED_TRACE(name);
+    const int pid = pid_of(name);
+    ASSERT_GT(pid, 0);
+    ASSERT_EQ(kill(pid, SIGKILL), 0);
+    ASSERT_TRUE(wait_until([&] {
+      const int now = pid_of(name);
+      return now > 0 && now != pid;
+    }));
+  }
+  place(1.5, 1.5);
+  // A new process connects in its own time: people click again, too.
+  EXPECT_TRUE(wait_until([this] {
+    if (state() != "driving" && state() != "reached") click(1.5, 6.5);
+    return distance_to(1.5, 6.5) < 0.5;
+  })) << state();
+}
+
 }  // namespace
 }  // namespace wend_ros
 

@@ -9,11 +9,16 @@
 #include <wend_ros/PlanPath.h>
 #include <wend_ros/PlanPathAction.h>
 
+#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <thread>
 
 #include "next_message.hpp"
+#include "planner_client.hpp"
 #include "process_of_node.hpp"
 
 namespace wend_ros {
@@ -27,23 +32,6 @@ nav_msgs::OccupancyGrid free_map(std::uint32_t side, float resolution = 1) {
   grid.info.origin.orientation.w = 1;
   grid.data.assign(std::size_t{side} * side, 0);
   return grid;
-}
-
-geometry_msgs::PoseStamped pose(double x, double y) {
-  geometry_msgs::PoseStamped stamped;
-  stamped.header.frame_id = "map";
-  stamped.pose.position.x = x;
-  stamped.pose.position.y = y;
-  stamped.pose.orientation.w = 1;
-  return stamped;
-}
-
-PlanRequest request(double x, double y) {
-  PlanRequest request;
-  request.use_start = 1;
-  request.start = pose(1.5, 1.5);
-  request.goals = {pose(x, y)};
-  return request;
 }
 
 class Faults : public testing::Test {
@@ -71,6 +59,31 @@ class Faults : public testing::Test {
   void put_map(const nav_msgs::OccupancyGrid& map, const PlanRequest& shows, int status) {
     maps_->publish(map);
     ASSERT_TRUE(wait_until([&] { return status_of(shows) == status; }));
+  }
+
+  /// Begins a search that takes long, and waits until it runs. The feedback that showed it.
+  static PlanPathFeedback begin_long_search(actionlib::SimpleActionClient<PlanPathAction>& action,
+                                            const PlanRequest& request) {
+    EXPECT_TRUE(action.waitForServer(kPatience));
+    PlanPathGoal goal;
+    goal.request = request;
+    goal.request.planner = "dijkstra";
+    // Feedback may come after this has returned.
+    struct Newest {
+      std::mutex mutex;
+      PlanPathFeedback feedback;
+    };
+    const auto newest = std::make_shared<Newest>();
+    action.sendGoal(goal, {}, {}, [newest](const PlanPathFeedbackConstPtr& feedback) {
+      const std::lock_guard lock(newest->mutex);
+      newest->feedback = *feedback;
+    });
+    const auto feedback = [newest] {
+      const std::lock_guard lock(newest->mutex);
+      return newest->feedback;
+    };
+    EXPECT_TRUE(wait_until([&] { return feedback().expanded > 1000; }));
+    return feedback();
   }
 
   static ros::Publisher* maps_;
@@ -124,25 +137,13 @@ TEST_F(Faults, TwoClientsAtOnceAreBothAnswered) {
 TEST_F(Faults, ACancelledSearchEndsAtOnceOnAHugeMap) {
   put_map(free_map(4096), request(4095.5, 4095.5), 0);
   actionlib::SimpleActionClient<PlanPathAction> action("plan_path_action", true);
-  ASSERT_TRUE(action.waitForServer(kPatience));
-  PlanPathGoal goal;
-  goal.request = request(4095.5, 4095.5);
-  goal.request.planner = "dijkstra";
-  bool running = false;
-  double bound = 0;
-  std::uint64_t expanded = 0;
-  action.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
-    running = feedback->expanded > 1000;
-    expanded = feedback->expanded;
-    bound = feedback->best_bound;
-  });
-  ASSERT_TRUE(wait_until([&] { return running; }));
-  EXPECT_GT(bound, 0);
+  const PlanPathFeedback seen = begin_long_search(action, request(4095.5, 4095.5));
+  EXPECT_GT(seen.best_bound, 0);
   const ros::WallTime asked = ros::WallTime::now();
   action.cancelGoal();
   ASSERT_TRUE(action.waitForResult(kPatience));
   const double seconds = (ros::WallTime::now() - asked).toSec();
-  std::cout << "cancelled after " << expanded << " expansions, answered in " << 1e3 * seconds
+  std::cout << "cancelled after " << seen.expanded << " expansions, answered in " << 1e3 * seconds
             << " ms\n";
   EXPECT_EQ(action.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(action.getResult()->result.status, 251);
@@ -153,16 +154,9 @@ TEST_F(Faults, ANewGoalPreemptsTheOneBefore) {
   put_map(free_map(4096), request(4095.5, 4095.5), 0);
   actionlib::SimpleActionClient<PlanPathAction> first("plan_path_action", true);
   actionlib::SimpleActionClient<PlanPathAction> second("plan_path_action", true);
-  ASSERT_TRUE(first.waitForServer(kPatience));
   ASSERT_TRUE(second.waitForServer(kPatience));
+  begin_long_search(first, request(4095.5, 4095.5));
   PlanPathGoal goal;
-  goal.request = request(4095.5, 4095.5);
-  goal.request.planner = "dijkstra";
-  bool running = false;
-  first.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
-    running = feedback->expanded > 0;
-  });
-  ASSERT_TRUE(wait_until([&] { return running; }));
   goal.request = request(10.5, 10.5);
   EXPECT_EQ(second.sendGoalAndWait(goal, kPatience), actionlib::SimpleClientGoalState::SUCCEEDED);
   ASSERT_TRUE(first.waitForResult(kPatience));
@@ -172,20 +166,32 @@ TEST_F(Faults, ANewGoalPreemptsTheOneBefore) {
 TEST_F(Faults, AMapThatChangesWhileASearchRunsDoesNotDisturbIt) {
   put_map(free_map(4096), request(4095.5, 4095.5), 0);
   actionlib::SimpleActionClient<PlanPathAction> action("plan_path_action", true);
-  ASSERT_TRUE(action.waitForServer(kPatience));
-  PlanPathGoal goal;
-  goal.request = request(1500.5, 1500.5);
-  goal.request.planner = "dijkstra";
-  bool running = false;
-  action.sendGoal(goal, {}, {}, [&](const PlanPathFeedbackConstPtr& feedback) {
-    running = feedback->expanded > 0;
-  });
-  ASSERT_TRUE(wait_until([&] { return running; }));
+  begin_long_search(action, request(1500.5, 1500.5));
   maps_->publish(free_map(20));
   ASSERT_TRUE(action.waitForResult(kPatience));
   EXPECT_EQ(action.getResult()->result.status, 0) << "it is the plan on the map that it began with";
   EXPECT_EQ(action.getResult()->result.path.poses.size(), 1500U);
   EXPECT_TRUE(wait_until([&] { return status_of(request(1500.5, 1500.5)) == 204; }));
+}
+
+/// How many threads a process has.
+long threads_of(int pid) {
+  const std::filesystem::path tasks = "/proc/" + std::to_string(pid) + "/task";
+  return std::distance(std::filesystem::directory_iterator(tasks), {});
+}
+
+TEST_F(Faults, ManyGoalsLeaveNoThreadsBehind) {
+  put_map(free_map(40), request(30.5, 3.5), 0);
+  actionlib::SimpleActionClient<PlanPathAction> action("plan_path_action", true);
+  ASSERT_TRUE(action.waitForServer(kPatience));
+  const int pid = pid_of("/planner_server");
+  ASSERT_GT(pid, 0);
+  PlanPathGoal goal;
+  goal.request = request(30.5, 3.5);
+  action.sendGoalAndWait(goal, kPatience);
+  const long before = threads_of(pid);
+  for (int i = 0; i < 30; ++i) action.sendGoalAndWait(goal, kPatience);
+  EXPECT_LE(threads_of(pid), before + 2) << "connections come and go, a thread a goal must not";
 }
 
 TEST_F(Faults, AKilledNodeComesBackAndAnswers) {

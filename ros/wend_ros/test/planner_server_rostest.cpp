@@ -21,26 +21,10 @@
 #include <optional>
 
 #include "next_message.hpp"
+#include "planner_client.hpp"
 
 namespace wend_ros {
 namespace {
-
-geometry_msgs::PoseStamped pose(double x, double y, const std::string& frame_id = "map") {
-  geometry_msgs::PoseStamped stamped;
-  stamped.header.frame_id = frame_id;
-  stamped.pose.position.x = x;
-  stamped.pose.position.y = y;
-  stamped.pose.orientation.w = 1;
-  return stamped;
-}
-
-PlanRequest request(double x, double y) {
-  PlanRequest request;
-  request.use_start = 1;
-  request.start = pose(1.5, 1.5);
-  request.goals = {pose(x, y)};
-  return request;
-}
 
 class PlannerServer : public testing::Test {
  protected:
@@ -59,6 +43,15 @@ class PlannerServer : public testing::Test {
     call.request.request = request;
     EXPECT_TRUE(client_.call(call));
     return call.response.result;
+  }
+
+  void set_number(const std::string& name, double value) {
+    dynamic_reconfigure::Reconfigure call;
+    dynamic_reconfigure::DoubleParameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    call.request.config.doubles = {parameter};
+    EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
   }
 
   ros::NodeHandle node_;
@@ -199,39 +192,19 @@ TEST_F(PlannerServer, ItsActionSucceedsAndTellsWhyNot) {
 }
 
 TEST_F(PlannerServer, ParametersChangeWhileItRuns) {
-  ros::ServiceClient set =
-      node_.serviceClient<dynamic_reconfigure::Reconfigure>("planner_server/set_parameters");
-  const auto set_weight = [&](double weight) {
-    dynamic_reconfigure::Reconfigure call;
-    dynamic_reconfigure::DoubleParameter parameter;
-    parameter.name = "lambda";
-    parameter.value = weight;
-    call.request.config.doubles = {parameter};
-    EXPECT_TRUE(set.call(call));
-  };
-  set_weight(3);
+  set_number("lambda", 3);
   EXPECT_EQ(plan(request(38.5, 1.5)).bound, 3);
-  set_weight(-3);
+  set_number("lambda", -3);
   EXPECT_EQ(plan(request(38.5, 1.5)).bound, 3) << "what is out of range changes nothing";
-  set_weight(1);
+  set_number("lambda", 1);
   EXPECT_EQ(plan(request(38.5, 1.5)).bound, 1);
   EXPECT_TRUE(next<dynamic_reconfigure::Config>("planner_server/parameter_updates"));
 }
 
 TEST_F(PlannerServer, RadiusOfTheRobotChangesWhileItRuns) {
-  ros::ServiceClient set =
-      node_.serviceClient<dynamic_reconfigure::Reconfigure>("planner_server/set_parameters");
-  const auto set_radius = [&](double radius) {
-    dynamic_reconfigure::Reconfigure call;
-    dynamic_reconfigure::DoubleParameter parameter;
-    parameter.name = "robot_radius";
-    parameter.value = radius;
-    call.request.config.doubles = {parameter};
-    EXPECT_TRUE(set.call(call));
-  };
-  set_radius(3);
+  set_number("robot_radius", 3);
   EXPECT_GT(plan(request(38.5, 1.5)).path_metrics.smallest_clearance, 2.99);
-  set_radius(0);
+  set_number("robot_radius", 0);
 }
 
 TEST(MapServer, ServesAndReloadsItsMap) {
