@@ -1,0 +1,67 @@
+#pragma once
+
+// The first corners of a cell: where the shortest paths that start there may turn first.
+//
+// A shortest path can be drawn so that it goes diagonally first, then straight, and turns only at
+// jump points. So its first turn lies where a straight ray, cast from the cell or from a cell on
+// one of its four diagonals, meets the first jump point of its direction; or it never turns. The
+// cost from the cell to such a corner is octile_cost(), diagonal steps first.
+//
+// With D the distance in the CornerGraph, the distance of two cells s and t is the least of
+//   octile(s, t)                          if the octile path that goes diagonally first, from s or
+//                                         from t, is free
+//   octile(s, a) + D(a, c) + octile(c, t) for a of first(s), c of first(t)
+//   octile(s, c) + octile(c, t)           for c of first(t), if the octile path from s to c that goes
+//                                         diagonally first is free
+// For draw a shortest path from t. If it never turns, the first term is it. Else it turns first at a
+// c of first(t). Draw its rest from s: either it turns first at an a of first(s), or it never does
+// and s sees c. The third term is not needed where s is a corner and stands for itself: then
+// first(s) may be taken as {s}, and the same holds for t.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "wend/index/corners.hpp"
+#include "wend/index/rays.hpp"
+
+namespace wend {
+
+/// Finds the first corners of single cells, forwards. Immutable; `corners` must outlive it.
+class FirstCorners {
+ public:
+  explicit FirstCorners(const Corners& corners);
+
+  /// Replaces `out` by the first corners of a passable cell, in ascending order. O(cells on its
+  /// diagonals).
+  void find(Cell cell, std::vector<std::uint32_t>& out) const;
+
+ private:
+  const Corners* corners_;
+  Rays rays_;
+};
+
+/// The first corners of all cells. Made backwards, from the corners: O(cells + the lists).
+class AllFirstCorners {
+ public:
+  explicit AllFirstCorners(const Corners& corners);
+
+  /// In ascending order; of a blocked cell empty.
+  std::span<const std::uint32_t> of(Cell cell) const {
+    const std::size_t number = number_of(cell);
+    return std::span(corners_).subspan(begins_[number], begins_[number + 1] - begins_[number]);
+  }
+
+ private:
+  std::size_t number_of(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(cell.x);
+  }
+
+  int width_;
+  std::vector<std::size_t> begins_;  // by cell, and the end
+  std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace wend
