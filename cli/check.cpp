@@ -91,13 +91,7 @@ Command add_check(CLI::App& app) {
   CLI::App& check = *app.add_subcommand("check", "Check that a path is free, and measure it");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
-  check
-      .add_option(
-          "PATH", arguments->path,
-          wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
-                  "(.csv with columns x_m and y_m)"))
-      ->required()
-      ->type_name(kFileType);
+  add_path_file(check, arguments->path);
   add_corner_rule(check, arguments->moves.corner_rule);
   add_format(check, arguments->format);
   arguments->pictures.add_to(check);

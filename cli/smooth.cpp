@@ -152,13 +152,7 @@ Command add_smooth(CLI::App& app) {
   CLI::App& smooth = *app.add_subcommand("smooth", "Smooth or simplify a path, clear of obstacles");
   const auto arguments = std::make_shared<SmoothArguments>();
   arguments->map.add_to(smooth);
-  smooth
-      .add_option(
-          "PATH", arguments->path,
-          wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
-                  "(.csv with columns x_m and y_m)"))
-      ->required()
-      ->type_name(kFileType);
+  add_path_file(smooth, arguments->path);
   add_corner_rule(smooth, arguments->moves.corner_rule);
   add_format(smooth, arguments->format);
   arguments->pictures.add_to(smooth);

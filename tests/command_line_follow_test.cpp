@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command_line/corridor_grid.hpp"
 #include "command_line/run_program.hpp"
 
 namespace wend::test {
@@ -15,13 +16,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-constexpr const char* kGrid =
-    "..........\n"
-    ".####.....\n"
-    ".#........\n"
-    "...#####..\n"
-    "..........\n";
 
 class FollowCommand : public testing::Test {
  protected:
@@ -41,7 +35,7 @@ class FollowCommand : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kCorridorGrid);
 };
 
 TEST_F(FollowCommand, DrivesAlongAPlannedAndSmoothedPath) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "command_line/corridor_grid.hpp"
 #include "command_line/run_program.hpp"
 
 namespace wend::test {
@@ -16,13 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-constexpr const char* kGrid =
-    "..........\n"
-    ".####.....\n"
-    ".#........\n"
-    "...#####..\n"
-    "..........\n";
 
 class SmoothCommand : public testing::Test {
  protected:
@@ -37,7 +31,7 @@ class SmoothCommand : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kCorridorGrid);
   std::string plan_ = folder_.write(
       "plan.csv",
       "x,y,x_m,y_m\n0,0,0,0\n1,0,0,0\n2,0,0,0\n3,0,0,0\n4,0,0,0\n5,0,0,0\n6,1,0,0\n7,2,0,0\n"

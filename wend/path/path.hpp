@@ -74,6 +74,11 @@ class Path {
   /// poses or waypoints.
   void clear();
   void append(Cell cell) { cells_.push_back(cell); }
+  /// Room for so many cells of a path that is empty, to be written.
+  std::span<Cell> make_cells(std::size_t count) {
+    cells_.resize(count);
+    return cells_;
+  }
   void drive_to(const Pose& pose) { poses_.push_back(pose); }
   void reverse();
 

@@ -11,6 +11,8 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/status.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {
@@ -46,7 +48,7 @@ enum class Preprocessing {
 
 std::string_view to_string(Preprocessing preprocessing);
 
-/// Why a planner could not be made.
+/// Why a planner could not be made, or its index not be built.
 struct PlannerError {
   Status status;  // invalid_option, unsupported_map, memory_limit, index_missing, index_mismatch
   std::string what;
@@ -68,10 +70,19 @@ struct PlannerInfo {
   Promise promise;
   bool plans_on_terrain;  // takes terrain costs into account
   Preprocessing preprocessing;
-  bool can_step;  // Planner::begin and step work
+  bool can_step;       // Planner::begin and step work
+  bool jumps = false;  // expands only some cells of its paths, if any
   Motion motion = Motion::cells;
   std::vector<OptionInfo> options;
+  /// Where there is preprocessing, this does it too, and alone.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
+
+  /// Of planners with preprocessing, else empty: what they need to know of a map, to be kept; and a
+  /// planner on it, which may share it with others. An index of something else is index_mismatch.
+  std::function<Expected<IndexBytes, PlannerError>(const FreeSpace&, const IndexBuilding&)>
+      build_index = {};
+  std::function<PlannerResult(const FreeSpace&, const OptionValues&, IndexBytes)> make_on_index =
+      {};
 };
 
 }  // namespace wend

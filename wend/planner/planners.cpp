@@ -1,5 +1,7 @@
 #include "wend/planner/planners.hpp"
 
+#include <utility>
+
 namespace wend {
 
 #define WEND_PLANNER(name) PlannerInfo name##_planner();
@@ -23,13 +25,32 @@ std::vector<std::string> planner_names(Motion motion) {
   return names;
 }
 
+namespace {
+
+Expected<const PlannerInfo*, PlannerError> planner_named(std::string_view name) {
+  const PlannerInfo* info = planners().find(name);
+  if (info != nullptr) return info;
+  return Unexpected<PlannerError>({Status::invalid_option, planners().unknown("planner", name)});
+}
+
+}  // namespace
+
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options) {
-  const PlannerInfo* info = planners().find(name);
-  if (info == nullptr) {
-    return Unexpected<PlannerError>({Status::invalid_option, planners().unknown("planner", name)});
+  const auto info = planner_named(name);
+  if (!info) return Unexpected<PlannerError>(info.error());
+  return (*info)->make(space, options);
+}
+
+PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                           const OptionValues& options, IndexBytes index) {
+  const auto info = planner_named(name);
+  if (!info) return Unexpected<PlannerError>(info.error());
+  if (!(*info)->make_on_index) {
+    return Unexpected<PlannerError>(
+        {Status::invalid_option, std::string(name) + " plans without an index"});
   }
-  return info->make(space, options);
+  return (*info)->make_on_index(space, options, std::move(index));
 }
 
 }  // namespace wend

@@ -22,4 +22,9 @@ std::vector<std::string> planner_names(Motion motion);
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options = {});
 
+/// The same on an index that was built before; index_mismatch if it is no index for this planner on
+/// this map, invalid_option if the planner needs none.
+PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                           const OptionValues& options, IndexBytes index);
+
 }  // namespace wend

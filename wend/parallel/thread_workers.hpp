@@ -1,0 +1,23 @@
+#pragma once
+
+// ThreadWorkers: Workers that are threads. They live as long as a run() does.
+
+#include "wend/base/workers.hpp"
+
+namespace wend {
+
+class ThreadWorkers final : public Workers {
+ public:
+  /// 0: as many as the machine runs at once.
+  explicit ThreadWorkers(unsigned count = 0);
+
+  unsigned count() const override { return count_; }
+
+  /// `action` must not throw. One worker runs on the calling thread.
+  void run(std::size_t tasks, const Action& action) override;
+
+ private:
+  unsigned count_;
+};
+
+}  // namespace wend

@@ -1,0 +1,176 @@
+#include "wend/planner/index_planner.hpp"
+
+#include <utility>
+
+#include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/grid_planner.hpp"
+
+namespace wend {
+namespace {
+
+struct NoOptions {
+  template <class Self, class Field>
+  static void fields(Self& /*self*/, Field&& /*field*/) {}
+};
+
+using EngineResult = Expected<std::unique_ptr<IndexEngine>, PlannerError>;
+
+Unexpected<PlannerError> failure(Status status, std::string what) {
+  return Unexpected<PlannerError>({status, std::move(what)});
+}
+
+std::optional<PlannerError> refused_terrain(std::string_view name, const FreeSpace& space) {
+  if (space.uniform_terrain()) return std::nullopt;
+  return PlannerError{Status::unsupported_map,
+                      std::string(name) +
+                          " plans where all cells cost the same, and this map has " +
+                          "terrain, or the robot keeps away from obstacles"};
+}
+
+/// What a limit of the query says before there is any work.
+std::optional<Status> stopped(const Limits& limits) {
+  if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {
+    return Status::cancelled;
+  }
+  if (limits.expansions == 0) return Status::expansion_limit;
+  if (limits.clock && limits.seconds <= 0) return Status::time_limit;
+  return std::nullopt;
+}
+
+class IndexPlanner final : public Planner {
+ public:
+  using EngineMaker = std::function<EngineResult(const FreeSpace&)>;
+
+  IndexPlanner(FreeSpace space, std::unique_ptr<IndexEngine> engine, EngineMaker make_engine)
+      : Planner(std::move(space)),
+        make_engine_(std::move(make_engine)),
+        engine_(std::move(engine)) {}
+
+ private:
+  std::optional<Status> do_check(const Query& query) override {
+    if (engine_ == nullptr) return why_none_.status;
+    return cells_.assign(free_space(), Adjacency::edges, query);
+  }
+
+  Status do_plan(const Query& query, Plan& out) override {
+    if (const auto status = stopped(query.limits)) return *status;
+    const Cell start = drawn_cell(free_space(), cells_.start);
+    const Cell goal = nearest_goal(start, out.metrics);
+    if (start == goal) {
+      out.path.append(cells_.start);
+      out.metrics = {1, 1, 1};
+      out.cost = 0;
+    } else {
+      const OctileSteps steps = find(start, goal, out.metrics);
+      write(out.path.make_cells(steps.cells()));
+      out.cost = steps.cost();
+    }
+    out.bound = 1;
+    return Status::found;
+  }
+
+  OctileSteps find(Cell start, Cell goal, SearchMetrics& metrics) {
+    const OctileSteps steps = engine_->find(start, goal);
+    const SearchMetrics work = engine_->metrics();
+    metrics.expanded += work.expanded;
+    metrics.generated += work.generated;
+    metrics.max_frontier = std::max(metrics.max_frontier, work.max_frontier);
+    return steps;
+  }
+
+  /// With one goal there is nothing to look up.
+  Cell nearest_goal(Cell start, SearchMetrics& metrics) {
+    Cell nearest = drawn_cell(free_space(), cells_.goals.front());
+    if (cells_.goals.size() == 1) return nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Cell typed : cells_.goals) {
+      const Cell goal = drawn_cell(free_space(), typed);
+      const double cost = goal == start ? 0 : find(start, goal, metrics).cost();
+      if (cost < least) nearest = goal;
+      least = std::min(least, cost);
+    }
+    return nearest;
+  }
+
+  void write(std::span<Cell> cells) {
+    engine_->write(cells);
+    if (!free_space().map().frame().y_up) return;
+    for (Cell& cell : cells) cell = drawn_cell(free_space(), cell);
+  }
+
+  std::string do_reason(const Query& query, Status status) const override {
+    if (engine_ == nullptr) return why_none_.what;
+    return reason_in_cells(free_space(), query, status);
+  }
+
+  void do_update(std::span<const Cell> /*changed*/) override {
+    engine_.reset();  // its memory first
+    auto made = make_engine_(free_space());
+    if (made) {
+      engine_ = *std::move(made);
+    } else {
+      why_none_ = made.error();
+    }
+  }
+
+  EngineMaker make_engine_;  // for another FreeSpace
+  std::unique_ptr<IndexEngine> engine_;
+  PlannerError why_none_{Status::found, {}};  // if there is no engine
+  GridQuery cells_;
+};
+
+Expected<IndexBytes, PlannerError> build_for(const IndexMethod& method, std::string_view name,
+                                             const FreeSpace& space,
+                                             const IndexBuilding& building) {
+  if (auto refused = refused_terrain(name, space)) return Unexpected<PlannerError>(*refused);
+  auto built = method.build(drawn_passable(space), building);
+  if (!built) return failure(built.error().status, built.error().what);
+  return *std::move(built);
+}
+
+EngineResult open_for(const IndexMethod& method, std::string_view name, const FreeSpace& space,
+                      IndexBytes index) {
+  if (auto refused = refused_terrain(name, space)) return Unexpected<PlannerError>(*refused);
+  auto opened = method.open(std::move(index), drawn_passable(space));
+  if (!opened) return failure(Status::index_mismatch, "the index is of no use: " + opened.error());
+  return *std::move(opened);
+}
+
+}  // namespace
+
+PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
+  info.promise = Promise::optimal;
+  info.plans_on_terrain = false;
+  info.can_step = false;
+  info.jumps = true;
+  const auto build = [method, name = info.name](const FreeSpace& space,
+                                                const IndexBuilding& building) {
+    return build_for(method, name, space, building);
+  };
+  const auto make_on = [method, build, name = info.name](const FreeSpace& space,
+                                                         const OptionValues& options,
+                                                         IndexBytes index) -> PlannerResult {
+    if (const auto parsed = parse_options<NoOptions>(options); !parsed) {
+      return failure(Status::invalid_option, parsed.error().message());
+    }
+    auto engine = open_for(method, name, space, std::move(index));
+    if (!engine) return Unexpected<PlannerError>(engine.error());
+    const auto make_engine = [method, build, name](const FreeSpace& other) -> EngineResult {
+      auto built = build(other, {});
+      if (!built) return Unexpected<PlannerError>(built.error());
+      return open_for(method, name, other, *std::move(built));
+    };
+    return std::make_unique<IndexPlanner>(space, *std::move(engine), make_engine);
+  };
+  info.build_index = build;
+  info.make_on_index = make_on;
+  info.make = [build, make_on](const FreeSpace& space,
+                               const OptionValues& options) -> PlannerResult {
+    auto index = build(space, {});
+    if (!index) return Unexpected<PlannerError>(index.error());
+    return make_on(space, options, *std::move(index));
+  };
+  return info;
+}
+
+}  // namespace wend
