@@ -1,0 +1,84 @@
+#pragma once
+
+// ContractionHierarchy: a directed graph whose nodes stand one above the other, so that a search
+// only climbs. (R. Geisberger, P. Sanders, D. Schultes, D. Delling, "Contraction Hierarchies", 2008;
+// with a core as in R. Bauer et al., "Combining Hierarchical and Goal-Directed Speed-Up
+// Techniques", 2010.)
+//
+// Nodes were taken out one by one, from 0 up; where a shortest path led through the node taken out,
+// a shortcut took its place. So there is a shortest path between any two nodes that first climbs,
+// along arcs to higher nodes, and then descends. The nodes from core() on were not taken out: they
+// are the top, all at one height, joined by all their arcs.
+//
+// A node keeps the arcs between itself and higher nodes: those that leave it, and those that enter
+// it. A node of the core keeps all arcs that leave it within the core, and no entering ones.
+//
+// A view of flat arrays that lie elsewhere, in an index file for instance.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace wend {
+
+using HierarchyCost = std::uint32_t;
+
+/// An arc as its owner keeps it: where it leads to (leaving) or comes from (entering).
+struct HierarchyArc {
+  std::uint32_t node = 0;
+  HierarchyCost cost = 0;
+
+  friend bool operator==(const HierarchyArc&, const HierarchyArc&) = default;
+};
+
+/// What an arc stands for. A shortcut: an entering arc and a leaving arc, by number, of one lower
+/// node. An arc of the graph: kNoArc, and its head.
+struct HierarchyVia {
+  static constexpr std::uint32_t kNoArc = static_cast<std::uint32_t>(-1);
+
+  std::uint32_t entering = kNoArc;
+  std::uint32_t leaving = 0;
+
+  bool shortcut() const { return entering != kNoArc; }
+  std::uint32_t head() const { return leaving; }
+
+  friend bool operator==(const HierarchyVia&, const HierarchyVia&) = default;
+};
+
+/// Where the arcs of a node begin; they end where those of the next node begin.
+struct HierarchyNode {
+  std::uint32_t leaving = 0;
+  std::uint32_t entering = 0;
+
+  friend bool operator==(const HierarchyNode&, const HierarchyNode&) = default;
+};
+
+struct ContractionHierarchy {
+  std::span<const HierarchyNode> begins;  // by node, and the end
+  std::span<const HierarchyArc> leaving;
+  std::span<const HierarchyArc> entering;
+  std::span<const HierarchyVia> leaving_vias;  // by number of the arc
+  std::span<const HierarchyVia> entering_vias;
+  std::uint32_t core_begin = 0;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(begins.size() - 1); }
+  bool in_core(std::uint32_t node) const { return node >= core_begin; }
+
+  std::span<const HierarchyArc> leaving_of(std::uint32_t node) const {
+    const std::uint32_t begin = begins[node].leaving;
+    return leaving.subspan(begin, begins[node + 1].leaving - begin);
+  }
+  std::span<const HierarchyArc> entering_of(std::uint32_t node) const {
+    const std::uint32_t begin = begins[node].entering;
+    return entering.subspan(begin, begins[node + 1].entering - begin);
+  }
+};
+
+/// What is wrong with arrays of which nothing is known yet; nothing if a search may trust them: all
+/// numbers are in range, arcs climb, shortcuts are made of arcs of a lower node, and cost what these
+/// cost together, and no arc is free. O(nodes + arcs).
+std::optional<std::string> fault_of(const ContractionHierarchy& hierarchy);
+
+}  // namespace wend
