@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,26 @@ inline bool brute_sees(const BitGrid& passable, Cell from, Cell to) {
     from = {from.x + dx, from.y + dy};
   }
   return true;
+}
+
+/// A row of the board a line.
+inline std::string text_of(const BitGrid& bits) {
+  std::string text;
+  for (int y = 0; y < bits.height(); ++y) {
+    for (int x = 0; x < bits.width(); ++x) text += bits[{x, y}] ? '.' : '#';
+    text += '\n';
+  }
+  return text;
+}
+
+inline std::vector<Cell> passable_cells(const BitGrid& bits) {
+  std::vector<Cell> cells;
+  for (int y = 0; y < bits.height(); ++y) {
+    for (int x = 0; x < bits.width(); ++x) {
+      if (bits[{x, y}]) cells.push_back({x, y});
+    }
+  }
+  return cells;
 }
 
 /// Calls check(bits) for boards of many shapes and densities, all of 3 x 3 cells among them.
