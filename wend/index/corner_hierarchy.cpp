@@ -1,0 +1,217 @@
+#include "wend/index/corner_hierarchy.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "wend/index/hierarchy_search.hpp"
+#include "wend/index/index_reader.hpp"
+#include "wend/index/index_writer.hpp"
+#include "wend/index/leg_path.hpp"
+#include "wend/index/path_bound.hpp"
+#include "wend/index/turns.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::string_view kPlanner = "corner_hierarchy";
+constexpr std::uint32_t kVersion = 1;
+
+enum Section : std::size_t {
+  core_begin,
+  heights,
+  begins,
+  leaving,
+  entering,
+  leaving_vias,
+  entering_vias,
+  section_count,
+};
+
+std::vector<GraphArc> arcs_of(const Turns& turns) {
+  std::vector<GraphArc> arcs;
+  for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
+    turns.for_each_next(
+        turn, [&](std::uint32_t next, CornerCost cost) { arcs.push_back({turn, next, cost}); });
+  }
+  return arcs;
+}
+
+/// The numbers of a file, as far as they are read there.
+struct StoredHierarchy {
+  std::span<const std::uint32_t> heights;
+  ContractionHierarchy hierarchy;
+};
+
+template <class T>
+bool read(const IndexReader& reader, Section number, std::span<const T>& out) {
+  const auto section = reader.section<T>(number);
+  if (section) out = *section;
+  return section.has_value();
+}
+
+std::optional<StoredHierarchy> read_hierarchy(const IndexReader& reader) {
+  StoredHierarchy stored;
+  std::span<const std::uint32_t> core;
+  ContractionHierarchy& hierarchy = stored.hierarchy;
+  const bool all =
+      reader.sections() == section_count && read(reader, core_begin, core) &&
+      read(reader, heights, stored.heights) && read(reader, begins, hierarchy.begins) &&
+      read(reader, leaving, hierarchy.leaving) && read(reader, entering, hierarchy.entering) &&
+      read(reader, leaving_vias, hierarchy.leaving_vias) &&
+      read(reader, entering_vias, hierarchy.entering_vias);
+  if (!all || core.size() != 1) return std::nullopt;
+  hierarchy.core_begin = core.front();
+  return stored;
+}
+
+/// The cells of the turns by height; nothing if the heights are no permutation of them.
+std::optional<std::vector<Cell>> cells_by_height(const Turns& turns,
+                                                 std::span<const std::uint32_t> heights) {
+  constexpr Cell kNowhere{-1, -1};
+  if (heights.size() != turns.size()) return std::nullopt;
+  std::vector<Cell> cells(heights.size(), kNowhere);
+  for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
+    if (heights[turn] >= cells.size() || cells[heights[turn]] != kNowhere) return std::nullopt;
+    cells[heights[turn]] = turns.cell(turn);
+  }
+  return cells;
+}
+
+/// Do arcs cost at least what the way between their cells does, and those of the graph just that?
+bool costs_fit(const ContractionHierarchy& hierarchy, std::span<const Cell> cells) {
+  const auto fits = [&](std::uint32_t owner, const HierarchyArc& arc, const HierarchyVia& via) {
+    const CornerCost least = octile_cost(cells[owner], cells[arc.node]);
+    return via.shortcut() ? arc.cost >= least : arc.cost == least;
+  };
+  for (std::uint32_t node = 0; node < hierarchy.size(); ++node) {
+    const HierarchyNode& first = hierarchy.begins[node];
+    const HierarchyNode& end = hierarchy.begins[node + 1];
+    for (std::uint32_t arc = first.leaving; arc < end.leaving; ++arc) {
+      if (!fits(node, hierarchy.leaving[arc], hierarchy.leaving_vias[arc])) return false;
+    }
+    for (std::uint32_t arc = first.entering; arc < end.entering; ++arc) {
+      if (!fits(node, hierarchy.entering[arc], hierarchy.entering_vias[arc])) return false;
+    }
+  }
+  return true;
+}
+
+class CornerHierarchyEngine final : public IndexEngine {
+ public:
+  CornerHierarchyEngine(IndexReader reader, Turns turns, const StoredHierarchy& stored,
+                        std::vector<Cell> cells)
+      : reader_(std::move(reader)),
+        turns_(std::move(turns)),
+        heights_(stored.heights),
+        cells_(std::move(cells)),
+        search_(stored.hierarchy) {}
+
+  OctileSteps find(Cell start, Cell goal) override {
+    metrics_ = {1, 1, 1};
+    if (turns_.sees(start, goal)) {
+      path_.begin(start);
+    } else if (turns_.sees(goal, start)) {
+      path_.begin(start);
+      path_.append(bend_of(goal, start));
+    } else {
+      search(start, goal);
+    }
+    path_.append(goal);
+    return path_.steps();
+  }
+
+  void write(std::span<Cell> cells) override { path_.write(cells); }
+
+  SearchMetrics metrics() const override { return metrics_; }
+
+ private:
+  struct Estimates {
+    std::span<const Cell> cells;
+    Cell start;
+    Cell goal;
+
+    CornerCost to_start(std::uint32_t node) const { return octile_cost(cells[node], start); }
+    CornerCost to_goal(std::uint32_t node) const { return octile_cost(cells[node], goal); }
+  };
+
+  void search(Cell start, Cell goal) {
+    starts_.clear();
+    goals_.clear();
+    turns_.for_each_first(start, [&](std::uint32_t turn, CornerCost cost) {
+      starts_.push_back({heights_[turn], cost});
+    });
+    turns_.for_each_last(goal, [&](std::uint32_t turn, CornerCost cost) {
+      goals_.push_back({heights_[turn], cost});
+    });
+    const CornerCost cost =
+        search_.find(starts_, goals_, HierarchySearch::kNoCost, Estimates{cells_, start, goal});
+    assert(cost < HierarchySearch::kNoCost);  // they are connected
+    metrics_ = search_.metrics();
+    nodes_.clear();
+    path_.begin(start);
+    if (cost < HierarchySearch::kNoCost) search_.append_nodes(nodes_);
+    for (const std::uint32_t node : nodes_) path_.append(cells_[node]);
+  }
+
+  IndexReader reader_;  // holds what the spans show
+  Turns turns_;
+  std::span<const std::uint32_t> heights_;  // by turn
+  std::vector<Cell> cells_;                 // by height
+  HierarchySearch search_;
+  std::vector<HierarchyEnd> starts_;
+  std::vector<HierarchyEnd> goals_;
+  std::vector<std::uint32_t> nodes_;
+  LegPath path_;
+  SearchMetrics metrics_;
+};
+
+}  // namespace
+
+Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
+                                                        const IndexBuilding& building,
+                                                        const ContractionEffort& effort) {
+  const Turns turns(passable);
+  const std::vector<GraphArc> arcs = arcs_of(turns);
+  if (paths_may_be_too_long(turns, arcs)) {
+    return Unexpected<IndexError>(
+        {Status::unsupported_map, "paths on this map may be longer than the costs of its index"});
+  }
+  auto contracted = contract(turns.size(), arcs, effort, building);
+  if (!contracted) return Unexpected<IndexError>(contracted.error());
+  IndexWriter writer(kPlanner, kVersion, passable);
+  writer.add(std::span<const std::uint32_t>(&contracted->core_begin, 1));
+  writer.add(std::span<const std::uint32_t>(contracted->heights));
+  writer.add(std::span<const HierarchyNode>(contracted->begins));
+  writer.add(std::span<const HierarchyArc>(contracted->leaving));
+  writer.add(std::span<const HierarchyArc>(contracted->entering));
+  writer.add(std::span<const HierarchyVia>(contracted->leaving_vias));
+  writer.add(std::span<const HierarchyVia>(contracted->entering_vias));
+  return writer.finish();
+}
+
+Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
+                                                                          const BitGrid& passable) {
+  auto reader = IndexReader::open(std::move(index), kPlanner, kVersion, passable);
+  if (!reader) return Unexpected<std::string>(reader.error());
+  const auto stored = read_hierarchy(*reader);
+  if (!stored) return Unexpected<std::string>("its sections are not those of a hierarchy");
+  if (const auto fault = fault_of(stored->hierarchy)) return Unexpected<std::string>(*fault);
+  Turns turns(passable);
+  auto cells = cells_by_height(turns, stored->heights);
+  if (!cells || stored->hierarchy.size() != turns.size()) {
+    return Unexpected<std::string>("its nodes are not the turns of this map");
+  }
+  if (!costs_fit(stored->hierarchy, *cells)) {
+    return Unexpected<std::string>("its arcs cost what no way on this map does");
+  }
+  return std::make_unique<CornerHierarchyEngine>(*std::move(reader), std::move(turns), *stored,
+                                                 *std::move(cells));
+}
+
+}  // namespace wend

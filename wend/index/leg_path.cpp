@@ -1,0 +1,48 @@
+#include "wend/index/leg_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <cstdlib>
+
+namespace wend {
+namespace {
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+}  // namespace
+
+Cell bend_of(Cell from, Cell to) {
+  const int dx = to.x - from.x;
+  const int dy = to.y - from.y;
+  const int diagonal = std::min(std::abs(dx), std::abs(dy));
+  return {from.x + diagonal * sign(dx), from.y + diagonal * sign(dy)};
+}
+
+void LegPath::append(Cell point) {
+  const Cell last = points_.back();
+  const int dx = std::abs(point.x - last.x);
+  const int dy = std::abs(point.y - last.y);
+  steps_.diagonal += static_cast<std::uint32_t>(std::min(dx, dy));
+  steps_.straight += static_cast<std::uint32_t>(std::abs(dx - dy));
+  points_.push_back(point);
+}
+
+void LegPath::write(std::span<Cell> cells) const {
+  assert(cells.size() == steps_.cells());
+  auto out = cells.begin();
+  Cell at = points_.front();
+  const auto go_to = [&](Cell end) {
+    const Cell step{sign(end.x - at.x), sign(end.y - at.y)};
+    const int steps = std::max(std::abs(end.x - at.x), std::abs(end.y - at.y));
+    for (int i = 0; i < steps; ++i) *out++ = {at.x + i * step.x, at.y + i * step.y};
+    at = end;
+  };
+  for (const Cell point : points_) {
+    go_to(bend_of(at, point));
+    go_to(point);
+  }
+  *out = at;
+}
+
+}  // namespace wend
