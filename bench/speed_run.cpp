@@ -138,25 +138,13 @@ Expected<MapTimings, std::string> time_map(const fs::path& scenario_file, const 
   return timings;
 }
 
-Expected<std::vector<fs::path>, std::string> scenario_files(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".scen") files.push_back(entry.path());
-  }
-  if (error) return Error(folder.string() + ": " + error.message());
-  if (files.empty()) return Error(folder.string() + ": there is no .scen file");
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 }  // namespace
 
 Expected<std::vector<MapTimings>, std::string> run_speed(
     const SpeedPlan& plan,
     const std::function<void(const std::string&, std::size_t, std::size_t)>& progress) {
-  const auto files = scenario_files(plan.folder);
-  if (!files) return Error(files.error());
+  const auto files = scenarios_in(plan.folder);
+  if (!files) return Error(files.error().message());
   std::vector<MapTimings> maps;
   for (const fs::path& file : *files) {
     progress(file.filename().string(), maps.size(), files->size());

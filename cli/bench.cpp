@@ -1,27 +1,17 @@
 // wend bench: MovingAI scenarios, solved, timed and checked.
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <memory>
-#include <utility>
 #include <vector>
 
+#include "bench_contestant.hpp"
+#include "bench_course.hpp"
+#include "bench_race.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
-#include "interrupt.hpp"
-#include "limit_arguments.hpp"
 #include "output.hpp"
-#include "planner_argument.hpp"
-#include "progress_bar.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/scenario.hpp"
-#include "wend/planner/planner.hpp"
 #include "wend/report/bench_rows.hpp"
-#include "wend/report/scenario_verdict.hpp"
 
 namespace wend::cli {
 namespace {
@@ -30,168 +20,68 @@ struct BenchArguments {
   std::vector<std::string> scenarios;
   std::string planners = "astar";
   std::string map;
+  std::uint64_t threads = 1;
+  std::uint64_t passes = 1;
+  std::uint64_t sample = 0;
   bool check = false;
-  Format format = Format::text;
+  TableFormat format = TableFormat::text;
 };
 
-constexpr std::uint64_t kMostComplaints = 5;  // a row
+constexpr std::uint64_t kMostThreads = 1024;
+constexpr std::uint64_t kMostPasses = 1'000'000;
 
 constexpr const char* kExamples = R"(Examples:
   wend bench arena.map.scen
-  wend bench arena.map.scen den520d.map.scen --planner astar,dijkstra --check
+  wend bench arena.map.scen den520d.map.scen --planner astar,dijkstra
+  wend bench FOLDER --planner astar,astar:weight=0 --passes 5 --threads 2
   wend bench arena.map.scen --planner astar:weight=2 --format json
   wend bench queries.scen --map arena.map
 
 Always 8 neighbours without corner cutting. The map of X.map.scen is X.map, of other
 scenarios the name in their map column; it lies in the scenario's folder. Wrong is: no path
-though the file gives a length; a path though it says there is none; another length; with
---check, a path that is not valid cell by cell. Exit codes: 0 all right, 1 something is
-wrong, 2 bad usage or input.)";
+though the file gives a length; a path though it says there is none; another length; a path
+that is not valid cell by cell. Of several passes the fastest of every query counts, and the
+spread is by how much the slowest pass was slower than the fastest. Exit codes: 0 all right,
+1 something is wrong, 2 bad usage or input.)";
 
-/// A scenario and the map that it is for.
-struct Course {
-  Scenario scenario;
-  GridMap map;
-};
-
-/// Ctrl-C, thrown out of the loops.
-class Cancelled : public std::exception {};
-
-template <class T>
-T value_or_throw(Expected<T, IoError> result) {
-  if (!result) throw InputError(result.error().message());
-  return *std::move(result);
+std::string text_of(const std::vector<BenchRow>& rows, TableFormat format) {
+  switch (format) {
+    case TableFormat::text:
+      return bench_table(rows);
+    case TableFormat::json:
+      return bench_json(rows);
+    case TableFormat::csv:
+      return bench_csv(rows);
+  }
+  return {};
 }
 
-Course load_course(const std::string& file, const std::string& map_file) {
-  Scenario scenario = value_or_throw(load_scenario(file));
-  const auto map_path = map_file.empty() ? value_or_throw(scenario_map_path(scenario))
-                                         : std::filesystem::path(map_file);
-  LoadedMap loaded = value_or_throw(load_map(map_path));
-  const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
-  if (!fits) throw InputError(fits.error().message());
-  return {std::move(scenario), std::move(loaded.map)};
-}
-
-std::unique_ptr<Planner> make_planner_for(const PlannerSpec& spec, const FreeSpace& space) {
-  auto planner = info_of(spec).make(space, spec.options);
-  if (!planner) throw InputError(fmt::format("{}: {}", spec.text, planner.error().message()));
-  return *std::move(planner);
-}
-
-/// Scenarios say how to move; lengths of other moves would all be wrong.
-void refuse_moves(const PlannerSpec& spec) {
-  if (info_of(spec).motion != Motion::cells) {
-    throw InputError(fmt::format(
-        "{}: scenarios are for planners that move from cell to cell, and this one drives a car",
-        spec.text));
-  }
-  if (moves_of(spec) == GridMoves{}) return;
-  throw InputError(fmt::format(
-      "{}: scenarios are always run on 8 neighbours without corner cutting", spec.text));
-}
-
-/// One planner on one scenario.
-class BenchRun {
- public:
-  BenchRun(const Scenario& scenario, const FreeSpace& space, const PlannerSpec& spec, bool check)
-      : scenario_(scenario), check_(check), planner_(make_planner_for(spec, space)) {
-    row_.scen = scenario.file;
-    row_.planner = spec.text;
-  }
-
-  BenchRow run(ProgressBar& progress, std::uint64_t& done) {
-    std::vector<double> microseconds;
-    microseconds.reserve(scenario_.queries.size());
-    warm_up();
-    for (const ScenarioQuery& query : scenario_.queries) {
-      microseconds.push_back(answer(query));
-      progress.update(++done);
-    }
-    row_.set_work(std::move(microseconds), expanded_);
-    return std::move(row_);
-  }
-
- private:
-  /// The first query pays for fresh memory; that is not to be measured.
-  void warm_up() {
-    if (!scenario_.queries.empty()) planner_->plan(query_for(scenario_.queries.front()), plan_);
-  }
-
-  Query query_for(const ScenarioQuery& query) const {
-    Query asked = Query::between(query.start, query.goal);
-    asked.limits.cancel = &cancelled_;
-    return asked;
-  }
-
-  /// Plans and checks; the microseconds that planning took.
-  double answer(const ScenarioQuery& query) {
-    const Query asked = query_for(query);
-    const double begin = steady_seconds();
-    const Status status = planner_->plan(asked, plan_);
-    const double end = steady_seconds();
-    if (cancelled_) throw Cancelled();
-    ++row_.queries;
-    row_.solved += status == Status::found ? 1 : 0;
-    expanded_ += plan_.metrics.expanded;
-    judge(query, status);
-    return (end - begin) * 1e6;
-  }
-
-  void judge(const ScenarioQuery& query, Status status) {
-    std::string wrong = wrong_answer(query, status, plan_);
-    if (wrong.empty() && check_ && status == Status::found) {
-      wrong = wrong_path(planner_->free_space(), query, plan_.path);
-    }
-    if (wrong.empty()) return;
-    if (++row_.wrong <= kMostComplaints) {
-      complain(fmt::format("{}:{}: {}: {}", row_.scen, query.line, row_.planner, wrong));
-    }
-    if (row_.wrong == kMostComplaints + 1) complain("... and more of these");
-  }
-
-  const Scenario& scenario_;
-  bool check_;
-  const std::atomic<bool>& cancelled_ = cancel_on_interrupt();
-  std::unique_ptr<Planner> planner_;
-  Plan plan_;
-  BenchRow row_;
-  std::uint64_t expanded_ = 0;
-};
-
-std::vector<BenchRow> run_all(const std::vector<Course>& courses,
-                              const std::vector<PlannerSpec>& planners, bool check) {
-  std::uint64_t queries = 0;
-  for (const Course& course : courses) queries += course.scenario.queries.size();
-  ProgressBar progress("queries", queries * planners.size());
-  std::uint64_t done = 0;
-  std::vector<BenchRow> rows;
-  for (const Course& course : courses) {
-    const FreeSpace space(course.map);
-    for (const PlannerSpec& spec : planners) {
-      rows.push_back(BenchRun(course.scenario, space, spec, check).run(progress, done));
-    }
-  }
-  return rows;
+void check(const BenchArguments& arguments) {
+  check_range("--threads", arguments.threads, 1, kMostThreads);
+  check_range("--passes", arguments.passes, 1, kMostPasses);
 }
 
 int run(const BenchArguments& arguments) {
-  const std::vector<PlannerSpec> planners = parse_planners(arguments.planners);
-  for (const PlannerSpec& spec : planners) refuse_moves(spec);
-  std::vector<Course> courses;
-  courses.reserve(arguments.scenarios.size());
-  for (const std::string& file : arguments.scenarios) {
-    courses.push_back(load_course(file, arguments.map));
+  check(arguments);
+  const std::vector<Contestant> contestants = parse_contestants(arguments.planners);
+  const std::vector<Course> courses =
+      load_courses(arguments.scenarios, arguments.map, arguments.sample);
+  std::uint64_t queries = 0;
+  for (const Course& course : courses) queries += course.scenario.queries.size();
+  BenchProgress progress{{"queries", queries * contestants.size() * arguments.passes}};
+  std::vector<BenchRow> rows;
+  for (const Course& course : courses) {
+    BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads));
+    if (!race.run(arguments.passes, progress)) {
+      complain("cancelled");
+      return no_plan;
+    }
+    const std::vector<BenchRow> of_course = race.rows();
+    rows.insert(rows.end(), of_course.begin(), of_course.end());
   }
-  try {
-    const std::vector<BenchRow> rows = run_all(courses, planners, arguments.check);
-    print(arguments.format == Format::json ? bench_json(rows) : bench_table(rows));
-    const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
-    return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
-  } catch (const Cancelled&) {
-    complain("cancelled");
-    return no_plan;
-  }
+  print(text_of(rows, arguments.format));
+  const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
+  return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
 }
 
 }  // namespace
@@ -199,7 +89,9 @@ int run(const BenchArguments& arguments) {
 Command add_bench(CLI::App& app) {
   CLI::App& bench = *app.add_subcommand("bench", "Solve, time and check MovingAI scenarios");
   const auto arguments = std::make_shared<BenchArguments>();
-  bench.add_option("SCEN", arguments->scenarios, "MovingAI scenarios")
+  bench
+      .add_option("SCEN", arguments->scenarios,
+                  wrapped("MovingAI scenarios, and folders with .scen files"))
       ->required()
       ->type_name(kFileType);
   bench
@@ -208,8 +100,15 @@ Command add_bench(CLI::App& app) {
                           "astar:weight=2,dijkstra (default astar)"))
       ->type_name(kPlannerType);
   bench.add_option("--map", arguments->map, "The map, for all scenarios")->type_name(kFileType);
-  bench.add_flag("--check", arguments->check, "Check every path cell by cell as well");
-  add_format(bench, arguments->format);
+  add_count(bench, "--threads", arguments->threads,
+            "So many planners at the same time, on one map (default 1)");
+  add_count(bench, "--passes", arguments->passes,
+            "Ask every query so many times, planner after planner (default 1)");
+  add_count(bench, "--sample", arguments->sample,
+            "So many queries of every scenario, evenly spread (default: all)");
+  bench.add_flag("--check", arguments->check,
+                 wrapped("Check every path cell by cell: always done, whether asked for or not"));
+  add_table_format(bench, arguments->format);
   bench.footer(kExamples);
   return {&bench, [arguments] { return run(*arguments); }};
 }

@@ -31,8 +31,6 @@
 namespace wend::cli {
 namespace {
 
-enum class ComparisonFormat { text, json, csv };
-
 struct CompareArguments {
   MapArguments map;
   std::string start;
@@ -41,7 +39,7 @@ struct CompareArguments {
   std::uint64_t random = 0;
   std::uint64_t seed = 1;
   LimitArguments limits;
-  ComparisonFormat format = ComparisonFormat::text;
+  TableFormat format = TableFormat::text;
   StyleName style = StyleName::light;
   OutputFiles output;
   std::string plot;
@@ -215,13 +213,13 @@ void write_files(const CompareArguments& arguments, const ComparisonRun& run,
   if (!wrong.empty()) throw InputError(wrong);
 }
 
-std::string text_of(const Comparison& comparison, ComparisonFormat format) {
+std::string text_of(const Comparison& comparison, TableFormat format) {
   switch (format) {
-    case ComparisonFormat::text:
+    case TableFormat::text:
       return comparison_table(comparison);
-    case ComparisonFormat::json:
+    case TableFormat::json:
       return comparison_json(comparison);
-    case ComparisonFormat::csv:
+    case TableFormat::csv:
       return comparison_csv(comparison);
   }
   return {};
@@ -278,11 +276,7 @@ Command add_compare(CLI::App& app) {
             "Compare on so many random pairs of cells that a path joins");
   add_count(compare, "--seed", arguments->seed, "Another seed, other pairs (default 1)");
   arguments->limits.add_to(compare);
-  add_choice<ComparisonFormat>(compare, "--format", arguments->format,
-                               {{"text", ComparisonFormat::text},
-                                {"json", ComparisonFormat::json},
-                                {"csv", ComparisonFormat::csv}},
-                               "A table for people (the default), or one for programs");
+  add_table_format(compare, arguments->format);
   add_style(compare, arguments->style, "Colours of pictures and plots (default light)");
   arguments->output.add_to(compare, {".png", ".svg", ".pdf", ".json", ".csv"},
                            "Also write a picture with a panel for each planner (.png, .svg, "

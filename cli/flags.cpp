@@ -1,8 +1,11 @@
 #include "flags.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/Error.hpp>
 #include <cmath>
 
+#include "exit_code.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/quote.hpp"
 
@@ -30,6 +33,13 @@ void add_format(CLI::App& app, Format& format) {
                      "Results for people (the default) or for programs");
 }
 
+void add_table_format(CLI::App& app, TableFormat& format) {
+  add_choice<TableFormat>(
+      app, "--format", format,
+      {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
+      "A table for people (the default), or one for programs");
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& flags, double& value, OptionRange range,
                         const std::string& help) {
   return add_number_to(app, flags, value, range, help);
@@ -48,6 +58,12 @@ CLI::Option* add_count(CLI::App& app, const std::string& flags, std::uint64_t& v
     value = *number;
   };
   return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name("N");
+}
+
+void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
+                 std::uint64_t most) {
+  if (value >= least && value <= most) return;
+  throw InputError(fmt::format("{} {}: from {} to {}", flag, value, least, most));
 }
 
 CLI::Option* add_texts(CLI::App& app, const std::string& flags, std::vector<std::string>& values,

@@ -31,6 +31,12 @@ enum class Format { text, json };
 /// --format text|json
 void add_format(CLI::App& app, Format& format);
 
+/// What tables come in.
+enum class TableFormat { text, json, csv };
+
+/// --format text|json|csv
+void add_table_format(CLI::App& app, TableFormat& format);
+
 /// A finite number in a range.
 CLI::Option* add_number(CLI::App& app, const std::string& flags, double& value, OptionRange range,
                         const std::string& help);
@@ -40,6 +46,10 @@ CLI::Option* add_number(CLI::App& app, const std::string& flags, std::optional<d
 /// A whole number from 0 on.
 CLI::Option* add_count(CLI::App& app, const std::string& flags, std::uint64_t& value,
                        const std::string& help);
+
+/// Throws InputError for a number outside of a range, ends included.
+void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
+                 std::uint64_t most);
 
 /// Texts, each after a flag of its own: `-o a.png -o b.csv`.
 CLI::Option* add_texts(CLI::App& app, const std::string& flags, std::vector<std::string>& values,

@@ -1,5 +1,5 @@
-// `wend bench`, and the program on the shared data: bad files, real maps, benchmarks. Without the
-// data these are skipped.
+// The program on the shared data: bad files, real maps, benchmarks. Without the data these are
+// skipped.
 
 #include <gmock/gmock.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): POSIX's part of it
@@ -18,98 +18,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
-
-constexpr const char* kMap = "type octile\nheight 4\nwidth 5\nmap\n.....\n.@@T.\n.G.S.\n.....\n";
-
-class BenchCommand : public testing::Test {
- protected:
-  /// A scenario beside a map of 5 x 4 cells.
-  std::string scenario(const std::string& queries, const std::string& name = "ok.map.scen") const {
-    folder_.write("ok.map", kMap);
-    return folder_.write(name, "version 1\n" + queries);
-  }
-
-  static json rows(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "bench");
-    arguments.insert(arguments.end(), {"--format", "json"});
-    return json::parse(wend(std::move(arguments)).out);
-  }
-
-  TemporaryFolder folder_;
-};
-
-constexpr const char* kRight =
-    "0\tok.map\t5\t4\t0\t0\t4\t0\t4\n1\tok.map\t5\t4\t0\t0\t4\t3\t6.41421356\n";
-
-TEST_F(BenchCommand, HasARowForEachFileAndPlanner) {
-  const std::string file = scenario(kRight);
-  const std::string other = scenario(kRight, "other.scen");
-  const json found = rows({file, other, "--planner", "astar,astar:weight=0,bfs", "--check"});
-  ASSERT_EQ(found.size(), 6U);
-  const json& row = found.at(0);
-  EXPECT_EQ(row.at("scen"), file);
-  EXPECT_EQ(row.at("planner"), "astar");
-  EXPECT_EQ(found.at(1).at("planner"), "astar:weight=0");
-  EXPECT_EQ(row.at("queries"), 2);
-  EXPECT_EQ(row.at("solved"), 2);
-  EXPECT_EQ(row.at("wrong"), 0);
-  EXPECT_EQ(row.size(), 10U);
-  for (const char* key :
-       {"mean_us", "median_us", "p99_us", "expanded_per_query", "expansions_per_second"}) {
-    EXPECT_GT(row.at(key).get<double>(), 0) << key;
-  }
-  EXPECT_EQ(wend({"bench", file}).code, 0);
-  EXPECT_THAT(wend({"bench", file}).out, StartsWith("scenario"));
-}
-
-TEST_F(BenchCommand, CountsWhatIsWrong) {
-  struct Case {
-    std::string query;
-    int solved, wrong;
-  };
-  const std::vector<Case> cases{
-      {"0 ok.map 5 4 0 0 4 3 7", 1, 1},        // another length
-      {"0 ok.map 5 4 0 0 4 3 6.41427", 1, 0},  // within 1e-5 of it
-      {"0 ok.map 5 4 0 0 4 3 6.41", 1, 0},     // two decimals: half a unit
-      {"0 ok.map 5 4 0 0 4 3 6.414", 1, 1},    // three decimals: not so
-      {"0 ok.map 5 4 0 0 4 3 0", 1, 1},        // the file says that there is none
-      {"0 ok.map 5 4 1 1 4 0 4", 0, 1},        // the start is blocked
-      {"0 ok.map 5 4 1 1 4 0 0", 0, 0},        // and the file says so
-      {"0 ok.map 5 4 2 2 2 2 0", 1, 0},        // nowhere to go
-  };
-  for (const Case& one : cases) {
-    const std::string file = scenario(one.query + "\n");
-    const json row = rows({file}).at(0);
-    EXPECT_EQ(row.at("solved"), one.solved) << one.query;
-    EXPECT_EQ(row.at("wrong"), one.wrong) << one.query;
-    const Outcome outcome = wend({"bench", file});
-    EXPECT_EQ(outcome.code, one.wrong) << one.query;
-    EXPECT_EQ(outcome.err.empty(), one.wrong == 0) << outcome.err;
-  }
-}
-
-TEST_F(BenchCommand, FindsTheMapOrSaysThatItCannot) {
-  EXPECT_EQ(wend({"bench", scenario(kRight)}).code, 0);
-  EXPECT_EQ(wend({"bench", scenario(kRight, "any.scen")}).code, 0);
-  const std::string lost = scenario("0 maps/lost.map 5 4 0 0 4 0 4\n", "lost.scen");
-  const Outcome outcome = wend({"bench", lost});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("its map 'lost.map' is not in the same folder"));
-  EXPECT_EQ(wend({"bench", lost, "--map", folder_ / "ok.map"}).code, 0);
-}
-
-TEST_F(BenchCommand, RefusesBadInput) {
-  const std::string file = scenario(kRight);
-  EXPECT_EQ(wend({"bench"}).code, 2);
-  EXPECT_EQ(wend({"bench", "no/such.scen"}).code, 2);
-  EXPECT_EQ(wend({"bench", file, "--planner", "astr"}).code, 2);
-  EXPECT_EQ(wend({"bench", file, "--planner", "astar:weight=x"}).code, 2);
-  EXPECT_EQ(wend({"bench", scenario("0 ok.map 5 4 0 0 5 0 4\n")}).code, 2);
-  EXPECT_EQ(wend({"bench", scenario("0 ok.map 50 40 0 0 4 0 4\n")}).code, 2);
-  const Outcome moves = wend({"bench", scenario(kRight), "--planner", "astar:connectivity=4"});
-  EXPECT_EQ(moves.code, 2);
-  EXPECT_THAT(moves.err, HasSubstr("without corner cutting"));
-}
 
 /// Tests that need the shared data.
 class SharedData : public testing::Test {

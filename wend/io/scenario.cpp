@@ -153,6 +153,18 @@ Expected<Scenario, IoError> load_scenario(const fs::path& file) {
   return parse_scenario(*text, file.string());
 }
 
+Expected<std::vector<fs::path>, IoError> scenarios_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".scen") files.push_back(entry.path());
+  }
+  if (error) return io_failure(folder.string(), 0, error.message());
+  if (files.empty()) return io_failure(folder.string(), 0, "there is no .scen file in this folder");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height) {
   for (const ScenarioQuery& query : scenario.queries) {
     if (query.map_width == width && query.map_height == height) continue;

@@ -49,6 +49,10 @@ Expected<Scenario, IoError> load_scenario(const std::filesystem::path& file);
 /// The same from a text. `file` is the name for errors.
 Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file);
 
+/// The `.scen` files that lie in a folder itself, by name. An error if there is none.
+Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
+    const std::filesystem::path& folder);
+
 /// An error, with its line, if a query is for a map of another size. (The format says to scale the
 /// map then; no set that we know needs it, and we refuse.)
 Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height);

@@ -179,5 +179,15 @@ TEST_F(ScenarioMap, IsTheSameForAllLines) {
               EndsWith("the lines name no map, or more than one"));
 }
 
+TEST_F(ScenarioMap, ScenariosOfAFolderComeByName) {
+  folder_.write("a.map", "");
+  EXPECT_THAT(error_of(scenarios_in(folder_.path())),
+              EndsWith("there is no .scen file in this folder"));
+  const auto b = folder_.write("b.scen", "");
+  const auto a = folder_.write("a.map.scen", "");
+  EXPECT_EQ(scenarios_in(folder_.path()).value(), (std::vector{a, b}));
+  EXPECT_FALSE(scenarios_in(folder_.path() / "none"));
+}
+
 }  // namespace
 }  // namespace wend

@@ -7,28 +7,43 @@
 #include <string>
 #include <vector>
 
+#include "wend/report/bench_answer.hpp"
+
 namespace wend {
 
 struct BenchRow {
   std::string scen;
-  std::string planner;  // with its options: "astar:weight=2"
+  std::string planner;   // with its options: "astar:weight=2"
+  unsigned threads = 1;  // that answered queries at the same time
+  double build_s = 0;    // seconds that building its index took; 0 of a planner without one
+  std::uint64_t index_bytes = 0;
+
   std::uint64_t queries = 0;
   std::uint64_t solved = 0;
   std::uint64_t wrong = 0;
-  double mean_us = 0;  // microseconds a query, solved or not
+  double mean_us = 0;  // microseconds a query, solved or not, in its fastest pass
   double median_us = 0;
   double p99_us = 0;  // 99 of 100 queries took no longer
   double expanded_per_query = 0;
   double expansions_per_second = 0;
+  std::uint64_t passes = 0;    // that every query has
+  double fastest_pass_us = 0;  // microseconds a query in the pass that was fastest in all
+  double slowest_pass_us = 0;
 
-  /// Sets what follows from the time of every query and from all cells expanded; 0 without queries.
-  void set_work(std::vector<double> microseconds, std::uint64_t expanded);
+  /// Sets what follows from the answers, each of which has a pass at least; 0 without answers.
+  void set_answers(std::span<const BenchAnswer> answers);
+
+  /// How much slower the slowest pass was than the fastest: 0.03 are 3 %.
+  double spread() const;
 };
 
 /// A list with an object a row, its keys the names above. One line with its line end.
 std::string bench_json(std::span<const BenchRow> rows);
 
-/// The same for people.
+/// The same names and values as a line a row, below a line of the names. Quotes as in RFC 4180.
+std::string bench_csv(std::span<const BenchRow> rows);
+
+/// The same for people. Passes and indexes show where there is more than one, and any.
 std::string bench_table(std::span<const BenchRow> rows);
 
 }  // namespace wend

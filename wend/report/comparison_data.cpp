@@ -4,6 +4,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/report/comparison_measures.hpp"
+#include "wend/report/csv.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -51,16 +52,6 @@ Json statistics_json(const Comparison& comparison, const std::string& name, std:
         {"median", summary.median}, {"mean", summary.mean}, {"p99", summary.p99}};
   }
   return json;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + "\"";
 }
 
 }  // namespace

@@ -1,0 +1,24 @@
+#pragma once
+
+// What `wend bench` runs planners on: scenarios, each with its map.
+
+#include <string>
+#include <vector>
+
+#include "wend/io/scenario.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend::cli {
+
+struct Course {
+  Scenario scenario;
+  std::string map_name;  // of its file, without folder and extension
+  GridMap map;
+};
+
+/// Those of scenario files and of folders with such; `map_file` is the map of all, unless it is
+/// empty. At most `sample` queries of each, evenly spread; 0: all. Throws InputError.
+std::vector<Course> load_courses(const std::vector<std::string>& files_and_folders,
+                                 const std::string& map_file, std::size_t sample);
+
+}  // namespace wend::cli

@@ -1,0 +1,60 @@
+#pragma once
+
+// BenchRace: contestants on one course, in turns, pass after pass.
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench_contestant.hpp"
+#include "bench_course.hpp"
+#include "bench_lane.hpp"
+#include "progress_bar.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/parallel/thread_workers.hpp"
+#include "wend/report/bench_rows.hpp"
+
+namespace wend::cli {
+
+/// How far all races are.
+struct BenchProgress {
+  ProgressBar bar;
+  std::uint64_t done = 0;  // queries, of every contestant and pass
+};
+
+class BenchRace {
+ public:
+  BenchRace(const Course& course, const std::vector<Contestant>& contestants, unsigned threads);
+
+  /// Asks every contestant every query so many times. False if Ctrl-C came. Throws InputError if a
+  /// contestant does not take its options or the map.
+  bool run(std::uint64_t passes, BenchProgress& progress);
+
+  /// What came of it, a row a contestant.
+  std::vector<BenchRow> rows() const;
+
+ private:
+  struct Runner {
+    const Contestant& contestant;
+    std::vector<BenchAnswer> answers;  // one a query of the course
+    std::vector<BenchLane> lanes;      // one a thread
+    std::uint64_t complaints = 0;
+  };
+
+  void make_lanes(Runner& runner);
+  bool run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress);
+  bool answer_some(Runner& runner, std::span<const std::size_t> queries, BenchProgress& progress);
+  bool answer(Runner& runner, unsigned worker, std::span<const std::size_t> queries);
+  void complain_of(Runner& runner, const ScenarioQuery& query, const std::string& wrong);
+
+  const Course& course_;
+  FreeSpace space_;
+  ThreadWorkers workers_;
+  std::vector<Runner> runners_;
+  std::mutex complaining_;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,158 @@
+// `wend bench`: what it measures, counts as wrong, and refuses.
+
+#include <gmock/gmock.h>
+
+#include "command_line/bench_folder.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+class BenchCommand : public testing::Test, protected BenchFolder {};
+
+TEST_F(BenchCommand, HasARowForEachFileAndPlanner) {
+  const std::string file = scenario(kRight);
+  const std::string other = scenario(kRight, "other.scen");
+  const json found = rows({file, other, "--planner", "astar,astar:weight=0,bfs", "--check"});
+  ASSERT_EQ(found.size(), 6U);
+  const json& row = found.at(0);
+  EXPECT_EQ(row.at("scen"), file);
+  EXPECT_EQ(row.at("planner"), "astar");
+  EXPECT_EQ(found.at(1).at("planner"), "astar:weight=0");
+  EXPECT_EQ(row.at("queries"), 2);
+  EXPECT_EQ(row.at("solved"), 2);
+  EXPECT_EQ(row.at("wrong"), 0);
+  EXPECT_EQ(row.at("threads"), 1);
+  EXPECT_EQ(row.at("passes"), 1);
+  EXPECT_EQ(row.at("spread"), 0);
+  EXPECT_EQ(row.at("build_s"), 0);
+  EXPECT_EQ(row.at("index_bytes"), 0);
+  for (const char* key : {"mean_us", "median_us", "p99_us", "expanded_per_query",
+                          "expansions_per_second", "fastest_pass_us", "slowest_pass_us"}) {
+    EXPECT_GT(row.at(key).get<double>(), 0) << key;
+  }
+  EXPECT_EQ(wend({"bench", file}).code, 0);
+  EXPECT_THAT(wend({"bench", file}).out, StartsWith("scenario"));
+}
+
+TEST_F(BenchCommand, WritesCsv) {
+  const std::string file = scenario(kRight);
+  const Outcome outcome = wend({"bench", file, "--format", "csv"});
+  EXPECT_THAT(outcome.out, StartsWith("scen,planner,queries,solved,wrong,"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n" + file + ",astar,2,2,0,"));
+  EXPECT_THAT(outcome.out, EndsWith(",0,0\n"));
+}
+
+TEST_F(BenchCommand, TakesTheScenariosOfFolders) {
+  scenario(kRight, "b.scen");
+  scenario(kRight, "a.scen");
+  const json found = rows({folder_ / ""});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(found.at(0).at("scen").get<std::string>(), EndsWith("/a.scen"));
+  EXPECT_THAT(found.at(1).at("scen").get<std::string>(), EndsWith("/b.scen"));
+  const TemporaryFolder empty;
+  EXPECT_THAT(wend({"bench", empty / ""}).err, HasSubstr("there is no .scen file"));
+}
+
+TEST_F(BenchCommand, RepeatsPassesAndShowsTheirSpread) {
+  const std::string file = scenario(kRight);
+  const json row = rows({file, "--passes", "4"}).at(0);
+  EXPECT_EQ(row.at("passes"), 4);
+  EXPECT_EQ(row.at("queries"), 2);
+  const auto number = [&row](const char* key) { return row.at(key).get<double>(); };
+  EXPECT_LE(number("fastest_pass_us"), number("slowest_pass_us"));
+  EXPECT_LE(number("mean_us"), number("fastest_pass_us") * (1 + 1e-9));
+  EXPECT_NEAR(number("spread"), number("slowest_pass_us") / number("fastest_pass_us") - 1, 1e-9);
+  EXPECT_THAT(wend({"bench", file, "--passes", "2"}).out, HasSubstr("spread"));
+}
+
+TEST_F(BenchCommand, ThreadsShareTheQueries) {
+  std::string queries;
+  for (int i = 0; i < 50; ++i) queries += kRight;
+  const std::string file = scenario(queries);
+  const json one = rows({file}).at(0);
+  const json two = rows({file, "--threads", "3", "--passes", "2", "--planner", "astar"}).at(0);
+  EXPECT_EQ(two.at("threads"), 3);
+  for (const char* key : {"queries", "solved", "wrong", "expanded_per_query"}) {
+    EXPECT_EQ(one.at(key), two.at(key)) << key;
+  }
+}
+
+TEST_F(BenchCommand, SamplesEvenly) {
+  std::string queries;
+  for (int x = 0; x < 5; ++x) queries += "0 ok.map 5 4 0 0 " + std::to_string(x) + " 0 9\n";
+  const Outcome outcome = wend({"bench", scenario(queries), "--sample", "2"});
+  EXPECT_THAT(outcome.err, HasSubstr(":2: astar: "));  // the first line is the version
+  EXPECT_THAT(outcome.err, HasSubstr(":4: astar: "));
+  EXPECT_EQ(rows({scenario(queries), "--sample", "2"}).at(0).at("queries"), 2);
+}
+
+TEST_F(BenchCommand, CountsWhatIsWrong) {
+  struct Case {
+    std::string query;
+    int solved, wrong;
+  };
+  const std::vector<Case> cases{
+      {"0 ok.map 5 4 0 0 4 3 7", 1, 1},        // another length
+      {"0 ok.map 5 4 0 0 4 3 6.41427", 1, 0},  // within 1e-5 of it
+      {"0 ok.map 5 4 0 0 4 3 6.41", 1, 0},     // two decimals: half a unit
+      {"0 ok.map 5 4 0 0 4 3 6.414", 1, 1},    // three decimals: not so
+      {"0 ok.map 5 4 0 0 4 3 0", 1, 1},        // the file says that there is none
+      {"0 ok.map 5 4 1 1 4 0 4", 0, 1},        // the start is blocked
+      {"0 ok.map 5 4 1 1 4 0 0", 0, 0},        // and the file says so
+      {"0 ok.map 5 4 2 2 2 2 0", 1, 0},        // nowhere to go
+  };
+  for (const Case& one : cases) {
+    const std::string file = scenario(one.query + "\n");
+    const json row = rows({file, "--passes", "2"}).at(0);
+    EXPECT_EQ(row.at("solved"), one.solved) << one.query;
+    EXPECT_EQ(row.at("wrong"), one.wrong) << one.query;
+    const Outcome outcome = wend({"bench", file});
+    EXPECT_EQ(outcome.code, one.wrong) << one.query;
+    EXPECT_EQ(outcome.err.empty(), one.wrong == 0) << outcome.err;
+  }
+}
+
+TEST_F(BenchCommand, ComplainsOfAFewAndCountsThemAll) {
+  std::string queries;
+  for (int i = 0; i < 9; ++i) queries += "0 ok.map 5 4 0 0 4 3 7\n";
+  const Outcome outcome = wend({"bench", scenario(queries)});
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 6) << outcome.err;
+  EXPECT_THAT(outcome.err, EndsWith("... and more of these\n"));
+  EXPECT_EQ(rows({scenario(queries)}).at(0).at("wrong"), 9);
+}
+
+TEST_F(BenchCommand, FindsTheMapOrSaysThatItCannot) {
+  EXPECT_EQ(wend({"bench", scenario(kRight)}).code, 0);
+  EXPECT_EQ(wend({"bench", scenario(kRight, "any.scen")}).code, 0);
+  const std::string lost = scenario("0 maps/lost.map 5 4 0 0 4 0 4\n", "lost.scen");
+  const Outcome outcome = wend({"bench", lost});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("its map 'lost.map' is not in the same folder"));
+  EXPECT_EQ(wend({"bench", lost, "--map", folder_ / "ok.map"}).code, 0);
+}
+
+TEST_F(BenchCommand, RefusesBadInput) {
+  const std::string file = scenario(kRight);
+  EXPECT_EQ(wend({"bench"}).code, 2);
+  EXPECT_EQ(wend({"bench", "no/such.scen"}).code, 2);
+  EXPECT_EQ(wend({"bench", file, "--planner", "astr"}).code, 2);
+  EXPECT_EQ(wend({"bench", file, "--planner", "astar:weight=x"}).code, 2);
+  EXPECT_EQ(wend({"bench", scenario("0 ok.map 5 4 0 0 5 0 4\n")}).code, 2);
+  EXPECT_EQ(wend({"bench", scenario("0 ok.map 50 40 0 0 4 0 4\n")}).code, 2);
+  EXPECT_THAT(wend({"bench", scenario(kRight), "--threads", "0"}).err,
+              HasSubstr("--threads 0: from 1 to 1024"));
+  EXPECT_EQ(wend({"bench", scenario(kRight), "--passes", "0"}).code, 2);
+  const Outcome moves = wend({"bench", scenario(kRight), "--planner", "astar:connectivity=4"});
+  EXPECT_EQ(moves.code, 2);
+  EXPECT_THAT(moves.err, HasSubstr("without corner cutting"));
+}
+
+}  // namespace
+}  // namespace wend::test
