@@ -216,7 +216,7 @@ TEST_P(CarConformance, SteppingAndWatchingChangeNothing) {
     const Query query = random_drive(random, car_textbook_for(trial, info()));
     SCOPED_TRACE(text_of(query));
     const Answer answer = answer_of(*planner, query);
-    expect_same_when_stepped_and_watched(*planner, info().can_step, query, answer);
+    expect_same_when_stepped_and_watched(*planner, info(), query, answer);
   }
 }
 

@@ -21,13 +21,15 @@ constexpr double kRelative = 1e-9;
 constexpr int kMaps = 3000;  // for each planner and test that walks random maps
 
 /// Checks a path by itself: valid step by step, with the cost that it claims.
-void expect_honest(const Plan& plan, const Textbook& textbook, const Errand& errand) {
+void expect_honest(const Plan& plan, const PlannerInfo& info, const Textbook& textbook,
+                   const Errand& errand) {
   const auto cells = plan.path.cells();
   ASSERT_FALSE(cells.empty());
   EXPECT_THAT(errand.goals, ::testing::Contains(cells.back()));
   EXPECT_EQ(textbook.fault(cells, errand.start, cells.back()), "");
   EXPECT_NEAR(plan.cost, textbook.cost_of(cells), kRelative * std::max(1.0, plan.cost));
   EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
+  if (info.jumps) return;
   EXPECT_GE(plan.metrics.expanded, cells.size()) << "every cell of a path was expanded";
 }
 
@@ -50,7 +52,7 @@ void expect_true_answer(const PlannerInfo& info, Status status, const Plan& plan
                         const Textbook& textbook, const Truth& truth, const Errand& errand) {
   if (status == Status::found) {
     EXPECT_THAT(truth.failures, ::testing::IsEmpty()) << "found, though there is no path";
-    expect_honest(plan, textbook, errand);
+    expect_honest(plan, info, textbook, errand);
     expect_as_promised(plan, info, truth);
     return;
   }
@@ -109,6 +111,7 @@ TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
     const Trial trial{GridMap(states), {}, random_options(random, info().options)};
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
+    ASSERT_NE(planner, nullptr);
     const Textbook textbook = textbook_for(trial, info());
     for (int i = 0; i < 18; ++i) {
       const Errand errand{i < 9 ? Cell{1, 1} : Cell{0, 0}, {{i % 3, i / 3 % 3}}};
@@ -171,8 +174,24 @@ TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
     const Query query = random_errand(random, trial.map).query();
     const Answer answer = answer_of(*planner, query);
 
-    expect_same_when_stepped_and_watched(*planner, info().can_step, query, answer);
+    expect_same_when_stepped_and_watched(*planner, info(), query, answer);
   }
+}
+
+TEST_P(Conformance, WhoRefusesTerrainRefusesItWhenUpdatedToo) {
+  const Grid<CellState> cells(8, 8, CellState::free);
+  const FreeSpace flat{GridMap(cells)};
+  const FreeSpace rough{GridMap(cells, {}, Grid<double>(8, 8, 2.0))};
+  if (info().make(rough, {})) GTEST_SKIP() << GetParam() << " takes maps with terrain";
+  const auto made = info().make(flat, {});
+  ASSERT_TRUE(made);
+  const Query query = Query::between({1, 1}, {6, 5});
+  Plan plan;
+  EXPECT_EQ((*made)->plan(query, plan), Status::found);
+  (*made)->update(rough);
+  EXPECT_EQ((*made)->plan(query, plan), Status::unsupported_map);
+  (*made)->update(flat);
+  EXPECT_EQ((*made)->plan(query, plan), Status::found);
 }
 
 /// The same picture with its rows counted from the other end.

@@ -81,6 +81,7 @@ GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
       parts_(choose_parts_(free_space())) {}
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
+  if (parts_.engine == nullptr) return Status::unsupported_map;
   return cells_.assign(free_space(), parts_.moves.adjacency(), query);
 }
 
@@ -118,7 +119,7 @@ std::string GridPlanner::do_reason(const Query& query, Status status) const {
 
 double GridPlanner::do_heuristic(const Pose& pose) const {
   const auto cell = cell_on_map(free_space(), pose.point());
-  return cell ? parts_.engine->heuristic(*cell) : 0;
+  return cell && parts_.engine != nullptr ? parts_.engine->heuristic(*cell) : 0;
 }
 
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {

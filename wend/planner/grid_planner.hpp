@@ -31,7 +31,7 @@ class GridPlanner final : public Planner {
  public:
   struct Parts {
     GridMoves moves;
-    std::unique_ptr<GridEngine> engine;
+    std::unique_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;  // what Plan::bound says of every answer
   };
 
@@ -40,7 +40,7 @@ class GridPlanner final : public Planner {
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts);
 
-  bool allocated() const { return parts_.engine->allocated(); }
+  bool allocated() const { return parts_.engine == nullptr || parts_.engine->allocated(); }
 
  private:
   std::optional<Status> do_check(const Query& query) override;

@@ -19,14 +19,6 @@ Unexpected<PlannerError> failure(Status status, std::string what) {
   return Unexpected<PlannerError>({status, std::move(what)});
 }
 
-std::optional<PlannerError> refused_terrain(std::string_view name, const FreeSpace& space) {
-  if (space.uniform_terrain()) return std::nullopt;
-  return PlannerError{Status::unsupported_map,
-                      std::string(name) +
-                          " plans where all cells cost the same, and this map has " +
-                          "terrain, or the robot keeps away from obstacles"};
-}
-
 /// What a limit of the query says before there is any work.
 std::optional<Status> stopped(const Limits& limits) {
   if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {

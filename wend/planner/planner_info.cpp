@@ -40,4 +40,12 @@ std::string_view to_string(Preprocessing preprocessing) {
   return {};
 }
 
+std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space) {
+  if (space.uniform_terrain()) return std::nullopt;
+  return PlannerError{Status::unsupported_map,
+                      std::string(planner) +
+                          " plans where all cells cost the same, and this map has terrain, or the "
+                          "robot keeps away from obstacles"};
+}
+
 }  // namespace wend

@@ -5,7 +5,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/base/expected.hpp"
@@ -55,6 +57,9 @@ struct PlannerError {
 
   const std::string& message() const { return what; }
 };
+
+/// For planners that know no terrain: why they cannot plan there, if they cannot.
+std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space);
 
 using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
 

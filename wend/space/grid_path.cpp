@@ -11,22 +11,32 @@ std::string text_of(Cell cell) {
   return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
 }
 
-bool is_diagonal_step(Cell from, Cell to) { return from.x != to.x && from.y != to.y; }
+// Without a branch: paths are long, and their turns hard to foresee.
+bool is_diagonal_step(Cell from, Cell to) {
+  return (static_cast<unsigned>(from.x != to.x) & static_cast<unsigned>(from.y != to.y)) != 0;
+}
+
+double uniform_cost(std::span<const Cell> cells) {
+  std::size_t diagonals = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    const bool diagonal = is_diagonal_step(cells[i - 1], cells[i]);
+    diagonals += static_cast<std::size_t>(diagonal);
+  }
+  const std::size_t steps = cells.empty() ? 0 : cells.size() - 1;
+  return static_cast<double>(steps - diagonals) +
+         std::numbers::sqrt2 * static_cast<double>(diagonals);
+}
 
 }  // namespace
 
 double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells) {
-  double terrain_cost = 0;
-  double diagonals = 0;
+  if (space.uniform_terrain()) return uniform_cost(cells);
+  double cost = 0;
   for (std::size_t i = 1; i < cells.size(); ++i) {
-    const bool diagonal = is_diagonal_step(cells[i - 1], cells[i]);
-    diagonals += diagonal ? 1 : 0;
     const double mean = (space.terrain(cells[i - 1]) + space.terrain(cells[i])) / 2;
-    terrain_cost += diagonal ? std::numbers::sqrt2 * mean : mean;
+    cost += is_diagonal_step(cells[i - 1], cells[i]) ? std::numbers::sqrt2 * mean : mean;
   }
-  if (!space.uniform_terrain()) return terrain_cost;
-  const double steps = cells.empty() ? 0 : static_cast<double>(cells.size() - 1);
-  return (steps - diagonals) + std::numbers::sqrt2 * diagonals;
+  return cost;
 }
 
 Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,

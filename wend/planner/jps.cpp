@@ -1,0 +1,167 @@
+// Jump point search: D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid
+// Maps", 2011, and "Improving Jump Point Search", 2014.
+
+#include <memory>
+#include <utility>
+
+#include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/grid_planner.hpp"
+#include "wend/planner/jump_point_search.hpp"
+#include "wend/planner/widening_engine.hpp"
+
+namespace wend {
+namespace {
+
+struct JpsOptions {
+  template <class Self, class Field>
+  static void fields(Self& /*self*/, Field&& /*field*/) {}
+};
+
+/// JumpPointSearch behind the face of a GridEngine: turns maps with y up, and writes every cell.
+template <class Cost>
+class JumpEngine final : public GridEngine {
+ public:
+  JumpEngine(FreeSpace space, std::shared_ptr<const JumpBoards> boards)
+      : space_(std::move(space)), search_(std::move(boards)) {}
+
+  bool allocated() const override { return search_.allocated(); }
+
+  void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    observer_ = observer;
+    goals_.clear();
+    for (const Cell goal : goals) goals_.push_back(drawn_cell(space_, goal));
+    watched(
+        [&](auto&& watcher) { search_.begin(drawn_cell(space_, start), goals_, limits, watcher); });
+  }
+
+  SearchOutcome step() override {
+    watched([&](auto&& watcher) { search_.step(watcher); });
+    return search_.outcome();
+  }
+
+  SearchOutcome run() override {
+    watched([&](auto&& watcher) { search_.run(watcher); });
+    return search_.outcome();
+  }
+
+  const SearchMetrics& metrics() const override { return search_.metrics(); }
+
+  double heuristic(const Cell& cell) const override {
+    return search_.goal_count() == 0 ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
+  }
+
+  void write_path(Path& path) const override {
+    path.clear();
+    const auto waypoints = search_.waypoints();
+    std::size_t count = 1;
+    for (std::size_t i = 1; i < waypoints.size(); ++i) {
+      count += static_cast<std::size_t>(steps_between(waypoints[i - 1], waypoints[i]));
+    }
+    auto out = path.make_cells(count).begin();
+    *out++ = drawn_cell(space_, waypoints.front());
+    for (std::size_t i = 1; i < waypoints.size(); ++i) {
+      Cell at = drawn_cell(space_, waypoints[i - 1]);
+      const Cell to = drawn_cell(space_, waypoints[i]);
+      const Cell step{(to.x > at.x) - (to.x < at.x), (to.y > at.y) - (to.y < at.y)};
+      for (int steps = steps_between(at, to); steps > 0; --steps) {
+        at = {at.x + step.x, at.y + step.y};
+        *out++ = at;
+      }
+    }
+  }
+
+ private:
+  static double in_cells(Cost cost) {
+    return static_cast<double>(cost) / static_cast<double>(OctileUnits<Cost>::kStraight);
+  }
+
+  static int steps_between(Cell from, Cell to) {
+    return std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+  }
+
+  /// Passes the events on, in the map's cells.
+  class Watcher {
+   public:
+    Watcher(const JumpEngine& engine, SearchObserver& observer)
+        : engine_(engine), observer_(observer) {}
+
+    void on_generate(Cell cell, Cell parent, Cost g) {
+      observer_.on_generate(event(cell, parent, g));
+    }
+    void on_expand(Cell cell, Cell parent, Cost g) { observer_.on_expand(event(cell, parent, g)); }
+    void on_relax(Cell cell, Cell parent, Cost g) { observer_.on_relax(event(cell, parent, g)); }
+
+   private:
+    SearchEvent event(Cell cell, Cell parent, Cost g) const {
+      const double h = in_cells(engine_.search_.h(cell));
+      SearchEvent event{drawn_cell(engine_.space_, cell), {}, in_cells(g), h, in_cells(g) + h};
+      if (parent != cell) event.parent = drawn_cell(engine_.space_, parent);
+      return event;
+    }
+
+    const JumpEngine& engine_;
+    SearchObserver& observer_;
+  };
+
+  template <class Action>
+  void watched(Action&& action) {
+    if (observer_ == nullptr) {
+      action(NoJumpWatcher{});
+    } else {
+      action(Watcher(*this, *observer_));
+    }
+  }
+
+  FreeSpace space_;
+  mutable JumpPointSearch<Cost> search_;
+  std::vector<Cell> goals_;  // as drawn
+  SearchObserver* observer_ = nullptr;
+};
+
+GridPlanner::Parts choose_parts(const FreeSpace& space, const JpsOptions& /*options*/) {
+  if (!space.uniform_terrain()) return {{}, nullptr, 1};
+  const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
+  return {
+      {},
+      std::make_unique<WideningEngine<GridEngine>>(
+          [&] { return std::make_unique<JumpEngine<std::uint32_t>>(space, boards); },
+          [space, boards] { return std::make_unique<JumpEngine<std::uint64_t>>(space, boards); }),
+      1};
+}
+
+}  // namespace
+
+PlannerInfo jps_planner() {
+  return {
+      .name = "jps",
+      .summary = "jump point search: A* that leaps over everything between two turns",
+      .idea =
+          "Among all shortest paths that differ only in the order of their steps it looks at one: "
+          "diagonal steps first. That one turns nowhere but past the corners of obstacles, and "
+          "to the next such place the search jumps, reading the map 64 cells at a time.",
+      .citation = "Harabor, Grastien 2011 and 2014",
+      .guarantee = "optimal on 8 neighbours without corner cutting, where all cells cost the same",
+      .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
+      .memory =
+          "19 bytes a cell, 16 of them touched only where a search goes, and 12 an entry of "
+          "the frontier",
+      .when =
+          "The fastest without an index, wherever the map has rooms and streets: ask it first. "
+          "In noise and narrow mazes it has less to leap over. It cannot plan on terrain, nor "
+          "keep away from obstacles.",
+      .promise = Promise::optimal,
+      .plans_on_terrain = false,
+      .preprocessing = Preprocessing::none,
+      .can_step = true,
+      .jumps = true,
+      .options = option_schema<JpsOptions>(),
+      .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
+        if (auto refused = refused_terrain("jps", space)) {
+          return Unexpected<PlannerError>(*std::move(refused));
+        }
+        return make_grid_planner<JpsOptions>(space, values, choose_parts);
+      }};
+}
+
+}  // namespace wend

@@ -1,0 +1,101 @@
+#pragma once
+
+// JumpQueue: the open jump points of a search, in buckets that are about one straight step wide.
+//
+// Of a bucket the last one pushed comes first, so that keys come in order only from bucket to
+// bucket: who pops may have to expand a state again. Keys never fall below the bucket in work. A
+// push or pop takes O(1), but for looking for the next bucket, 64 at a time. Nothing is allocated
+// once it is as large as it gets.
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "wend/base/state_id.hpp"
+
+namespace wend {
+
+template <class Cost>
+class JumpQueue {
+ public:
+  struct Entry {
+    Cost f;
+    StateId id;
+  };
+
+  /// Forgets all. `width_bits`: a bucket holds 2^width_bits keys; `least`: no key is below it.
+  void begin(Cost least, unsigned width_bits) {
+    for (std::size_t word = current_ / kWordBits; word < occupied_.size(); ++word) {
+      for (; occupied_[word] != 0; occupied_[word] &= occupied_[word] - 1) {
+        heads_[word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]))] =
+            kNone;
+      }
+    }
+    links_.clear();
+    least_ = least;
+    width_bits_ = width_bits;
+    current_ = 0;
+    size_ = 0;
+  }
+
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+
+  void push(Cost f, StateId id) {
+    const auto bucket = static_cast<std::size_t>((f - least_) >> width_bits_);
+    if (bucket >= heads_.size()) grow(bucket);
+    std::uint32_t link = free_link();
+    links_[link] = {{f, id}, heads_[bucket]};
+    heads_[bucket] = link;
+    occupied_[bucket / kWordBits] |= std::uint64_t{1} << (bucket % kWordBits);
+    ++size_;
+  }
+
+  /// The lowest bucket's last entry; not of an empty queue.
+  Entry pop() {
+    std::size_t word = current_ / kWordBits;
+    while (occupied_[word] == 0) ++word;
+    current_ = word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]));
+    const std::uint32_t link = heads_[current_];
+    heads_[current_] = links_[link].next;
+    if (heads_[current_] == kNone) occupied_[word] &= occupied_[word] - 1;
+    --size_;
+    return links_[link].entry;
+  }
+
+  /// The least key that the bucket of a key may hold.
+  bool bucket_is_behind(Cost f) const {
+    return current_ > static_cast<std::size_t>((f - least_) >> width_bits_);
+  }
+
+ private:
+  static constexpr std::size_t kWordBits = 64;
+  static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+
+  struct Link {
+    Entry entry;
+    std::uint32_t next;
+  };
+
+  std::uint32_t free_link() {
+    links_.emplace_back();
+    return static_cast<std::uint32_t>(links_.size() - 1);
+  }
+
+  void grow(std::size_t bucket) {
+    const std::size_t words = 2 * (bucket / kWordBits + 1);
+    occupied_.resize(words);
+    heads_.resize(words * kWordBits, kNone);
+  }
+
+  Cost least_ = 0;
+  unsigned width_bits_ = 0;
+  std::size_t current_ = 0;
+  std::size_t size_ = 0;
+  std::vector<std::uint64_t> occupied_;  // a bit for each bucket that is not empty
+  std::vector<std::uint32_t> heads_;     // by bucket: its first link
+  std::vector<Link> links_;
+};
+
+}  // namespace wend

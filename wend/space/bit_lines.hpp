@@ -1,0 +1,126 @@
+#pragma once
+
+// BitLines: lines of bits that are scanned many cells at a time: the rows of a map, its columns, or
+// its diagonals.
+//
+// Around the bits lies a border of zeros, one wide, so that neighbours are read without looking for
+// the edge. A scan step reads eight bytes at once, wherever they begin, and counts zeros. (Blocks of
+// bits for jumping: D. Harabor and A. Grastien, "Improving Jump Point Search", 2014.)
+
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+namespace wend {
+
+class BitLines {
+ public:
+  BitLines() = default;
+
+  /// All bits are zero.
+  BitLines(int lines, int length);
+
+  int lines() const { return lines_; }
+  int length() const { return length_; }
+
+  /// `line` and `at` may lie one outside.
+  bool get(int line, int at) const {
+    const std::size_t bit = bit_of(line, at);
+    return ((words_[bit / kWordBits] >> (bit % kWordBits)) & 1U) != 0;
+  }
+  void set(int line, int at) {
+    const std::size_t bit = bit_of(line, at);
+    words_[bit / kWordBits] |= std::uint64_t{1} << (bit % kWordBits);
+  }
+
+  /// How far it is from `at` to the next set bit behind it; there must be one in the line or its
+  /// border.
+  int distance_ahead(int line, int at) const {
+    std::size_t bit = bit_of(line, at) + 1;
+    int distance = 1;
+    for (;;) {
+      const auto skip = static_cast<int>(bit % 8);
+      const std::uint64_t window = load(bit / 8) >> skip;
+      if (window != 0) return distance + std::countr_zero(window);
+      bit += static_cast<std::size_t>(kWordBits - skip);
+      distance += kWordBits - skip;
+    }
+  }
+
+  /// The same towards smaller numbers.
+  int distance_back(int line, int at) const {
+    std::size_t bit = bit_of(line, at) - 1;
+    int distance = 1;
+    for (;;) {
+      const auto skip = static_cast<int>(7 - bit % 8);
+      const std::uint64_t window = load(bit / 8 - 7) << skip;
+      if (window != 0) return distance + std::countl_zero(window);
+      bit -= static_cast<std::size_t>(kWordBits - skip);
+      distance += kWordBits - skip;
+    }
+  }
+
+  /// Are `count` bits from `at` on set?
+  bool all_set(int line, int at, int count) const {
+    std::size_t bit = bit_of(line, at);
+    while (count > 0) {
+      const auto skip = static_cast<int>(bit % 8);
+      const int read = kWordBits - skip;
+      const std::uint64_t missing = ~(load(bit / 8) >> skip);
+      if (count < read) return (missing & ((std::uint64_t{1} << count) - 1)) == 0;
+      if ((missing << skip) != 0) return false;
+      bit += static_cast<std::size_t>(read);
+      count -= read;
+    }
+    return true;
+  }
+
+  /// The words of a line, its border included: bit `at` is bit at + 1 of them. `line` may lie one
+  /// outside.
+  std::span<const std::uint64_t> words(int line) const {
+    return {words_.data() + word_of(line), words_per_line_};
+  }
+  std::span<std::uint64_t> words(int line) {
+    return {words_.data() + word_of(line), words_per_line_};
+  }
+
+  /// Lines become places in lines, and the other way round. O(bits), 64 x 64 of them at a time.
+  BitLines transposed() const;
+
+  /// A line for each diagonal of the picture whose rows these lines are, and a bit for each row:
+  /// cell (at, line) is bit `line` of line at - line + lines() - 1 where diagonals fall to the right,
+  /// at + line where they fall to the left.
+  enum class Diagonals { falling_right, falling_left };
+  BitLines diagonals(Diagonals which) const;
+
+  friend bool operator==(const BitLines&, const BitLines&) = default;
+
+ private:
+  static constexpr int kWordBits = 64;
+  static constexpr std::size_t kSlackWords = 1;  // scans read up to eight bytes further
+
+  std::uint64_t load(std::size_t byte) const {
+    std::uint64_t window = 0;
+    std::memcpy(&window, reinterpret_cast<const unsigned char*>(words_.data()) + byte,
+                sizeof window);
+    return window;
+  }
+  std::size_t word_of(int line) const {
+    assert(line >= -1 && line <= lines_);
+    return kSlackWords + static_cast<std::size_t>(line + 1) * words_per_line_;
+  }
+  std::size_t bit_of(int line, int at) const {
+    return word_of(line) * kWordBits + static_cast<std::size_t>(at + 1);
+  }
+
+  int lines_ = 0;
+  int length_ = 0;
+  std::size_t words_per_line_ = 0;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace wend
