@@ -32,7 +32,7 @@ class GridPlanner final : public Planner {
   struct Parts {
     GridMoves moves;
     std::unique_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
-    double bound;  // what Plan::bound says of every answer
+    double bound;                        // what Plan::bound says of every answer
   };
 
   /// Called again for another FreeSpace.

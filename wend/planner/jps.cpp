@@ -21,8 +21,9 @@ struct JpsOptions {
 template <class Cost>
 class JumpEngine final : public GridEngine {
  public:
-  JumpEngine(FreeSpace space, std::shared_ptr<const JumpBoards> boards)
-      : space_(std::move(space)), search_(std::move(boards)) {}
+  JumpEngine(FreeSpace space, std::shared_ptr<const JumpBoards> boards,
+             std::shared_ptr<const DeadEnds> dead_ends)
+      : space_(std::move(space)), search_(std::move(boards), std::move(dead_ends)) {}
 
   bool allocated() const override { return search_.allocated(); }
 
@@ -122,11 +123,14 @@ class JumpEngine final : public GridEngine {
 GridPlanner::Parts choose_parts(const FreeSpace& space, const JpsOptions& /*options*/) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
   const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
+  const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
+  const auto engine = [space, boards, dead_ends]<class Cost>(Cost) {
+    return std::make_unique<JumpEngine<Cost>>(space, boards, dead_ends);
+  };
   return {
       {},
-      std::make_unique<WideningEngine<GridEngine>>(
-          [&] { return std::make_unique<JumpEngine<std::uint32_t>>(space, boards); },
-          [space, boards] { return std::make_unique<JumpEngine<std::uint64_t>>(space, boards); }),
+      std::make_unique<WideningEngine<GridEngine>>([engine] { return engine(std::uint32_t{}); },
+                                                   [engine] { return engine(std::uint64_t{}); }),
       1};
 }
 

@@ -32,6 +32,7 @@
 #include "wend/planner/jump_queue.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/search_metrics.hpp"
+#include "wend/space/dead_ends.hpp"
 #include "wend/space/jump_boards.hpp"
 #include "wend/space/octile_units.hpp"
 
@@ -44,14 +45,17 @@ struct NoJumpWatcher {
   void on_relax(Cell, Cell, auto) const {}
 };
 
-template <class CostType, std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max()>
+template <class CostType,
+          std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max() / 2>
 class JumpPointSearch {
  public:
   using Cost = CostType;
   using Units = OctileUnits<Cost>;
 
-  explicit JumpPointSearch(std::shared_ptr<const JumpBoards> boards)
+  JumpPointSearch(std::shared_ptr<const JumpBoards> boards,
+                  std::shared_ptr<const DeadEnds> dead_ends)
       : boards_(std::move(boards)),
+        open_(std::move(dead_ends)),
         row_bits_(std::bit_width(static_cast<unsigned>(boards_->width() - 1))),
         nodes_(static_cast<Node*>(std::calloc(node_count(), sizeof(Node)))) {}
 
@@ -99,10 +103,11 @@ class JumpPointSearch {
   struct Node {
     Cost g;
     StateId parent;
-    std::uint32_t generation;  // of the search that reached it; 0: never
-    DirectionSet pending;      // arrivals to be expanded
-    DirectionSet done;         // arrivals that were, as cheaply
-    DirectionSet useful;       // where there is something; of the map, not of a search
+    std::uint32_t generation : 31;  // of the search that reached it; 0: never
+    std::uint32_t in_dead_end : 1;  // of the map, not of a search
+    DirectionSet pending;           // arrivals to be expanded
+    DirectionSet done;              // arrivals that were, as cheaply
+    DirectionSet useful;            // where there is something; of the map, not of a search
     std::uint8_t forced;  // by arrival d: bit d if one turns by +90 degrees, d + 1 by -90; likewise
   };
 
@@ -146,6 +151,7 @@ class JumpPointSearch {
   void reach(Cell cell, std::uint64_t g, StateId parent, DirectionSet arrival, Watcher& watcher);
 
   std::shared_ptr<const JumpBoards> boards_;
+  OpenDeadEnds open_;
   int row_bits_;  // of an id that tell the column
   std::unique_ptr<Node[], Free> nodes_;
   std::uint32_t generation_ = 0;
@@ -181,6 +187,7 @@ void JumpPointSearch<Cost, kLast>::begin(Cell start, std::span<const Cell> goals
   if (!allocated()) return;
   next_generation();
   goals_.assign(goals.begin(), goals.end());
+  open_.open_for(start, goals);
   queue_.begin(h(start), kWidthBits);
   reach(start, 0, id_of(start), kEveryDirection, watcher);
 }
@@ -274,8 +281,9 @@ void JumpPointSearch<Cost, kLast>::reach(Cell cell, std::uint64_t g, StateId par
   const StateId id = id_of(cell);
   Node& node = nodes_[id];
   if (node.generation != generation_ || g < node.g) {
-    const bool open = node.generation == generation_ && node.pending != 0;
     if (node.generation == 0) learn(node, cell);
+    if (node.in_dead_end != 0 && !open_.contains(cell)) return;
+    const bool open = node.generation == generation_ && node.pending != 0;
     node.g = static_cast<Cost>(g);
     node.parent = parent;
     node.generation = generation_;
@@ -310,6 +318,7 @@ void JumpPointSearch<Cost, kLast>::reach(Cell cell, std::uint64_t g, StateId par
 template <class Cost, std::uint32_t kLast>
 void JumpPointSearch<Cost, kLast>::learn(Node& node, Cell cell) const {
   node.useful = boards_->rays(cell) | boards_->diagonals(cell);
+  node.in_dead_end = open_.in_core(cell) ? 0 : 1;
   node.forced = 0;
   for (const Direction arrival :
        {Direction::down, Direction::right, Direction::up, Direction::left}) {

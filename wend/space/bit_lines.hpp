@@ -37,6 +37,11 @@ class BitLines {
     words_[bit / kWordBits] |= std::uint64_t{1} << (bit % kWordBits);
   }
 
+  void reset(int line, int at) {
+    const std::size_t bit = bit_of(line, at);
+    words_[bit / kWordBits] &= ~(std::uint64_t{1} << (bit % kWordBits));
+  }
+
   /// How far it is from `at` to the next set bit behind it; there must be one in the line or its
   /// border.
   int distance_ahead(int line, int at) const {

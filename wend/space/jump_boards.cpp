@@ -29,7 +29,7 @@ BitLines mapped(const BitLines& board, WordAt&& word_at) {
 }
 
 /// The jump points of runs along the lines, towards greater numbers (or smaller ones).
-BitLines jump_points(const BitLines& passable, bool ahead) {
+BitLines jump_points_along(const BitLines& passable, bool ahead) {
   const auto last = ahead ? before : behind;  // the cell a run comes from
   return mapped(passable, [&](int line, std::size_t i) {
     const auto here = passable.words(line);
@@ -166,7 +166,7 @@ JumpBoards::JumpBoards(const BitGrid& drawn) : rows_(rows_of(drawn)), columns_(r
     const bool vertical = direction == down || direction == up;
     const bool ahead = direction == down || direction == right;
     const BitLines& passable = vertical ? columns_ : rows_;
-    const BitLines jumps = jump_points(passable, ahead);
+    const BitLines jumps = jump_points_along(passable, ahead);
     BitLines& stops = stops_[index(direction)];
     stops = with_blocked(jumps, passable);
     const BitLines found = places_with_ray(jumps, stops, ahead);
@@ -191,6 +191,20 @@ JumpBoards::JumpBoards(const BitGrid& drawn) : rows_(rows_of(drawn)), columns_(r
   moves_ = sets_of({&row_rays[0], &step_down_right, &row_rays[1], &step_up_right, &row_rays[2],
                     &step_up_left, &row_rays[3], &step_down_left},
                    width(), height());
+}
+
+BitLines JumpBoards::jump_points() const {
+  const auto found = [](const BitLines& passable, const BitLines& one, const BitLines& other) {
+    return mapped(passable, [&](int line, std::size_t i) {
+      return passable.words(line)[i] & (one.words(line)[i] | other.words(line)[i]);
+    });
+  };
+  using enum Direction;
+  const BitLines by_rows = found(rows_, stops_[index(right)], stops_[index(left)]);
+  const BitLines by_columns = found(columns_, stops_[index(down)], stops_[index(up)]).transposed();
+  return mapped(rows_, [&](int line, std::size_t i) {
+    return by_rows.words(line)[i] | by_columns.words(line)[i];
+  });
 }
 
 bool JumpBoards::in_sight(Cell from, Cell to) const {

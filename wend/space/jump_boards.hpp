@@ -51,6 +51,9 @@ class JumpBoards {
   int width() const { return rows_.length(); }
   int height() const { return rows_.lines(); }
 
+  /// The passable cells.
+  const BitLines& rows() const { return rows_; }
+
   /// False outside the map, which must be no farther than one cell.
   bool passable(Cell cell) const { return rows_.get(cell.y, cell.x); }
 
@@ -86,6 +89,9 @@ class JumpBoards {
       return stops.distance_back(diagonal_line<kDiagonal>(from), from.y);
     }
   }
+
+  /// The jump points of all four directions, by rows. O(cells).
+  BitLines jump_points() const;
 
   /// Can one go from cell to cell by diagonal steps first and straight ones then?
   bool in_sight(Cell from, Cell to) const;
