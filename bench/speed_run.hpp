@@ -14,7 +14,8 @@
 
 namespace wend::bench {
 
-/// Means over the queries of a map. Every query is timed several times and its fastest run counts.
+/// Means over the sampled queries of a map. Every query is timed several times and its fastest run
+/// counts. Who is fast answers the scenario's other queries between them, untimed.
 struct Timing {
   std::string name;
   double mean_us = 0;
