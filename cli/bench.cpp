@@ -1,5 +1,7 @@
 // wend bench: MovingAI scenarios, solved, timed and checked.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -7,9 +9,11 @@
 #include "bench_contestant.hpp"
 #include "bench_course.hpp"
 #include "bench_race.hpp"
+#include "bench_store.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "wend/report/bench_rows.hpp"
 
@@ -20,6 +24,8 @@ struct BenchArguments {
   std::vector<std::string> scenarios;
   std::string planners = "astar";
   std::string map;
+  std::vector<std::string> indexes;
+  std::string database;
   std::uint64_t threads = 1;
   std::uint64_t passes = 1;
   std::uint64_t sample = 0;
@@ -35,14 +41,16 @@ constexpr const char* kExamples = R"(Examples:
   wend bench arena.map.scen den520d.map.scen --planner astar,dijkstra
   wend bench FOLDER --planner astar,astar:weight=0 --passes 5 --threads 2
   wend bench arena.map.scen --planner astar:weight=2 --format json
+  wend bench FOLDER --planner astar,dijkstra --database results.db
   wend bench queries.scen --map arena.map
 
 Always 8 neighbours without corner cutting. The map of X.map.scen is X.map, of other
 scenarios the name in their map column; it lies in the scenario's folder. Wrong is: no path
 though the file gives a length; a path though it says there is none; another length; a path
 that is not valid cell by cell. Of several passes the fastest of every query counts, and the
-spread is by how much the slowest pass was slower than the fastest. Exit codes: 0 all right,
-1 something is wrong, 2 bad usage or input.)";
+spread is by how much the slowest pass was slower than the fastest. A run with --database that
+was interrupted goes on where it was when it is started again; Planner Arena opens the file.
+Exit codes: 0 all right, 1 something is wrong, 2 bad usage or input.)";
 
 std::string text_of(const std::vector<BenchRow>& rows, TableFormat format) {
   switch (format) {
@@ -61,27 +69,63 @@ void check(const BenchArguments& arguments) {
   check_range("--passes", arguments.passes, 1, kMostPasses);
 }
 
-int run(const BenchArguments& arguments) {
-  check(arguments);
+/// Every index that was given is to be used.
+void check_used(const std::vector<GivenIndex>& indexes, const std::vector<Contestant>& contestants,
+                const std::vector<Course>& courses) {
+  for (const GivenIndex& index : indexes) {
+    const bool taken =
+        std::any_of(contestants.begin(), contestants.end(),
+                    [&](const Contestant& contestant) { return contestant.takes(index); });
+    if (!taken) {
+      throw InputError(fmt::format("--index {}: it is for {}, which is not in --planner",
+                                   index.file, index.header.planner_name()));
+    }
+    const bool fits = std::any_of(courses.begin(), courses.end(), [&](const Course& course) {
+      return is_for(index, FreeSpace(course.map));
+    });
+    if (!fits) throw InputError(fmt::format("--index {}: it is for another map", index.file));
+  }
+}
+
+std::vector<BenchRow> run_races(const BenchArguments& arguments, BenchStore& store) {
   const std::vector<Contestant> contestants = parse_contestants(arguments.planners);
+  const std::vector<GivenIndex> indexes = open_indexes(arguments.indexes);
   const std::vector<Course> courses =
       load_courses(arguments.scenarios, arguments.map, arguments.sample);
+  check_used(indexes, contestants, courses);
   std::uint64_t queries = 0;
   for (const Course& course : courses) queries += course.scenario.queries.size();
-  BenchProgress progress{{"queries", queries * contestants.size() * arguments.passes}};
+  const std::uint64_t answers = queries * contestants.size() * arguments.passes;
+  BenchProgress progress{{"queries", answers}};
   std::vector<BenchRow> rows;
   for (const Course& course : courses) {
-    BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads));
-    if (!race.run(arguments.passes, progress)) {
-      complain("cancelled");
-      return no_plan;
-    }
+    BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads), store);
+    race.run(arguments.passes, indexes, progress);
     const std::vector<BenchRow> of_course = race.rows();
     rows.insert(rows.end(), of_course.begin(), of_course.end());
   }
-  print(text_of(rows, arguments.format));
-  const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
-  return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
+  if (progress.known > 0) {
+    complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
+                         progress.known, answers));
+  }
+  return rows;
+}
+
+int run(const BenchArguments& arguments) {
+  check(arguments);
+  try {
+    BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
+    const std::vector<BenchRow> rows = run_races(arguments, store);
+    print(text_of(rows, arguments.format));
+    const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
+    return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
+  } catch (const Cancelled&) {
+    complain(
+        arguments.database.empty()
+            ? "cancelled"
+            : fmt::format("cancelled; the same command goes on where {} ends", arguments.database));
+    return no_plan;
+  }
 }
 
 }  // namespace
@@ -106,6 +150,15 @@ Command add_bench(CLI::App& app) {
             "Ask every query so many times, planner after planner (default 1)");
   add_count(bench, "--sample", arguments->sample,
             "So many queries of every scenario, evenly spread (default: all)");
+  add_texts(bench, "--index", arguments->indexes,
+            "An index for one of the planners; may be given several times. One that is not given "
+            "is built first")
+      ->type_name(kFileType);
+  bench
+      .add_option("--database", arguments->database,
+                  wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
+                          "benchmarks; what it has is not done again"))
+      ->type_name(kFileType);
   bench.add_flag("--check", arguments->check,
                  wrapped("Check every path cell by cell: always done, whether asked for or not"));
   add_table_format(bench, arguments->format);

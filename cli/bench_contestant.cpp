@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "exit_code.hpp"
+#include "interrupt.hpp"
+#include "limit_arguments.hpp"
 #include "planner_argument.hpp"
+#include "progress_bar.hpp"
+#include "wend/index/drawn_board.hpp"
 
 namespace wend::cli {
 namespace {
@@ -22,12 +27,60 @@ void refuse_moves(const PlannerSpec& spec) {
       "{}: scenarios are always run on 8 neighbours without corner cutting", spec.text));
 }
 
+GivenIndex open_given(const std::string& file) {
+  auto bytes = open_index(file);
+  if (!bytes) throw InputError("--index " + bytes.error().message());
+  const auto header = read_index_header(bytes->bytes());
+  if (!header) throw InputError(fmt::format("--index {}: {}", file, header.error()));
+  return {file, *header, *std::move(bytes)};
+}
+
 }  // namespace
 
-Contestant::Contestant(PlannerSpec spec) : spec_(std::move(spec)) {}
+std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files) {
+  std::vector<GivenIndex> indexes;
+  indexes.reserve(files.size());
+  for (const std::string& file : files) indexes.push_back(open_given(file));
+  return indexes;
+}
 
-std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space) const {
-  auto planner = info_of(spec_).make(space, spec_.options);
+bool is_for(const GivenIndex& index, const FreeSpace& space) {
+  return index.header.map_hash == map_hash(drawn_board(space));
+}
+
+Contestant::Contestant(PlannerSpec spec) : spec_(std::move(spec)), info_(info_of(spec_)) {}
+
+bool Contestant::takes(const GivenIndex& index) const {
+  return info_.make_on_index && index.header.planner_name() == info_.name;
+}
+
+Preparation Contestant::prepare(const FreeSpace& space, const std::vector<GivenIndex>& given,
+                                Workers& workers) const {
+  if (!info_.build_index) return {};
+  const auto fits = [&](const GivenIndex& index) { return takes(index) && is_for(index, space); };
+  const auto found = std::find_if(given.begin(), given.end(), fits);
+  if (found == given.end()) return build(space, workers);
+  return {found->bytes, {0, found->bytes.size()}};
+}
+
+Preparation Contestant::build(const FreeSpace& space, Workers& workers) const {
+  constexpr double kSteps = 1000;
+  ProgressBar bar("index of " + name(), static_cast<std::uint64_t>(kSteps));
+  const IndexBuilding building{
+      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); },
+      &cancel_on_interrupt()};
+  const double begin = steady_seconds();
+  auto index = info_.build_index(space, building);
+  if (!index && index.error().status == Status::cancelled) throw Cancelled();
+  if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message()));
+  const std::uint64_t bytes = index->size();
+  return {*std::move(index), {steady_seconds() - begin, bytes}};
+}
+
+std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space,
+                                                  const Preparation& preparation) const {
+  auto planner = info_.make_on_index ? info_.make_on_index(space, spec_.options, preparation.index)
+                                     : info_.make(space, spec_.options);
   if (!planner) throw InputError(fmt::format("{}: {}", name(), planner.error().message()));
   return *std::move(planner);
 }

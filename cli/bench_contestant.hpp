@@ -1,16 +1,39 @@
 #pragma once
 
-// What `wend bench` compares: planners with their options.
+// What `wend bench` compares: planners with their options, some of them on an index.
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "wend/base/workers.hpp"
+#include "wend/index/index_header.hpp"
+#include "wend/io/index_file.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
+#include "wend/report/bench_database.hpp"
 
 namespace wend::cli {
+
+/// An index that need not be built.
+struct GivenIndex {
+  std::string file;
+  IndexHeader header;
+  IndexBytes bytes;
+};
+
+/// Throws InputError for a file that is no index, or a damaged one.
+std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files);
+
+/// Is it for this map?
+bool is_for(const GivenIndex& index, const FreeSpace& space);
+
+/// What a contestant's planners on a map share. Without preprocessing: nothing.
+struct Preparation {
+  IndexBytes index{};
+  BenchIndex cost{};
+};
 
 class Contestant {
  public:
@@ -19,11 +42,24 @@ class Contestant {
   /// As it was typed: "astar:weight=2".
   const std::string& name() const { return spec_.text; }
 
-  /// A planner for one thread. Throws InputError if it does not take its options or the map.
-  std::unique_ptr<Planner> make_planner(const FreeSpace& space) const;
+  /// Is there an index that this one plans on?
+  bool takes(const GivenIndex& index) const;
+
+  /// What is needed before planners are made: one of the given indexes, or one that is built now.
+  /// Throws InputError if it cannot be built, and Cancelled if Ctrl-C came.
+  Preparation prepare(const FreeSpace& space, const std::vector<GivenIndex>& given,
+                      Workers& workers) const;
+
+  /// A planner for one thread. Throws InputError if it does not take its options, the map or the
+  /// index.
+  std::unique_ptr<Planner> make_planner(const FreeSpace& space,
+                                        const Preparation& preparation) const;
 
  private:
+  Preparation build(const FreeSpace& space, Workers& workers) const;
+
   PlannerSpec spec_;
+  const PlannerInfo& info_;
 };
 
 /// Those of a --planner list. Throws InputError for one that is not there, and for one that does not

@@ -1,11 +1,14 @@
 #include "bench_course.hpp"
 
+#include <bit>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "exit_code.hpp"
+#include "wend/index/index_header.hpp"
 #include "wend/io/load_map.hpp"
+#include "wend/map/free_space.hpp"
 
 namespace wend::cli {
 namespace {
@@ -32,6 +35,30 @@ std::vector<fs::path> scenario_files(const std::vector<std::string>& files_and_f
   return files;
 }
 
+/// FNV-1a over numbers.
+class Fingerprint {
+ public:
+  void add(std::uint64_t number) { hash_ = (hash_ ^ number) * 0x100000001B3; }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325;
+};
+
+std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
+  Fingerprint fingerprint;
+  fingerprint.add(map_hash(FreeSpace(map).passable()));
+  for (const ScenarioQuery& query : scenario.queries) {
+    for (const Cell cell : {query.start, query.goal}) {
+      fingerprint.add(static_cast<std::uint64_t>(cell.x));
+      fingerprint.add(static_cast<std::uint64_t>(cell.y));
+    }
+    fingerprint.add(query.line);
+    fingerprint.add(std::bit_cast<std::uint64_t>(query.length));
+  }
+  return fingerprint.value();
+}
+
 Course load_course(const fs::path& file, const std::string& map_file, std::size_t sample) {
   Scenario scenario = value_or_throw(load_scenario(file));
   const fs::path map_path =
@@ -39,8 +66,9 @@ Course load_course(const fs::path& file, const std::string& map_file, std::size_
   LoadedMap loaded = value_or_throw(load_map(map_path));
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
   if (!fits) throw InputError(fits.error().message());
+  const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);
   if (sample > 0) scenario.queries = evenly_sampled(scenario.queries, sample);
-  return {std::move(scenario), map_path.stem().string(), std::move(loaded.map)};
+  return {std::move(scenario), map_path.stem().string(), std::move(loaded.map), fingerprint};
 }
 
 }  // namespace

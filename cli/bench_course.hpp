@@ -2,6 +2,7 @@
 
 // What `wend bench` runs planners on: scenarios, each with its map.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Course {
   Scenario scenario;
   std::string map_name;  // of its file, without folder and extension
   GridMap map;
+  std::uint64_t fingerprint = 0;  // of map and queries, whether sampled or not
 };
 
 /// Those of scenario files and of folders with such; `map_file` is the map of all, unless it is

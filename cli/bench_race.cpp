@@ -6,6 +6,7 @@
 #include <atomic>
 #include <utility>
 
+#include "interrupt.hpp"
 #include "limit_arguments.hpp"
 #include "output.hpp"
 
@@ -19,28 +20,41 @@ constexpr double kSlice = 1;                  // seconds until there is a moment
 }  // namespace
 
 BenchRace::BenchRace(const Course& course, const std::vector<Contestant>& contestants,
-                     unsigned threads)
-    : course_(course), space_(course.map), workers_(threads) {
+                     unsigned threads, BenchStore& store)
+    : course_(course), space_(course.map), workers_(threads), store_(store) {
+  store_.begin(course_, space_, workers_.count());
   for (const Contestant& contestant : contestants) {
-    Runner runner{contestant, {}, {}};
-    for (const ScenarioQuery& query : course.scenario.queries) {
-      runner.answers.push_back({.line = query.line});
-    }
-    runners_.push_back(std::move(runner));
+    runners_.push_back({contestant});
+    recall(runners_.back());
   }
 }
 
-bool BenchRace::run(std::uint64_t passes, BenchProgress& progress) {
+void BenchRace::recall(Runner& runner) {
+  BenchRecord known = store_.known(runner.contestant.name());
+  runner.index = known.index;
+  auto at = known.answers.begin();
+  for (const ScenarioQuery& query : course_.scenario.queries) {
+    while (at != known.answers.end() && at->line < query.line) ++at;
+    const bool is_known = at != known.answers.end() && at->line == query.line;
+    runner.answers.push_back(is_known ? *at : BenchAnswer{.line = query.line});
+  }
+}
+
+void BenchRace::run(std::uint64_t passes, const std::vector<GivenIndex>& indexes,
+                    BenchProgress& progress) {
   for (Runner& runner : runners_) {
-    make_lanes(runner);
-    for (BenchAnswer& answer : runner.answers) answer.seconds.reserve(passes);
+    std::uint64_t known = 0;
+    for (BenchAnswer& answer : runner.answers) {
+      known += std::min<std::uint64_t>(answer.seconds.size(), passes);
+      answer.seconds.reserve(passes);
+    }
+    progress.known += known;
+    progress.done += known;
+    if (known < passes * runner.answers.size()) make_lanes(runner, indexes);
   }
   for (std::uint64_t pass = 0; pass < passes; ++pass) {
-    for (Runner& runner : runners_) {
-      if (!run_pass(runner, pass, progress)) return false;
-    }
+    for (Runner& runner : runners_) run_pass(runner, pass, progress);
   }
-  return true;
 }
 
 std::vector<BenchRow> BenchRace::rows() const {
@@ -48,34 +62,43 @@ std::vector<BenchRow> BenchRace::rows() const {
   for (const Runner& runner : runners_) {
     BenchRow row{.scen = course_.scenario.file,
                  .planner = runner.contestant.name(),
-                 .threads = workers_.count()};
+                 .threads = workers_.count(),
+                 .build_s = runner.index.build_s,
+                 .index_bytes = runner.index.bytes};
     row.set_answers(runner.answers);
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-void BenchRace::make_lanes(Runner& runner) {
+void BenchRace::make_lanes(Runner& runner, const std::vector<GivenIndex>& indexes) {
   const auto complain = [this, &runner](const ScenarioQuery& query, const std::string& wrong) {
     complain_of(runner, query, wrong);
   };
+  const Preparation preparation = runner.contestant.prepare(space_, indexes, workers_);
+  runner.index = preparation.cost;
   for (unsigned thread = 0; thread < workers_.count(); ++thread) {
-    runner.lanes.emplace_back(runner.contestant.make_planner(space_), complain);
+    runner.lanes.emplace_back(runner.contestant.make_planner(space_, preparation), complain);
   }
-  if (course_.scenario.queries.empty()) return;
   for (BenchLane& lane : runner.lanes) lane.warm_up(course_.scenario.queries.front());
 }
 
-bool BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress) {
-  std::vector<std::size_t> open;
+void BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress) {
+  Queries open;
   for (std::size_t i = 0; i < runner.answers.size(); ++i) {
     if (runner.answers[i].seconds.size() <= pass) open.push_back(i);
   }
   while (!open.empty()) {
-    if (!answer_some(runner, open, progress)) return false;
-    std::erase_if(open, [&](std::size_t i) { return runner.answers[i].seconds.size() > pass; });
+    const bool cancelled = !answer_some(runner, open, progress);
+    std::vector<BenchAnswer> done;
+    std::erase_if(open, [&](std::size_t i) {
+      const bool is_done = runner.answers[i].seconds.size() > pass;
+      if (is_done) done.push_back(runner.answers[i]);
+      return is_done;
+    });
+    store_.keep(runner.contestant.name(), done, runner.index);
+    if (cancelled) throw Cancelled();
   }
-  return true;
 }
 
 /// As many of the queries as a slice of time has room for.

@@ -3,7 +3,6 @@
 // BenchRace: contestants on one course, in turns, pass after pass.
 
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <span>
 #include <string>
@@ -12,6 +11,7 @@
 #include "bench_contestant.hpp"
 #include "bench_course.hpp"
 #include "bench_lane.hpp"
+#include "bench_store.hpp"
 #include "progress_bar.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/parallel/thread_workers.hpp"
@@ -22,16 +22,20 @@ namespace wend::cli {
 /// How far all races are.
 struct BenchProgress {
   ProgressBar bar;
-  std::uint64_t done = 0;  // queries, of every contestant and pass
+  std::uint64_t done = 0;   // queries, of every contestant and pass
+  std::uint64_t known = 0;  // those of them that the store had
 };
 
 class BenchRace {
  public:
-  BenchRace(const Course& course, const std::vector<Contestant>& contestants, unsigned threads);
+  /// Takes what the store knows for answered; the store must outlive this.
+  BenchRace(const Course& course, const std::vector<Contestant>& contestants, unsigned threads,
+            BenchStore& store);
 
-  /// Asks every contestant every query so many times. False if Ctrl-C came. Throws InputError if a
-  /// contestant does not take its options or the map.
-  bool run(std::uint64_t passes, BenchProgress& progress);
+  /// Asks every contestant every query until it has so many passes. Throws Cancelled if Ctrl-C
+  /// came: what was answered until then is stored. Throws InputError if a contestant does not take
+  /// its options or the map.
+  void run(std::uint64_t passes, const std::vector<GivenIndex>& indexes, BenchProgress& progress);
 
   /// What came of it, a row a contestant.
   std::vector<BenchRow> rows() const;
@@ -39,13 +43,16 @@ class BenchRace {
  private:
   struct Runner {
     const Contestant& contestant;
-    std::vector<BenchAnswer> answers;  // one a query of the course
-    std::vector<BenchLane> lanes;      // one a thread
+    std::vector<BenchAnswer> answers{};  // one a query of the course
+    std::vector<BenchLane> lanes{};      // one a thread
+    BenchIndex index{};
     std::uint64_t complaints = 0;
   };
+  using Queries = std::vector<std::size_t>;  // by their place in the scenario
 
-  void make_lanes(Runner& runner);
-  bool run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress);
+  void recall(Runner& runner);
+  void make_lanes(Runner& runner, const std::vector<GivenIndex>& indexes);
+  void run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress);
   bool answer_some(Runner& runner, std::span<const std::size_t> queries, BenchProgress& progress);
   bool answer(Runner& runner, unsigned worker, std::span<const std::size_t> queries);
   void complain_of(Runner& runner, const ScenarioQuery& query, const std::string& wrong);
@@ -53,6 +60,7 @@ class BenchRace {
   const Course& course_;
   FreeSpace space_;
   ThreadWorkers workers_;
+  BenchStore& store_;
   std::vector<Runner> runners_;
   std::mutex complaining_;
 };

@@ -52,6 +52,7 @@
 #include "wend/render/panels.hpp"
 #include "wend/render/terminal_picture.hpp"
 #include "wend/render/text_picture.hpp"
+#include "wend/report/bench_database.hpp"
 #include "wend/report/comparison_run.hpp"
 #include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
@@ -439,6 +440,23 @@ TEST(Snippets, OfComparisonRun) {
   EXPECT_NE(compare(open_space(), [] { return 0.0; }).find("100 queries"), std::string::npos);
 }
 
+std::string keep(const std::vector<wend::BenchAnswer>& answers) {
+  const auto report = [](const std::string& what) { return what; };
+  auto database = wend::BenchDatabase::open("bench.db");
+  if (!database) return report(database.error().message());
+  const auto experiment = database->experiment({.map = "arena", .version = "wend 0.1.0"});
+  const auto planner = database->planner("astar:weight=2");
+  if (!experiment || !planner) return report("bench.db cannot be written");
+  const auto stored = database->store(*experiment, *planner, answers);
+  return stored ? "stored" : stored.error().message();
+}
+
+TEST(Snippets, OfBenchDatabase) {
+  const OfficeInWorkingFolder folder;
+  EXPECT_EQ(keep({{.line = 2, .seconds = {1e-6}}}), "stored");
+  EXPECT_EQ(keep({{.line = 3, .seconds = {1e-6}}}), "stored");
+}
+
 TEST(Snippets, OfPathReport) {
   const wend::FreeSpace space = open_space();
   const auto planner = wend::make_planner("astar", space);
@@ -607,7 +625,8 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "render/panels.hpp",
                                         "planner/widest_path.hpp",
                                         "planner/no_path.hpp",
-                                        "report/comparison_run.hpp"}) {
+                                        "report/comparison_run.hpp",
+                                        "report/bench_database.hpp"}) {
     std::istringstream text(text_of(kSource / "wend" / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {

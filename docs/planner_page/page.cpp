@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "docs/planner_page/findings.hpp"
-#include "docs/planner_page/machine.hpp"
 #include "docs/planner_page/registry_part.hpp"
 #include "docs/planner_page/tables.hpp"
+#include "wend/report/machine.hpp"
 
 namespace wend::planner_page {
 namespace {

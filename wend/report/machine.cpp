@@ -1,4 +1,4 @@
-#include "docs/planner_page/machine.hpp"
+#include "wend/report/machine.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <thread>
 
-namespace wend::planner_page {
+namespace wend {
 namespace {
 
 std::string processor() {
@@ -34,4 +34,4 @@ std::string describe_machine() {
                      compiler());
 }
 
-}  // namespace wend::planner_page
+}  // namespace wend

@@ -1,0 +1,38 @@
+#pragma once
+
+// BenchStore: where `wend bench` keeps answers while it runs, so that a run that was interrupted goes
+// on where it was. Without --database: nowhere.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bench_course.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/report/bench_database.hpp"
+
+namespace wend::cli {
+
+class BenchStore {
+ public:
+  /// Keeps nothing.
+  BenchStore() = default;
+
+  /// Throws InputError, as all that follows, if the file cannot be used.
+  explicit BenchStore(const std::string& file);
+
+  /// From now on answers are those on this course.
+  void begin(const Course& course, const FreeSpace& space, unsigned threads);
+
+  /// What is known of a contestant on the course.
+  BenchRecord known(const std::string& contestant);
+
+  void keep(const std::string& contestant, std::span<const BenchAnswer> answers,
+            const BenchIndex& index);
+
+ private:
+  std::optional<BenchDatabase> database_;
+  std::int64_t experiment_ = 0;
+};
+
+}  // namespace wend::cli

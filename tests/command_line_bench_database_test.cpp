@@ -1,0 +1,152 @@
+// `wend bench --database`: what it keeps, and how a run that was interrupted goes on.
+
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+
+#include <csignal>
+#include <thread>
+
+#include "command_line/bench_folder.hpp"
+
+namespace wend::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The only number that a query finds; -1 where the database is not there or is in use.
+int number_in(const std::string& file, const std::string& query) {
+  sqlite3* database = nullptr;
+  int number = -1;
+  const auto keep = [](void* out, int /*columns*/, char** fields, char** /*names*/) {
+    *static_cast<int*>(out) = std::stoi(fields[0]);
+    return 0;
+  };
+  if (sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
+    sqlite3_exec(database, query.c_str(), keep, &number, nullptr);
+  }
+  sqlite3_close(database);
+  return number;
+}
+
+class BenchDatabaseCommand : public testing::Test, protected BenchFolder {
+ protected:
+  std::string database_ = folder_ / "bench.db";
+};
+
+TEST_F(BenchDatabaseCommand, KeepsEveryAnswer) {
+  const std::string file = scenario(kRight);
+  const json all = rows({file, "--planner", "astar,bfs", "--passes", "2", "--database", database_});
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 4);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), 8);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments WHERE name = 'ok'"), 1);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM plannerConfigs"), 2);
+  EXPECT_EQ(number_in(database_, "SELECT sum(solved) FROM runs"), 4);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs WHERE time > 0 AND time < 1"), 4);
+}
+
+TEST_F(BenchDatabaseCommand, DoesNothingTwice) {
+  const std::string file = scenario(kRight);
+  const std::vector<std::string> command{"bench",      file,      "--planner", "astar,bfs",
+                                         "--database", database_, "--format",  "json"};
+  const Outcome first = wend(command);
+  EXPECT_THAT(first.err, IsEmpty());
+  const Outcome again = wend(command);
+  EXPECT_THAT(again.err, HasSubstr("4 of 4 answers were there already"));
+  EXPECT_EQ(json::parse(first.out), json::parse(again.out));
+}
+
+TEST_F(BenchDatabaseCommand, AddsWhatIsMissing) {
+  const std::string file = scenario(kRight);
+  rows({file, "--sample", "1", "--database", database_});
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 1);
+  const std::vector<std::string> more{file, "--passes", "3", "--database", database_};
+  EXPECT_EQ(rows(more).at(0).at("passes"), 3);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 2);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), 6);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments"), 1);
+  scenario("0 ok.map 5 4 0 0 1 0 1\n");  // another scenario in a file of the same name
+  rows(more);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments"), 2);
+}
+
+TEST_F(BenchDatabaseCommand, RemembersWhatWasWrong) {
+  const std::string file = scenario("0 ok.map 5 4 0 0 4 3 7\n");
+  EXPECT_EQ(wend({"bench", file, "--database", database_}).code, 1);
+  const Outcome again = wend({"bench", file, "--database", database_});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_EQ(number_in(database_, "SELECT correct_solution FROM runs"), 0);
+}
+
+TEST_F(BenchDatabaseCommand, RefusesAForeignFileAndLeavesItAlone) {
+  const std::string file = scenario(kRight);
+  const Outcome outcome = wend({"bench", file, "--database", folder_ / "ok.map"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("ok.map: file is not a database"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_EQ(bytes_of(folder_ / "ok.map"), kBenchMap);
+  EXPECT_EQ(wend({"bench", file, "--database", folder_ / "none/x.db"}).code, 2);
+}
+
+/// A run that is longer than any test waits for, on a map of its own, and can be stopped.
+class LongBench : public BenchDatabaseCommand {
+ protected:
+  void SetUp() override {
+    wend({"generate", "random", "--size", "200x200", "--seed", "3", "-o", folder_ / "long.map"});
+    std::string queries = "version 1\n";
+    for (int x = 0; x < kQueries; ++x) queries += "0 long.map 200 200 0 0 199 199 1\n";
+    file_ = folder_.write("long.map.scen", queries);
+  }
+
+  /// Runs until an answer is stored, then sends a signal. What it wrote to standard error.
+  std::string stop_with(int signal) const {
+    const std::string err = folder_ / "err";
+    std::vector<std::string> words{WEND_CLI_PATH, "bench",   file_,        "--planner", "dijkstra",
+                                   "--passes",    "1000000", "--database", database_};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT,
+                                     0600);
+    pid_t child = 0;
+    EXPECT_EQ(posix_spawn(&child, words[0].c_str(), &actions, nullptr, pointers_to(words).data(),
+                          environ),
+              0);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    while (number_in(database_, "SELECT count(*) FROM runs") <= 0) {
+      if (waitpid(child, &status, WNOHANG) != 0) ADD_FAILURE() << "it ended: " << bytes_of(err);
+      std::this_thread::yield();
+    }
+    kill(child, signal);
+    waitpid(child, &status, 0);
+    return bytes_of(err);
+  }
+
+  static constexpr int kQueries = 40;
+  std::string file_;
+};
+
+TEST_F(LongBench, LosesNothingThatWasStoredWhenItIsKilled) {
+  stop_with(SIGKILL);
+  const int runs = number_in(database_, "SELECT count(*) FROM runs");
+  const int passes = number_in(database_, "SELECT count(*) FROM passes");
+  EXPECT_GT(runs, 0);
+  const Outcome resumed = wend({"bench", file_, "--planner", "dijkstra", "--database", database_});
+  EXPECT_THAT(resumed.err, HasSubstr(std::to_string(runs) + " of " + std::to_string(kQueries) +
+                                     " answers were there already"));
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), kQueries);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), passes + kQueries - runs);
+}
+
+TEST_F(LongBench, GoesOnAfterCtrlC) {
+  EXPECT_THAT(stop_with(SIGINT), HasSubstr("the same command goes on where"));
+  const int runs = number_in(database_, "SELECT count(*) FROM runs");
+  const Outcome resumed = wend({"bench", file_, "--planner", "dijkstra", "--database", database_});
+  EXPECT_THAT(resumed.err, HasSubstr(std::to_string(runs) + " of " + std::to_string(kQueries) +
+                                     " answers were there already"));
+}
+
+}  // namespace
+}  // namespace wend::test

@@ -1,0 +1,112 @@
+#pragma once
+
+// An SQLite database for the sources of this module: other headers need no SQLite.
+//
+// The first error sticks: what comes after it does nothing, and error() tells it. So a function asks
+// once, at its end.
+
+#include <sqlite3.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace wend {
+
+class SqliteConnection {
+ public:
+  /// Opens a file, which is made if it is not there.
+  explicit SqliteConnection(const std::filesystem::path& file);
+
+  bool ok() const { return error_.empty(); }
+
+  /// What went wrong, for people.
+  const std::string& error() const { return error_; }
+
+  /// Keeps an error, unless there is one already.
+  void fail(const std::string& what);
+
+  /// Runs statements that give no rows.
+  void run(const std::string& statements);
+
+ private:
+  friend class SqliteStatement;
+  friend class SqliteTransaction;
+  struct Close {
+    void operator()(sqlite3* database) const { sqlite3_close(database); }
+  };
+
+  void check(int code);
+
+  std::unique_ptr<sqlite3, Close> database_;
+  std::string error_;
+};
+
+/// A statement with parameters, which can be run again and again.
+///
+///   SqliteStatement query(connection, "SELECT name FROM planners WHERE id = ?");
+///   for (query.start(7); query.next();) names.push_back(query.text(0));
+class SqliteStatement {
+ public:
+  SqliteStatement(SqliteConnection& connection, const std::string& text);
+
+  /// Begins anew, with a value for each parameter in turn.
+  template <class... Values>
+  void start(const Values&... values) {
+    reset();
+    bind_all(std::index_sequence_for<Values...>(), values...);
+  }
+
+  /// Goes to the next row; false after the last one and after an error.
+  bool next();
+
+  /// The same for a statement of which no more than one row is wanted.
+  template <class... Values>
+  bool run(const Values&... values) {
+    start(values...);
+    return next();
+  }
+
+  /// Of the row, by column from 0.
+  std::int64_t integer(int column) const;
+  double number(int column) const;
+  std::string text(int column) const;
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+
+  template <std::size_t... kIndex, class... Values>
+  void bind_all(std::index_sequence<kIndex...> /*indices*/, const Values&... values) {
+    (bind(static_cast<int>(kIndex) + 1, values), ...);
+  }
+
+  void reset();
+  void bind(int parameter, std::int64_t value);
+  void bind(int parameter, double value);
+  void bind(int parameter, const std::string& value);
+
+  SqliteConnection& connection_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+/// All that is done until commit() is done, or nothing.
+class SqliteTransaction {
+ public:
+  explicit SqliteTransaction(SqliteConnection& connection);
+  ~SqliteTransaction();
+  SqliteTransaction(const SqliteTransaction&) = delete;
+  SqliteTransaction& operator=(const SqliteTransaction&) = delete;
+
+  void commit();
+
+ private:
+  SqliteConnection& connection_;
+  bool open_;
+};
+
+}  // namespace wend
