@@ -2,22 +2,20 @@
 
 // JumpPointSearch: A* that jumps from one jump point to the next and leaves out what lies between.
 //
-//   auto boards = std::make_shared<const wend::JumpBoards>(wend::drawn_passable(space));
-//   wend::JumpPointSearch<std::uint32_t> search(boards);
+//   wend::JumpPointSearch<std::uint32_t> search(boards, dead_ends);
 //   search.begin({1, 1}, goals, limits);
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
 // A state is a jump point together with the straight directions it was reached in, all by equally
-// cheap ways. It is expanded into those directions, and past obstacles into the forced ones: a
-// diagonal run sends out straight ones along its way and opens the jump points that they end on;
-// cells where it turns are never opened. A state that sees a goal opens nothing: no way is
-// shorter. Open states lie in buckets whose order is inexact, so a state may be expanded again when a cheaper
-// way to it comes, and the search ends when the bucket in work is past the cheapest way found.
+// cheap ways. A state that sees a goal opens nothing: no way is shorter. Open states lie in buckets
+// whose order is inexact, so a state may be expanded again when a cheaper way to it comes, and the
+// search ends when the bucket in work is past the cheapest way found.
 //
-// Optimal. 16 bytes a cell (24 with costs in 64 bits), touched only where the search goes, and the
-// boards. One thread a search; boards are shared.
+// Optimal. 24 bytes a jump point, and what JumpGraph, JumpBoards and DeadEnds take. One thread a
+// search; boards and dead ends are shared.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -34,6 +32,7 @@
 #include "wend/search/search_metrics.hpp"
 #include "wend/space/dead_ends.hpp"
 #include "wend/space/jump_boards.hpp"
+#include "wend/space/jump_graph.hpp"
 #include "wend/space/octile_units.hpp"
 
 namespace wend {
@@ -45,22 +44,14 @@ struct NoJumpWatcher {
   void on_relax(Cell, Cell, auto) const {}
 };
 
-template <class CostType,
-          std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max() / 2>
+template <class CostType, std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max()>
 class JumpPointSearch {
  public:
   using Cost = CostType;
   using Units = OctileUnits<Cost>;
 
   JumpPointSearch(std::shared_ptr<const JumpBoards> boards,
-                  std::shared_ptr<const DeadEnds> dead_ends)
-      : boards_(std::move(boards)),
-        open_(std::move(dead_ends)),
-        row_bits_(std::bit_width(static_cast<unsigned>(boards_->width() - 1))),
-        nodes_(static_cast<Node*>(std::calloc(node_count(), sizeof(Node)))) {}
-
-  /// False if there was no memory: every search ends as out_of_memory.
-  bool allocated() const { return nodes_ != nullptr; }
+                  std::shared_ptr<const DeadEnds> dead_ends);
 
   /// Forgets the last search. Cells are as drawn and passable; `limits` must live as long as the
   /// search. A watcher is told cells, the cells they were reached from (of the start: itself) and g.
@@ -90,29 +81,24 @@ class JumpPointSearch {
 
   /// The estimate to the nearest goal, in units; there must be one.
   Cost h(Cell cell) const {
-    Cost least = std::numeric_limits<Cost>::max();
-    for (const Cell goal : goals_) least = std::min(least, octile(cell, goal));
+    Cost least = octile(cell, goals_.front());
+    for (std::size_t i = 1; i < goals_.size(); ++i) {
+      least = std::min(least, octile(cell, goals_[i]));
+    }
     return least;
   }
 
  private:
-  // A start has been reached in every direction, other states in straight ones.
-  static constexpr DirectionSet kEveryDirection = 0xFF;
-  static constexpr DirectionSet kDiagonals = 0xAA;
+  static constexpr Cost kInfinite = std::numeric_limits<Cost>::max();
 
   struct Node {
+    Cell cell;
     Cost g;
     StateId parent;
-    std::uint32_t generation : 31;  // of the search that reached it; 0: never
-    std::uint32_t in_dead_end : 1;  // of the map, not of a search
-    DirectionSet pending;           // arrivals to be expanded
-    DirectionSet done;              // arrivals that were, as cheaply
-    DirectionSet useful;            // where there is something; of the map, not of a search
-    std::uint8_t forced;  // by arrival d: bit d if one turns by +90 degrees, d + 1 by -90; likewise
-  };
-
-  struct Free {
-    void operator()(Node* nodes) const { std::free(nodes); }
+    std::uint32_t generation;  // of the search that reached it; 0: never
+    std::uint8_t pending;      // arrivals to be expanded, a bit each
+    std::uint8_t done;         // arrivals that were, as cheaply
+    bool in_dead_end;
   };
 
   static Cost octile(Cell from, Cell to) {
@@ -122,41 +108,27 @@ class JumpPointSearch {
            (Units::kDiagonal - Units::kStraight) * std::min(dx, dy);
   }
 
-  std::size_t node_count() const {
-    return static_cast<std::size_t>(boards_->height()) << row_bits_;
-  }
-  StateId id_of(Cell cell) const {
-    return static_cast<StateId>(cell.y) << row_bits_ | static_cast<StateId>(cell.x);
-  }
-  Cell cell_of(StateId id) const {
-    return {static_cast<int>(id & ((StateId{1} << row_bits_) - 1)),
-            static_cast<int>(id >> row_bits_)};
-  }
+  /// The start is the node behind the jump points.
+  StateId start_id() const { return static_cast<StateId>(nodes_.size() - 1); }
 
   void next_generation();
-  void learn(Node& node, Cell cell) const;
-  DirectionSet successors(const Node& node) const;
   bool within_limits();
-  bool see_goal(Cell cell, const Node& node, StateId id);
+  bool see_goal(const Node& node, DirectionSet directions, StateId id);
 
   template <class Watcher>
-  void expand(StateId id, Node& node, Watcher& watcher);
+  void expand(StateId id, Watcher& watcher);
   template <class Watcher>
   void finish(Watcher& watcher);
-  template <Direction kStraight, class Watcher>
-  void shoot(Cell from, std::uint64_t g, StateId parent, Watcher& watcher);
-  template <Direction kDiagonal, class Watcher>
-  void sweep(Cell from, std::uint64_t g, StateId parent, Watcher& watcher);
   template <class Watcher>
-  void reach(Cell cell, std::uint64_t g, StateId parent, DirectionSet arrival, Watcher& watcher);
+  void reach(Jump jump, const Node& from, StateId parent, Watcher& watcher);
 
-  std::shared_ptr<const JumpBoards> boards_;
+  JumpGraph graph_;
   OpenDeadEnds open_;
-  int row_bits_;  // of an id that tell the column
-  std::unique_ptr<Node[], Free> nodes_;
+  std::vector<Node> nodes_;
   std::uint32_t generation_ = 0;
   JumpQueue<Cost> queue_;
   std::vector<Cell> goals_;
+  std::vector<Jump> first_jumps_;  // from the start
 
   Cost best_ = 0;          // the cheapest way to a goal so far
   StateId seen_from_ = 0;  // the state that sees that goal
@@ -171,6 +143,27 @@ class JumpPointSearch {
   std::vector<Cell> waypoints_;
 };
 
+/// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
+constexpr DirectionSet first_direction(Cell from, Cell to) {
+  using enum Direction;
+  constexpr std::array<DirectionSet, 9> kByNeighbour{
+      set_of(up_left), set_of(up),        set_of(up_right), set_of(left),      0,
+      set_of(right),   set_of(down_left), set_of(down),     set_of(down_right)};
+  const int right_of = static_cast<int>(to.x > from.x) - static_cast<int>(to.x < from.x);
+  const int below = static_cast<int>(to.y > from.y) - static_cast<int>(to.y < from.y);
+  return kByNeighbour[static_cast<std::size_t>(4 + 3 * below + right_of)];
+}
+
+template <class Cost, std::uint32_t kLast>
+JumpPointSearch<Cost, kLast>::JumpPointSearch(std::shared_ptr<const JumpBoards> boards,
+                                              std::shared_ptr<const DeadEnds> dead_ends)
+    : graph_(std::move(boards)), open_(std::move(dead_ends)), nodes_(graph_.size() + 1) {
+  for (StateId id = 0; id < graph_.size(); ++id) {
+    nodes_[id].cell = graph_.cell(id);
+    nodes_[id].in_dead_end = !open_.in_core(nodes_[id].cell);
+  }
+}
+
 template <class Cost, std::uint32_t kLast>
 template <class Watcher>
 void JumpPointSearch<Cost, kLast>::begin(Cell start, std::span<const Cell> goals,
@@ -180,16 +173,17 @@ void JumpPointSearch<Cost, kLast>::begin(Cell start, std::span<const Cell> goals
   limits_ = &limits;
   deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
   next_check_ = 0;
-  metrics_ = {};
+  metrics_ = {.expanded = 0, .generated = 1, .max_frontier = 1};
   overflown_ = false;
-  best_ = std::numeric_limits<Cost>::max();
-  outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
-  if (!allocated()) return;
+  best_ = kInfinite;
+  outcome_ = SearchOutcome::running;
   next_generation();
   goals_.assign(goals.begin(), goals.end());
   open_.open_for(start, goals);
   queue_.begin(h(start), kWidthBits);
-  reach(start, 0, id_of(start), kEveryDirection, watcher);
+  nodes_.back() = {start, 0, start_id(), generation_, 1, 0, false};
+  queue_.push(h(start), start_id());
+  watcher.on_generate(start, start, Cost{0});
 }
 
 template <class Cost, std::uint32_t kLast>
@@ -198,10 +192,11 @@ void JumpPointSearch<Cost, kLast>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
     if (queue_.bucket_is_behind(best_)) break;
-    Node& node = nodes_[entry.id];
-    if (entry.f >= best_ || node.pending == 0) continue;  // of no use, or expanded meanwhile
+    // Of no use any more, or expanded meanwhile.
+    if (entry.f >= best_ || nodes_[entry.id].pending == 0) continue;
     if (metrics_.expanded == next_check_ && !within_limits()) return;
-    expand(entry.id, node, watcher);
+    expand(entry.id, watcher);
+    metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
     if (overflown_) outcome_ = SearchOutcome::cost_overflow;
     return;
   }
@@ -211,12 +206,12 @@ void JumpPointSearch<Cost, kLast>::step(Watcher&& watcher) {
 template <class Cost, std::uint32_t kLast>
 template <class Watcher>
 void JumpPointSearch<Cost, kLast>::finish(Watcher& watcher) {
-  if (best_ == std::numeric_limits<Cost>::max()) {
+  if (best_ == kInfinite) {
     outcome_ = SearchOutcome::exhausted;
     return;
   }
   outcome_ = SearchOutcome::found;
-  const Cell from = cell_of(seen_from_);
+  const Cell from = nodes_[seen_from_].cell;
   if (from == goal_) return;  // expanded before
   ++metrics_.generated;
   ++metrics_.expanded;
@@ -226,141 +221,77 @@ void JumpPointSearch<Cost, kLast>::finish(Watcher& watcher) {
 
 template <class Cost, std::uint32_t kLast>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::expand(StateId id, Node& node, Watcher& watcher) {
-  using enum Direction;
+void JumpPointSearch<Cost, kLast>::expand(StateId id, Watcher& watcher) {
+  constexpr DirectionSet kEveryDirection = 0xFF;
+  Node& node = nodes_[id];
   ++metrics_.expanded;
-  const Cell cell = cell_of(id);
-  watcher.on_expand(cell, cell_of(node.parent), node.g);
-  const DirectionSet directions = successors(node);
-  node.done |= node.pending;
-  node.pending = 0;
-  if (see_goal(cell, node, id)) return;
-  const std::uint64_t g = node.g;
-  if ((directions & set_of(down)) != 0) shoot<down>(cell, g, id, watcher);
-  if ((directions & set_of(right)) != 0) shoot<right>(cell, g, id, watcher);
-  if ((directions & set_of(up)) != 0) shoot<up>(cell, g, id, watcher);
-  if ((directions & set_of(left)) != 0) shoot<left>(cell, g, id, watcher);
-  if ((directions & kDiagonals) == 0) return;
-  if ((directions & set_of(down_right)) != 0) sweep<down_right>(cell, g, id, watcher);
-  if ((directions & set_of(up_right)) != 0) sweep<up_right>(cell, g, id, watcher);
-  if ((directions & set_of(up_left)) != 0) sweep<up_left>(cell, g, id, watcher);
-  if ((directions & set_of(down_left)) != 0) sweep<down_left>(cell, g, id, watcher);
-}
-
-template <class Cost, std::uint32_t kLast>
-template <Direction kStraight, class Watcher>
-void JumpPointSearch<Cost, kLast>::shoot(Cell from, std::uint64_t g, StateId parent,
-                                         Watcher& watcher) {
-  const int distance = boards_->template distance_to_stop<kStraight>(from);
-  reach(moved(from, kStraight, distance),
-        g + std::uint64_t{Units::kStraight} * static_cast<unsigned>(distance), parent,
-        set_of(kStraight), watcher);
-}
-
-template <class Cost, std::uint32_t kLast>
-template <Direction kDiagonal, class Watcher>
-void JumpPointSearch<Cost, kLast>::sweep(Cell from, std::uint64_t g, StateId parent,
-                                         Watcher& watcher) {
-  constexpr Direction kOne = turned(kDiagonal, -1);
-  constexpr Direction kOther = turned(kDiagonal, 1);
-  Cell at = from;
-  do {
-    const int distance = boards_->template distance_to_diagonal_stop<kDiagonal>(at);
-    at = moved(at, kDiagonal, distance);
-    g += std::uint64_t{Units::kDiagonal} * static_cast<unsigned>(distance);
-    const DirectionSet rays = boards_->rays(at);
-    if ((rays & set_of(kOne)) != 0) shoot<kOne>(at, g, parent, watcher);
-    if ((rays & set_of(kOther)) != 0) shoot<kOther>(at, g, parent, watcher);
-  } while ((boards_->diagonals(at) & set_of(kDiagonal)) != 0);
+  watcher.on_expand(node.cell, nodes_[node.parent].cell, node.g);
+  const unsigned arrivals = std::exchange(node.pending, std::uint8_t{0});
+  node.done |= static_cast<std::uint8_t>(arrivals);
+  if (id == start_id()) {
+    if (see_goal(node, kEveryDirection, id)) return;
+    first_jumps_.clear();
+    graph_.append_jumps(node.cell, kEveryDirection, first_jumps_);
+    for (const Jump jump : first_jumps_) reach(jump, node, id, watcher);
+    return;
+  }
+  DirectionSet directions = 0;
+  for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
+    directions |= graph_.directions(id, static_cast<unsigned>(std::countr_zero(rest)));
+  }
+  if (see_goal(node, directions, id)) return;
+  for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
+    const auto arrival = static_cast<unsigned>(std::countr_zero(rest));
+    for (const Jump jump : graph_.jumps(id, arrival)) reach(jump, node, id, watcher);
+  }
 }
 
 template <class Cost, std::uint32_t kLast>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::reach(Cell cell, std::uint64_t g, StateId parent,
-                                         DirectionSet arrival, Watcher& watcher) {
-  const StateId id = id_of(cell);
-  Node& node = nodes_[id];
+void JumpPointSearch<Cost, kLast>::reach(Jump jump, const Node& from, StateId parent,
+                                         Watcher& watcher) {
+  Node& node = nodes_[jump.number()];
+  if (node.in_dead_end && !open_.contains(node.cell)) return;
+  const std::uint64_t g = std::uint64_t{from.g} + octile(from.cell, node.cell);
+  const auto arrival = static_cast<std::uint8_t>(1U << jump.arrival());
+  bool open = false;
   if (node.generation != generation_ || g < node.g) {
-    if (node.generation == 0) learn(node, cell);
-    if (node.in_dead_end != 0 && !open_.contains(cell)) return;
-    const bool open = node.generation == generation_ && node.pending != 0;
+    open = node.generation == generation_ && node.pending != 0;
     node.g = static_cast<Cost>(g);
     node.parent = parent;
     node.generation = generation_;
     node.pending = arrival;
     node.done = 0;
-    if (open) {
-      watcher.on_relax(cell, cell_of(parent), node.g);
-    } else {
-      ++metrics_.generated;
-      watcher.on_generate(cell, cell_of(parent), node.g);
-    }
   } else {
     // A new direction counts where the way is as cheap.
-    if (g > node.g || (arrival & ~(node.pending | node.done)) == 0) return;
-    const bool open = node.pending != 0;
+    if (g > node.g || (arrival & (node.pending | node.done)) != 0) return;
     node.pending |= arrival;
-    if (open) return;
+    if (node.pending != arrival) return;  // it is open
+  }
+  if (open) {
+    watcher.on_relax(node.cell, from.cell, node.g);
+  } else {
     ++metrics_.generated;
-    watcher.on_generate(cell, cell_of(parent), node.g);
+    watcher.on_generate(node.cell, from.cell, node.g);
   }
-  const std::uint64_t f = g + h(cell);
-  if (f >= std::numeric_limits<Cost>::max()) {
+  const std::uint64_t f = g + h(node.cell);
+  if (f >= kInfinite) {
     overflown_ = true;
-    return;
-  }
-  queue_.push(static_cast<Cost>(f), id);
-  metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
-}
-
-/// What is true of a cell in every search: where there is anything to find, and which way obstacles
-/// make one turn.
-template <class Cost, std::uint32_t kLast>
-void JumpPointSearch<Cost, kLast>::learn(Node& node, Cell cell) const {
-  node.useful = boards_->rays(cell) | boards_->diagonals(cell);
-  node.in_dead_end = open_.in_core(cell) ? 0 : 1;
-  node.forced = 0;
-  for (const Direction arrival :
-       {Direction::down, Direction::right, Direction::up, Direction::left}) {
-    const Cell last = moved(cell, arrival, -1);
-    if (!boards_->passable(last)) continue;
-    for (const int eighths : {2, -2}) {
-      const Direction side = turned(arrival, eighths);
-      const bool forced =
-          boards_->passable(moved(cell, side, 1)) && !boards_->passable(moved(last, side, 1));
-      if (!forced) continue;
-      node.forced |= static_cast<std::uint8_t>(set_of(arrival) << (eighths > 0 ? 0U : 1U));
-    }
+  } else {
+    queue_.push(static_cast<Cost>(f), jump.number());
   }
 }
 
-/// Straight on, and to the forced sides.
+/// Is the nearest goal in sight? Then no way from here is shorter than the straight one to it. Goals
+/// in other directions than these are reached as cheaply by other ways.
 template <class Cost, std::uint32_t kLast>
-DirectionSet JumpPointSearch<Cost, kLast>::successors(const Node& node) const {
-  constexpr DirectionSet kPlus =
-      set_of(turned(Direction::down, 1)) | set_of(turned(Direction::down, 2));
-  constexpr DirectionSet kMinus =
-      set_of(turned(Direction::down, -1)) | set_of(turned(Direction::down, -2));
-  if ((node.pending & kDiagonals) != 0) return node.useful;  // the start
-  DirectionSet set = node.pending;
-  for (unsigned arrivals = node.pending; arrivals != 0; arrivals &= arrivals - 1) {
-    const int arrival = std::countr_zero(arrivals);
-    const unsigned forced = static_cast<unsigned>(node.forced) >> arrival;
-    if ((forced & 1U) != 0) set |= std::rotl(kPlus, arrival);
-    if ((forced & 2U) != 0) set |= std::rotl(kMinus, arrival);
-  }
-  return set & node.useful;
-}
-
-/// Is the nearest goal in sight? Then no way from here is shorter than the straight one to it.
-template <class Cost, std::uint32_t kLast>
-bool JumpPointSearch<Cost, kLast>::see_goal(Cell cell, const Node& node, StateId id) {
+bool JumpPointSearch<Cost, kLast>::see_goal(const Node& node, DirectionSet directions, StateId id) {
   bool seen_nearest = false;
-  const Cost nearest = h(cell);
   for (const Cell goal : goals_) {
-    const Cost distance = octile(cell, goal);
-    if (!boards_->in_sight(cell, goal)) continue;
-    seen_nearest = seen_nearest || distance == nearest;
+    const bool ahead = (directions & first_direction(node.cell, goal)) != 0 || goal == node.cell;
+    if (!ahead || !graph_.boards().in_sight(node.cell, goal)) continue;
+    const Cost distance = octile(node.cell, goal);
+    seen_nearest = seen_nearest || distance == h(node.cell);
     const auto cost = static_cast<Cost>(node.g + distance);
     if (cost >= best_) continue;
     best_ = cost;
@@ -373,10 +304,8 @@ bool JumpPointSearch<Cost, kLast>::see_goal(Cell cell, const Node& node, StateId
 template <class Cost, std::uint32_t kLast>
 void JumpPointSearch<Cost, kLast>::next_generation() {
   if (generation_ == kLast) {
-    for (std::size_t id = 0; id < node_count(); ++id) {
-      nodes_[id].generation = std::min<std::uint32_t>(nodes_[id].generation, 1);
-    }
-    generation_ = 1;
+    for (Node& node : nodes_) node.generation = 0;
+    generation_ = 0;
   }
   ++generation_;
 }
@@ -401,7 +330,7 @@ std::span<const Cell> JumpPointSearch<Cost, kLast>::waypoints() {
   Cell to = goal_;
   waypoints_.push_back(to);
   for (StateId id = seen_from_;; id = nodes_[id].parent) {
-    const Cell from = cell_of(id);
+    const Cell from = nodes_[id].cell;
     const int right = to.x - from.x;
     const int down = to.y - from.y;
     const int diagonal = std::min(std::abs(right), std::abs(down));
@@ -409,7 +338,7 @@ std::span<const Cell> JumpPointSearch<Cost, kLast>::waypoints() {
                     from.y + (down < 0 ? -diagonal : diagonal)};
     if (turn != to && turn != from) waypoints_.push_back(turn);
     if (from != to) waypoints_.push_back(from);
-    if (nodes_[id].parent == id) break;
+    if (id == start_id()) break;
     to = from;
   }
   std::reverse(waypoints_.begin(), waypoints_.end());

@@ -57,7 +57,7 @@ class JumpBoards {
   /// False outside the map, which must be no farther than one cell.
   bool passable(Cell cell) const { return rows_.get(cell.y, cell.x); }
 
-  /// How many steps a straight run makes before it stops: at a jump point if rays() says so, else
+  /// How many steps a straight run makes before it stops: at a jump point if moves() says so, else
   /// the step would be into a blocked cell.
   template <Direction kStraight>
   int distance_to_stop(Cell from) const {
@@ -68,15 +68,9 @@ class JumpBoards {
     if constexpr (kStraight == Direction::left) return stops.distance_back(from.y, from.x);
   }
 
-  /// The straight directions whose next stop is a jump point.
-  DirectionSet rays(Cell cell) const {
-    return static_cast<DirectionSet>(moves_[cell] & kStraightSet);
-  }
-
-  /// The diagonal directions in which a step is legal.
-  DirectionSet diagonals(Cell cell) const {
-    return static_cast<DirectionSet>(moves_[cell] & kDiagonalSet);
-  }
+  /// The straight directions whose next stop is a jump point, and the diagonal ones in which a step
+  /// is legal.
+  DirectionSet moves(Cell cell) const { return moves_[cell]; }
 
   /// How many steps a diagonal run makes before it stops: where one of its straight directions has a
   /// ray, or at its last cell. The first step must be legal.
@@ -97,9 +91,6 @@ class JumpBoards {
   bool in_sight(Cell from, Cell to) const;
 
  private:
-  static constexpr DirectionSet kStraightSet = 0x55;
-  static constexpr DirectionSet kDiagonalSet = 0xAA;
-
   template <Direction kDiagonal>
   int diagonal_line(Cell cell) const {
     constexpr bool kFallsRight =
@@ -111,10 +102,10 @@ class JumpBoards {
   BitLines columns_;               // the same
   std::array<BitLines, 4> stops_;  // down, right, up, left: by columns or rows
   std::array<BitLines, 4>
-      diagonal_stops_;        // down_right, up_right, up_left, down_left: by diagonals
-  BitLines falls_right_;      // by diagonals: the step down_right is legal
-  BitLines falls_left_;       // the step down_left
-  Grid<DirectionSet> moves_;  // rays and legal diagonal steps
+      diagonal_stops_;    // down_right, up_right, up_left, down_left: by diagonals
+  BitLines falls_right_;  // by diagonals: the step down_right is legal
+  BitLines falls_left_;   // the step down_left
+  Grid<DirectionSet> moves_;
 };
 
 }  // namespace wend

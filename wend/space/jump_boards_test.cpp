@@ -84,13 +84,13 @@ BitGrid random_cells(Random& random) {
 template <Direction kStraight>
 void expect_same_run(const JumpBoards& boards, const SlowBoards& slow, Cell cell) {
   EXPECT_EQ(boards.distance_to_stop<kStraight>(cell), slow.distance_to_stop(cell, kStraight));
-  EXPECT_EQ((boards.rays(cell) & set_of(kStraight)) != 0, slow.has_ray(cell, kStraight));
+  EXPECT_EQ((boards.moves(cell) & set_of(kStraight)) != 0, slow.has_ray(cell, kStraight));
 }
 
 template <Direction kDiagonal>
 void expect_same_diagonal(const JumpBoards& boards, const SlowBoards& slow, Cell cell) {
   const bool legal = slow.legal(cell, kDiagonal);
-  EXPECT_EQ((boards.diagonals(cell) & set_of(kDiagonal)) != 0, legal);
+  EXPECT_EQ((boards.moves(cell) & set_of(kDiagonal)) != 0, legal);
   if (!legal) return;
   EXPECT_EQ(boards.distance_to_diagonal_stop<kDiagonal>(cell),
             slow.distance_to_diagonal_stop(cell, kDiagonal));
