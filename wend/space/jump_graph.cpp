@@ -1,29 +1,38 @@
 #include "wend/space/jump_graph.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace wend {
 namespace {
 
 constexpr std::size_t kWordBits = 64;
+constexpr int kTileRows = 32;
 
 }  // namespace
 
 JumpGraph::JumpGraph(std::shared_ptr<const JumpBoards> boards)
     : boards_(std::move(boards)), board_(boards_->jump_points()) {
-  for (int y = 0; y < board_.lines(); ++y) {
-    const auto words = board_.words(y);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      before_.push_back(static_cast<std::uint32_t>(cells_.size()));
-      for (std::uint64_t bits = words[i]; bits != 0; bits &= bits - 1) {
-        const auto bit = i * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
-        cells_.push_back({static_cast<int>(bit) - 1, y});
-      }
+  const std::size_t row_words = board_.words(0).size();
+  before_.resize(row_words * static_cast<std::size_t>(board_.lines()));
+  for (int top = 0; top < board_.lines(); top += kTileRows) {
+    for (std::size_t word = 0; word < row_words; ++word) {
+      for (int y = top; y < std::min(top + kTileRows, board_.lines()); ++y) number_word(y, word);
     }
   }
   forced_.reserve(cells_.size());
   for (const Cell cell : cells_) forced_.push_back(forced_at(cell));
   lists_.assign(kArrivals * cells_.size(), kUnknown);
+}
+
+void JumpGraph::number_word(int y, std::size_t word) {
+  const auto words = board_.words(y);
+  before_[static_cast<std::size_t>(y) * words.size() + word] =
+      static_cast<std::uint32_t>(cells_.size());
+  for (std::uint64_t bits = words[word]; bits != 0; bits &= bits - 1) {
+    const auto bit = word * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
+    cells_.push_back({static_cast<int>(bit) - 1, y});
+  }
 }
 
 std::uint32_t JumpGraph::number_of(Cell cell) const {

@@ -11,7 +11,8 @@
 //   wend::JumpGraph graph(boards);
 //   for (const wend::Jump jump : graph.jumps(number, arrivals)) reach(jump.number(), jump.arrival());
 //
-// Jump points are numbered row by row. 12 bytes a 64 cells and 29 a jump point, and 4 a jump that was
+// Jump points are numbered tile by tile, so that near ones lie near each other in memory. 12 bytes a
+// 64 cells and 29 a jump point, and 4 a jump that was
 // found. One thread.
 
 #include <array>
@@ -89,6 +90,7 @@ class JumpGraph {
  private:
   static constexpr std::uint32_t kUnknown = static_cast<std::uint32_t>(-1);
 
+  void number_word(int y, std::size_t word);
   std::uint32_t number_of(Cell cell) const;
   std::uint32_t find(std::uint32_t number, unsigned arrival);
   std::uint8_t forced_at(Cell cell) const;
@@ -99,12 +101,13 @@ class JumpGraph {
   void sweep(Cell from, std::vector<Jump>& jumps) const;
 
   std::shared_ptr<const JumpBoards> boards_;
-  BitLines board_;                     // the jump points, by rows
-  std::vector<std::uint32_t> before_;  // by word of the board: the jump points before it
-  std::vector<Cell> cells_;            // by number
-  std::vector<std::uint8_t> forced_;   // by number: two bits for each arrival
-  std::vector<std::uint32_t> lists_;   // by number and arrival: where its jumps begin
-  std::vector<Jump> jumps_;            // lists, each behind its length
+  BitLines board_;  // the jump points, by rows
+  std::vector<std::uint32_t>
+      before_;                        // by word of the board: what its first jump point's number is
+  std::vector<Cell> cells_;           // by number
+  std::vector<std::uint8_t> forced_;  // by number: two bits for each arrival
+  std::vector<std::uint32_t> lists_;  // by number and arrival: where its jumps begin
+  std::vector<Jump> jumps_;           // lists, each behind its length
 };
 
 }  // namespace wend
