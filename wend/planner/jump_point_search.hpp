@@ -251,12 +251,13 @@ template <class Watcher>
 void JumpPointSearch<Cost, kLast>::reach(Jump jump, const Node& from, StateId parent,
                                          Watcher& watcher) {
   Node& node = nodes_[jump.number()];
-  if (node.in_dead_end && !open_.contains(node.cell)) return;
   const std::uint64_t g = std::uint64_t{from.g} + octile(from.cell, node.cell);
   const auto arrival = static_cast<std::uint8_t>(1U << jump.arrival());
-  bool open = false;
-  if (node.generation != generation_ || g < node.g) {
-    open = node.generation == generation_ && node.pending != 0;
+  const bool known = node.generation == generation_;
+  if (known && g > node.g) return;
+  const bool open = known && node.pending != 0;
+  if (!known || g < node.g) {
+    if (node.in_dead_end && !open_.contains(node.cell)) return;
     node.g = static_cast<Cost>(g);
     node.parent = parent;
     node.generation = generation_;
@@ -264,9 +265,9 @@ void JumpPointSearch<Cost, kLast>::reach(Jump jump, const Node& from, StateId pa
     node.done = 0;
   } else {
     // A new direction counts where the way is as cheap.
-    if (g > node.g || (arrival & (node.pending | node.done)) != 0) return;
+    if ((arrival & (node.pending | node.done)) != 0) return;
     node.pending |= arrival;
-    if (node.pending != arrival) return;  // it is open
+    if (open) return;
   }
   if (open) {
     watcher.on_relax(node.cell, from.cell, node.g);

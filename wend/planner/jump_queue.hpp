@@ -32,7 +32,7 @@ class JumpQueue {
             kNone;
       }
     }
-    links_.clear();
+    pushed_ = 0;
     least_ = least;
     width_bits_ = width_bits;
     current_ = 0;
@@ -44,10 +44,10 @@ class JumpQueue {
 
   void push(Cost f, StateId id) {
     const auto bucket = static_cast<std::size_t>((f - least_) >> width_bits_);
-    if (bucket >= heads_.size()) grow(bucket);
-    std::uint32_t link = free_link();
-    links_[link] = {{f, id}, heads_[bucket]};
-    heads_[bucket] = link;
+    if (bucket >= heads_.size()) add_buckets(bucket);
+    if (pushed_ == links_.size()) add_links();
+    links_[pushed_] = {{f, id}, heads_[bucket]};
+    heads_[bucket] = pushed_++;
     occupied_[bucket / kWordBits] |= std::uint64_t{1} << (bucket % kWordBits);
     ++size_;
   }
@@ -78,12 +78,9 @@ class JumpQueue {
     std::uint32_t next;
   };
 
-  std::uint32_t free_link() {
-    links_.emplace_back();
-    return static_cast<std::uint32_t>(links_.size() - 1);
-  }
-
-  void grow(std::size_t bucket) {
+  // Apart from what every push does, so that this stays short.
+  [[gnu::noinline]] void add_links() { links_.resize(2 * links_.size() + kWordBits); }
+  [[gnu::noinline]] void add_buckets(std::size_t bucket) {
     const std::size_t words = 2 * (bucket / kWordBits + 1);
     occupied_.resize(words);
     heads_.resize(words * kWordBits, kNone);
@@ -96,6 +93,7 @@ class JumpQueue {
   std::vector<std::uint64_t> occupied_;  // a bit for each bucket that is not empty
   std::vector<std::uint32_t> heads_;     // by bucket: its first link
   std::vector<Link> links_;
+  std::uint32_t pushed_ = 0;  // links in use
 };
 
 }  // namespace wend
