@@ -33,8 +33,8 @@ struct HierarchyArc {
   friend bool operator==(const HierarchyArc&, const HierarchyArc&) = default;
 };
 
-/// What an arc stands for. A shortcut: an entering arc and a leaving arc, by number, of one lower
-/// node. An arc of the graph: kNoArc, and its head.
+/// What an arc stands for. A shortcut: two arcs by their numbers, one that enters a lower node and one
+/// that leaves it. An arc of the graph: kNoArc, and its head.
 struct HierarchyVia {
   static constexpr std::uint32_t kNoArc = static_cast<std::uint32_t>(-1);
 
@@ -47,7 +47,8 @@ struct HierarchyVia {
   friend bool operator==(const HierarchyVia&, const HierarchyVia&) = default;
 };
 
-/// Where the arcs of a node begin; they end where those of the next node begin.
+/// Where the arcs of a node begin: first those that leave it, then those that enter it, which end
+/// where the next node begins.
 struct HierarchyNode {
   std::uint32_t leaving = 0;
   std::uint32_t entering = 0;
@@ -56,23 +57,19 @@ struct HierarchyNode {
 };
 
 struct ContractionHierarchy {
-  std::span<const HierarchyNode> begins;  // by node, and the end
-  std::span<const HierarchyArc> leaving;
-  std::span<const HierarchyArc> entering;
-  std::span<const HierarchyVia> leaving_vias;  // by number of the arc
-  std::span<const HierarchyVia> entering_vias;
+  std::span<const HierarchyNode> nodes;  // and the end
+  std::span<const HierarchyArc> arcs;
+  std::span<const HierarchyVia> vias;  // by number of the arc
   std::uint32_t core_begin = 0;
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(begins.size() - 1); }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(nodes.size() - 1); }
   bool in_core(std::uint32_t node) const { return node >= core_begin; }
 
   std::span<const HierarchyArc> leaving_of(std::uint32_t node) const {
-    const std::uint32_t begin = begins[node].leaving;
-    return leaving.subspan(begin, begins[node + 1].leaving - begin);
+    return arcs.subspan(nodes[node].leaving, nodes[node].entering - nodes[node].leaving);
   }
   std::span<const HierarchyArc> entering_of(std::uint32_t node) const {
-    const std::uint32_t begin = begins[node].entering;
-    return entering.subspan(begin, begins[node + 1].entering - begin);
+    return arcs.subspan(nodes[node].entering, nodes[node + 1].leaving - nodes[node].entering);
   }
 };
 

@@ -25,11 +25,9 @@ constexpr std::uint32_t kVersion = 1;
 enum Section : std::size_t {
   core_begin,
   heights,
-  begins,
-  leaving,
-  entering,
-  leaving_vias,
-  entering_vias,
+  nodes,
+  arcs,
+  vias,
   section_count,
 };
 
@@ -59,12 +57,9 @@ std::optional<StoredHierarchy> read_hierarchy(const IndexReader& reader) {
   StoredHierarchy stored;
   std::span<const std::uint32_t> core;
   ContractionHierarchy& hierarchy = stored.hierarchy;
-  const bool all =
-      reader.sections() == section_count && read(reader, core_begin, core) &&
-      read(reader, heights, stored.heights) && read(reader, begins, hierarchy.begins) &&
-      read(reader, leaving, hierarchy.leaving) && read(reader, entering, hierarchy.entering) &&
-      read(reader, leaving_vias, hierarchy.leaving_vias) &&
-      read(reader, entering_vias, hierarchy.entering_vias);
+  const bool all = reader.sections() == section_count && read(reader, core_begin, core) &&
+                   read(reader, heights, stored.heights) && read(reader, nodes, hierarchy.nodes) &&
+                   read(reader, arcs, hierarchy.arcs) && read(reader, vias, hierarchy.vias);
   if (!all || core.size() != 1) return std::nullopt;
   hierarchy.core_begin = core.front();
   return stored;
@@ -85,18 +80,13 @@ std::optional<std::vector<Cell>> cells_by_height(const Turns& turns,
 
 /// Do arcs cost at least what the way between their cells does, and those of the graph just that?
 bool costs_fit(const ContractionHierarchy& hierarchy, std::span<const Cell> cells) {
-  const auto fits = [&](std::uint32_t owner, const HierarchyArc& arc, const HierarchyVia& via) {
-    const CornerCost least = octile_cost(cells[owner], cells[arc.node]);
-    return via.shortcut() ? arc.cost >= least : arc.cost == least;
-  };
   for (std::uint32_t node = 0; node < hierarchy.size(); ++node) {
-    const HierarchyNode& first = hierarchy.begins[node];
-    const HierarchyNode& end = hierarchy.begins[node + 1];
-    for (std::uint32_t arc = first.leaving; arc < end.leaving; ++arc) {
-      if (!fits(node, hierarchy.leaving[arc], hierarchy.leaving_vias[arc])) return false;
-    }
-    for (std::uint32_t arc = first.entering; arc < end.entering; ++arc) {
-      if (!fits(node, hierarchy.entering[arc], hierarchy.entering_vias[arc])) return false;
+    const std::uint32_t end = hierarchy.nodes[node + 1].leaving;
+    for (std::uint32_t number = hierarchy.nodes[node].leaving; number < end; ++number) {
+      const HierarchyArc& arc = hierarchy.arcs[number];
+      const CornerCost least = octile_cost(cells[node], cells[arc.node]);
+      const bool fits = hierarchy.vias[number].shortcut() ? arc.cost >= least : arc.cost == least;
+      if (!fits) return false;
     }
   }
   return true;
@@ -187,11 +177,9 @@ Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
   IndexWriter writer(kPlanner, kVersion, passable);
   writer.add(std::span<const std::uint32_t>(&contracted->core_begin, 1));
   writer.add(std::span<const std::uint32_t>(contracted->heights));
-  writer.add(std::span<const HierarchyNode>(contracted->begins));
-  writer.add(std::span<const HierarchyArc>(contracted->leaving));
-  writer.add(std::span<const HierarchyArc>(contracted->entering));
-  writer.add(std::span<const HierarchyVia>(contracted->leaving_vias));
-  writer.add(std::span<const HierarchyVia>(contracted->entering_vias));
+  writer.add(std::span<const HierarchyNode>(contracted->nodes));
+  writer.add(std::span<const HierarchyArc>(contracted->arcs));
+  writer.add(std::span<const HierarchyVia>(contracted->vias));
   return writer.finish();
 }
 

@@ -1,16 +1,15 @@
 #include "wend/index/graph_contraction.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
+#include "wend/index/hierarchy_assembly.hpp"
 #include "wend/index/shrinking_graph.hpp"
 #include "wend/index/witness_search.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {
 namespace {
-
-constexpr std::uint32_t kInGraph = static_cast<std::uint32_t>(-1);
 
 /// Who is taken out next: the node with the least priority, of these the one numbered lowest.
 struct Candidate {
@@ -28,7 +27,7 @@ class Contraction {
         graph_(nodes, arcs),
         witnesses_(nodes),
         depths_(nodes),
-        heights_(nodes, kInGraph) {}
+        is_out_(nodes) {}
 
   bool run(const IndexBuilding& building) {
     rank_all();
@@ -41,49 +40,43 @@ class Contraction {
         continue;
       }
       take_out(candidate.node);
-      if (taken_out_ % kNodesBetweenTelling == 0) building.tell(share_done());
+      if (taken_out_.size() % kNodesBetweenTelling == 0) building.tell(share_done());
     }
     return !building.cancelled();
   }
 
   ContractedGraph finish() {
-    ContractedGraph result;
-    result.core_begin = taken_out_;
-    for (std::uint32_t& height : heights_) {
-      if (height == kInGraph) height = taken_out_++;
+    const auto core_begin = static_cast<std::uint32_t>(taken_out_.size());
+    for (std::uint32_t node = 0; node < is_out_.size(); ++node) {
+      if (!is_out_[node]) taken_out_.push_back(node);
     }
-    nodes_.resize(heights_.size());
-    for (std::uint32_t node = 0; node < heights_.size(); ++node) nodes_[heights_[node]] = node;
-    for (const std::uint32_t node : nodes_) append_arcs(node, result);
-    result.begins.push_back(ends(result));
-    append_vias(result);
-    result.heights = std::move(heights_);
-    return result;
+    return assemble(graph_, std::move(taken_out_), core_begin);
   }
 
  private:
-  static constexpr std::uint32_t kNodesBetweenTelling = 256;
+  static constexpr std::size_t kNodesBetweenTelling = 256;
 
   double share_done() const {
-    return static_cast<double>(taken_out_) / static_cast<double>(heights_.size());
+    return static_cast<double>(taken_out_.size()) / static_cast<double>(is_out_.size());
   }
 
   void rank_all() {
-    for (std::uint32_t node = 0; node < heights_.size(); ++node) {
+    for (std::uint32_t node = 0; node < is_out_.size(); ++node) {
       if (witnesses_.work() >= most_work_) return;  // nothing will be taken out
       queue_.push_back({priority_of(node), node});
     }
     min_heap::make(queue_);
   }
 
-  /// Twice what the graph grows by without the node, and how many nodes were taken out below it in
-  /// a chain: so that they are taken out evenly all over the graph.
+  /// How many arcs there will be for each that goes, and how many nodes were taken out below this
+  /// one in a chain: so that they are taken out evenly all over the graph.
   std::int64_t priority_of(std::uint32_t node) {
+    constexpr std::int64_t kUnit = 1024;
     witnesses_.find_shortcuts(graph_, node, effort_.settled_to_rank, shortcuts_);
     const auto more = static_cast<std::int64_t>(shortcuts_.size());
     const auto fewer =
         static_cast<std::int64_t>(graph_.leaving(node).size() + graph_.entering(node).size());
-    return 2 * (more - fewer) + depths_[node];
+    return kUnit * (1 + 2 * more) / (1 + fewer) + kUnit * depths_[node];
   }
 
   void take_out(std::uint32_t node) {
@@ -92,53 +85,12 @@ class Contraction {
     for (const auto& arc : graph_.leaving(node)) deepen(arc.node, node);
     for (const auto& arc : graph_.entering(node)) deepen(arc.node, node);
     graph_.detach(node);
-    heights_[node] = taken_out_++;
+    is_out_[node] = true;
+    taken_out_.push_back(node);
   }
 
   void deepen(std::uint32_t neighbour, std::uint32_t node) {
     depths_[neighbour] = std::max(depths_[neighbour], depths_[node] + 1);
-  }
-
-  static HierarchyNode ends(const ContractedGraph& result) {
-    return {static_cast<std::uint32_t>(result.leaving.size()),
-            static_cast<std::uint32_t>(result.entering.size())};
-  }
-
-  void append_arcs(std::uint32_t node, ContractedGraph& result) {
-    result.begins.push_back(ends(result));
-    for (const auto& arc : graph_.leaving(node)) {
-      result.leaving.push_back({heights_[arc.node], arc.cost});
-    }
-    if (heights_[node] >= result.core_begin) return;
-    for (const auto& arc : graph_.entering(node)) {
-      result.entering.push_back({heights_[arc.node], arc.cost});
-    }
-  }
-
-  void append_vias(ContractedGraph& result) const {
-    for (const std::uint32_t node : nodes_) {
-      for (const auto& arc : graph_.leaving(node)) {
-        result.leaving_vias.push_back(via_of(result, node, arc.node, arc.middle));
-      }
-      if (heights_[node] >= result.core_begin) continue;
-      for (const auto& arc : graph_.entering(node)) {
-        result.entering_vias.push_back(via_of(result, arc.node, node, arc.middle));
-      }
-    }
-  }
-
-  HierarchyVia via_of(const ContractedGraph& result, std::uint32_t tail, std::uint32_t head,
-                      std::uint32_t middle) const {
-    if (middle == ShrinkingGraph::kNoMiddle) return {HierarchyVia::kNoArc, heights_[head]};
-    const HierarchyNode& begin = result.begins[heights_[middle]];
-    return {begin.entering + place_in(graph_.entering(middle), tail),
-            begin.leaving + place_in(graph_.leaving(middle), head)};
-  }
-
-  static std::uint32_t place_in(std::span<const ShrinkingGraph::Arc> arcs, std::uint32_t node) {
-    const auto found = std::find_if(arcs.begin(), arcs.end(),
-                                    [node](const auto& arc) { return arc.node == node; });
-    return static_cast<std::uint32_t>(found - arcs.begin());
   }
 
   ContractionEffort effort_;
@@ -146,11 +98,10 @@ class Contraction {
   ShrinkingGraph graph_;
   WitnessSearch witnesses_;
   std::vector<Candidate> queue_;
-  std::vector<std::uint32_t> depths_;   // nodes taken out in a chain below a node
-  std::vector<std::uint32_t> heights_;  // kInGraph: not taken out
-  std::vector<std::uint32_t> nodes_;    // by height
+  std::vector<std::uint32_t> depths_;  // nodes taken out in a chain below a node
+  std::vector<bool> is_out_;
+  std::vector<std::uint32_t> taken_out_;  // in this order
   std::vector<GraphArc> shortcuts_;
-  std::uint32_t taken_out_ = 0;
 };
 
 }  // namespace

@@ -34,16 +34,12 @@ struct ContractionEffort {
 /// A hierarchy with its arrays.
 struct ContractedGraph {
   std::vector<std::uint32_t> heights;  // by node of the graph: its number in the hierarchy
-  std::vector<HierarchyNode> begins;
-  std::vector<HierarchyArc> leaving;
-  std::vector<HierarchyArc> entering;
-  std::vector<HierarchyVia> leaving_vias;
-  std::vector<HierarchyVia> entering_vias;
+  std::vector<HierarchyNode> nodes;
+  std::vector<HierarchyArc> arcs;
+  std::vector<HierarchyVia> vias;
   std::uint32_t core_begin = 0;
 
-  ContractionHierarchy hierarchy() const {
-    return {begins, leaving, entering, leaving_vias, entering_vias, core_begin};
-  }
+  ContractionHierarchy hierarchy() const { return {nodes, arcs, vias, core_begin}; }
 };
 
 /// Arcs have positive costs and no arc joins a node with itself; shortest paths cost less than 2^32.

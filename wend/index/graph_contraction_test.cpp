@@ -150,8 +150,8 @@ TEST(GraphContraction, IsTheSameEveryTime) {
   const ContractedGraph a = contracted(graph, {});
   const ContractedGraph b = contracted(graph, {});
   EXPECT_EQ(a.heights, b.heights);
-  EXPECT_EQ(a.leaving, b.leaving);
-  EXPECT_EQ(a.leaving_vias, b.leaving_vias);
+  EXPECT_EQ(a.arcs, b.arcs);
+  EXPECT_EQ(a.vias, b.vias);
 }
 
 TEST(GraphContraction, StopsWhenItIsCancelled) {
@@ -190,11 +190,9 @@ TEST(ContractionHierarchy, OfRandomNumbersIsRefusedOrHarmless) {
       words[random.below(sizeof victim / 4)] = static_cast<std::uint32_t>(
           random.chance(0.7) ? random.below(2 * graph.nodes) : random.bits());
     };
-    damage(result.begins);
-    damage(result.leaving);
-    damage(result.entering);
-    damage(result.leaving_vias);
-    damage(result.entering_vias);
+    damage(result.nodes);
+    damage(result.arcs);
+    damage(result.vias);
     if (random.chance(0.2)) result.core_begin = static_cast<std::uint32_t>(random.below(30));
     if (fault_of(result.hierarchy())) {
       ++refused;

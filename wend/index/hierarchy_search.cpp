@@ -18,31 +18,27 @@ void HierarchySearch::append_nodes(std::vector<std::uint32_t>& nodes) {
   }
   nodes.push_back(climb_.back());
   for (std::size_t i = climb_.size() - 1; i > 0; --i) {
-    append_arc(forward, climb_[i], climb_[i - 1], nodes);
+    append_arc(hierarchy_.leaving_of(climb_[i]), climb_[i - 1], nodes);
   }
   for (std::uint32_t node = meeting_; labels_[node].from[backward] != kNoNode;) {
     const std::uint32_t next = labels_[node].from[backward];
-    append_arc(backward, next, node, nodes);
+    append_arc(hierarchy_.entering_of(next), node, nodes);
     node = next;
   }
 }
 
-/// Appends the nodes of an arc, without its tail.
-void HierarchySearch::append_arc(Side side, std::uint32_t owner, std::uint32_t other,
+/// Appends the nodes of the arc to `to`, or from it, without its tail.
+void HierarchySearch::append_arc(std::span<const HierarchyArc> arcs, std::uint32_t to,
                                  std::vector<std::uint32_t>& nodes) {
-  const auto& arcs = side == forward ? hierarchy_.leaving : hierarchy_.entering;
-  const HierarchyNode& begin = hierarchy_.begins[owner];
-  std::uint32_t arc = side == forward ? begin.leaving : begin.entering;
-  while (arcs[arc].node != other) ++arc;
-  pieces_.push_back({side, arc});
+  const HierarchyArc* arc = arcs.data();
+  while (arc->node != to) ++arc;
+  pieces_.push_back(static_cast<std::uint32_t>(arc - hierarchy_.arcs.data()));
   while (!pieces_.empty()) {
-    const Piece piece = pieces_.back();
+    const HierarchyVia& via = hierarchy_.vias[pieces_.back()];
     pieces_.pop_back();
-    const auto& vias = piece.side == forward ? hierarchy_.leaving_vias : hierarchy_.entering_vias;
-    const HierarchyVia& via = vias[piece.arc];
     if (via.shortcut()) {
-      pieces_.push_back({forward, via.leaving});
-      pieces_.push_back({backward, via.entering});
+      pieces_.push_back(via.leaving);
+      pieces_.push_back(via.entering);
     } else {
       nodes.push_back(via.head());
     }

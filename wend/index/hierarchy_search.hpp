@@ -5,8 +5,9 @@
 // Two searches climb, one along leaving arcs from the starts and one along entering arcs from the
 // goals, and meet at the top of the path. In the core only the forward one goes on. Both are A*,
 // each guided by an estimate of the rest, which must be consistent, and stop where their keys reach
-// the cost of the best path so far. A node that a higher one reaches more cheaply is not expanded:
-// no shortest path climbs through it (stall on demand).
+// the cost of the best path so far. (To look whether a node is reached more
+// cheaply from above, as is often done, takes longer here than it saves: the estimates keep the
+// climbs narrow.)
 //
 // One search a thread; the hierarchy may be shared, and must outlive it. Memory: 16 bytes a node.
 
@@ -62,12 +63,6 @@ class HierarchySearch {
     bool untouched() const { return costs[forward] == kNoCost && costs[backward] == kNoCost; }
   };
 
-  /// An arc to unpack, of one of the two arrays.
-  struct Piece {
-    Side side;
-    std::uint32_t arc;
-  };
-
   static std::uint64_t entry(std::uint64_t key, std::uint32_t node) { return key << 32U | node; }
 
   void forget();
@@ -75,15 +70,13 @@ class HierarchySearch {
   void begin(std::span<const HierarchyEnd> ends, const Estimate& estimate);
   template <Side kSide, class Estimate>
   void expand_least(const Estimate& estimate);
-  template <Side kSide>
-  bool stalled(std::uint32_t node, HierarchyCost cost) const;
   template <Side kSide, class Estimate>
   void reach(std::uint32_t node, std::uint64_t cost, std::uint32_t from, const Estimate& estimate);
   template <Side kSide>
   std::span<const HierarchyArc> arcs_of(std::uint32_t node) const {
     return kSide == forward ? hierarchy_.leaving_of(node) : hierarchy_.entering_of(node);
   }
-  void append_arc(Side side, std::uint32_t owner, std::uint32_t other,
+  void append_arc(std::span<const HierarchyArc> arcs, std::uint32_t to,
                   std::vector<std::uint32_t>& nodes);
 
   ContractionHierarchy hierarchy_;
@@ -91,7 +84,7 @@ class HierarchySearch {
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint64_t> queues_[2];  // key, then node
   std::vector<std::uint32_t> climb_;
-  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> pieces_;  // arcs to unpack
   HierarchyCost best_ = kNoCost;
   std::uint32_t meeting_ = kNoNode;
   SearchMetrics metrics_;
@@ -155,22 +148,9 @@ void HierarchySearch::expand_least(const Estimate& estimate) {
   }
   if (least >> 32U != std::uint64_t{cost} + estimate(node)) return;  // reached more cheaply since
   ++metrics_.expanded;
-  const bool in_core = hierarchy_.in_core(node);
-  if (in_core && kSide == backward) return;
-  if (!in_core && stalled<kSide>(node, cost)) return;
   for (const HierarchyArc& arc : arcs_of<kSide>(node)) {
     reach<kSide>(arc.node, std::uint64_t{cost} + arc.cost, node, estimate);
   }
-}
-
-template <HierarchySearch::Side kSide>
-bool HierarchySearch::stalled(std::uint32_t node, HierarchyCost cost) const {
-  constexpr Side kDown = kSide == forward ? backward : forward;
-  for (const HierarchyArc& arc : arcs_of<kDown>(node)) {
-    const HierarchyCost higher = labels_[arc.node].costs[kSide];
-    if (higher != kNoCost && std::uint64_t{higher} + arc.cost < cost) return true;
-  }
-  return false;
 }
 
 template <HierarchySearch::Side kSide, class Estimate>

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "wend/map/connected_regions.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {
@@ -27,8 +28,6 @@ class Spread {
     for (const GraphArc& arc : arcs) ++begins_[arc.tail + 1];
     for (std::uint32_t turn = 0; turn < turns.size(); ++turn) begins_[turn + 1] += begins_[turn];
   }
-
-  bool reached(std::uint32_t turn) const { return costs_[turn] != kUnreached; }
 
   /// What the farthest turn costs.
   std::uint64_t from(Cell cell) {
@@ -68,8 +67,12 @@ bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs) {
   if (width * height * Units::kDiagonal < kMost) return false;
   const std::uint64_t longest_leg = (width + height) * Units::kStraight;
   Spread spread(turns, arcs);
+  const ConnectedRegions regions(turns.passable());
+  std::vector<bool> measured(turns.passable().count() + 1);
   for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
-    if (spread.reached(turn)) continue;
+    const std::uint32_t region = regions.region(turns.cell(turn), Adjacency::edges);
+    if (measured[region]) continue;
+    measured[region] = true;
     const std::uint64_t farthest = spread.from(turns.cell(turn)) + longest_leg;
     if (2 * farthest >= kMost) return true;
   }

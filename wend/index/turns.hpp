@@ -24,27 +24,54 @@
 // that arrives in one direction has few ways to go on. Boards have y down: see drawn_board.hpp.
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/index/arrival_boards.hpp"
 #include "wend/index/corners.hpp"
-#include "wend/index/diagonal_walk.hpp"
 #include "wend/index/octile_cost.hpp"
-#include "wend/index/rays.hpp"
+#include "wend/space/jump_boards.hpp"
 
 namespace wend {
 
+constexpr unsigned compute_turn_sides(unsigned block) {
+  const auto passable = [block](Cell at) { return (block >> (4 - 3 * at.y + at.x) & 1U) != 0; };
+  unsigned sides = 0;
+  for (unsigned straight = 0; straight < 4; ++straight) {
+    const Cell ahead = kDrawnSteps[2 * straight];
+    if (!passable({-ahead.x, -ahead.y})) continue;
+    for (const unsigned turn : {1U, 3U}) {
+      const Cell beside = kDrawnSteps[(2 * (straight + turn)) % kDirections];
+      if (!passable(beside) || passable({beside.x - ahead.x, beside.y - ahead.y})) continue;
+      sides |= (turn == 1 ? 1U : 2U) << (2 * straight);
+    }
+  }
+  return sides;
+}
+
+inline constexpr auto kTurnSides = [] {
+  std::array<std::uint8_t, 512> table{};
+  for (unsigned block = 0; block < table.size(); ++block) {
+    table[block] = static_cast<std::uint8_t>(compute_turn_sides(block));
+  }
+  return table;
+}();
+
 /// By a set of 8 bits: for each straight direction d/2 whether a path that arrives that way turns
-/// to the next straight direction counter-clockwise (bit 2 d/2), or clockwise (the bit after).
-/// `block` is BitGrid::block(cell, 1).
-unsigned turn_sides(unsigned block);
+/// to the next straight direction counter-clockwise (bit d), or clockwise (the bit after). `block`
+/// is BitGrid::block(cell, 1).
+constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
+
+/// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
+constexpr unsigned turning_straights(unsigned sides) { return (sides | sides >> 1U) & 0x55U; }
 
 class Turns {
  public:
-  static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
-
   /// O(cells).
   explicit Turns(const BitGrid& passable);
 
@@ -53,7 +80,7 @@ class Turns {
   Cell cell(std::uint32_t turn) const { return cells_[turn]; }
 
   /// Is the way free that goes diagonally first?
-  bool sees(Cell from, Cell to) const;
+  bool sees(Cell from, Cell to) const { return boards_.in_sight(from, to); }
 
   /// visit(turn, cost) of each turn that a path from a passable cell may come to first.
   template <class Visit>
@@ -63,114 +90,146 @@ class Turns {
   template <class Visit>
   void for_each_next(std::uint32_t turn, Visit&& visit) const;
 
-  /// visit(turn, cost) of each turn that a path to a passable cell may come to last. Some may be
-  /// visited twice.
+  /// visit(turn, cost) of each turn that a path to a passable cell may come to last.
   template <class Visit>
   void for_each_last(Cell to, Visit&& visit) const;
 
  private:
-  using Straight = unsigned;  // Direction / 2; with a diagonal between each and the next
+  static constexpr CornerCost kStraightCost = OctileUnits<CornerCost>::kStraight;
+  static constexpr CornerCost kDiagonalCost = OctileUnits<CornerCost>::kDiagonal;
 
-  static constexpr Straight left_of(Straight straight) { return (straight + 1) % 4; }
-  static constexpr Straight right_of(Straight straight) { return (straight + 3) % 4; }
-  static constexpr unsigned left_side(Straight straight) { return 1U << (2 * straight); }
-  static constexpr unsigned right_side(Straight straight) { return 2U << (2 * straight); }
+  static constexpr Direction left_of(Direction direction) { return turned(direction, 2); }
+  static constexpr Direction right_of(Direction direction) { return turned(direction, -2); }
+  static constexpr unsigned left_side(Direction straight) {
+    return 1U << static_cast<unsigned>(straight);
+  }
+  static constexpr unsigned right_side(Direction straight) { return left_side(straight) << 1U; }
+
+  /// Calls `visit` with std::integral_constant<Direction> for each straight direction.
+  template <class Visit>
+  static void for_each_straight(Visit&& visit) {
+    using enum Direction;
+    visit(std::integral_constant<Direction, down>());
+    visit(std::integral_constant<Direction, right>());
+    visit(std::integral_constant<Direction, up>());
+    visit(std::integral_constant<Direction, left>());
+  }
 
   unsigned sides(Cell cell) const { return turn_sides(passable().block(cell, 1)); }
-  std::uint32_t number(Cell cell, unsigned sides, Straight straight) const;
 
-  template <class Visit>
-  void visit_ray(Cell from, Straight straight, CornerCost cost, Visit&& visit) const;
-  template <class Visit>
-  void visit_diagonal(Cell from, unsigned diagonal, Visit&& visit) const;
-  template <class Visit>
-  void visit_turns_before(Cell cell, unsigned diagonal, CornerCost cost, Visit&& visit) const;
+  std::uint32_t number(Cell cell, unsigned sides, Direction straight) const {
+    const unsigned before = turning_straights(sides) & (left_side(straight) - 1);
+    return first_[corners_.number(cell)] + static_cast<std::uint32_t>(std::popcount(before));
+  }
+
+  template <Direction kStraight, class Visit>
+  void visit_ray(Cell from, CornerCost cost, Visit&& visit) const;
+  template <Direction kDiagonal, class Visit>
+  void visit_diagonal(Cell from, Visit&& visit) const;
+  template <Direction kDiagonal, class Visit>
+  void visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) const;
+  template <Direction kStraight, class Visit>
+  void visit_back(Cell from, Visit&& visit) const;
 
   Corners corners_;
-  Rays rays_;
+  JumpBoards boards_;
+  ArrivalBoards arrivals_;
   std::vector<std::uint32_t> first_;  // by corner: its first turn
   std::vector<Cell> cells_;           // by turn
-  std::vector<std::uint8_t> straights_;
+  std::vector<Direction> straights_;
 };
 
-template <class Visit>
-void Turns::visit_ray(Cell from, Straight straight, CornerCost cost, Visit&& visit) const {
-  const Cell end = rays_.end(from, kStraightDirections[straight]);
-  if (!passable()[end]) return;
-  visit(number(end, sides(end), straight), cost + octile_cost(from, end));
+template <Direction kStraight, class Visit>
+void Turns::visit_ray(Cell from, CornerCost cost, Visit&& visit) const {
+  if ((boards_.rays(from) & set_of(kStraight)) == 0) return;
+  const int steps = boards_.distance_to_stop<kStraight>(from);
+  const Cell end = moved(from, kStraight, steps);
+  visit(number(end, sides(end), kStraight), cost + static_cast<CornerCost>(steps) * kStraightCost);
 }
 
-template <class Visit>
-void Turns::visit_diagonal(Cell from, unsigned diagonal, Visit&& visit) const {
-  walk_diagonal(passable(), from, kDiagonalDirections[diagonal], [&](Cell cell) {
-    const CornerCost cost = octile_cost(from, cell);
-    visit_ray(cell, diagonal, cost, visit);
-    visit_ray(cell, left_of(diagonal), cost, visit);
-    return true;
-  });
+template <Direction kDiagonal, class Visit>
+void Turns::visit_diagonal(Cell from, Visit&& visit) const {
+  CornerCost cost = 0;
+  while ((boards_.diagonals(from) & set_of(kDiagonal)) != 0) {
+    const int steps = boards_.distance_to_diagonal_stop<kDiagonal>(from);
+    from = moved(from, kDiagonal, steps);
+    cost += static_cast<CornerCost>(steps) * kDiagonalCost;
+    visit_ray<turned(kDiagonal, -1)>(from, cost, visit);
+    visit_ray<turned(kDiagonal, 1)>(from, cost, visit);
+  }
 }
 
 template <class Visit>
 void Turns::for_each_first(Cell from, Visit&& visit) const {
-  for (Straight straight = 0; straight < 4; ++straight) visit_ray(from, straight, 0, visit);
-  for (unsigned diagonal = 0; diagonal < 4; ++diagonal) visit_diagonal(from, diagonal, visit);
+  for_each_straight([&](auto straight) {
+    visit_ray<straight.value>(from, 0, visit);
+    visit_diagonal<turned(straight.value, 1)>(from, visit);
+  });
 }
 
 template <class Visit>
 void Turns::for_each_next(std::uint32_t turn, Visit&& visit) const {
   const Cell from = cells_[turn];
-  const Straight straight = straights_[turn];
   const unsigned turning = sides(from);
-  visit_ray(from, straight, 0, visit);
-  if ((turning & left_side(straight)) != 0) {
-    visit_ray(from, left_of(straight), 0, visit);
-    visit_diagonal(from, straight, visit);
-  }
-  if ((turning & right_side(straight)) != 0) {
-    visit_ray(from, right_of(straight), 0, visit);
-    visit_diagonal(from, right_of(straight), visit);
+  for_each_straight([&](auto straight) {
+    constexpr Direction kStraight = straight.value;
+    if (straights_[turn] != kStraight) return;
+    visit_ray<kStraight>(from, 0, visit);
+    if ((turning & left_side(kStraight)) != 0) {
+      visit_ray<left_of(kStraight)>(from, 0, visit);
+      visit_diagonal<turned(kStraight, 1)>(from, visit);
+    }
+    if ((turning & right_side(kStraight)) != 0) {
+      visit_ray<right_of(kStraight)>(from, 0, visit);
+      visit_diagonal<turned(kStraight, -1)>(from, visit);
+    }
+  });
+}
+
+/// The turns from which one comes here along a diagonal.
+template <Direction kDiagonal, class Visit>
+void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) const {
+  constexpr Direction kBack = opposite(kDiagonal);
+  constexpr Direction kRight = turned(kDiagonal, -1);
+  constexpr Direction kLeft = turned(kDiagonal, 1);
+  while ((boards_.diagonals(from) & set_of(kBack)) != 0) {
+    const int steps = arrivals_.distance_back_on_diagonal<kDiagonal>(from);
+    from = moved(from, kBack, steps);
+    cost += static_cast<CornerCost>(steps) * kDiagonalCost;
+    const unsigned turning = sides(from);
+    if ((turning & left_side(kRight)) != 0) visit(number(from, turning, kRight), cost);
+    if ((turning & right_side(kLeft)) != 0) visit(number(from, turning, kLeft), cost);
   }
 }
 
-/// The turns at a cell after which a path may go along a diagonal.
-template <class Visit>
-void Turns::visit_turns_before(Cell cell, unsigned diagonal, CornerCost cost, Visit&& visit) const {
-  const unsigned turning = sides(cell);
-  const Straight left = left_of(diagonal);
-  if ((turning & left_side(diagonal)) != 0) visit(number(cell, turning, diagonal), cost);
-  if ((turning & right_side(left)) != 0) visit(number(cell, turning, left), cost);
+/// The turns from which one comes here by straight steps last, or by such steps alone.
+template <Direction kStraight, class Visit>
+void Turns::visit_back(Cell from, Visit&& visit) const {
+  constexpr Direction kRight = right_of(kStraight);
+  constexpr Direction kLeft = left_of(kStraight);
+  unsigned turning = sides(from);
+  CornerCost cost = 0;
+  // What comes from before a turn of this direction comes through that turn.
+  while ((turning & (left_side(kStraight) | right_side(kStraight))) == 0) {
+    const int steps = arrivals_.distance_back<kStraight>(from);
+    from = moved(from, opposite(kStraight), steps);
+    if (!boards_.passable(from)) return;
+    cost += static_cast<CornerCost>(steps) * kStraightCost;
+    turning = sides(from);
+    if ((turning & right_side(kLeft)) != 0) visit(number(from, turning, kLeft), cost);
+    if ((turning & left_side(kRight)) != 0) visit(number(from, turning, kRight), cost);
+    visit_back_on_diagonal<turned(kStraight, 1)>(from, cost, visit);
+    visit_back_on_diagonal<turned(kStraight, -1)>(from, cost, visit);
+  }
+  visit(number(from, turning, kStraight), cost);
 }
 
 template <class Visit>
 void Turns::for_each_last(Cell to, Visit&& visit) const {
-  const auto visit_diagonals = [&](Cell cell, unsigned diagonal) {
-    const Direction back = opposite(kDiagonalDirections[diagonal]);
-    walk_diagonal(passable(), cell, back, [&](Cell before) {
-      visit_turns_before(before, diagonal, octile_cost(before, to), visit);
-      return true;
-    });
-  };
-  for (unsigned diagonal = 0; diagonal < 4; ++diagonal) visit_diagonals(to, diagonal);
-  for (Straight straight = 0; straight < 4; ++straight) {
-    const Cell ahead = kDrawnSteps[static_cast<std::size_t>(kStraightDirections[straight])];
-    for (Cell cell = to;;) {
-      const unsigned turning = sides(cell);
-      if ((turning & (left_side(straight) | right_side(straight))) != 0) {
-        visit(number(cell, turning, straight), octile_cost(cell, to));
-        break;  // what comes from farther away in this direction comes through that turn
-      }
-      cell = {cell.x - ahead.x, cell.y - ahead.y};
-      if (!passable()[cell]) break;
-      const unsigned turning_here = sides(cell);
-      const Straight left = left_of(straight);
-      const Straight right = right_of(straight);
-      const CornerCost cost = octile_cost(cell, to);
-      if ((turning_here & right_side(left)) != 0) visit(number(cell, turning_here, left), cost);
-      if ((turning_here & left_side(right)) != 0) visit(number(cell, turning_here, right), cost);
-      visit_diagonals(cell, straight);
-      visit_diagonals(cell, right);
-    }
-  }
+  for_each_straight([&](auto straight) {
+    visit_back<straight.value>(to, visit);
+    visit_back_on_diagonal<turned(straight.value, 1)>(to, 0, visit);
+  });
 }
 
 }  // namespace wend

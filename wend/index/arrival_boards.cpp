@@ -1,0 +1,98 @@
+#include "wend/index/arrival_boards.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wend {
+namespace {
+
+constexpr unsigned kLastBit = 63;
+
+/// A word of a row, of the bits one place before (dx = 1) or behind (dx = -1).
+std::uint64_t shifted(std::span<const std::uint64_t> words, std::size_t i, int dx) {
+  if (dx > 0) return words[i] << 1U | (i > 0 ? words[i - 1] >> kLastBit : 0);
+  return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << kLastBit : 0);
+}
+
+BitLines rows_of(const BitGrid& cells) {
+  BitLines rows(cells.height(), cells.width());
+  for (int y = 0; y < cells.height(); ++y) {
+    const auto from = cells.row_words(y);
+    std::copy_n(from.begin(), rows.words(y).size(), rows.words(y).begin());
+  }
+  return rows;
+}
+
+/// What there is for one diagonal direction: by rows.
+struct DiagonalRows {
+  BitLines stops;  // beginnings, and where a step back is not legal
+  BitLines met;    // the cells from which a way back meets a beginning
+};
+
+DiagonalRows diagonal_rows(const BitLines& passable, const BitLines& beginnings, Cell step) {
+  const int height = passable.lines();
+  DiagonalRows rows{BitLines(height, passable.length()), BitLines(height, passable.length())};
+  for (int i = 0; i < height; ++i) {
+    const int y = step.y > 0 ? i : height - 1 - i;  // a row after the one that steps come from
+    const auto here = passable.words(y);
+    const auto before = passable.words(y - step.y);
+    const auto begun = beginnings.words(y - step.y);
+    const auto met_before = rows.met.words(y - step.y);
+    const auto own = beginnings.words(y);
+    const auto met = rows.met.words(y);
+    const auto stops = rows.stops.words(y);
+    for (std::size_t at = 0; at < here.size(); ++at) {
+      const std::uint64_t legal =
+          here[at] & shifted(here, at, step.x) & before[at] & shifted(before, at, step.x);
+      met[at] = legal & (shifted(begun, at, step.x) | shifted(met_before, at, step.x));
+      stops[at] = own[at] | ~legal;
+    }
+  }
+  return rows;
+}
+
+/// Puts bits of the same shape in, everywhere.
+void add(BitLines& board, const BitLines& other) {
+  for (int line = 0; line < board.lines(); ++line) {
+    const auto words = board.words(line);
+    const auto more = other.words(line);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= more[i];
+  }
+}
+
+void add_blocked(BitLines& board, const BitLines& passable) {
+  for (int line = 0; line < board.lines(); ++line) {
+    const auto words = board.words(line);
+    const auto free = passable.words(line);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= ~free[i];
+  }
+}
+
+}  // namespace
+
+ArrivalBoards::ArrivalBoards(const BitGrid& passable, const BitLines& corners,
+                             const Beginnings& beginnings)
+    : height_(passable.height()) {
+  const BitLines rows = rows_of(passable);
+  const BitLines columns = rows.transposed();
+  std::array<BitLines, 4> met;
+  for (unsigned diagonal = 0; diagonal < 4; ++diagonal) {
+    DiagonalRows made = diagonal_rows(rows, beginnings[diagonal], kDrawnSteps[2 * diagonal + 1]);
+    const bool falls_right = diagonal % 2 == 0;  // down_right and up_left
+    diagonal_[diagonal] = made.stops.diagonals(falls_right ? BitLines::Diagonals::falling_right
+                                                           : BitLines::Diagonals::falling_left);
+    met[diagonal] = std::move(made.met);
+  }
+  for (unsigned straight = 0; straight < 4; ++straight) {
+    BitLines of_interest = corners;  // the diagonals on both sides of the direction
+    add(of_interest, met[straight]);
+    add(of_interest, met[(straight + 3) % 4]);
+    const bool vertical = straight % 2 == 0;
+    straight_[straight] = vertical ? of_interest.transposed() : std::move(of_interest);
+    add_blocked(straight_[straight], vertical ? columns : rows);
+  }
+}
+
+}  // namespace wend
