@@ -112,8 +112,9 @@ TEST(Dijkstra, TakesTheNearestOfSeveralGoals) {
 }
 
 TEST(Planners, AreListedInOrder) {
-  EXPECT_EQ(planners().names(), (std::vector<std::string>{"astar", "dijkstra", "greedy", "bfs",
-                                                          "dfs", "random_walk", "car"}));
+  EXPECT_EQ(planners().names(),
+            (std::vector<std::string>{"astar", "dijkstra", "jps", "greedy", "bfs", "dfs",
+                                      "random_walk", "corner_hierarchy", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {
