@@ -141,7 +141,7 @@ class Turns {
 
 template <Direction kStraight, class Visit>
 void Turns::visit_ray(Cell from, CornerCost cost, Visit&& visit) const {
-  if ((boards_.rays(from) & set_of(kStraight)) == 0) return;
+  if ((boards_.moves(from) & set_of(kStraight)) == 0) return;
   const int steps = boards_.distance_to_stop<kStraight>(from);
   const Cell end = moved(from, kStraight, steps);
   visit(number(end, sides(end), kStraight), cost + static_cast<CornerCost>(steps) * kStraightCost);
@@ -150,7 +150,7 @@ void Turns::visit_ray(Cell from, CornerCost cost, Visit&& visit) const {
 template <Direction kDiagonal, class Visit>
 void Turns::visit_diagonal(Cell from, Visit&& visit) const {
   CornerCost cost = 0;
-  while ((boards_.diagonals(from) & set_of(kDiagonal)) != 0) {
+  while ((boards_.moves(from) & set_of(kDiagonal)) != 0) {
     const int steps = boards_.distance_to_diagonal_stop<kDiagonal>(from);
     from = moved(from, kDiagonal, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
@@ -192,7 +192,7 @@ void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) co
   constexpr Direction kBack = opposite(kDiagonal);
   constexpr Direction kRight = turned(kDiagonal, -1);
   constexpr Direction kLeft = turned(kDiagonal, 1);
-  while ((boards_.diagonals(from) & set_of(kBack)) != 0) {
+  while ((boards_.moves(from) & set_of(kBack)) != 0) {
     const int steps = arrivals_.distance_back_on_diagonal<kDiagonal>(from);
     from = moved(from, kBack, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
