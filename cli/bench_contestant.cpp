@@ -10,7 +10,7 @@
 #include "limit_arguments.hpp"
 #include "planner_argument.hpp"
 #include "progress_bar.hpp"
-#include "wend/index/drawn_board.hpp"
+#include "wend/planner/drawn_cells.hpp"
 
 namespace wend::cli {
 namespace {
@@ -45,7 +45,7 @@ std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files) {
 }
 
 bool is_for(const GivenIndex& index, const FreeSpace& space) {
-  return index.header.map_hash == map_hash(drawn_board(space));
+  return index.header.map_hash == map_hash(drawn_passable(space));
 }
 
 Contestant::Contestant(PlannerSpec spec) : spec_(std::move(spec)), info_(info_of(spec_)) {}

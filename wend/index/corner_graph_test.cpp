@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 
 #include "wend/index/brute_distances_test.hpp"
-#include "wend/index/drawn_board.hpp"
 #include "wend/index/first_corners.hpp"
 
 namespace wend {
@@ -16,25 +14,8 @@ using test::brute_distances;
 using test::brute_sees;
 using test::for_small_boards;
 using test::kUnreached;
-
-std::string text_of(const BitGrid& bits) {
-  std::string text;
-  for (int y = 0; y < bits.height(); ++y) {
-    for (int x = 0; x < bits.width(); ++x) text += bits[{x, y}] ? '.' : '#';
-    text += '\n';
-  }
-  return text;
-}
-
-std::vector<Cell> passable_cells(const BitGrid& bits) {
-  std::vector<Cell> cells;
-  for (int y = 0; y < bits.height(); ++y) {
-    for (int x = 0; x < bits.width(); ++x) {
-      if (bits[{x, y}]) cells.push_back({x, y});
-    }
-  }
-  return cells;
-}
+using test::passable_cells;
+using test::text_of;
 
 /// Distances in the graph from one corner, by relaxing every edge until nothing changes.
 std::vector<std::uint64_t> graph_distances(const CornerGraph& graph, std::uint32_t from) {
@@ -196,19 +177,6 @@ TEST(FirstCorners, GiveTheDistanceOfAnyTwoCellsAsTheLeastOfThreeTerms) {
       }
     }
   });
-}
-
-TEST(DrawnBoard, IsTheSameForThePictureWithYUpAndYDown) {
-  Grid<CellState> states(70, 3, CellState::free);
-  states[{2, 0}] = states[{66, 2}] = CellState::occupied;
-  Grid<CellState> flipped(70, 3, CellState::free);
-  flipped[{2, 2}] = flipped[{66, 0}] = CellState::occupied;
-  Frame y_up;
-  y_up.y_up = true;
-  EXPECT_EQ(drawn_board(FreeSpace(GridMap(states))),
-            drawn_board(FreeSpace(GridMap(flipped, y_up))));
-  EXPECT_EQ(drawn_cell({2, 0}, 3, true), (Cell{2, 2}));
-  EXPECT_EQ(drawn_cell({2, 0}, 3, false), (Cell{2, 0}));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 // shared orthogonal neighbours are passable. (The subgoals of T. Uras, S. Koenig and C. Hernandez,
 // "Subgoal Graphs for Optimal Pathfinding in Eight-Neighbor Grids", 2013.)
 //
-// Boards here have y down: see drawn_board.hpp.
+// Boards here have y down: see planner/drawn_cells.hpp.
 
 #include <array>
 #include <cstddef>

@@ -21,7 +21,7 @@
 // Subgoal Graphs", 2019.)
 //
 // That gives a directed graph of turns, which is sparse even where corners see many others: a path
-// that arrives in one direction has few ways to go on. Boards have y down: see drawn_board.hpp.
+// that arrives in one direction has few ways to go on. Boards have y down: see planner/drawn_cells.hpp.
 
 #include <array>
 #include <bit>
