@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 #include "wend/geometry/cell.hpp"
 #include "wend/space/octile_units.hpp"
@@ -13,6 +14,9 @@
 namespace wend {
 
 using CornerCost = std::uint32_t;
+
+/// More than any cost, and small enough to add two of them.
+inline constexpr CornerCost kUnreachedCost = std::numeric_limits<CornerCost>::max() / 2;
 
 inline CornerCost octile_cost(Cell a, Cell b) {
   using Units = OctileUnits<CornerCost>;

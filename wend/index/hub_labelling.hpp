@@ -1,0 +1,87 @@
+#pragma once
+
+// HubLabelling: for every corner some hubs and the exact costs of the ways to them, so that the
+// shortest way between any two corners passes a hub that both have.
+//
+// Hubs are added one by one, the most important first. A hub spreads over the corner graph as in
+// Dijkstra's algorithm and goes no farther where hubs before it give the cost already. (T. Akiba,
+// Y. Iwata and Y. Yoshida, "Fast Exact Shortest-Path Distance Queries on Large Networks by Pruned
+// Landmark Labeling", 2013.) Which corners to take first decides how small the labels become: see
+// label_order.hpp.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "wend/index/corner_graph.hpp"
+
+namespace wend {
+
+/// One hub of a corner's label.
+struct HubEntry {
+  std::uint32_t hub;  // hubs count from 0, the most important one
+  CornerCost cost;
+};
+
+/// The corners that a hub reached, in the order of their costs: the tree of shortest ways to it.
+struct HubTreeNode {
+  static constexpr std::uint32_t kRoot = static_cast<std::uint32_t>(-1);
+
+  std::uint32_t corner;
+  std::uint32_t parent;  // its place in the tree; kRoot for the hub itself
+};
+
+class HubLabelling {
+ public:
+  /// No hub yet. `graph` must outlive it.
+  explicit HubLabelling(const CornerGraph& graph);
+
+  std::size_t hubs() const { return hub_corners_.size(); }
+  bool is_hub(std::uint32_t corner) const { return is_hub_[corner] != 0; }
+  std::uint32_t corner_of(std::uint32_t hub) const { return hub_corners_[hub]; }
+
+  /// In the order of the hubs.
+  std::span<const HubEntry> label(std::uint32_t corner) const { return labels_[corner]; }
+
+  std::span<const HubTreeNode> tree(std::uint32_t hub) const {
+    return std::span(nodes_).subspan(trees_[hub], trees_[hub + 1] - trees_[hub]);
+  }
+
+  /// The largest cost that was met: costs are right if it is below kUnreachedCost.
+  CornerCost greatest_cost() const { return greatest_cost_; }
+
+  /// Makes a corner, which is none yet, the next hub.
+  void add_hub(std::uint32_t corner);
+
+ private:
+  struct Candidate {
+    CornerCost cost;
+    std::uint32_t corner;
+    std::uint32_t parent;
+
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return a.cost != b.cost ? a.cost < b.cost : a.corner < b.corner;
+    }
+  };
+
+  void spread(std::uint32_t hub, std::uint32_t root);
+  void reach(const Candidate& candidate);
+  bool is_covered(std::uint32_t corner, CornerCost cost) const;
+
+  const CornerGraph& graph_;
+  std::vector<std::uint32_t> hub_corners_;
+  std::vector<std::uint8_t> is_hub_;           // by corner
+  std::vector<std::vector<HubEntry>> labels_;  // by corner
+  std::vector<HubTreeNode> nodes_;             // tree after tree
+  std::vector<std::size_t> trees_{0};          // by hub: where its tree begins, and the end
+  CornerCost greatest_cost_ = 0;
+
+  // Of the hub that spreads.
+  std::vector<CornerCost> from_root_;  // by hub before it
+  std::vector<CornerCost> costs_;      // by corner
+  std::vector<std::uint32_t> reached_;
+  std::vector<Candidate> queue_;
+};
+
+}  // namespace wend
