@@ -1,0 +1,57 @@
+#include "wend/index/cell_regions.hpp"
+
+#include <algorithm>
+#include <ranges>
+#include <unordered_map>
+
+namespace wend {
+namespace {
+
+using List = std::span<const std::uint32_t>;
+
+struct ListHash {
+  std::size_t operator()(List list) const {
+    std::uint64_t hash = list.size();
+    for (const std::uint32_t corner : list) {
+      hash = (hash ^ corner) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 32U;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+struct SameList {
+  bool operator()(List a, List b) const {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+}  // namespace
+
+CellRegions::CellRegions(const Corners& corners, const AllFirstCorners& first) {
+  struct Member {
+    Cell cell;
+    std::size_t region;
+  };
+  std::vector<Member> members;
+  std::unordered_map<List, std::size_t, ListHash, SameList> regions;
+  const BitGrid& passable = corners.passable();
+  for (int y = 0; y < passable.height(); ++y) {
+    for (int x = 0; x < passable.width(); ++x) {
+      const Cell cell{x, y};
+      if (!passable[cell] || corners.contains(cell)) continue;
+      const std::size_t region = regions.try_emplace(first.of(cell), regions.size()).first->second;
+      members.push_back({cell, region});
+    }
+  }
+  begins_.resize(regions.size() + 1);
+  for (const Member& member : members) ++begins_[member.region];
+  std::size_t end = 0;  // filling moves each to its begin
+  for (std::size_t& begin : begins_) begin = end += begin;
+  cells_.resize(members.size());
+  for (const Member& member : members | std::views::reverse) {
+    cells_[--begins_[member.region]] = member.cell;
+  }
+}
+
+}  // namespace wend

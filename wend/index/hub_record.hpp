@@ -1,0 +1,125 @@
+#pragma once
+
+// HubRecord: what a label index keeps of the cells of a region, or of a corner: the corners where
+// ways from there may turn first, and hubs behind them with the costs from these corners.
+//
+// A record is an array of 32-bit words: how many corners and how many hubs it names; the corners'
+// cells, x in the lower half; for each corner how many hubs are reached by it (16 bits each); the
+// hubs, corner after corner (16 bits each where the map has no more than 65536 hubs); their costs;
+// and, of a corner, where the ways to its hubs begin in the HeavyPaths. A corner's record names
+// itself only. Arrays of 16 bits are filled up to whole words.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/index/octile_cost.hpp"
+
+namespace wend {
+
+template <class Hub>
+class HubRecord {
+ public:
+  static constexpr std::size_t kHeaderWords = 2;
+
+  explicit HubRecord(const std::uint32_t* words)
+      : corner_count_(words[0] & kCountMask),
+        hub_count_(words[1]),
+        cells_(words + kHeaderWords),
+        counts_(cells_ + corner_count_),
+        hubs_(counts_ + words_of<std::uint16_t>(corner_count_)),
+        costs_(hubs_ + words_of<Hub>(hub_count_)),
+        is_corner_((words[0] & kCornerFlag) != 0) {}
+
+  std::uint32_t corner_count() const { return corner_count_; }
+  std::uint32_t hub_count() const { return hub_count_; }
+
+  /// Is it of a corner, not of a region?
+  bool is_corner() const { return is_corner_; }
+
+  Cell cell(std::uint32_t corner) const { return unpacked(cells_[corner]); }
+
+  /// How many hubs are reached by a corner.
+  std::uint32_t count(std::uint32_t corner) const {
+    return reinterpret_cast<const std::uint16_t*>(counts_)[corner];
+  }
+  Hub hub(std::uint32_t i) const { return hubs()[i]; }
+  CornerCost cost(std::uint32_t i) const { return costs_[i]; }
+
+  std::span<const Hub> hubs() const { return {reinterpret_cast<const Hub*>(hubs_), hub_count_}; }
+
+  /// Of a corner's record: where the way to a hub begins in the HeavyPaths.
+  std::uint32_t place(std::uint32_t i) const { return costs_[hub_count_ + i]; }
+
+  /// How many words the record is long.
+  std::size_t size() const {
+    const std::size_t per_hub = is_corner_ ? 2 : 1;
+    return kHeaderWords + corner_count_ + words_of<std::uint16_t>(corner_count_) +
+           words_of<Hub>(hub_count_) + per_hub * hub_count_;
+  }
+
+  /// A corner of a record that is written, with what is reached by it.
+  struct Part {
+    Cell cell;
+    std::vector<Hub> hubs;
+    std::vector<CornerCost> costs;
+  };
+
+  /// Appends the record of a region, or of a corner, which has places.
+  static void append(std::vector<std::uint32_t>& words, std::span<const Part> parts,
+                     std::span<const std::uint32_t> places, bool is_corner) {
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint16_t> counts;
+    std::vector<Hub> hubs;
+    std::vector<CornerCost> costs;
+    for (const Part& part : parts) {
+      cells.push_back(packed(part.cell));
+      counts.push_back(static_cast<std::uint16_t>(part.hubs.size()));
+      hubs.insert(hubs.end(), part.hubs.begin(), part.hubs.end());
+      costs.insert(costs.end(), part.costs.begin(), part.costs.end());
+    }
+    const auto corner_count = static_cast<std::uint32_t>(parts.size());
+    words.push_back(corner_count | (is_corner ? kCornerFlag : 0));
+    words.push_back(static_cast<std::uint32_t>(hubs.size()));
+    append_array<std::uint32_t>(words, cells);
+    append_array<std::uint16_t>(words, counts);
+    append_array<Hub>(words, hubs);
+    append_array<CornerCost>(words, costs);
+    append_array<std::uint32_t>(words, places);
+  }
+
+ private:
+  static constexpr std::uint32_t kCornerFlag = std::uint32_t{1} << 31U;
+  static constexpr std::uint32_t kCountMask = 0xFFFF;
+  static constexpr unsigned kHalf = 16;  // bits
+
+  template <class T>
+  static std::size_t words_of(std::size_t count) {
+    return (count * sizeof(T) + sizeof(std::uint32_t) - 1) / sizeof(std::uint32_t);
+  }
+  static std::uint32_t packed(Cell cell) {
+    return static_cast<std::uint32_t>(cell.x) | static_cast<std::uint32_t>(cell.y) << kHalf;
+  }
+  static Cell unpacked(std::uint32_t word) {
+    return {static_cast<int>(word & kCountMask), static_cast<int>(word >> kHalf)};
+  }
+  template <class T>
+  static void append_array(std::vector<std::uint32_t>& words, std::span<const T> array) {
+    const std::size_t begin = words.size();
+    words.resize(begin + words_of<T>(array.size()));
+    if (!array.empty()) std::memcpy(words.data() + begin, array.data(), array.size_bytes());
+  }
+
+  std::uint32_t corner_count_;
+  std::uint32_t hub_count_;
+  const std::uint32_t* cells_;
+  const std::uint32_t* counts_;
+  const std::uint32_t* hubs_;
+  const CornerCost* costs_;
+  bool is_corner_;
+};
+
+}  // namespace wend

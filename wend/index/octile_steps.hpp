@@ -1,0 +1,39 @@
+#pragma once
+
+// From a cost in whole numbers back to the steps that it is the sum of.
+
+#include <cstdint>
+
+#include "wend/index/index_engine.hpp"
+#include "wend/index/octile_cost.hpp"
+
+namespace wend {
+
+namespace octile_steps {
+
+using Units = OctileUnits<CornerCost>;
+
+/// The number whose product with kDiagonal leaves 1 when it is divided by kStraight.
+constexpr CornerCost inverse_of_diagonal() {
+  CornerCost inverse = 1;
+  while (std::uint64_t{inverse} * Units::kDiagonal % Units::kStraight != 1) ++inverse;
+  return inverse;
+}
+
+inline constexpr CornerCost kInverse = inverse_of_diagonal();
+
+}  // namespace octile_steps
+
+/// Below this the steps follow from the cost: the two lengths have no common factor.
+inline constexpr CornerCost kCostsOfOneKindOfPath =
+    octile_steps::Units::kStraight * octile_steps::Units::kDiagonal;
+
+/// The steps of a path that costs less than kCostsOfOneKindOfPath.
+inline OctileSteps octile_steps_of(CornerCost cost) {
+  using octile_steps::Units;
+  const auto diagonal =
+      static_cast<std::uint32_t>(std::uint64_t{cost} * octile_steps::kInverse % Units::kStraight);
+  return {(cost - Units::kDiagonal * diagonal) / Units::kStraight, diagonal};
+}
+
+}  // namespace wend

@@ -1,0 +1,97 @@
+#pragma once
+
+// RunWriter: writes a path cell by cell from runs of steps, upwards or downwards in memory.
+//
+// A run is written eight cells at a time, past its end where there is room: what comes next
+// overwrites that. Most runs are short, and a loop of one round has no branch to mispredict.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
+
+namespace wend {
+
+/// kWay is 1 to write upwards, -1 to write downwards.
+template <int kWay>
+class RunWriter {
+ public:
+  /// Writes into the `room` cells from `next` on; the path has come to `at`, which is written.
+  RunWriter(Cell* next, std::size_t room, Cell at) : next_(next), room_(room), at_(packed(at)) {}
+
+  std::size_t room() const { return room_; }
+
+  /// No more steps than there is room for.
+  void run(Direction direction, std::size_t steps) {
+    const std::int64_t step = kSteps[static_cast<std::size_t>(direction)];
+    steps = std::min(steps, room_);
+    while (room_ >= kAtOnce) {
+      for (std::size_t i = 0; i < kAtOnce; ++i) store(i, step);
+      const std::size_t taken = std::min(steps, kAtOnce);
+      advance(taken, step);
+      steps -= taken;
+      if (steps == 0) return;
+    }
+    for (std::size_t i = 0; i < steps; ++i) store(i, step);
+    advance(steps, step);
+  }
+
+  /// Diagonally first, then straight.
+  void go_to(Cell to) {
+    const Cell from = unpacked(at_);
+    const Cell way{to.x - from.x, to.y - from.y};
+    const int wide = std::abs(way.x);
+    const int high = std::abs(way.y);
+    const int diagonal = std::min(wide, high);
+    constexpr Direction kDiagonals[2][2] = {{Direction::up_left, Direction::down_left},
+                                            {Direction::up_right, Direction::down_right}};
+    if (diagonal > 0) {
+      run(kDiagonals[way.x > 0 ? 1 : 0][way.y > 0 ? 1 : 0], static_cast<std::size_t>(diagonal));
+    }
+    if (wide > high) {
+      run(way.x > 0 ? Direction::right : Direction::left, static_cast<std::size_t>(wide - high));
+    } else if (high > wide) {
+      run(way.y > 0 ? Direction::down : Direction::up, static_cast<std::size_t>(high - wide));
+    }
+  }
+
+ private:
+  static_assert(sizeof(Cell) == sizeof(std::int64_t) && std::endian::native == std::endian::little);
+  static constexpr std::size_t kAtOnce = 8;
+
+  // A cell as the number that its bytes are, so that a step is one addition. x is not negative and
+  // does not carry into y.
+  static constexpr std::int64_t packed(Cell cell) {
+    return static_cast<std::int64_t>(cell.y) * (std::int64_t{1} << 32U) + cell.x;
+  }
+  static constexpr Cell unpacked(std::int64_t cell) {
+    return {static_cast<int>(cell & 0xFFFFFFFF), static_cast<int>(cell >> 32U)};
+  }
+  static constexpr auto kSteps = [] {
+    std::array<std::int64_t, kDirections> steps{};
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = packed(kDrawnSteps[i]);
+    return steps;
+  }();
+
+  void store(std::size_t i, std::int64_t step) {
+    const std::int64_t cell = at_ + static_cast<std::int64_t>(i + 1) * step;
+    void* const place = next_ + kWay * static_cast<std::ptrdiff_t>(i);
+    std::memcpy(place, &cell, sizeof cell);
+  }
+  void advance(std::size_t steps, std::int64_t step) {
+    next_ += kWay * static_cast<std::ptrdiff_t>(steps);
+    room_ -= steps;
+    at_ += static_cast<std::int64_t>(steps) * step;
+  }
+
+  Cell* next_;
+  std::size_t room_;
+  std::int64_t at_;
+};
+
+}  // namespace wend
