@@ -9,7 +9,6 @@
 #include "interrupt.hpp"
 #include "limit_arguments.hpp"
 #include "planner_argument.hpp"
-#include "progress_bar.hpp"
 #include "wend/planner/drawn_cells.hpp"
 
 namespace wend::cli {
@@ -27,20 +26,16 @@ void refuse_moves(const PlannerSpec& spec) {
       "{}: scenarios are always run on 8 neighbours without corner cutting", spec.text));
 }
 
-GivenIndex open_given(const std::string& file) {
-  auto bytes = open_index(file);
-  if (!bytes) throw InputError("--index " + bytes.error().message());
-  const auto header = read_index_header(bytes->bytes());
-  if (!header) throw InputError(fmt::format("--index {}: {}", file, header.error()));
-  return {file, *header, *std::move(bytes)};
-}
-
 }  // namespace
 
 std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files) {
   std::vector<GivenIndex> indexes;
   indexes.reserve(files.size());
-  for (const std::string& file : files) indexes.push_back(open_given(file));
+  for (const std::string& file : files) {
+    auto index = read_given_index(file);
+    if (!index) throw InputError("--index " + index.error());
+    indexes.push_back(*std::move(index));
+  }
   return indexes;
 }
 
@@ -64,13 +59,8 @@ Preparation Contestant::prepare(const FreeSpace& space, const std::vector<GivenI
 }
 
 Preparation Contestant::build(const FreeSpace& space, Workers& workers) const {
-  constexpr double kSteps = 1000;
-  ProgressBar bar("index of " + name(), static_cast<std::uint64_t>(kSteps));
-  const IndexBuilding building{
-      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); },
-      &cancel_on_interrupt()};
   const double begin = steady_seconds();
-  auto index = info_.build_index(space, building);
+  auto index = build_index(info_, space, workers);
   if (!index && index.error().status == Status::cancelled) throw Cancelled();
   if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message()));
   const std::uint64_t bytes = index->size();

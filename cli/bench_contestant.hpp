@@ -6,22 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "index_argument.hpp"
 #include "wend/base/workers.hpp"
-#include "wend/index/index_header.hpp"
-#include "wend/io/index_file.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/report/bench_database.hpp"
 
 namespace wend::cli {
-
-/// An index that need not be built.
-struct GivenIndex {
-  std::string file;
-  IndexHeader header;
-  IndexBytes bytes;
-};
 
 /// Throws InputError for a file that is no index, or a damaged one.
 std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files);

@@ -15,6 +15,7 @@ struct Command {
 Command add_plan(CLI::App& app);
 Command add_field(CLI::App& app);
 Command add_bench(CLI::App& app);
+Command add_index(CLI::App& app);
 Command add_planners(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_generate(CLI::App& app);

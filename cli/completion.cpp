@@ -108,14 +108,42 @@ Argument argument_of(const CLI::Option& option) {
   return argument;
 }
 
+bool has_flag(const Subcommand& subcommand, const Argument& flag) {
+  return std::ranges::find(subcommand.flags, flag.flags, &Argument::flags) !=
+         subcommand.flags.end();
+}
+
+void add_arguments(Subcommand& subcommand, const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    Argument argument = argument_of(*option);
+    if (!option->nonpositional()) {
+      subcommand.positionals.push_back(std::move(argument));
+    } else if (!has_flag(subcommand, argument)) {
+      subcommand.flags.push_back(std::move(argument));
+    }
+  }
+}
+
+/// What subcommands of their own choose between is their first argument; their flags are those of
+/// all.
+void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
+  Argument choice;
+  choice.help = "what to do";
+  for (const CLI::App* each : app.get_subcommands({})) {
+    choice.words.push_back(each->get_name());
+    add_arguments(subcommand, *each);
+  }
+  if (choice.words.empty()) return;
+  subcommand.positionals.resize(std::min<std::size_t>(1, subcommand.positionals.size()));
+  subcommand.positionals.insert(subcommand.positionals.begin(), std::move(choice));
+}
+
 std::vector<Subcommand> subcommands_of(const CLI::App& app) {
   std::vector<Subcommand> subcommands;
   for (const CLI::App* each : app.get_subcommands({})) {
     Subcommand subcommand{each->get_name(), each->get_description(), {}, {}};
-    for (const CLI::Option* option : each->get_options()) {
-      (option->nonpositional() ? subcommand.flags : subcommand.positionals)
-          .push_back(argument_of(*option));
-    }
+    add_arguments(subcommand, *each);
+    add_subcommands(subcommand, *each);
     subcommands.push_back(std::move(subcommand));
   }
   return subcommands;

@@ -34,10 +34,10 @@ std::vector<Command> add_commands(CLI::App& app) {
   app.get_formatter()->column_width(kNameColumn);
   app.require_subcommand(1);
   app.footer(kExamples);
-  std::vector<Command> commands{
-      add_plan(app),    add_smooth(app),  add_follow(app),  add_check(app), add_field(app),
-      add_compare(app), add_explain(app), add_view(app),    add_info(app),  add_generate(app),
-      add_convert(app), add_bench(app),   add_planners(app)};
+  std::vector<Command> commands{add_plan(app),  add_smooth(app),   add_follow(app),  add_check(app),
+                                add_field(app), add_compare(app),  add_explain(app), add_view(app),
+                                add_info(app),  add_generate(app), add_convert(app), add_index(app),
+                                add_bench(app), add_planners(app)};
   commands.push_back(add_completion(app));
   return commands;
 }

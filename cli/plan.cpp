@@ -19,6 +19,7 @@ constexpr const char* kExamples = R"(Examples:
   wend plan grid.txt --start 0,0 --goal 9,9 --show expansion,heuristic,policy
   wend plan grid.txt --start 0,0 --goal 9,9 --step --show g
   wend plan office.yaml --start 1,1 --goal 15,9 -o search.gif --trace office.trace.yaml
+  wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 --smooth -o smooth.csv
 
@@ -27,19 +28,32 @@ arrows; large ones a summary and, on a terminal, a picture. A car stands on the 
 cells; its steps are told as commands. Exit codes: 0 found, 1 no plan (standard error says
 why), 2 bad usage or input.)";
 
+/// The planner that was asked for, else the one that the index is for.
+std::string planner_text(const PlanArguments& arguments,
+                         const std::optional<Expected<GivenIndex, std::string>>& index) {
+  if (!arguments.planner.empty()) return arguments.planner;
+  if (!index) return "astar";
+  const bool known = *index && planners().find((*index)->header.planner_name()) != nullptr;
+  if (known) return std::string((*index)->header.planner_name());
+  return "hub_labels";  // only to say what is wrong with the index
+}
+
 int run(const PlanArguments& arguments) {
   arguments.output.check();
   arguments.watch.check(detect_screen());
   if (arguments.watch.step && arguments.format == Format::json) {
     throw InputError("--step and --format json: choose one");
   }
-  PlannerSpec planner = parse_planner(arguments.planner);
+  std::optional<Expected<GivenIndex, std::string>> index;
+  if (!arguments.index.empty()) index = read_given_index(arguments.index);
+  PlannerSpec planner = parse_planner(planner_text(arguments, index));
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
-  PlanRun run(arguments, std::move(planner), arguments.map.free_space(loaded.map));
+  PlanRun run(arguments, std::move(planner), arguments.map.free_space(loaded.map),
+              std::move(index));
   run.plan();
   return run.report();
 }
@@ -68,6 +82,10 @@ Command add_plan(CLI::App& app) {
           wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
                   "in astar:weight=2"))
       ->type_name(kPlannerType);
+  plan.add_option("--index", arguments->index,
+                  wrapped("An index of the map that `wend index build` made; the planner is its "
+                          "own unless --planner says another"))
+      ->type_name(kFileType);
   arguments->refine.add_to(plan);
   arguments->limits.add_to(plan);
   add_format(plan, arguments->format);

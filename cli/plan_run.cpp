@@ -12,6 +12,7 @@
 #include "search_frames.hpp"
 #include "stepper.hpp"
 #include "wend/io/path_csv.hpp"
+#include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/plan_json.hpp"
 
@@ -23,10 +24,12 @@ constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
 
 }  // namespace
 
-PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space)
+PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
+                 std::optional<Expected<GivenIndex, std::string>> index)
     : arguments_(arguments),
       spec_(std::move(planner)),
       space_(std::move(space)),
+      index_(std::move(index)),
       asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
                                               moves_of(spec_).adjacency())) {
@@ -51,7 +54,7 @@ void PlanRun::plan() {
   if (arguments_.nearest) {
     for (const auto& note : asked_->move_to_nearest()) complain(note);
   }
-  auto planner = info_of(spec_).make(space_, spec_.options);
+  auto planner = make_planner();
   if (planner) {
     planner_ = *std::move(planner);
     result_.states = planner_->state_count();
@@ -61,6 +64,20 @@ void PlanRun::plan() {
   } else {
     fail(planner.error().status, planner.error().message());
   }
+}
+
+/// On the index that was given, else on one that is built now if the planner needs one.
+PlannerResult PlanRun::make_planner() const {
+  if (index_ && !*index_) {
+    return Unexpected<PlannerError>({Status::index_mismatch, index_->error()});
+  }
+  if (index_) return wend::make_planner(spec_.name, space_, spec_.options, (*index_)->bytes);
+  const PlannerInfo& info = info_of(spec_);
+  if (!info.build_index) return info.make(space_, spec_.options);
+  ThreadWorkers workers;
+  auto index = build_index(info, space_, workers);
+  if (!index) return Unexpected<PlannerError>(index.error());
+  return info.make_on_index(space_, spec_.options, *std::move(index));
 }
 
 void PlanRun::search() {

@@ -9,6 +9,7 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "index_argument.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
 #include "narrator.hpp"
@@ -29,7 +30,8 @@ namespace wend::cli {
 struct PlanArguments {
   MapArguments map;
   EndArguments ends;
-  std::string planner = "astar";
+  std::string planner;  // nothing: the index's, or else astar
+  std::string index;
   OptionFlags options{"planner"};
   LimitArguments limits;
   bool nearest = false;
@@ -43,7 +45,9 @@ struct PlanArguments {
 
 class PlanRun {
  public:
-  PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space);
+  /// `index`: what the planner is to plan on, if one was given; or what is wrong with it.
+  PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
+          std::optional<Expected<GivenIndex, std::string>> index);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
@@ -52,6 +56,7 @@ class PlanRun {
   ExitCode report();
 
  private:
+  PlannerResult make_planner() const;
   void search();
   Status search_to_the_end(const Query& query);
   Status search_in_steps(const Query& query, const SearchRecorder& recorder);
@@ -70,6 +75,7 @@ class PlanRun {
   Screen screen_ = detect_screen();
   PlannerSpec spec_;
   FreeSpace space_;
+  std::optional<Expected<GivenIndex, std::string>> index_;
   std::unique_ptr<TypedQuery> asked_;
   std::unique_ptr<Planner> planner_;
   std::optional<SearchRecorder> recorder_;

@@ -55,16 +55,18 @@ std::string surplus_text(const CLI::App& app, const std::string& argument) {
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* at = &app;
-  const auto parsed = app.get_subcommands();
-  if (!parsed.empty()) at = parsed.front();
+  std::string command = "wend";
+  for (auto parsed = at->get_subcommands(); !parsed.empty(); parsed = at->get_subcommands()) {
+    at = parsed.front();
+    command += " " + at->get_name();
+  }
   const std::vector<std::string> left = at->remaining();
   std::string text = error.what();
   if (!left.empty()) {
     text = surplus_text(*at, surplus(left));
-  } else if (at == &app) {
-    text = "choose a subcommand: " + or_list(subcommand_names(app));
+  } else if (!subcommand_names(*at).empty()) {
+    text = "choose a subcommand: " + or_list(subcommand_names(*at));
   }
-  const std::string command = at == &app ? "wend" : "wend " + at->get_name();
   return fmt::format("{}\n`{} --help` says more", text, command);
 }
 

@@ -1,0 +1,171 @@
+// wend index: builds an index of a map, and says what one holds.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "index_argument.hpp"
+#include "limit_arguments.hpp"
+#include "map_arguments.hpp"
+#include "output.hpp"
+#include "output_files.hpp"
+#include "planner_argument.hpp"
+#include "wend/parallel/thread_workers.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::uint64_t kMostThreads = 1024;
+constexpr double kMegabyte = 1e6;
+
+struct BuildArguments {
+  MapArguments map;
+  std::string planner = "hub_labels";
+  std::uint64_t threads = 0;
+  Format format = Format::text;
+  std::string output;
+};
+
+struct InfoArguments {
+  std::string file;
+  Format format = Format::text;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend index build arena.map -o arena.idx
+  wend index build office.yaml --robot-radius 0.2 --planner corner_hierarchy -o office.idx
+  wend index info arena.idx
+  wend plan arena.map --index arena.idx --start 1,11 --goal 40,30)";
+
+constexpr const char* kBuildExamples = R"(Examples:
+  wend index build arena.map -o arena.idx
+  wend index build office.yaml --robot-radius 0.2 --planner corner_hierarchy -o office.idx
+  wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
+
+An index holds for the cells where the robot fits: plan with the same map, radius and
+--unknown. Ctrl-C ends it, and no file is written. Exit codes: 0 built, 1 not built
+(standard error says why), 2 bad usage or input.)";
+
+constexpr const char* kInfoExamples = R"(Examples:
+  wend index info arena.idx
+  wend index info arena.idx --format json
+
+Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)";
+
+using Json = nlohmann::ordered_json;
+
+void print_json(const Json& json) {
+  print(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+int build(const BuildArguments& arguments) {
+  check_folder(arguments.output, "-o " + arguments.output);
+  check_range("--threads", arguments.threads, 0, kMostThreads);
+  const PlannerSpec spec = parse_planner(arguments.planner);
+  const PlannerInfo& planner = info_of(spec);
+  if (!planner.build_index) {
+    throw InputError(fmt::format("--planner {}: it plans without an index; with one plan {}",
+                                 planner.name, planners_with_index()));
+  }
+  if (!spec.options.empty()) {
+    throw InputError(fmt::format("--planner {}: it has no options", arguments.planner));
+  }
+  const LoadedMap loaded = arguments.map.load();
+  check_not_among(loaded.files, arguments.output, "-o " + arguments.output);
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  ThreadWorkers workers(static_cast<unsigned>(arguments.threads));
+  const double begin = steady_seconds();
+  const auto index = build_index(planner, space, workers);
+  if (!index) {
+    complain(index.error().message());
+    return no_plan;
+  }
+  const double seconds = steady_seconds() - begin;
+  const auto written = write_index(arguments.output, *index);
+  if (!written) throw InputError(written.error().message());
+  if (arguments.format == Format::json) {
+    print_json({{"file", arguments.output},
+                {"planner", planner.name},
+                {"width", space.width()},
+                {"height", space.height()},
+                {"passable_cells", space.passable().count()},
+                {"index_bytes", index->size()},
+                {"build_s", seconds},
+                {"threads", workers.count()}});
+  } else {
+    print(fmt::format("{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s with {} thread{}\n",
+                      arguments.output, planner.name, space.width(), space.height(),
+                      static_cast<double>(index->size()) / kMegabyte, seconds, workers.count(),
+                      workers.count() == 1 ? "" : "s"));
+  }
+  return success;
+}
+
+int info(const InfoArguments& arguments) {
+  const auto index = read_given_index(arguments.file);
+  if (!index) throw InputError(index.error());
+  const IndexHeader& header = index->header;
+  if (arguments.format == Format::json) {
+    Json sections = Json::array();
+    for (std::size_t i = 0; i < header.sections; ++i) sections.push_back(header.table[i].bytes);
+    print_json({{"file", arguments.file},
+                {"planner", header.planner_name()},
+                {"version", header.version},
+                {"width", header.width},
+                {"height", header.height},
+                {"passable_cells", header.passable_cells},
+                {"map_hash", fmt::format("{:016x}", header.map_hash)},
+                {"index_bytes", header.bytes},
+                {"section_bytes", sections}});
+    return success;
+  }
+  const double cells = static_cast<double>(std::max<std::uint64_t>(1, header.passable_cells));
+  print(fmt::format(
+      "planner         {} (version {})\n"
+      "map             {} x {} cells, {} of them passable\n"
+      "map hash        {:016x}\n"
+      "size            {:.1f} MB, {:.1f} bytes a passable cell\n",
+      header.planner_name(), header.version, header.width, header.height, header.passable_cells,
+      header.map_hash, static_cast<double>(header.bytes) / kMegabyte,
+      static_cast<double>(header.bytes) / cells));
+  return success;
+}
+
+}  // namespace
+
+Command add_index(CLI::App& app) {
+  CLI::App& index = *app.add_subcommand("index", "Build an index of a map, to plan at once");
+  index.require_subcommand(1);
+  index.footer(kExamples);
+
+  CLI::App& build_command = *index.add_subcommand("build", "Build the index of a map");
+  const auto to_build = std::make_shared<BuildArguments>();
+  to_build->map.add_to(build_command);
+  build_command
+      .add_option("--planner", to_build->planner,
+                  wrapped("For which planner (default hub_labels): " + planners_with_index()))
+      ->type_name(kPlannerType);
+  add_count(build_command, "--threads", to_build->threads,
+            "How many threads build (default 0: as many as the machine runs at once)");
+  add_format(build_command, to_build->format);
+  build_command.add_option("-o,--output", to_build->output, "The index to write")
+      ->required()
+      ->type_name(kFileType);
+  build_command.footer(kBuildExamples);
+
+  CLI::App& info_command = *index.add_subcommand("info", "Say what an index holds");
+  const auto to_tell = std::make_shared<InfoArguments>();
+  info_command.add_option("FILE", to_tell->file, "An index")->required()->type_name(kFileType);
+  add_format(info_command, to_tell->format);
+  info_command.footer(kInfoExamples);
+
+  return {&index, [&build_command, to_build, to_tell] {
+            return build_command.parsed() ? build(*to_build) : info(*to_tell);
+          }};
+}
+
+}  // namespace wend::cli

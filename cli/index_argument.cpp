@@ -1,0 +1,42 @@
+#include "index_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "interrupt.hpp"
+#include "progress_bar.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+
+Expected<GivenIndex, std::string> read_given_index(const std::string& file) {
+  auto bytes = open_index(file);
+  if (!bytes) throw InputError(bytes.error().message());
+  const auto header = read_index_header(bytes->bytes());
+  if (!header) return Unexpected<std::string>(fmt::format("{}: {}", file, header.error()));
+  return GivenIndex{file, *header, *std::move(bytes)};
+}
+
+Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const FreeSpace& space,
+                                               Workers& workers) {
+  constexpr double kSteps = 1000;
+  ProgressBar bar("index of " + planner.name, static_cast<std::uint64_t>(kSteps));
+  const IndexBuilding building{
+      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); },
+      &cancel_on_interrupt()};
+  return planner.build_index(space, building);
+}
+
+std::string planners_with_index() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& planner : planners()) {
+    if (planner.build_index) names.push_back(planner.name);
+  }
+  return or_list(names);
+}
+
+}  // namespace wend::cli
