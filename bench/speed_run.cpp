@@ -62,6 +62,9 @@ bool answers(const ScenarioQuery& query, double cost) {
 void time_all(Contestant& contestant, const std::vector<ScenarioQuery>& all, bool between,
               std::vector<double>& fastest, Path& path) {
   std::uint64_t expanded = 0;
+  if (between) {  // the contestant before has swept the caches
+    for (const ScenarioQuery& query : all) contestant.plan(query, path, expanded);
+  }
   for (std::size_t i = 0; i < fastest.size(); ++i) {
     const std::size_t at = i * all.size() / fastest.size();
     const double begin = seconds_now();

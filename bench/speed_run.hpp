@@ -15,7 +15,8 @@
 namespace wend::bench {
 
 /// Means over the sampled queries of a map. Every query is timed several times and its fastest run
-/// counts. Who is fast answers the scenario's other queries between them, untimed.
+/// counts. Who is fast answers the whole scenario before that, and its other queries between
+/// the timed ones: what is measured is a stream of queries, warm, and none learned by heart.
 struct Timing {
   std::string name;
   double mean_us = 0;
