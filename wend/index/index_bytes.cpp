@@ -1,25 +1,23 @@
 #include "wend/index/index_bytes.hpp"
 
-#include <array>
+#include <cstdlib>
 #include <cstring>
-#include <vector>
+
+#include "wend/base/huge_pages.hpp"
 
 namespace wend {
-namespace {
-
-struct alignas(IndexBytes::kAlignment) Line {
-  std::array<std::byte, IndexBytes::kAlignment> bytes{};
-};
-
-}  // namespace
 
 IndexBytes IndexBytes::copy_of(std::span<const std::byte> bytes) {
   if (bytes.empty()) return {};
-  const auto lines =
-      std::make_shared<std::vector<Line>>((bytes.size() + kAlignment - 1) / kAlignment);
-  auto* const begin = reinterpret_cast<std::byte*>(lines->data());
-  std::memcpy(begin, bytes.data(), bytes.size());
-  return {lines, {begin, bytes.size()}};
+  const std::size_t page = bytes.size() < kHugePage ? kAlignment : kHugePage;
+  const std::size_t room = (bytes.size() + page - 1) / page * page;
+  std::shared_ptr<std::byte> memory(static_cast<std::byte*>(std::aligned_alloc(page, room)),
+                                    [](std::byte* begin) { std::free(begin); });
+  if (memory == nullptr) std::abort();  // as new does without exceptions
+  if (page == kHugePage) ask_for_huge_pages(memory.get(), room);
+  std::memcpy(memory.get(), bytes.data(), bytes.size());
+  const std::span<const std::byte> copy(memory.get(), bytes.size());
+  return {std::move(memory), copy};
 }
 
 }  // namespace wend

@@ -24,7 +24,7 @@ std::vector<Point> Path::points() const {
   if (!waypoints_.empty()) return waypoints_;
   std::vector<Point> points;
   points.reserve(size());
-  for (const Cell cell : cells_) points.push_back(centre_of(cell));
+  for (const Cell cell : cells()) points.push_back(centre_of(cell));
   for (const Pose& pose : poses_) points.push_back(pose.point());
   return points;
 }
@@ -43,9 +43,10 @@ double Path::length() const {
   std::uint64_t straight = 0;
   std::uint64_t diagonal = 0;
   double other = 0;
-  for (std::size_t i = 1; i < cells_.size(); ++i) {
-    const int dx = std::abs(cells_[i].x - cells_[i - 1].x);
-    const int dy = std::abs(cells_[i].y - cells_[i - 1].y);
+  const std::span<const Cell> steps = cells();
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const int dx = std::abs(steps[i].x - steps[i - 1].x);
+    const int dy = std::abs(steps[i].y - steps[i - 1].y);
     if (dx + dy == 1) {
       ++straight;
     } else if (dx == 1 && dy == 1) {
@@ -98,7 +99,7 @@ void Path::clear() {
 }
 
 void Path::reverse() {
-  std::reverse(cells_.begin(), cells_.end());
+  std::ranges::reverse(cells_.cells());
   std::reverse(poses_.begin(), poses_.end());
   std::reverse(waypoints_.begin(), waypoints_.end());
 }

@@ -22,6 +22,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/path/cell_buffer.hpp"
 
 namespace wend {
 
@@ -43,7 +44,7 @@ class Path {
   bool driven() const { return !poses_.empty(); }
 
   /// Of a path of cells; else empty.
-  std::span<const Cell> cells() const { return cells_; }
+  std::span<const Cell> cells() const { return cells_.cells(); }
 
   /// Of a driven path, in grid coordinates; else empty.
   std::span<const Pose> driven_poses() const { return poses_; }
@@ -73,11 +74,11 @@ class Path {
   /// For planners that write into a path they are given: memory is kept. A path has either cells or
   /// poses or waypoints.
   void clear();
-  void append(Cell cell) { cells_.push_back(cell); }
-  /// Room for so many cells of a path that is empty, to be written.
+  void append(Cell cell) { cells_.append(cell); }
+  /// So many cells, in place of all that there were, to be written.
   std::span<Cell> make_cells(std::size_t count) {
-    cells_.resize(count);
-    return cells_;
+    cells_.resize_unset(count);
+    return cells_.cells();
   }
   void drive_to(const Pose& pose) { poses_.push_back(pose); }
   void reverse();
@@ -85,7 +86,7 @@ class Path {
   friend bool operator==(const Path&, const Path&) = default;
 
  private:
-  std::vector<Cell> cells_;
+  CellBuffer cells_;
   std::vector<Pose> poses_;
   std::vector<Point> waypoints_;
 };
