@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::string_view kPlanner = "corner_hierarchy";
 constexpr std::uint32_t kVersion = 1;
+constexpr unsigned kUnorderedBits = 15;  // nearly a straight step
 
 enum Section : std::size_t {
   core_begin,
@@ -100,7 +101,7 @@ class CornerHierarchyEngine final : public IndexEngine {
         turns_(std::move(turns)),
         heights_(stored.heights),
         cells_(std::move(cells)),
-        search_(stored.hierarchy) {}
+        search_(stored.hierarchy, kUnorderedBits) {}
 
   OctileSteps find(Cell start, Cell goal) override {
     metrics_ = {1, 1, 1};
@@ -121,26 +122,17 @@ class CornerHierarchyEngine final : public IndexEngine {
   SearchMetrics metrics() const override { return metrics_; }
 
  private:
-  struct Estimates {
-    std::span<const Cell> cells;
-    Cell start;
-    Cell goal;
-
-    CornerCost to_start(std::uint32_t node) const { return octile_cost(cells[node], start); }
-    CornerCost to_goal(std::uint32_t node) const { return octile_cost(cells[node], goal); }
-  };
-
   void search(Cell start, Cell goal) {
     starts_.clear();
     goals_.clear();
-    turns_.for_each_first(start, [&](std::uint32_t turn, CornerCost cost) {
-      starts_.push_back({heights_[turn], cost});
+    turns_.for_each_first(start, [&](const TurnChoice& choice, CornerCost cost) {
+      starts_.add(choice, {cost, cost + octile_cost(choice.cell, goal)});
     });
-    turns_.for_each_last(goal, [&](std::uint32_t turn, CornerCost cost) {
-      goals_.push_back({heights_[turn], cost});
+    turns_.for_each_last(goal, [&](const TurnChoice& choice, CornerCost cost) {
+      goals_.add(choice, {cost, cost + octile_cost(choice.cell, start)});
     });
-    const CornerCost cost =
-        search_.find(starts_, goals_, HierarchySearch::kNoCost, Estimates{cells_, start, goal});
+    const CornerCost cost = search_.find(starts_.ends, goals_.ends, HierarchySearch::kNoCost,
+                                         OctileQuery{*this, start, goal});
     assert(cost < HierarchySearch::kNoCost);  // they are connected
     metrics_ = search_.metrics();
     nodes_.clear();
@@ -149,13 +141,53 @@ class CornerHierarchyEngine final : public IndexEngine {
     for (const std::uint32_t node : nodes_) path_.append(cells_[node]);
   }
 
+  /// Where the paths of a query turn first, or last.
+  struct Ends {
+    std::vector<TurnChoice> choices;
+    std::vector<HierarchyEnd> ends;
+
+    void clear() {
+      choices.clear();
+      ends.clear();
+    }
+    void add(const TurnChoice& choice, const HierarchyEnd& end) {
+      choices.push_back(choice);
+      ends.push_back(end);
+    }
+  };
+
+  struct OctileQuery {
+    const CornerHierarchyEngine& engine;
+    Cell start;
+    Cell goal;
+
+    CornerCost to_start(std::uint32_t node) const {
+      return octile_cost(engine.cells_[node], start);
+    }
+    CornerCost to_goal(std::uint32_t node) const { return octile_cost(engine.cells_[node], goal); }
+
+    template <class Visit>
+    void for_each_start(std::uint32_t i, Visit&& visit) const {
+      engine.for_each_node(engine.starts_.choices[i], visit);
+    }
+    template <class Visit>
+    void for_each_goal(std::uint32_t i, Visit&& visit) const {
+      engine.for_each_node(engine.goals_.choices[i], visit);
+    }
+  };
+
+  template <class Visit>
+  void for_each_node(const TurnChoice& choice, Visit&& visit) const {
+    turns_.for_each_of(choice, [&](std::uint32_t turn) { visit(heights_[turn]); });
+  }
+
   IndexReader reader_;  // holds what the spans show
   Turns turns_;
   std::span<const std::uint32_t> heights_;  // by turn
   std::vector<Cell> cells_;                 // by height
   HierarchySearch search_;
-  std::vector<HierarchyEnd> starts_;
-  std::vector<HierarchyEnd> goals_;
+  Ends starts_;
+  Ends goals_;
   std::vector<std::uint32_t> nodes_;
   LegPath path_;
   SearchMetrics metrics_;

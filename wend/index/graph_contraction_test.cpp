@@ -28,23 +28,51 @@ ContractedGraph contracted(const RandomGraph& graph, const ContractionEffort& ef
   return *std::move(result);
 }
 
-struct NoEstimates {
+/// Single nodes, or some with their costs, and no estimates.
+struct PlainQuery {
+  std::vector<std::uint32_t> starts;
+  std::vector<std::uint32_t> goals;
+
   HierarchyCost to_start(std::uint32_t /*node*/) const { return 0; }
   HierarchyCost to_goal(std::uint32_t /*node*/) const { return 0; }
+  template <class Visit>
+  void for_each_start(std::uint32_t i, Visit&& visit) const {
+    visit(starts[i]);
+  }
+  template <class Visit>
+  void for_each_goal(std::uint32_t i, Visit&& visit) const {
+    visit(goals[i]);
+  }
 };
 
 /// Two thirds of the true distances from one node and to another, which is as consistent as they.
-struct GoodEstimates {
-  std::vector<std::vector<std::uint64_t>> distances;  // by height
+struct GuidedQuery {
+  const std::vector<std::vector<std::uint64_t>>& distances;  // by height
   std::uint32_t start;
   std::uint32_t goal;
 
   static HierarchyCost part_of(std::uint64_t distance) {
-    return static_cast<HierarchyCost>(distance == kNoWay ? kNoWay / 2 : distance * 2 / 3);
+    return static_cast<HierarchyCost>(distance * 2 / 3);
   }
   HierarchyCost to_start(std::uint32_t node) const { return part_of(distances[start][node]); }
   HierarchyCost to_goal(std::uint32_t node) const { return part_of(distances[node][goal]); }
+  template <class Visit>
+  void for_each_start(std::uint32_t /*i*/, Visit&& visit) const {
+    visit(start);
+  }
+  template <class Visit>
+  void for_each_goal(std::uint32_t /*i*/, Visit&& visit) const {
+    visit(goal);
+  }
 };
+
+/// Where arcs are dear, so that a search has few buckets.
+unsigned unordered_bits(const RandomGraph& graph, std::uint64_t seed) {
+  constexpr HierarchyCost kCheap = 100;
+  const bool dear = std::any_of(graph.arcs.begin(), graph.arcs.end(),
+                                [](const GraphArc& arc) { return arc.cost > kCheap; });
+  return dear ? 15 : static_cast<unsigned>(seed % 3);
+}
 
 /// The distances with nodes numbered by height.
 std::vector<std::vector<std::uint64_t>> by_height(const RandomGraph& graph,
@@ -78,24 +106,24 @@ TEST(GraphContraction, KeepsEveryShortestPath) {
       const ContractedGraph result = contracted(graph, effort);
       const auto distances = graph.distances();
       const auto& heights = result.heights;
-      HierarchySearch search(result.hierarchy());
-      GoodEstimates good{by_height(graph, heights), 0, 0};
+      HierarchySearch search(result.hierarchy(), unordered_bits(graph, seed));
+      auto guiding = by_height(graph, heights);
+      for (auto& row : guiding) std::replace(row.begin(), row.end(), kNoWay, graph.total_cost());
       for (std::uint32_t start = 0; start < graph.nodes; ++start) {
         for (std::uint32_t goal = 0; goal < graph.nodes; ++goal) {
-          const HierarchyEnd from{heights[start], 0};
-          const HierarchyEnd to{heights[goal], 0};
+          constexpr HierarchyEnd kEnd{0, 0};
+          constexpr HierarchyCost kNoBound = HierarchySearch::kNoCost;
           const auto distance = static_cast<HierarchyCost>(distances[start][goal]);
-          good.start = from.node;
-          good.goal = to.node;
-          ASSERT_EQ(search.find({&from, 1}, {&to, 1}, HierarchySearch::kNoCost, NoEstimates()),
-                    distance);
-          ASSERT_EQ(search.find({&from, 1}, {&to, 1}, HierarchySearch::kNoCost, good), distance);
+          const PlainQuery plain{{heights[start]}, {heights[goal]}};
+          const GuidedQuery guided{guiding, heights[start], heights[goal]};
+          ASSERT_EQ(search.find({&kEnd, 1}, {&kEnd, 1}, kNoBound, plain), distance);
+          ASSERT_EQ(search.find({&kEnd, 1}, {&kEnd, 1}, kNoBound, guided), distance);
           if (distance == kNoWay) continue;
           const auto path = path_of(search, heights);
           ASSERT_EQ(path.front(), start);
           ASSERT_EQ(path.back(), goal);
           ASSERT_EQ(graph.cost_of(path), distance);
-          ASSERT_EQ(search.find({&from, 1}, {&to, 1}, distance, good), distance) << "the bound";
+          ASSERT_EQ(search.find({&kEnd, 1}, {&kEnd, 1}, distance, guided), distance) << "the bound";
         }
       }
     }
@@ -108,26 +136,28 @@ TEST(GraphContraction, FindsTheBestOfManyStartsAndGoals) {
     const RandomGraph graph(seed);
     const ContractedGraph result = contracted(graph, seed % 2 == 0 ? kInPart : kSmall);
     const auto distances = by_height(graph, result.heights);
-    HierarchySearch search(result.hierarchy());
+    HierarchySearch search(result.hierarchy(), unordered_bits(graph, seed));
     Random random(seed);
     for (int i = 0; i < 20; ++i) {
-      const auto ends = [&] {
-        std::vector<HierarchyEnd> some(random.below(4));
-        for (HierarchyEnd& end : some) {
-          end = {static_cast<std::uint32_t>(random.below(graph.nodes)),
-                 static_cast<HierarchyCost>(random.below(6))};
+      const auto some_ends = [&](std::vector<std::uint32_t>& nodes) {
+        std::vector<HierarchyEnd> ends(random.below(4));
+        for (HierarchyEnd& end : ends) {
+          nodes.push_back(static_cast<std::uint32_t>(random.below(graph.nodes)));
+          end.cost = end.key = static_cast<HierarchyCost>(random.below(6));
         }
-        return some;
+        return ends;
       };
-      const auto starts = ends();
-      const auto goals = ends();
+      PlainQuery query;
+      const auto starts = some_ends(query.starts);
+      const auto goals = some_ends(query.goals);
       std::uint64_t least = kNoWay;
-      for (const auto& start : starts) {
-        for (const auto& goal : goals) {
-          least = std::min(least, start.cost + distances[start.node][goal.node] + goal.cost);
+      for (std::size_t a = 0; a < starts.size(); ++a) {
+        for (std::size_t b = 0; b < goals.size(); ++b) {
+          least = std::min(
+              least, starts[a].cost + goals[b].cost + distances[query.starts[a]][query.goals[b]]);
         }
       }
-      ASSERT_EQ(search.find(starts, goals, HierarchySearch::kNoCost, NoEstimates()), least);
+      ASSERT_EQ(search.find(starts, goals, HierarchySearch::kNoCost, query), least);
       ASSERT_GE(search.metrics().generated, search.metrics().expanded);
     }
   }
@@ -198,13 +228,13 @@ TEST(ContractionHierarchy, OfRandomNumbersIsRefusedOrHarmless) {
       ++refused;
       continue;
     }
-    HierarchySearch search(result.hierarchy());
+    HierarchySearch search(result.hierarchy(), 15);
     for (std::uint32_t start = 0; start < graph.nodes; ++start) {
-      const HierarchyEnd from{start, 0};
-      const HierarchyEnd to{static_cast<std::uint32_t>(random.below(graph.nodes)), 0};
+      constexpr HierarchyEnd kEnd{0, 0};
       constexpr HierarchyCost kBound = HierarchySearch::kNoCost;
+      const PlainQuery query{{start}, {static_cast<std::uint32_t>(random.below(graph.nodes))}};
       std::vector<std::uint32_t> nodes;
-      if (search.find({&from, 1}, {&to, 1}, kBound, NoEstimates()) < kBound) {
+      if (search.find({&kEnd, 1}, {&kEnd, 1}, kBound, query) < kBound) {
         search.append_nodes(nodes);
       }
       for (const std::uint32_t node : nodes) ASSERT_LT(node, graph.nodes);

@@ -5,8 +5,6 @@ namespace wend {
 void HierarchySearch::forget() {
   for (const std::uint32_t node : touched_) labels_[node] = {};
   touched_.clear();
-  queues_[forward].clear();
-  queues_[backward].clear();
   meeting_ = kNoNode;
   metrics_ = {};
 }

@@ -31,7 +31,9 @@ class Spread {
 
   /// What the farthest turn costs.
   std::uint64_t from(Cell cell) {
-    turns_.for_each_first(cell, [&](std::uint32_t turn, CornerCost cost) { reach(turn, cost); });
+    turns_.for_each_first(cell, [&](const TurnChoice& choice, CornerCost cost) {
+      turns_.for_each_of(choice, [&](std::uint32_t turn) { reach(turn, cost); });
+    });
     std::uint64_t farthest = 0;
     while (!queue_.empty()) {
       const Entry least = min_heap::pop(queue_);

@@ -33,6 +33,13 @@ struct RandomGraph {
     }
   }
 
+  /// Of all arcs: no shortest path costs more.
+  std::uint64_t total_cost() const {
+    std::uint64_t total = 0;
+    for (const GraphArc& arc : arcs) total += arc.cost;
+    return total;
+  }
+
   /// Between all pairs, by Floyd and Warshall.
   std::vector<std::vector<std::uint64_t>> distances() const {
     std::vector<std::vector<std::uint64_t>> costs(nodes, std::vector(nodes, kNoWay));

@@ -70,6 +70,12 @@ constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
 /// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
 constexpr unsigned turning_straights(unsigned sides) { return (sides | sides >> 1U) & 0x55U; }
 
+/// The turns at a cell that turn to one of these sides: a subset of turn_sides().
+struct TurnChoice {
+  Cell cell;
+  unsigned sides = 0;
+};
+
 class Turns {
  public:
   /// O(cells).
@@ -82,7 +88,11 @@ class Turns {
   /// Is the way free that goes diagonally first?
   bool sees(Cell from, Cell to) const { return boards_.in_sight(from, to); }
 
-  /// visit(turn, cost) of each turn that a path from a passable cell may come to first.
+  /// visit(turn) of each turn of a choice: there may be none.
+  template <class Visit>
+  void for_each_of(const TurnChoice& choice, Visit&& visit) const;
+
+  /// visit(choice, cost) of the turns that a path from a passable cell may come to first.
   template <class Visit>
   void for_each_first(Cell from, Visit&& visit) const;
 
@@ -90,7 +100,7 @@ class Turns {
   template <class Visit>
   void for_each_next(std::uint32_t turn, Visit&& visit) const;
 
-  /// visit(turn, cost) of each turn that a path to a passable cell may come to last.
+  /// visit(choice, cost) of the turns that a path to a passable cell may come to last.
   template <class Visit>
   void for_each_last(Cell to, Visit&& visit) const;
 
@@ -104,6 +114,9 @@ class Turns {
     return 1U << static_cast<unsigned>(straight);
   }
   static constexpr unsigned right_side(Direction straight) { return left_side(straight) << 1U; }
+  static constexpr unsigned both_sides(Direction straight) {
+    return left_side(straight) | right_side(straight);
+  }
 
   /// Calls `visit` with std::integral_constant<Direction> for each straight direction.
   template <class Visit>
@@ -144,7 +157,8 @@ void Turns::visit_ray(Cell from, CornerCost cost, Visit&& visit) const {
   if ((boards_.moves(from) & set_of(kStraight)) == 0) return;
   const int steps = boards_.distance_to_stop<kStraight>(from);
   const Cell end = moved(from, kStraight, steps);
-  visit(number(end, sides(end), kStraight), cost + static_cast<CornerCost>(steps) * kStraightCost);
+  visit(TurnChoice{end, both_sides(kStraight)},
+        cost + static_cast<CornerCost>(steps) * kStraightCost);
 }
 
 template <Direction kDiagonal, class Visit>
@@ -160,6 +174,15 @@ void Turns::visit_diagonal(Cell from, Visit&& visit) const {
 }
 
 template <class Visit>
+void Turns::for_each_of(const TurnChoice& choice, Visit&& visit) const {
+  const unsigned turning = sides(choice.cell);
+  unsigned straights = turning_straights(turning & choice.sides);
+  for (; straights != 0; straights &= straights - 1) {
+    visit(number(choice.cell, turning, static_cast<Direction>(std::countr_zero(straights))));
+  }
+}
+
+template <class Visit>
 void Turns::for_each_first(Cell from, Visit&& visit) const {
   for_each_straight([&](auto straight) {
     visit_ray<straight.value>(from, 0, visit);
@@ -171,17 +194,20 @@ template <class Visit>
 void Turns::for_each_next(std::uint32_t turn, Visit&& visit) const {
   const Cell from = cells_[turn];
   const unsigned turning = sides(from);
+  const auto visit_choice = [&](const TurnChoice& choice, CornerCost cost) {
+    for_each_of(choice, [&](std::uint32_t next) { visit(next, cost); });
+  };
   for_each_straight([&](auto straight) {
     constexpr Direction kStraight = straight.value;
     if (straights_[turn] != kStraight) return;
-    visit_ray<kStraight>(from, 0, visit);
+    visit_ray<kStraight>(from, 0, visit_choice);
     if ((turning & left_side(kStraight)) != 0) {
-      visit_ray<left_of(kStraight)>(from, 0, visit);
-      visit_diagonal<turned(kStraight, 1)>(from, visit);
+      visit_ray<left_of(kStraight)>(from, 0, visit_choice);
+      visit_diagonal<turned(kStraight, 1)>(from, visit_choice);
     }
     if ((turning & right_side(kStraight)) != 0) {
-      visit_ray<right_of(kStraight)>(from, 0, visit);
-      visit_diagonal<turned(kStraight, -1)>(from, visit);
+      visit_ray<right_of(kStraight)>(from, 0, visit_choice);
+      visit_diagonal<turned(kStraight, -1)>(from, visit_choice);
     }
   });
 }
@@ -190,38 +216,34 @@ void Turns::for_each_next(std::uint32_t turn, Visit&& visit) const {
 template <Direction kDiagonal, class Visit>
 void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) const {
   constexpr Direction kBack = opposite(kDiagonal);
-  constexpr Direction kRight = turned(kDiagonal, -1);
-  constexpr Direction kLeft = turned(kDiagonal, 1);
+  constexpr unsigned kSides = left_side(turned(kDiagonal, -1)) | right_side(turned(kDiagonal, 1));
   while ((boards_.moves(from) & set_of(kBack)) != 0) {
     const int steps = arrivals_.distance_back_on_diagonal<kDiagonal>(from);
     from = moved(from, kBack, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
-    const unsigned turning = sides(from);
-    if ((turning & left_side(kRight)) != 0) visit(number(from, turning, kRight), cost);
-    if ((turning & right_side(kLeft)) != 0) visit(number(from, turning, kLeft), cost);
+    const bool last = (boards_.moves(from) & set_of(kBack)) == 0;
+    if (!last || (sides(from) & kSides) != 0) visit(TurnChoice{from, kSides}, cost);
   }
 }
 
 /// The turns from which one comes here by straight steps last, or by such steps alone.
 template <Direction kStraight, class Visit>
 void Turns::visit_back(Cell from, Visit&& visit) const {
-  constexpr Direction kRight = right_of(kStraight);
-  constexpr Direction kLeft = left_of(kStraight);
+  constexpr unsigned kSides = right_side(left_of(kStraight)) | left_side(right_of(kStraight));
   unsigned turning = sides(from);
   CornerCost cost = 0;
   // What comes from before a turn of this direction comes through that turn.
-  while ((turning & (left_side(kStraight) | right_side(kStraight))) == 0) {
+  while ((turning & both_sides(kStraight)) == 0) {
     const int steps = arrivals_.distance_back<kStraight>(from);
     from = moved(from, opposite(kStraight), steps);
     if (!boards_.passable(from)) return;
     cost += static_cast<CornerCost>(steps) * kStraightCost;
     turning = sides(from);
-    if ((turning & right_side(kLeft)) != 0) visit(number(from, turning, kLeft), cost);
-    if ((turning & left_side(kRight)) != 0) visit(number(from, turning, kRight), cost);
+    if ((turning & kSides) != 0) visit(TurnChoice{from, kSides}, cost);
     visit_back_on_diagonal<turned(kStraight, 1)>(from, cost, visit);
     visit_back_on_diagonal<turned(kStraight, -1)>(from, cost, visit);
   }
-  visit(number(from, turning, kStraight), cost);
+  visit(TurnChoice{from, both_sides(kStraight)}, cost);
 }
 
 template <class Visit>

@@ -30,7 +30,9 @@ std::vector<std::uint64_t> costs_of_turns(const Turns& turns, Cell from) {
     costs[turn] = cost;
     changed = true;
   };
-  turns.for_each_first(from, reach);
+  turns.for_each_first(from, [&](const TurnChoice& choice, std::uint64_t cost) {
+    turns.for_each_of(choice, [&](std::uint32_t turn) { reach(turn, cost); });
+  });
   while (changed) {
     changed = false;
     for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
@@ -56,8 +58,10 @@ TEST(Turns, LeadByAShortestPathFromEveryCellToEveryOther) {
       for (const Cell to : passable_cells(bits)) {
         std::uint64_t least = kUnreached;
         if (turns.sees(from, to)) least = octile_cost(from, to);
-        turns.for_each_last(to, [&](std::uint32_t turn, std::uint64_t cost) {
-          if (costs[turn] != kUnreached) least = std::min(least, costs[turn] + cost);
+        turns.for_each_last(to, [&](const TurnChoice& choice, std::uint64_t cost) {
+          turns.for_each_of(choice, [&](std::uint32_t turn) {
+            if (costs[turn] != kUnreached) least = std::min(least, costs[turn] + cost);
+          });
         });
         ASSERT_EQ(least, distances[to]) << from.x << ',' << from.y << " to " << to.x << ',' << to.y;
       }
@@ -97,9 +101,9 @@ TEST(Turns, AreJoinedByLegsThatAreFree) {
     }
     for (const Cell cell : passable_cells(bits)) {
       turns.for_each_first(
-          cell, [&](std::uint32_t turn, CornerCost cost) { check(cell, turns.cell(turn), cost); });
+          cell, [&](const TurnChoice& choice, CornerCost cost) { check(cell, choice.cell, cost); });
       turns.for_each_last(
-          cell, [&](std::uint32_t turn, CornerCost cost) { check(turns.cell(turn), cell, cost); });
+          cell, [&](const TurnChoice& choice, CornerCost cost) { check(choice.cell, cell, cost); });
     }
   });
 }

@@ -27,8 +27,8 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/base/state_id.hpp"
-#include "wend/planner/jump_queue.hpp"
 #include "wend/search/forward_search.hpp"
+#include "wend/search/jump_queue.hpp"
 #include "wend/search/search_metrics.hpp"
 #include "wend/space/dead_ends.hpp"
 #include "wend/space/jump_boards.hpp"
