@@ -8,9 +8,6 @@
 //
 // All these edges are needed: without those that do not turn tightly around their corners, or with
 // the first of several in a row only, some shortest paths are lost.
-//
-//   const wend::CornerGraph graph{wend::Corners(passable)};
-//   for (const wend::CornerEdge edge : graph.edges(corner)) relax(edge.to, edge.cost);
 
 #include <cstddef>
 #include <cstdint>

@@ -17,6 +17,12 @@ std::uint32_t corner_of(const Record& record, std::uint32_t i) {
   return corner;
 }
 
+/// Asks for what lies there, if it lies there.
+template <class T>
+void prefetch(std::span<const T> array, std::size_t place) {
+  if (place < array.size()) __builtin_prefetch(array.data() + place);
+}
+
 /// Calls visit(i, cost) for the hubs of a record, with the costs from one of its cells.
 template <class Record, class Visit>
 void for_costs(const Record& record, Cell cell, Visit&& visit) {
@@ -46,7 +52,7 @@ OctileSteps HubEngine<Hub>::find(Cell start, Cell goal) {
   const Record to = record_of(goal);
   metrics_ = {1, 1, 1};
   if (sight_.sees(start, goal)) {
-    way_ = {octile_cost(start, goal), goal, goal, {}, 0};
+    way_ = {octile_cost(start, goal), goal, goal, {}, octile_cost(start, goal)};
   } else if (sight_.sees(goal, start)) {
     way_ = {octile_cost(start, goal), start, start, {}, 0};
   } else {
@@ -104,24 +110,30 @@ void HubEngine<Hub>::improve_by_sight(const Record& seen, Cell own, Cell other, 
   for (std::uint32_t i = 0; i < seen.corner_count(); ++i) {
     const Cell corner = seen.cell(i);
     const CornerCost cost = octile_cost(own, corner) + octile_cost(corner, other);
-    if (cost < way.cost && sight_.sees(other, corner)) way = {cost, corner, corner, {}, 0};
+    if (cost < way.cost && sight_.sees(other, corner)) {
+      way = {cost, corner, corner, {}, octile_cost(start_, corner)};
+    }
   }
 }
 
 template <class Hub>
 void HubEngine<Hub>::write(std::span<Cell> cells) {
+  // Both are looked up before anything is written, so that one does not wait for the other.
+  const std::uint32_t up = way_.hub ? place_of(way_.first, *way_.hub) : run_word::kHub;
+  const std::uint32_t down = way_.hub ? place_of(way_.last, *way_.hub) : run_word::kHub;
+  prefetch(sections_.runs, up);
+  prefetch(sections_.runs, down);
   cells.front() = start_;
   const std::size_t steps = cells.size() - 1;
   RunWriter<1> upwards(cells.data() + 1, steps, start_);
   upwards.go_to(way_.first);
-  if (way_.hub) follow(place_of(way_.first, *way_.hub), upwards);
-  // What has no room any more upwards is not to be written over from above.
-  const std::size_t met = way_.hub ? octile_steps_of(way_.cost_to_hub).cells() - 1
-                                   : octile_steps_of(octile_cost(start_, way_.first)).cells() - 1;
+  follow(up, upwards);
   cells.back() = goal_;  // upwards was written beyond
+  // What has no room any more upwards is not to be written over from above.
+  const std::size_t met = octile_steps_of(way_.cost_to_middle).cells() - 1;
   RunWriter<-1> downwards(&cells.back() - 1, steps - std::min(met, steps), goal_);
   downwards.go_to(way_.last);
-  if (way_.hub) follow(place_of(way_.last, *way_.hub), downwards);
+  follow(down, downwards);
 }
 
 template <class Hub>

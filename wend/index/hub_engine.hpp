@@ -40,7 +40,7 @@ class HubEngine final : public IndexEngine {
     Cell first;
     Cell last;
     std::optional<Hub> hub;
-    CornerCost cost_to_hub = 0;  // from the start
+    CornerCost cost_to_middle = 0;  // from the start to the hub, or to that cell
   };
 
   std::size_t number_of(Cell cell) const {

@@ -28,17 +28,12 @@ class RunWriter {
 
   /// No more steps than there is room for.
   void run(Direction direction, std::size_t steps) {
-    const std::int64_t step = kSteps[static_cast<std::size_t>(direction)];
-    steps = std::min(steps, room_);
-    while (room_ >= kAtOnce) {
-      for (std::size_t i = 0; i < kAtOnce; ++i) store(i, step);
-      const std::size_t taken = std::min(steps, kAtOnce);
-      advance(taken, step);
-      steps -= taken;
-      if (steps == 0) return;
+    if (steps <= kAtOnce && room_ >= kAtOnce) [[likely]] {
+      store_all(direction);
+      advance(steps, direction);
+    } else {
+      run_far(direction, std::min(steps, room_));
     }
-    for (std::size_t i = 0; i < steps; ++i) store(i, step);
-    advance(steps, step);
   }
 
   /// Diagonally first, then straight.
@@ -72,21 +67,58 @@ class RunWriter {
   static constexpr Cell unpacked(std::int64_t cell) {
     return {static_cast<int>(cell & 0xFFFFFFFF), static_cast<int>(cell >> 32U)};
   }
+
   static constexpr auto kSteps = [] {
     std::array<std::int64_t, kDirections> steps{};
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = packed(kDrawnSteps[i]);
     return steps;
   }();
 
-  void store(std::size_t i, std::int64_t step) {
-    const std::int64_t cell = at_ + static_cast<std::int64_t>(i + 1) * step;
-    void* const place = next_ + kWay * static_cast<std::ptrdiff_t>(i);
-    std::memcpy(place, &cell, sizeof cell);
+  // Two cells as they lie in memory.
+  using Pair [[gnu::vector_size(2 * sizeof(std::int64_t))]] = std::int64_t;
+  static constexpr std::size_t kPairs = kAtOnce / 2;
+
+  /// How far the cells of a run are from the cell before it.
+  static constexpr auto kOffsets = [] {
+    std::array<std::array<Pair, kPairs>, kDirections> table{};
+    for (std::size_t direction = 0; direction < table.size(); ++direction) {
+      for (std::size_t i = 0; i < kPairs; ++i) {
+        const auto near = static_cast<std::int64_t>(2 * i + 1) * kSteps[direction];
+        const std::int64_t far = near + kSteps[direction];
+        table[direction][i] = kWay > 0 ? Pair{near, far} : Pair{far, near};
+      }
+    }
+    return table;
+  }();
+
+  void run_far(Direction direction, std::size_t steps) {
+    for (; steps >= kAtOnce; steps -= kAtOnce) {
+      store_all(direction);
+      advance(kAtOnce, direction);
+    }
+    for (; steps > 0; --steps) {
+      const std::int64_t cell = at_ + kSteps[static_cast<std::size_t>(direction)];
+      store(next_, cell);
+      advance(1, direction);
+    }
   }
-  void advance(std::size_t steps, std::int64_t step) {
+
+  void store_all(Direction direction) {
+    const auto& offsets = kOffsets[static_cast<std::size_t>(direction)];
+    const Pair at{at_, at_};
+    for (std::size_t i = 0; i < kPairs; ++i) {
+      constexpr std::ptrdiff_t kFirst = kWay > 0 ? 0 : -1;
+      store(next_ + kFirst + kWay * static_cast<std::ptrdiff_t>(2 * i), at + offsets[i]);
+    }
+  }
+  template <class Cells>
+  static void store(void* place, const Cells& cells) {
+    std::memcpy(place, &cells, sizeof cells);
+  }
+  void advance(std::size_t steps, Direction direction) {
     next_ += kWay * static_cast<std::ptrdiff_t>(steps);
     room_ -= steps;
-    at_ += static_cast<std::int64_t>(steps) * step;
+    at_ += static_cast<std::int64_t>(steps) * kSteps[static_cast<std::size_t>(direction)];
   }
 
   Cell* next_;
