@@ -6,7 +6,7 @@
 #include <memory>
 #include <numeric>
 
-#include "bench/boost_astar.hpp"
+#include "bench/boost/boost_astar.hpp"
 #include "bench/measuring.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/io/scenario.hpp"

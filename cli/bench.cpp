@@ -13,8 +13,12 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "gnuplot.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "output_files.hpp"
+#include "picture.hpp"
+#include "wend/report/bench_plot.hpp"
 #include "wend/report/bench_rows.hpp"
 
 namespace wend::cli {
@@ -30,6 +34,8 @@ struct BenchArguments {
   std::uint64_t passes = 1;
   std::uint64_t sample = 0;
   bool check = false;
+  std::string plot;
+  StyleName style = StyleName::light;
   TableFormat format = TableFormat::text;
 };
 
@@ -41,7 +47,7 @@ constexpr const char* kExamples = R"(Examples:
   wend bench arena.map.scen den520d.map.scen --planner astar,dijkstra
   wend bench FOLDER --planner astar,astar:weight=0 --passes 5 --threads 2
   wend bench arena.map.scen --planner astar:weight=2 --format json
-  wend bench FOLDER --planner astar,dijkstra --database results.db
+  wend bench FOLDER --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
 
 Always 8 neighbours without corner cutting. The map of X.map.scen is X.map, of other
@@ -51,6 +57,11 @@ that is not valid cell by cell. Of several passes the fastest of every query cou
 spread is by how much the slowest pass was slower than the fastest. A run with --database that
 was interrupted goes on where it was when it is started again; Planner Arena opens the file.
 Exit codes: 0 all right, 1 something is wrong, 2 bad usage or input.)";
+
+struct BenchResults {
+  std::vector<BenchRow> rows{};
+  std::vector<BenchedMap> maps{};
+};
 
 std::string text_of(const std::vector<BenchRow>& rows, TableFormat format) {
   switch (format) {
@@ -67,6 +78,15 @@ std::string text_of(const std::vector<BenchRow>& rows, TableFormat format) {
 void check(const BenchArguments& arguments) {
   check_range("--threads", arguments.threads, 1, kMostThreads);
   check_range("--passes", arguments.passes, 1, kMostPasses);
+  if (arguments.plot.empty()) return;
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 /// Every index that was given is to be used.
@@ -87,7 +107,7 @@ void check_used(const std::vector<GivenIndex>& indexes, const std::vector<Contes
   }
 }
 
-std::vector<BenchRow> run_races(const BenchArguments& arguments, BenchStore& store) {
+BenchResults run_races(const BenchArguments& arguments, BenchStore& store) {
   const std::vector<Contestant> contestants = parse_contestants(arguments.planners);
   const std::vector<GivenIndex> indexes = open_indexes(arguments.indexes);
   const std::vector<Course> courses =
@@ -97,26 +117,35 @@ std::vector<BenchRow> run_races(const BenchArguments& arguments, BenchStore& sto
   for (const Course& course : courses) queries += course.scenario.queries.size();
   const std::uint64_t answers = queries * contestants.size() * arguments.passes;
   BenchProgress progress{{"queries", answers}};
-  std::vector<BenchRow> rows;
+  BenchResults results;
   for (const Course& course : courses) {
     BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads), store);
     race.run(arguments.passes, indexes, progress);
-    const std::vector<BenchRow> of_course = race.rows();
-    rows.insert(rows.end(), of_course.begin(), of_course.end());
+    append(results.rows, race.rows());
+    if (!arguments.plot.empty()) append(results.maps, race.benched());
   }
   if (progress.known > 0) {
     complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
                          progress.known, answers));
   }
-  return rows;
+  return results;
+}
+
+void write_plot(const BenchArguments& arguments, const std::vector<BenchedMap>& maps) {
+  const std::string script =
+      bench_plot(maps, plot_kind_of(arguments.plot), plot_colours_of(arguments.style));
+  const std::string wrong = write_bytes(arguments.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
 }
 
 int run(const BenchArguments& arguments) {
   check(arguments);
   try {
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
-    const std::vector<BenchRow> rows = run_races(arguments, store);
+    const BenchResults results = run_races(arguments, store);
+    const std::vector<BenchRow>& rows = results.rows;
     print(text_of(rows, arguments.format));
+    if (!arguments.plot.empty()) write_plot(arguments, results.maps);
     const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
     return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
   } catch (const Cancelled&) {
@@ -162,6 +191,12 @@ Command add_bench(CLI::App& app) {
   bench.add_flag("--check", arguments->check,
                  wrapped("Check every path cell by cell: always done, whether asked for or not"));
   add_table_format(bench, arguments->format);
+  bench
+      .add_option("--plot", arguments->plot,
+                  wrapped("Time against length, distributions and, of several maps, time against "
+                          "size, as .png, .svg or .pdf; needs gnuplot"))
+      ->type_name(kFileType);
+  add_style(bench, arguments->style, "Colours of the plot (default light)");
   bench.footer(kExamples);
   return {&bench, [arguments] { return run(*arguments); }};
 }

@@ -8,15 +8,30 @@
 #include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "limit_arguments.hpp"
-#include "planner_argument.hpp"
 #include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/planners.hpp"
+
+#ifdef WEND_HAS_BOOST_ASTAR
+#include "bench/boost/boost_planner.hpp"
+#endif
 
 namespace wend::cli {
 namespace {
 
+const Registry<PlannerInfo>& entrants() {
+  static const Registry<PlannerInfo> registry([] {
+    std::vector<PlannerInfo> all(planners().begin(), planners().end());
+#ifdef WEND_HAS_BOOST_ASTAR
+    all.push_back(bench::boost_astar_planner());
+#endif
+    return all;
+  }());
+  return registry;
+}
+
 /// Scenarios say how to move; lengths of other moves would all be wrong.
-void refuse_moves(const PlannerSpec& spec) {
-  if (info_of(spec).motion != Motion::cells) {
+void refuse_moves(const PlannerSpec& spec, const PlannerInfo& info) {
+  if (info.motion != Motion::cells) {
     throw InputError(fmt::format(
         "{}: scenarios are for planners that move from cell to cell, and this one drives a car",
         spec.text));
@@ -43,7 +58,8 @@ bool is_for(const GivenIndex& index, const FreeSpace& space) {
   return index.header.map_hash == map_hash(drawn_passable(space));
 }
 
-Contestant::Contestant(PlannerSpec spec) : spec_(std::move(spec)), info_(info_of(spec_)) {}
+Contestant::Contestant(PlannerSpec spec, const PlannerInfo& info)
+    : spec_(std::move(spec)), info_(info) {}
 
 bool Contestant::takes(const GivenIndex& index) const {
   return info_.make_on_index && index.header.planner_name() == info_.name;
@@ -76,10 +92,13 @@ std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space,
 }
 
 std::vector<Contestant> parse_contestants(const std::string& list) {
+  auto specs = parse_option_specs(list, "planner", entrants());
+  if (!specs) throw InputError(specs.error());
   std::vector<Contestant> contestants;
-  for (PlannerSpec& spec : parse_planners(list)) {
-    refuse_moves(spec);
-    contestants.emplace_back(std::move(spec));
+  for (PlannerSpec& spec : *specs) {
+    const PlannerInfo& info = *entrants().find(spec.name);
+    refuse_moves(spec, info);
+    contestants.emplace_back(std::move(spec), info);
   }
   return contestants;
 }

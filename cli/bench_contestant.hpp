@@ -29,7 +29,8 @@ struct Preparation {
 
 class Contestant {
  public:
-  explicit Contestant(PlannerSpec spec);
+  /// `info` must outlive this.
+  Contestant(PlannerSpec spec, const PlannerInfo& info);
 
   /// As it was typed: "astar:weight=2".
   const std::string& name() const { return spec_.text; }
@@ -54,7 +55,7 @@ class Contestant {
   const PlannerInfo& info_;
 };
 
-/// Those of a --planner list. Throws InputError for one that is not there, and for one that does not
+/// Those of a --planner list: our planners and, where the build found Boost.Graph, "boost-astar". Throws InputError for one that is not there, and for one that does not
 /// move as scenarios ask for: on 8 neighbours, without corner cutting.
 std::vector<Contestant> parse_contestants(const std::string& list);
 

@@ -71,6 +71,15 @@ std::vector<BenchRow> BenchRace::rows() const {
   return rows;
 }
 
+std::vector<BenchedMap> BenchRace::benched() const {
+  std::vector<BenchedMap> maps;
+  maps.reserve(runners_.size());
+  for (const Runner& runner : runners_) {
+    maps.push_back({runner.contestant.name(), space_.passable().count(), runner.answers});
+  }
+  return maps;
+}
+
 void BenchRace::make_lanes(Runner& runner, const std::vector<GivenIndex>& indexes) {
   const auto complain = [this, &runner](const ScenarioQuery& query, const std::string& wrong) {
     complain_of(runner, query, wrong);

@@ -15,6 +15,7 @@
 #include "progress_bar.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/parallel/thread_workers.hpp"
+#include "wend/report/bench_plot.hpp"
 #include "wend/report/bench_rows.hpp"
 
 namespace wend::cli {
@@ -39,6 +40,9 @@ class BenchRace {
 
   /// What came of it, a row a contestant.
   std::vector<BenchRow> rows() const;
+
+  /// The same with every answer, for plots.
+  std::vector<BenchedMap> benched() const;
 
  private:
   struct Runner {

@@ -128,6 +128,37 @@ TEST_F(BenchCommand, ComplainsOfAFewAndCountsThemAll) {
   EXPECT_EQ(rows({scenario(queries)}).at(0).at("wrong"), 9);
 }
 
+TEST_F(BenchCommand, RunsBoostBesideOurs) {
+  const std::string file =
+      scenario(std::string(kRight) + "0 ok.map 5 4 1 1 4 0 0\n0 ok.map 5 4 2 2 2 2 0\n");
+  if (wend({"bench", file, "--planner", "boost-astar"}).code == 2) {
+    GTEST_SKIP() << "the build found no Boost.Graph";
+  }
+  const json found = rows({file, "--planner", "boost-astar,astar", "--threads", "2"});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found.at(0).at("planner"), "boost-astar");
+  for (const json& row : found) {
+    EXPECT_EQ(row.at("queries"), 4);
+    EXPECT_EQ(row.at("solved"), 3);
+    EXPECT_EQ(row.at("wrong"), 0);
+  }
+  EXPECT_THAT(wend({"bench", file, "--planner", "boost-astar:weight=2"}).err,
+              HasSubstr("it has no options"));
+}
+
+TEST_F(BenchCommand, Plots) {
+  const std::string file = scenario(kRight);
+  const std::string plot = folder_ / "plot.svg";
+  EXPECT_THAT(wend({"bench", file, "--plot", folder_ / "plot.txt"}).err,
+              HasSubstr("the name must end in .png, .svg or .pdf"));
+  const Outcome outcome = wend({"bench", file, "--planner", "astar,bfs", "--plot", plot});
+  if (outcome.code == 2 && outcome.err.find("gnuplot-nox") != std::string::npos) {
+    GTEST_SKIP() << "gnuplot is missing";
+  }
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(bytes_of(plot), HasSubstr("queries solved"));
+}
+
 TEST_F(BenchCommand, FindsTheMapOrSaysThatItCannot) {
   EXPECT_EQ(wend({"bench", scenario(kRight)}).code, 0);
   EXPECT_EQ(wend({"bench", scenario(kRight, "any.scen")}).code, 0);

@@ -16,6 +16,10 @@ class BoostAStar {
  public:
   explicit BoostAStar(const FreeSpace& space);
   ~BoostAStar();
+  BoostAStar(const BoostAStar&) = delete;
+  BoostAStar& operator=(const BoostAStar&) = delete;
+  BoostAStar(BoostAStar&&) noexcept;
+  BoostAStar& operator=(BoostAStar&&) noexcept;
 
   struct Answer {
     double cost;  // infinite if there is no path

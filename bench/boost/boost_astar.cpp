@@ -1,4 +1,4 @@
-#include "bench/boost_astar.hpp"
+#include "bench/boost/boost_astar.hpp"
 
 #include <algorithm>
 #include <boost/graph/astar_search.hpp>
@@ -107,6 +107,8 @@ struct BoostAStar::Search {
 
 BoostAStar::BoostAStar(const FreeSpace& space) : search_(std::make_unique<Search>(space)) {}
 BoostAStar::~BoostAStar() = default;
+BoostAStar::BoostAStar(BoostAStar&&) noexcept = default;
+BoostAStar& BoostAStar::operator=(BoostAStar&&) noexcept = default;
 
 BoostAStar::Answer BoostAStar::plan(Cell start, Cell goal, Path& path) {
   Search& search = *search_;

@@ -1,0 +1,71 @@
+#include "bench/boost/boost_planner.hpp"
+
+#include <utility>
+
+#include "bench/boost/boost_astar.hpp"
+#include "wend/planner/planner.hpp"
+
+namespace wend::bench {
+namespace {
+
+class BoostPlanner final : public Planner {
+ public:
+  explicit BoostPlanner(FreeSpace space) : Planner(std::move(space)), astar_(free_space()) {}
+
+ private:
+  std::optional<Status> do_check(const Query& query) override {
+    if (query.goals.size() > 1) return Status::unsupported_query;
+    start_ = cell_at(query.start.point());
+    goal_ = cell_at(query.goals.front().point);
+    if (!free_space().map().contains(start_)) return Status::start_outside;
+    if (!free_space().map().contains(goal_)) return Status::goal_outside;
+    if (!free_space().passable(start_)) return Status::start_blocked;
+    if (!free_space().passable(goal_)) return Status::goal_blocked;
+    return std::nullopt;
+  }
+
+  Status do_plan(const Query& /*query*/, Plan& out) override {
+    const BoostAStar::Answer answer = astar_.plan(start_, goal_, out.path);
+    out.cost = answer.cost;
+    out.metrics.expanded = answer.expanded;
+    if (out.path.empty()) return Status::unreachable;
+    out.bound = 1;
+    return Status::found;
+  }
+
+  void do_update(std::span<const Cell> /*changed*/) override { astar_ = BoostAStar(free_space()); }
+
+  BoostAStar astar_;
+  Cell start_;
+  Cell goal_;
+};
+
+PlannerResult make_boost(const FreeSpace& space, const OptionValues& options) {
+  if (!options.empty()) {
+    return Unexpected<PlannerError>({Status::invalid_option, "it has no options"});
+  }
+  return std::make_unique<BoostPlanner>(space);
+}
+
+}  // namespace
+
+PlannerInfo boost_astar_planner() {
+  return {.name = "boost-astar",
+          .summary = "Boost.Graph's astar_search, the yardstick",
+          .idea =
+              "The grid as a compressed sparse row graph, an octile heuristic, a visitor that "
+              "ends the search at the goal.",
+          .citation = "J. Siek, L.-Q. Lee and A. Lumsdaine, \"The Boost Graph Library\", 2002",
+          .guarantee = "optimal",
+          .time = "O(cells + n log n) in the n cells expanded",
+          .memory = "some 100 bytes a cell",
+          .when = "To compare with.",
+          .promise = Promise::optimal,
+          .plans_on_terrain = false,
+          .preprocessing = Preprocessing::none,
+          .can_step = false,
+          .options = {},
+          .make = make_boost};
+}
+
+}  // namespace wend::bench
