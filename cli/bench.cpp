@@ -9,6 +9,7 @@
 #include "bench_contestant.hpp"
 #include "bench_course.hpp"
 #include "bench_race.hpp"
+#include "bench_shards.hpp"
 #include "bench_store.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
@@ -18,6 +19,7 @@
 #include "output.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
+#include "ranks.hpp"
 #include "wend/report/bench_plot.hpp"
 #include "wend/report/bench_rows.hpp"
 
@@ -30,6 +32,7 @@ struct BenchArguments {
   std::string map;
   std::vector<std::string> indexes;
   std::string database;
+  bool distributed = false;
   std::uint64_t threads = 1;
   std::uint64_t passes = 1;
   std::uint64_t sample = 0;
@@ -45,10 +48,11 @@ constexpr std::uint64_t kMostPasses = 1'000'000;
 constexpr const char* kExamples = R"(Examples:
   wend bench arena.map.scen
   wend bench arena.map.scen den520d.map.scen --planner astar,dijkstra
-  wend bench FOLDER --planner astar,astar:weight=0 --passes 5 --threads 2
+  wend bench . --planner astar,astar:weight=0 --passes 5 --threads 2
   wend bench arena.map.scen --planner astar:weight=2 --format json
-  wend bench FOLDER --planner astar,dijkstra --database results.db --plot results.svg
+  wend bench . --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
+  mpirun -n 4 wend bench . --planner astar --database results.db --distributed
 
 Always 8 neighbours without corner cutting. The map of X.map.scen is X.map, of other
 scenarios the name in their map column; it lies in the scenario's folder. Wrong is: no path
@@ -78,6 +82,9 @@ std::string text_of(const std::vector<BenchRow>& rows, TableFormat format) {
 void check(const BenchArguments& arguments) {
   check_range("--threads", arguments.threads, 1, kMostThreads);
   check_range("--passes", arguments.passes, 1, kMostPasses);
+  if (arguments.distributed && arguments.database.empty()) {
+    throw InputError("--distributed: name the file for the results of all ranks with --database");
+  }
   if (arguments.plot.empty()) return;
   plot_kind_of(arguments.plot);
   check_folder(arguments.plot, "--plot " + arguments.plot);
@@ -107,7 +114,8 @@ void check_used(const std::vector<GivenIndex>& indexes, const std::vector<Contes
   }
 }
 
-BenchResults run_races(const BenchArguments& arguments, BenchStore& store) {
+/// Of the courses, or of a share of their queries.
+BenchResults run_races(const BenchArguments& arguments, BenchStore& store, BenchShare share = {}) {
   const std::vector<Contestant> contestants = parse_contestants(arguments.planners);
   const std::vector<GivenIndex> indexes = open_indexes(arguments.indexes);
   const std::vector<Course> courses =
@@ -119,12 +127,13 @@ BenchResults run_races(const BenchArguments& arguments, BenchStore& store) {
   BenchProgress progress{{"queries", answers}};
   BenchResults results;
   for (const Course& course : courses) {
-    BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads), store);
+    BenchRace race(course, contestants, static_cast<unsigned>(arguments.threads), store, share);
     race.run(arguments.passes, indexes, progress);
+    if (share.ranks > 1) continue;
     append(results.rows, race.rows());
     if (!arguments.plot.empty()) append(results.maps, race.benched());
   }
-  if (progress.known > 0) {
+  if (progress.known > 0 && !arguments.distributed) {
     complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
                          progress.known, answers));
   }
@@ -138,9 +147,39 @@ void write_plot(const BenchArguments& arguments, const std::vector<BenchedMap>& 
   if (!wrong.empty()) throw InputError(wrong);
 }
 
+/// Merges what the ranks of an earlier run left, does this rank's share, and merges those of all.
+void run_share(const BenchArguments& arguments, Ranks& ranks) {
+  const bool merges = ranks.rank() == 0;
+  if (merges) merge_shards(arguments.database);
+  ranks.wait_for_all();
+  {
+    BenchStore store(arguments.database, shard_file(arguments.database, ranks.rank()));
+    run_races(arguments, store,
+              {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
+  }
+  ranks.wait_for_all();
+  if (merges) merge_shards(arguments.database);
+}
+
+/// Is it for this rank to tell the results? They are all in the database then.
+bool run_distributed(const BenchArguments& arguments) {
+  Ranks ranks;
+  try {
+    run_share(arguments, ranks);
+  } catch (const InputError& error) {
+    complain(error.what());
+    ranks.end_all(bad_input);
+  } catch (const Cancelled&) {
+    complain("cancelled; the same command goes on where the ranks were");
+    ranks.end_all(no_plan);
+  }
+  return ranks.rank() == 0;
+}
+
 int run(const BenchArguments& arguments) {
   check(arguments);
   try {
+    if (arguments.distributed && !run_distributed(arguments)) return success;
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
     const BenchResults results = run_races(arguments, store);
     const std::vector<BenchRow>& rows = results.rows;
@@ -188,6 +227,9 @@ Command add_bench(CLI::App& app) {
                   wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
                           "benchmarks; what it has is not done again"))
       ->type_name(kFileType);
+  bench.add_flag("--distributed", arguments->distributed,
+                 wrapped("Under mpirun: share the queries among the ranks, and put their answers "
+                         "together in the database"));
   bench.add_flag("--check", arguments->check,
                  wrapped("Check every path cell by cell: always done, whether asked for or not"));
   add_table_format(bench, arguments->format);

@@ -20,8 +20,8 @@ constexpr double kSlice = 1;                  // seconds until there is a moment
 }  // namespace
 
 BenchRace::BenchRace(const Course& course, const std::vector<Contestant>& contestants,
-                     unsigned threads, BenchStore& store)
-    : course_(course), space_(course.map), workers_(threads), store_(store) {
+                     unsigned threads, BenchStore& store, BenchShare share)
+    : course_(course), space_(course.map), workers_(threads), store_(store), share_(share) {
   store_.begin(course_, space_, workers_.count());
   for (const Contestant& contestant : contestants) {
     runners_.push_back({contestant});
@@ -44,13 +44,16 @@ void BenchRace::run(std::uint64_t passes, const std::vector<GivenIndex>& indexes
                     BenchProgress& progress) {
   for (Runner& runner : runners_) {
     std::uint64_t known = 0;
-    for (BenchAnswer& answer : runner.answers) {
-      known += std::min<std::uint64_t>(answer.seconds.size(), passes);
-      answer.seconds.reserve(passes);
+    bool all_known = true;
+    for (std::size_t i = 0; i < runner.answers.size(); ++i) {
+      std::vector<double>& seconds = runner.answers[i].seconds;
+      known += std::min<std::uint64_t>(seconds.size(), passes);
+      all_known = all_known && (seconds.size() >= passes || !share_.contains(i));
+      seconds.reserve(passes);
     }
     progress.known += known;
     progress.done += known;
-    if (known < passes * runner.answers.size()) make_lanes(runner, indexes);
+    if (!all_known) make_lanes(runner, indexes);
   }
   for (std::uint64_t pass = 0; pass < passes; ++pass) {
     for (Runner& runner : runners_) run_pass(runner, pass, progress);
@@ -95,7 +98,7 @@ void BenchRace::make_lanes(Runner& runner, const std::vector<GivenIndex>& indexe
 void BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress) {
   Queries open;
   for (std::size_t i = 0; i < runner.answers.size(); ++i) {
-    if (runner.answers[i].seconds.size() <= pass) open.push_back(i);
+    if (share_.contains(i) && runner.answers[i].seconds.size() <= pass) open.push_back(i);
   }
   while (!open.empty()) {
     const bool cancelled = !answer_some(runner, open, progress);

@@ -20,6 +20,17 @@
 
 namespace wend::cli {
 
+/// The queries that one of several ranks answers: a few in a row, then some of the others'.
+struct BenchShare {
+  std::size_t rank = 0;
+  std::size_t ranks = 1;
+
+  bool contains(std::size_t query) const {
+    constexpr std::size_t kInARow = 16;
+    return query / kInARow % ranks == rank;
+  }
+};
+
 /// How far all races are.
 struct BenchProgress {
   ProgressBar bar;
@@ -31,14 +42,14 @@ class BenchRace {
  public:
   /// Takes what the store knows for answered; the store must outlive this.
   BenchRace(const Course& course, const std::vector<Contestant>& contestants, unsigned threads,
-            BenchStore& store);
+            BenchStore& store, BenchShare share = {});
 
-  /// Asks every contestant every query until it has so many passes. Throws Cancelled if Ctrl-C
+  /// Asks every contestant every query of the share until it has so many passes. Throws Cancelled if Ctrl-C
   /// came: what was answered until then is stored. Throws InputError if a contestant does not take
   /// its options or the map.
   void run(std::uint64_t passes, const std::vector<GivenIndex>& indexes, BenchProgress& progress);
 
-  /// What came of it, a row a contestant.
+  /// What came of it, a row a contestant: of the whole course only.
   std::vector<BenchRow> rows() const;
 
   /// The same with every answer, for plots.
@@ -65,6 +76,7 @@ class BenchRace {
   FreeSpace space_;
   ThreadWorkers workers_;
   BenchStore& store_;
+  BenchShare share_;
   std::vector<Runner> runners_;
   std::mutex complaining_;
 };

@@ -21,6 +21,9 @@ class BenchStore {
   /// Throws InputError, as all that follows, if the file cannot be used.
   explicit BenchStore(const std::string& file);
 
+  /// The same for a rank among many: what is known comes from the file, what is new goes to a shard.
+  BenchStore(const std::string& file, const std::string& shard);
+
   /// From now on answers are those on this course.
   void begin(const Course& course, const FreeSpace& space, unsigned threads);
 
@@ -31,8 +34,9 @@ class BenchStore {
             const BenchIndex& index);
 
  private:
-  std::optional<BenchDatabase> database_;
-  std::int64_t experiment_ = 0;
+  std::optional<BenchDatabase> known_;
+  std::optional<BenchDatabase> shard_;  // none: new answers go to the known ones
+  BenchExperiment experiment_;
 };
 
 }  // namespace wend::cli

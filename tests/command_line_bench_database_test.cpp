@@ -1,12 +1,12 @@
 // `wend bench --database`: what it keeps, and how a run that was interrupted goes on.
 
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 
 #include <csignal>
 #include <thread>
 
 #include "command_line/bench_folder.hpp"
+#include "command_line/database_number.hpp"
 
 namespace wend::test {
 namespace {
@@ -15,21 +15,6 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// The only number that a query finds; -1 where the database is not there or is in use.
-int number_in(const std::string& file, const std::string& query) {
-  sqlite3* database = nullptr;
-  int number = -1;
-  const auto keep = [](void* out, int /*columns*/, char** fields, char** /*names*/) {
-    *static_cast<int*>(out) = std::stoi(fields[0]);
-    return 0;
-  };
-  if (sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK) {
-    sqlite3_exec(database, query.c_str(), keep, &number, nullptr);
-  }
-  sqlite3_close(database);
-  return number;
-}
 
 class BenchDatabaseCommand : public testing::Test, protected BenchFolder {
  protected:
