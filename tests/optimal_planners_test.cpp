@@ -65,15 +65,26 @@ void expect_optimal_everywhere(const std::string& name, const GridMap& map, Rand
   }
 }
 
-TEST_P(OptimalPlanners, AreOptimalOnNastyMaps) {
-  Random random(41);
-  for (int i = 0; i < 400 && !HasFatalFailure(); ++i) {
-    const int width = random.between(1, 16);
-    const int height = random.between(1, 16);
+void expect_optimal_on_nasty_maps(const std::string& planner, std::uint64_t seed, int maps,
+                                  int longest_side) {
+  Random random(seed);
+  for (int i = 0; i < maps && !::testing::Test::HasFatalFailure(); ++i) {
+    const int width = random.between(1, longest_side);
+    const int height = random.between(1, longest_side);
     const GridMap map = nasty_map(random, width, height);
-    SCOPED_TRACE("seed 41, map " + std::to_string(i) + "\n" + drawing_of(map));
-    expect_optimal_everywhere(GetParam(), map, random);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", map " + std::to_string(i) + "\n" +
+                 drawing_of(map));
+    expect_optimal_everywhere(planner, map, random);
   }
+}
+
+TEST_P(OptimalPlanners, AreOptimalOnNastyMaps) {
+  expect_optimal_on_nasty_maps(GetParam(), 41, 400, 16);
+}
+
+/// With ./run test --all.
+TEST_P(OptimalPlanners, AreOptimalOnNastyMapsALongTime) {
+  expect_optimal_on_nasty_maps(GetParam(), 43, 200000, 10);
 }
 
 TEST_P(OptimalPlanners, AreOptimalWhereWordsEnd) {

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "checks.hpp"
+#include "forged_index.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "wend/io/load_path.hpp"
 #include "wend/io/path_csv.hpp"
@@ -81,6 +82,13 @@ inline std::string fuzz_planner_specs(std::string_view bytes) {
   return again && again->size() == specs->size() ? "" : "other planners come back";
 }
 
+/// The bytes as a file, and as changes to whole files.
+inline std::string fuzz_index(std::string_view bytes) {
+  const auto header = read_index_header(std::as_bytes(std::span(bytes)));
+  const std::string wrong = header ? "" : check_text(header.error());
+  return wrong.empty() ? use_forged_indexes(bytes) : wrong;
+}
+
 struct Loader {
   std::string_view name;
   std::string (*fuzz)(std::string_view bytes);
@@ -96,6 +104,7 @@ inline constexpr std::array kLoaders{
     Loader{"path_csv", fuzz_path_csv},
     Loader{"path_json", fuzz_path_json},
     Loader{"planner_specs", fuzz_planner_specs},
+    Loader{"index", fuzz_index},
 };
 
 /// For LLVMFuzzerTestOneInput: ends the program if the loader did something wrong.

@@ -36,7 +36,8 @@ class IndexPlanner final : public Planner {
   IndexPlanner(FreeSpace space, std::unique_ptr<IndexEngine> engine, EngineMaker make_engine)
       : Planner(std::move(space)),
         make_engine_(std::move(make_engine)),
-        engine_(std::move(engine)) {}
+        engine_(std::move(engine)),
+        most_cells_(free_space().passable().count()) {}
 
  private:
   std::optional<Status> do_check(const Query& query) override {
@@ -54,6 +55,8 @@ class IndexPlanner final : public Planner {
       out.cost = 0;
     } else {
       const OctileSteps steps = find(start, goal, out.metrics);
+      // No shortest path visits a cell twice: an index that says so was forged.
+      if (steps.cells() > most_cells_) return Status::index_mismatch;
       write(out.path.make_cells(steps.cells()));
       out.cost = steps.cost();
     }
@@ -97,6 +100,7 @@ class IndexPlanner final : public Planner {
 
   void do_update(std::span<const Cell> /*changed*/) override {
     engine_.reset();  // its memory first
+    most_cells_ = free_space().passable().count();
     auto made = make_engine_(free_space());
     if (made) {
       engine_ = *std::move(made);
@@ -107,6 +111,7 @@ class IndexPlanner final : public Planner {
 
   EngineMaker make_engine_;  // for another FreeSpace
   std::unique_ptr<IndexEngine> engine_;
+  std::size_t most_cells_;
   PlannerError why_none_{Status::found, {}};  // if there is no engine
   GridQuery cells_;
 };

@@ -143,13 +143,15 @@ PlannerInfo jps_planner() {
       .idea =
           "Among all shortest paths that differ only in the order of their steps it looks at one: "
           "diagonal steps first. That one turns nowhere but past the corners of obstacles, and "
-          "to the next such place the search jumps, reading the map 64 cells at a time.",
+          "to the next such place the search jumps, reading the map 64 cells at a time. Dead "
+          "ends of the map are left out, and what comes after a jump is kept for later searches.",
       .citation = "Harabor, Grastien 2011 and 2014",
       .guarantee = "optimal on 8 neighbours without corner cutting, where all cells cost the same",
       .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
       .memory =
-          "19 bytes a cell, 16 of them touched only where a search goes, and 12 an entry of "
-          "the frontier",
+          "8 bytes a cell, 49 a jump point, 4 for each jump that a search has met so far, and 12 "
+          "an "
+          "entry of the frontier",
       .when =
           "The fastest without an index, wherever the map has rooms and streets: ask it first. "
           "In noise and narrow mazes it has less to leap over. It cannot plan on terrain, nor "

@@ -12,7 +12,7 @@
 // ray. A diagonal run is of interest where one of its two straight directions has such a ray, so it
 // stops there, or at its last cell.
 //
-// The boards know cells as drawn, row 0 on top. Immutable. O(cells) to make, some 21 bits a cell.
+// The boards know cells as drawn, row 0 on top. Immutable. O(cells) to make, some 26 bits a cell.
 
 #include <array>
 #include <cstdint>

@@ -11,9 +11,8 @@
 //   wend::JumpGraph graph(boards);
 //   for (const wend::Jump jump : graph.jumps(number, arrivals)) reach(jump.number(), jump.arrival());
 //
-// Jump points are numbered tile by tile, so that near ones lie near each other in memory. 12 bytes a
-// 64 cells and 29 a jump point, and 4 a jump that was
-// found. One thread.
+// Jump points are numbered tile by tile, so that near ones lie near each other in memory. 12 bytes
+// for 64 cells, 25 a jump point, and 4 a jump that was found. One thread.
 
 #include <array>
 #include <cstddef>
