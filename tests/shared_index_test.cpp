@@ -37,8 +37,8 @@ class SharedIndex : public ::testing::TestWithParam<std::string> {
 };
 
 FreeSpace space_of(const char* generator, const OptionValues& options = {}) {
-  const auto map = generators().find(generator)->make(90, 70, 5, options);
-  return FreeSpace(*map);
+  const auto map = generators().find(generator)->make(160, 100, 5, options);
+  return FreeSpace(map.value());
 }
 
 /// The queries of one thread, and whether what came is what A* says.
