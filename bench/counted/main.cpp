@@ -1,0 +1,99 @@
+// wend-counted: a planner answers a fixed set of queries, for scripts/instructions, which has valgrind
+// count the instructions that this takes.
+
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/map/generators.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/comparison_run.hpp"
+
+namespace wend::bench {
+namespace {
+
+struct Course {
+  const char* generator;
+  OptionValues options;
+};
+
+constexpr int kSize = 192;
+constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kQueries = 25;  // a map
+
+std::vector<Course> courses() {
+  return {{"office", {}}, {"maze", {}}, {"random", {{"density", "0.35"}}}, {"rooms", {}}};
+}
+
+/// Those that are to be counted: all that find a cheapest path of cells, as they are by default.
+std::vector<std::string> counted_planners() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& info : planners()) {
+    const bool optimal = info.promise == Promise::optimal || info.promise == Promise::bounded;
+    if (info.motion == Motion::cells && optimal) names.push_back(info.name);
+  }
+  return names;
+}
+
+std::string toolchain() {
+#if defined(__clang__)
+  const std::string compiler = fmt::format("clang {}", __clang_version__);
+#else
+  const std::string compiler = fmt::format("g++ {}", __VERSION__);
+#endif
+  return fmt::format("{}, glibc {}", compiler, gnu_get_libc_version());
+}
+
+}  // namespace
+
+/// What is counted: valgrind finds it by its name. The costs of all paths together.
+[[gnu::noinline]] double counted_answers(Planner& planner, const std::vector<Query>& queries,
+                                         Plan& plan) {
+  double cost = 0;
+  for (const Query& query : queries) {
+    if (planner.plan(query, plan) == Status::found) cost += plan.cost;
+  }
+  return cost;
+}
+
+namespace {
+
+int run(const std::string& name) {
+  double cost = 0;
+  for (const Course& course : courses()) {
+    const auto map = generators().find(course.generator)->make(kSize, kSize, kSeed, course.options);
+    if (!map) return std::fputs(map.error().message().c_str(), stderr), 2;
+    const FreeSpace space(*map);
+    const auto planner = make_planner(name, space);
+    if (!planner) return std::fputs(planner.error().message().c_str(), stderr), 2;
+    std::vector<Query> queries;
+    for (const CellPair& cells : random_pairs(space, kQueries, kSeed)) {
+      queries.push_back(Query::between(cells.start, cells.goal));
+    }
+    Plan plan;
+    (*planner)->plan(queries.front(), plan);  // fresh memory is not what is counted
+    cost += counted_answers(**planner, queries, plan);
+  }
+  fmt::print("{:.6f}\n", cost);
+  return 0;
+}
+
+}  // namespace
+}  // namespace wend::bench
+
+int main(int argc, char** argv) {
+  const std::string_view what = argc == 2 ? argv[1] : "";
+  if (what == "--planners") {
+    for (const std::string& name : wend::bench::counted_planners()) fmt::print("{}\n", name);
+    return 0;
+  }
+  if (what == "--toolchain") return fmt::print("{}\n", wend::bench::toolchain()), 0;
+  if (!what.empty()) return wend::bench::run(std::string(what));
+  std::fputs("usage: wend-counted PLANNER | --planners | --toolchain\n", stderr);
+  return 2;
+}
