@@ -20,7 +20,7 @@
 namespace wend {
 
 /// The most columns or rows that a generated map can have.
-inline constexpr int kMostGeneratedCells = 8192;
+inline constexpr int kMostGeneratedCells = 16384;
 
 /// Why a map could not be made: a wrong option, or a size that is too small or too large.
 struct GeneratorError {

@@ -1,7 +1,7 @@
 #pragma once
 
 // What panels of plots have in common: where they lie, axes that fit their values, points and
-// cumulative distributions. Only for the sources of this module.
+// cumulative distributions.
 
 #include <string_view>
 #include <vector>

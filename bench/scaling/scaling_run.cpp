@@ -1,0 +1,235 @@
+#include "bench/scaling/scaling_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "bench/boost/boost_planner.hpp"
+#include "bench/measuring.hpp"
+#include "bench/scaling/child_process.hpp"
+#include "wend/map/generators.hpp"
+#include "wend/parallel/thread_workers.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/comparison_run.hpp"
+
+namespace wend::bench {
+namespace {
+
+using Error = Unexpected<std::string>;
+
+constexpr std::uint64_t kSeed = 7;
+constexpr std::size_t kMostQueries = 200;
+constexpr int kRounds = 5;     // through all queries, if there is time
+constexpr double kGrowth = 6;  // of a build from a size to the next, to be on the safe side
+constexpr double kMicroseconds = 1e6;
+constexpr const char* kBoost = "boost-astar";
+
+/// What a child finds out.
+struct Measured {
+  PlannerScale scale{};
+  std::array<double, kMostQueries> costs{};
+};
+
+PlannerInfo info_of(const std::string& planner) {
+  return planner == kBoost ? boost_astar_planner() : *planners().find(planner);
+}
+
+/// A planner's planners on one map.
+class Team {
+ public:
+  /// Builds the index, if it needs one. Ends the process if there is none.
+  Team(const PlannerInfo& info, FreeSpace space) : info_(info), space_(std::move(space)) {
+    if (!info_.build_index) return;
+    const double begin = seconds_now();
+    auto index = info_.build_index(space_, {});
+    if (!index) _exit(1);
+    build_s_ = seconds_now() - begin;
+    index_ = *std::move(index);
+  }
+
+  std::unique_ptr<Planner> make() const {
+    auto planner =
+        info_.make_on_index ? info_.make_on_index(space_, {}, index_) : info_.make(space_, {});
+    if (!planner) _exit(1);
+    return *std::move(planner);
+  }
+
+  double build_s() const { return build_s_; }
+  std::uint64_t index_bytes() const { return index_.size(); }
+
+ private:
+  const PlannerInfo& info_;
+  FreeSpace space_;
+  IndexBytes index_{};
+  double build_s_ = 0;
+};
+
+/// Asks as many of the queries as there is time for, and those again. Sets queries, time and costs.
+void ask(Planner& planner, const std::vector<Query>& queries, double seconds, Measured& measured) {
+  Plan plan;
+  planner.plan(queries.front(), plan);  // fresh memory
+  std::size_t count = queries.size();
+  std::size_t asked = 0;
+  double total = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double begin = seconds_now();
+      planner.plan(queries[i], plan);
+      total += seconds_now() - begin;
+      ++asked;
+      measured.costs[i] = plan.cost;
+      if (total > seconds && round == 0) count = i + 1;
+    }
+    if (total > seconds) break;
+  }
+  measured.scale.queries = count;
+  measured.scale.mean_us = kMicroseconds * total / static_cast<double>(asked);
+}
+
+/// Microseconds a query of the wall's clock when two threads share them. Quick queries go to them
+/// many at a time, so that it is not the sharing that is measured.
+double ask_on_two(const Team& team, std::span<const Query> queries, double mean_us) {
+  constexpr unsigned kThreads = 2;
+  constexpr double kTask = 20'000;  // microseconds
+  constexpr std::size_t kTasks = 10;
+  const std::size_t in_a_task = std::max<std::size_t>(1, static_cast<std::size_t>(kTask / mean_us));
+  const std::size_t tasks = in_a_task > 1 ? std::max(kTasks, queries.size() / in_a_task)
+                                          : std::max<std::size_t>(kThreads, queries.size());
+  std::vector<std::unique_ptr<Planner>> planners;
+  planners.reserve(kThreads);
+  std::vector<Plan> plans(kThreads);
+  ThreadWorkers workers(kThreads);
+  for (unsigned i = 0; i < kThreads; ++i) planners.push_back(team.make());
+  const auto answer = [&](std::size_t task, unsigned worker) {
+    for (std::size_t i = 0; i < in_a_task; ++i) {
+      const Query& query = queries[(task * in_a_task + i) % queries.size()];
+      planners[worker]->plan(query, plans[worker]);
+    }
+  };
+  for (unsigned i = 0; i < kThreads; ++i) planners[i]->plan(queries.front(), plans[i]);
+  const double begin = seconds_now();
+  workers.run(tasks, answer);
+  return kMicroseconds * (seconds_now() - begin) / static_cast<double>(tasks * in_a_task);
+}
+
+Measured measure(const PlannerInfo& info, const FreeSpace& space, const std::vector<Query>& queries,
+                 double seconds) {
+  Measured measured;
+  const std::uint64_t before = private_bytes();
+  const Team team(info, space);
+  {
+    const auto planner = team.make();
+    ask(*planner, queries, seconds, measured);
+    measured.scale.memory_bytes = private_bytes() - before;
+  }
+  measured.scale.build_s = team.build_s();
+  measured.scale.index_bytes = team.index_bytes();
+  measured.scale.two_threads_us =
+      ask_on_two(team, std::span(queries).first(measured.scale.queries), measured.scale.mean_us);
+  return measured;
+}
+
+bool same(double a, double b) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(a - b) <= kRounding * std::max(1.0, a);
+}
+
+/// One kind of map in all sizes.
+class KindRun {
+ public:
+  KindRun(const ScalingPlan& plan, const MapKind& kind)
+      : plan_(plan),
+        kind_(kind),
+        last_builds_(plan.planners.size(), 0.0),
+        last_queries_(plan.planners.size(), 0.0) {}
+
+  Expected<MapScale, std::string> run(int size,
+                                      const std::function<void(const std::string&)>& progress) {
+    progress(fmt::format("{}, {} x {}", kind_.name, size, size));
+    const GeneratorInfo* generator = generators().find(kind_.generator);
+    const auto map = generator->make(size, size, kSeed, kind_.options);
+    if (!map) return Error(map.error().message());
+    const double begin = seconds_now();
+    const FreeSpace space(*map);
+    MapScale scale{kind_, size, space.passable().count(), seconds_now() - begin, {}};
+    std::vector<Query> queries;
+    for (const CellPair& cells : random_pairs(space, plan_.queries, kSeed)) {
+      queries.push_back(Query::between(cells.start, cells.goal));
+    }
+    std::vector<double> costs;
+    for (std::size_t i = 0; i < plan_.planners.size(); ++i) {
+      progress(fmt::format("{}, {} x {}: {}", kind_.name, size, size, plan_.planners[i]));
+      scale.planners.push_back(run_planner(i, size, space, queries, costs));
+    }
+    return scale;
+  }
+
+ private:
+  std::optional<PlannerScale> run_planner(std::size_t planner, int size, const FreeSpace& space,
+                                          const std::vector<Query>& queries,
+                                          std::vector<double>& costs) {
+    const std::string& name = plan_.planners[planner];
+    double& last_build = last_builds_[planner];
+    if (name == kBoost && size > plan_.largest_for_boost) return std::nullopt;
+    if (last_build * kGrowth > plan_.most_build_seconds) return std::nullopt;
+    if (last_queries_[planner] > plan_.most_query_seconds) return std::nullopt;
+    const PlannerInfo info = info_of(name);
+    auto measured = in_child([&] { return measure(info, space, queries, plan_.query_seconds); });
+    if (!measured) {
+      last_build = plan_.most_build_seconds;  // nor will a larger map do
+      return std::nullopt;
+    }
+    last_build = measured->scale.build_s;
+    last_queries_[planner] = measured->scale.mean_us / kMicroseconds;
+    for (std::size_t i = 0; i < measured->scale.queries; ++i) {
+      if (i == costs.size()) costs.push_back(measured->costs[i]);
+      measured->scale.wrong = measured->scale.wrong || !same(costs[i], measured->costs[i]);
+    }
+    return measured->scale;
+  }
+
+  const ScalingPlan& plan_;
+  const MapKind& kind_;
+  std::vector<double> last_builds_;  // seconds, on the map before
+  std::vector<double> last_queries_;
+};
+
+}  // namespace
+
+Expected<std::vector<MapScale>, std::string> run_scaling(
+    const ScalingPlan& plan, const std::function<void(const std::string&)>& progress) {
+  if (plan.queries < 1 || plan.queries > kMostQueries) {
+    return Error(fmt::format("from 1 to {} queries", kMostQueries));
+  }
+  for (const std::string& name : plan.planners) {
+    if (name != kBoost && planners().find(name) == nullptr) {
+      return Error(planners().unknown("planner", name));
+    }
+  }
+  std::vector<MapScale> maps;
+  for (const MapKind& kind : plan.kinds) {
+    KindRun run(plan, kind);
+    for (const int size : plan.sizes) {
+      auto scale = run.run(size, progress);
+      if (!scale) return Error(scale.error());
+      maps.push_back(*std::move(scale));
+    }
+  }
+  return maps;
+}
+
+std::vector<std::string> optimal_planners() {
+  std::vector<std::string> names;
+  for (const PlannerInfo& info : planners()) {
+    const bool optimal = info.promise == Promise::optimal || info.promise == Promise::bounded;
+    if (info.motion == Motion::cells && optimal) names.push_back(info.name);
+  }
+  names.emplace_back(kBoost);
+  return names;
+}
+
+}  // namespace wend::bench
