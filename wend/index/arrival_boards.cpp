@@ -1,9 +1,9 @@
 #include "wend/index/arrival_boards.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -14,15 +14,6 @@ constexpr unsigned kLastBit = 63;
 std::uint64_t shifted(std::span<const std::uint64_t> words, std::size_t i, int dx) {
   if (dx > 0) return words[i] << 1U | (i > 0 ? words[i - 1] >> kLastBit : 0);
   return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << kLastBit : 0);
-}
-
-BitLines rows_of(const BitGrid& cells) {
-  BitLines rows(cells.height(), cells.width());
-  for (int y = 0; y < cells.height(); ++y) {
-    const auto from = cells.row_words(y);
-    std::copy_n(from.begin(), rows.words(y).size(), rows.words(y).begin());
-  }
-  return rows;
 }
 
 /// What there is for one diagonal direction: by rows.
@@ -72,10 +63,9 @@ void add_blocked(BitLines& board, const BitLines& passable) {
 
 }  // namespace
 
-ArrivalBoards::ArrivalBoards(const BitGrid& passable, const BitLines& corners,
+ArrivalBoards::ArrivalBoards(const BitLines& rows, const BitLines& corners,
                              const Beginnings& beginnings)
-    : height_(passable.height()) {
-  const BitLines rows = rows_of(passable);
+    : height_(rows.lines()) {
   const BitLines columns = rows.transposed();
   std::array<BitLines, 4> met;
   for (unsigned diagonal = 0; diagonal < 4; ++diagonal) {

@@ -14,7 +14,6 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/bit_grid.hpp"
 #include "wend/space/bit_lines.hpp"
 
 namespace wend {
@@ -25,7 +24,9 @@ class ArrivalBoards {
   using Beginnings = std::array<BitLines, 4>;
 
   ArrivalBoards() = default;
-  ArrivalBoards(const BitGrid& passable, const BitLines& corners, const Beginnings& beginnings);
+
+  /// Of the passable cells and the corners, by rows.
+  ArrivalBoards(const BitLines& rows, const BitLines& corners, const Beginnings& beginnings);
 
   /// How many steps one goes back from a cell, against a straight direction of travel, before there
   /// is something of interest.

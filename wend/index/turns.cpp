@@ -6,7 +6,7 @@ namespace wend {
 namespace {
 
 /// Where legs begin, by the diagonal between each straight direction and the next.
-ArrivalBoards arrival_boards(const Corners& corners) {
+ArrivalBoards arrival_boards(const Corners& corners, const JumpBoards& boards) {
   const BitGrid& passable = corners.passable();
   const BitLines none(passable.height(), passable.width());
   BitLines rows = none;
@@ -21,13 +21,13 @@ ArrivalBoards arrival_boards(const Corners& corners) {
       if ((turning & 2U) != 0) beginnings[(straight + 3) % 4].set(cell.y, cell.x);
     }
   }
-  return {passable, rows, beginnings};
+  return {boards.rows(), rows, beginnings};
 }
 
 }  // namespace
 
 Turns::Turns(const BitGrid& passable)
-    : corners_(passable), boards_(passable), arrivals_(arrival_boards(corners_)) {
+    : corners_(passable), boards_(passable), arrivals_(arrival_boards(corners_, boards_)) {
   using enum Direction;
   first_.reserve(corners_.size());
   for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// JumpQueue: the open jump points of a search, in buckets that are about one straight step wide.
+// JumpQueue: the open states of a search that jumps, in buckets about one straight step wide.
 //
 // Of a bucket the last one pushed comes first, so that keys come in order only from bucket to
 // bucket: who pops may have to expand a state again. Keys never fall below the bucket in work. A
