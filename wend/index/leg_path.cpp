@@ -5,24 +5,12 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "wend/index/run_writer.hpp"
+
 namespace wend {
 namespace {
 
 int sign(int value) { return (value > 0) - (value < 0); }
-
-/// Writes the first cells of a run, and says where the next one goes. Four at a time, so that short
-/// runs, which mazes have many of, take no loop: what is too much is overwritten.
-Cell* write_run(Cell at, Cell step, int steps, Cell* out, const Cell* end) {
-  constexpr int kAtOnce = 4;
-  int done = 0;
-  for (; done < steps && end - out - done >= kAtOnce; done += kAtOnce) {
-    for (int i = 0; i < kAtOnce; ++i) {
-      out[done + i] = {at.x + (done + i) * step.x, at.y + (done + i) * step.y};
-    }
-  }
-  for (; done < steps; ++done) out[done] = {at.x + done * step.x, at.y + done * step.y};
-  return out + steps;
-}
 
 }  // namespace
 
@@ -44,21 +32,10 @@ void LegPath::append(Cell point) {
 
 void LegPath::write(std::span<Cell> cells) const {
   assert(cells.size() == steps_.cells());
-  Cell* out = cells.data();
-  const Cell* const end = out + cells.size();
-  Cell at = points_.front();
-  const auto go_to = [&](Cell target) {
-    const int dx = target.x - at.x;
-    const int dy = target.y - at.y;
-    const int steps = std::max(std::abs(dx), std::abs(dy));
-    out = write_run(at, {sign(dx), sign(dy)}, steps, out, end);
-    at = target;
-  };
-  for (const Cell point : points_) {
-    go_to(bend_of(at, point));
-    go_to(point);
-  }
-  *out = at;
+  const Cell start = points_.front();
+  cells.front() = start;
+  RunWriter<1> writer(cells.data() + 1, cells.size() - 1, start);
+  for (const Cell point : points_) writer.go_to(point);
 }
 
 }  // namespace wend
