@@ -316,6 +316,7 @@ class Examples : public testing::Test {
     folder_.write("arena.map", arena);
     folder_.write("den520d.map", arena);
     folder_.write("grid.txt", grid);
+    expect_to_work("index build arena.map -o arena.idx");
   }
 
   void expect_to_work(const std::string& command) const {
