@@ -25,7 +25,6 @@ std::optional<Status> stopped(const Limits& limits) {
     return Status::cancelled;
   }
   if (limits.expansions == 0) return Status::expansion_limit;
-  if (limits.clock && limits.seconds <= 0) return Status::time_limit;
   return std::nullopt;
 }
 
@@ -46,15 +45,18 @@ class IndexPlanner final : public Planner {
   }
 
   Status do_plan(const Query& query, Plan& out) override {
-    if (const auto status = stopped(query.limits)) return *status;
+    const Limits& limits = query.limits;
+    if (const auto status = stopped(limits)) return *status;
+    const double begin = limits.clock ? limits.clock() : 0;
     const Cell start = drawn_cell(free_space(), cells_.start);
     const Cell goal = nearest_goal(start, out.metrics);
+    const OctileSteps steps = start == goal ? OctileSteps{} : find(start, goal, out.metrics);
+    if (limits.clock && limits.clock() - begin > limits.seconds) return Status::time_limit;
     if (start == goal) {
       out.path.append(cells_.start);
       out.metrics = {1, 1, 1};
       out.cost = 0;
     } else {
-      const OctileSteps steps = find(start, goal, out.metrics);
       // No shortest path visits a cell twice: an index that says so was forged.
       if (steps.cells() > most_cells_) return Status::index_mismatch;
       write(out.path.make_cells(steps.cells()));

@@ -210,9 +210,14 @@ void JumpPointSearch<Cost, kLast>::finish(Watcher& watcher) {
     outcome_ = SearchOutcome::exhausted;
     return;
   }
-  outcome_ = SearchOutcome::found;
   const Cell from = nodes_[seen_from_].cell;
-  if (from == goal_) return;  // expanded before
+  const bool expanded = from == goal_;  // before
+  if (!expanded && metrics_.expanded >= limits_->expansions) {
+    outcome_ = SearchOutcome::expansion_limit;
+    return;
+  }
+  outcome_ = SearchOutcome::found;
+  if (expanded) return;
   ++metrics_.generated;
   ++metrics_.expanded;
   watcher.on_generate(goal_, from, best_);

@@ -113,8 +113,8 @@ TEST(Dijkstra, TakesTheNearestOfSeveralGoals) {
 
 TEST(Planners, AreListedInOrder) {
   EXPECT_EQ(planners().names(),
-            (std::vector<std::string>{"astar", "dijkstra", "jps", "greedy", "bfs", "dfs",
-                                      "random_walk", "corner_hierarchy", "car"}));
+            (std::vector<std::string>{"astar", "dijkstra", "jps", "hub_labels", "corner_hierarchy",
+                                      "greedy", "bfs", "dfs", "random_walk", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {
