@@ -22,12 +22,17 @@ bool has_option(const PlannerInfo& planner, std::string_view name) {
                      [name](const OptionInfo& option) { return option.name == name; });
 }
 
+/// What looks its answers up has nothing to show of a search.
+bool searches(const PlannerInfo& planner) {
+  return planner.motion == Motion::cells && !planner.build_index;
+}
+
 }  // namespace
 
 std::vector<Configuration> configurations(std::string_view option) {
   std::vector<std::string> roles;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.motion == Motion::cells && planner.promise != Promise::none) {
+    if (searches(planner) && planner.promise != Promise::none) {
       roles.push_back(planner.name);
     }
   }
@@ -47,9 +52,19 @@ std::vector<Configuration> configurations(std::string_view option) {
   return all;
 }
 
+std::vector<Configuration> those_that_take(const FreeSpace& space,
+                                           std::vector<Configuration> configurations) {
+  std::erase_if(configurations, [&](const Configuration& each) {
+    return !planners().find(each.spec.name)->make(space, each.spec.options);
+  });
+  return configurations;
+}
+
 std::vector<Configuration> all_planners() {
   std::vector<Configuration> all;
-  for (const std::string& name : planner_names(Motion::cells)) all.push_back({name, spec_of(name)});
+  for (const PlannerInfo& planner : planners()) {
+    if (searches(planner)) all.push_back({planner.name, spec_of(planner.name)});
+  }
   return all;
 }
 

@@ -27,11 +27,15 @@ struct Family {
   bool is_maze = false;
 };
 
-/// Every registered planner that finds a path whenever there is one, and variants of A*, each with
+/// Every registered planner that searches and finds a path whenever there is one, and variants of A*, each with
 /// `option` (as "connectivity=4") besides; those that do not have it are left out.
 std::vector<Configuration> configurations(std::string_view option = {});
 
-/// Every registered planner, as it is without options.
+/// Those that do not refuse the map.
+std::vector<Configuration> those_that_take(const FreeSpace& space,
+                                           std::vector<Configuration> configurations);
+
+/// Every registered planner that searches, as it is without options.
 std::vector<Configuration> all_planners();
 
 }  // namespace wend::planner_page

@@ -115,7 +115,11 @@ Family make(Recipe recipe, Effort effort) {
   const std::string about =
       fmt::format("{} {} x {} cells, {} of them passable; {} random queries.", recipe.about,
                   space.width(), space.height(), space.passable().count(), queries.size());
-  return {recipe.title,  about, space, std::move(queries), configurations(recipe.moves),
+  return {recipe.title,
+          about,
+          space,
+          std::move(queries),
+          those_that_take(space, configurations(recipe.moves)),
           recipe.is_maze};
 }
 
