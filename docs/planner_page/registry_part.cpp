@@ -3,21 +3,18 @@
 #include <fmt/format.h>
 
 #include "docs/planner_page/markdown.hpp"
+#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/planner_listing.hpp"
 
 namespace wend::planner_page {
 namespace {
 
-std::string terrain_of(const PlannerInfo& planner) {
-  return planner.plans_on_terrain ? "costs count" : "ignored";
-}
-
 std::string overview() {
   MarkdownTable table({{"planner"}, {"guarantee"}, {"terrain"}, {"time"}, {"memory"}});
   for (const PlannerInfo& planner : planners()) {
-    table.add({link_to(planner.name), planner.guarantee, terrain_of(planner), planner.time,
-               planner.memory});
+    table.add({link_to(planner.name), planner.guarantee, std::string(terrain_in_words(planner)),
+               planner.time, planner.memory});
   }
   return table.text();
 }
@@ -43,7 +40,7 @@ std::string section(const PlannerInfo& planner, const Picture& picture) {
   item("Guarantee", planner.guarantee);
   item("Time", planner.time);
   item("Memory", planner.memory);
-  item("Terrain", terrain_of(planner));
+  item("Terrain", std::string(terrain_in_words(planner)));
   item("Preprocessing", to_string(planner.preprocessing));
   item("When", planner.when);
   item("Paper", planner.citation);

@@ -4,14 +4,10 @@
 
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid_planner.hpp"
+#include "wend/planner/no_options.hpp"
 
 namespace wend {
 namespace {
-
-struct NoOptions {
-  template <class Self, class Field>
-  static void fields(Self& /*self*/, Field&& /*field*/) {}
-};
 
 using EngineResult = Expected<std::unique_ptr<IndexEngine>, PlannerError>;
 
@@ -149,8 +145,8 @@ PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
   const auto make_on = [method, build, name = info.name](const FreeSpace& space,
                                                          const OptionValues& options,
                                                          IndexBytes index) -> PlannerResult {
-    if (const auto parsed = parse_options<NoOptions>(options); !parsed) {
-      return failure(Status::invalid_option, parsed.error().message());
+    if (auto refused = refused_options(options)) {
+      return Unexpected<PlannerError>(*std::move(refused));
     }
     auto engine = open_for(method, name, space, std::move(index));
     if (!engine) return Unexpected<PlannerError>(engine.error());

@@ -7,15 +7,11 @@
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid_planner.hpp"
 #include "wend/planner/jump_point_search.hpp"
+#include "wend/planner/no_options.hpp"
 #include "wend/planner/widening_engine.hpp"
 
 namespace wend {
 namespace {
-
-struct JpsOptions {
-  template <class Self, class Field>
-  static void fields(Self& /*self*/, Field&& /*field*/) {}
-};
 
 /// JumpPointSearch behind the face of a GridEngine: turns maps with y up, and writes every cell.
 template <class Cost>
@@ -120,7 +116,7 @@ class JumpEngine final : public GridEngine {
   SearchObserver* observer_ = nullptr;
 };
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const JpsOptions& /*options*/) {
+GridPlanner::Parts choose_parts(const FreeSpace& space) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
   const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
   const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
@@ -161,12 +157,12 @@ PlannerInfo jps_planner() {
       .preprocessing = Preprocessing::none,
       .can_step = true,
       .jumps = true,
-      .options = option_schema<JpsOptions>(),
+      .options = {},
       .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
-        if (auto refused = refused_terrain("jps", space)) {
-          return Unexpected<PlannerError>(*std::move(refused));
-        }
-        return make_grid_planner<JpsOptions>(space, values, choose_parts);
+        auto refused = refused_options(values);
+        if (!refused) refused = refused_terrain("jps", space);
+        if (refused) return Unexpected<PlannerError>(*std::move(refused));
+        return std::make_unique<GridPlanner>(space, choose_parts);
       }};
 }
 

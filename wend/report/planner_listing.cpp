@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "wend/base/parse.hpp"
+#include "wend/planner/planner_terrain.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -45,7 +46,7 @@ std::string planner_text(const PlannerInfo& planner) {
   text += entry("when", planner.when);
   text += entry("moves", planner.motion == Motion::car ? "a car, from corner to corner"
                                                        : "a disc, from cell to cell");
-  text += entry("terrain", planner.plans_on_terrain ? "costs count" : "costs are ignored");
+  text += entry("terrain", std::string(terrain_in_words(planner)));
   text += entry("preprocessing", to_string(planner.preprocessing));
   text += entry("paper", planner.citation);
   if (!planner.options.empty()) text += "  options\n";
