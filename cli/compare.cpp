@@ -23,6 +23,7 @@
 #include "plan_text.hpp"
 #include "planner_argument.hpp"
 #include "typed_query.hpp"
+#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/comparison.hpp"
 #include "wend/report/comparison_plot.hpp"
@@ -58,11 +59,16 @@ All planners, or those named, on the same query or on N random connected pairs; 
 compared with cars. The picture has a panel for each planner, with what it expanded. Plots need
 gnuplot. Exit codes: 0 a path was found, 1 none was, 2 bad usage or input.)";
 
-/// All that move as the typed start asks for: cars have a heading.
-std::vector<PlannerSpec> all_planners(const std::string& start) {
+/// All that move as the typed start asks for (cars have a heading), need no index and take the map.
+std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
   std::vector<PlannerSpec> specs;
   const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
-  for (const std::string& name : planner_names(motion)) specs.push_back({name, name, {}});
+  for (const std::string& name : planner_names(motion)) {
+    const PlannerInfo& info = *planners().find(name);
+    if (info.build_index) continue;
+    if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
+    specs.push_back({name, name, {}});
+  }
   return specs;
 }
 
@@ -235,14 +241,15 @@ bool found_any(const Comparison& comparison) {
 int run(const CompareArguments& arguments) {
   arguments.output.check();
   check(arguments);
-  std::vector<PlannerSpec> specs = arguments.planners.empty() ? all_planners(arguments.start)
-                                                              : parse_planners(arguments.planners);
+  std::vector<PlannerSpec> specs;
+  if (!arguments.planners.empty()) specs = parse_planners(arguments.planners);
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   if (!arguments.plot.empty()) {
     check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
   }
   const FreeSpace space = arguments.map.free_space(loaded.map);
+  if (specs.empty()) specs = all_planners(arguments.start, space);
   auto made = ComparisonRun::make(space, std::move(specs), steady_seconds);
   if (!made) throw InputError(made.error().message());
   ComparisonRun& run = *made;
@@ -269,8 +276,8 @@ Command add_compare(CLI::App& app) {
   compare
       .add_option("--planner", arguments->planners,
                   wrapped("Planners with commas between, options after a colon: "
-                          "astar:w=2,heuristic=euclidean,bfs (default: all; all of a car "
-                          "if the start has a heading)"))
+                          "astar:w=2,heuristic=euclidean,bfs (default: all that need no "
+                          "index and take the map; all of a car if the start has a heading)"))
       ->type_name(kPlannerType);
   add_count(compare, "--random", arguments->random,
             "Compare on so many random pairs of cells that a path joins");

@@ -118,10 +118,17 @@ void check_map(const json& trace, const FreeSpace& space) {
   }
 }
 
+/// Those that search from cell to neighbouring cell: their parents are the path.
+std::vector<std::string> walking_planners() {
+  std::vector<std::string> names = planner_names(Motion::cells);
+  std::erase_if(names, [](const std::string& name) { return planners().find(name)->jumps; });
+  return names;
+}
+
 RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   Random random(seed);
-  const auto names = planner_names(Motion::cells);
+  const auto names = walking_planners();
   const PlannerInfo& info = *planners().find(names[random.below(names.size())]);
   const test::Trial trial = test::random_trial(seed, info);
   const FreeSpace space(trial.map, trial.robot);
