@@ -7,6 +7,8 @@
 
 #include "wend/base/random.hpp"
 #include "wend/planner/grid_planner.hpp"
+#include "wend/planner/search_status.hpp"
+#include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
 #include "wend/space/grid_path.hpp"
 #include "wend/space/grid_space.hpp"
@@ -98,12 +100,11 @@ class RandomWalkPlanner final : public Planner {
 
   /// Both are needed as long as the walk goes on.
   void begin_walk(const Limits& limits, SearchObserver* observer, Plan& out) {
-    limits_ = &limits;
+    limits_.begin(limits);
     observer_ = observer;
     random_ = Random(static_cast<std::uint64_t>(options_.seed));
     memory_.clear();
     steps_ = 0;
-    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
     here_ = grid_.state(cells_.start);
     arrive(out, std::nullopt);
   }
@@ -144,14 +145,11 @@ class RandomWalkPlanner final : public Planner {
     return status;
   }
 
-  std::optional<Status> stopped(std::uint64_t expanded) const {
-    if (expanded >= limits_->expansions) return Status::expansion_limit;
-    if (expanded % Limits::kExpansionsBetweenClockReads != 0) return std::nullopt;
-    if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
-      return Status::cancelled;
-    }
-    if (limits_->clock && limits_->clock() > deadline_) return Status::time_limit;
-    return std::nullopt;
+  std::optional<Status> stopped(std::uint64_t expanded) {
+    if (!limits_.due(expanded)) return std::nullopt;
+    const SearchOutcome outcome = limits_.look(expanded);
+    if (outcome == SearchOutcome::running) return std::nullopt;
+    return status_of(outcome);
   }
 
   /// One of the neighbours that are not remembered, or, if there is none, one of all. There is one:
@@ -176,8 +174,7 @@ class RandomWalkPlanner final : public Planner {
   GridState here_;
   std::optional<Cell> last_;
   std::uint32_t steps_ = 0;
-  double deadline_ = 0;
-  const Limits* limits_ = nullptr;
+  LimitCheck limits_;
   SearchObserver* observer_ = nullptr;
   Limits stepped_limits_;  // of a walk that is stepped
 };

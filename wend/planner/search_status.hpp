@@ -3,7 +3,7 @@
 // How the outcome of a search is told to users.
 
 #include "wend/base/status.hpp"
-#include "wend/search/forward_search.hpp"
+#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 

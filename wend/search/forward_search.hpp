@@ -22,24 +22,15 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/search/concepts.hpp"
+#include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
 #include "wend/search/search_metrics.hpp"
+#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 
 /// What to do with a state that is reached again before it is expanded.
 enum class DuplicateRule { keep_first, keep_cheaper };
-
-enum class SearchOutcome {
-  running,
-  found,
-  exhausted,  // every state that can be reached was expanded
-  expansion_limit,
-  time_limit,
-  cancelled,
-  cost_overflow,  // costs outgrew their type: search again with a larger one
-  out_of_memory,  // there was none for the nodes
-};
 
 template <SearchSpace Space, SearchFrontier Frontier, SearchPriority<Space> Priority,
           DuplicateRule kDuplicates>
@@ -64,9 +55,7 @@ class ForwardSearch {
   /// Forgets the last search and opens the starts. `limits` must live as long as the search.
   template <class Observer = NoObserver>
   void begin(std::span<const State> starts, const Limits& limits, Observer&& observer = {}) {
-    limits_ = &limits;
-    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
-    next_check_ = 0;
+    limits_.begin(limits);
     metrics_ = {};
     outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
     if (!allocated()) return;
@@ -94,7 +83,7 @@ class ForwardSearch {
       const auto entry = frontier_.pop();
       auto& node = nodes_[entry.id];
       if (node.closed()) continue;  // was expanded with a smaller key
-      if (metrics_.expanded == next_check_ && !within_limits(entry.key)) return;
+      if (limits_.due(metrics_.expanded) && !within_limits(entry.key)) return;
       node.close();
       expand(space_.state(entry.id), node, observer);
       return;
@@ -160,19 +149,12 @@ class ForwardSearch {
     return true;
   }
 
-  /// Looks at everything that may end the search early, and says when to look again.
+  /// Looks at everything that may end the search early.
   bool within_limits(const typename Priority::Key& key) {
-    const std::uint64_t expanded = metrics_.expanded;
-    if (expanded >= limits_->expansions) {
-      outcome_ = SearchOutcome::expansion_limit;
-    } else if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
-      outcome_ = SearchOutcome::cancelled;
-    } else if (limits_->clock && limits_->clock() > deadline_) {
-      outcome_ = SearchOutcome::time_limit;
-    } else if (priority_.near_overflow(key)) {
+    outcome_ = limits_.look(metrics_.expanded);
+    if (outcome_ == SearchOutcome::running && priority_.near_overflow(key)) {
       outcome_ = SearchOutcome::cost_overflow;
     }
-    next_check_ = std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
     return outcome_ == SearchOutcome::running;
   }
 
@@ -183,9 +165,7 @@ class ForwardSearch {
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   State goal_{};
-  const Limits* limits_ = nullptr;
-  double deadline_ = 0;
-  std::uint64_t next_check_ = 0;
+  LimitCheck limits_;
 };
 
 }  // namespace wend

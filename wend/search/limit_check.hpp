@@ -1,0 +1,45 @@
+#pragma once
+
+// LimitCheck: looks, now and then, whether a search must end early.
+//
+//   if (check.due(expanded)) outcome = check.look(expanded);
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+
+#include "wend/base/limits.hpp"
+#include "wend/search/search_outcome.hpp"
+
+namespace wend {
+
+class LimitCheck {
+ public:
+  /// Time runs from now on. `limits` must live as long as the search.
+  void begin(const Limits& limits) {
+    limits_ = &limits;
+    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
+    next_ = 0;
+  }
+
+  /// Is it time to look, before another state is expanded?
+  bool due(std::uint64_t expanded) const { return expanded == next_; }
+
+  /// Running, or why the search must end. Says when it is due again.
+  SearchOutcome look(std::uint64_t expanded) {
+    next_ = std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
+    if (expanded >= limits_->expansions) return SearchOutcome::expansion_limit;
+    if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
+      return SearchOutcome::cancelled;
+    }
+    if (limits_->clock && limits_->clock() > deadline_) return SearchOutcome::time_limit;
+    return SearchOutcome::running;
+  }
+
+ private:
+  const Limits* limits_ = nullptr;
+  double deadline_ = 0;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace wend
