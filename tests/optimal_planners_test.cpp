@@ -18,16 +18,17 @@ namespace {
 
 constexpr double kRelative = 1e-9;
 
-/// Noise, walls with gaps, or stripes of diagonal squeezes.
+/// Noise, walls with gaps, stripes of diagonal squeezes, or corridors that go round in circles.
 GridMap nasty_map(Random& random, int width, int height) {
   Grid<CellState> cells(width, height, CellState::free);
-  const int kind = random.between(0, 3);
+  const int kind = random.between(0, 4);
   const double share = 0.6 * random.uniform();
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const bool wall = kind == 1   ? (x % 4 == 2 && random.chance(0.85))
                         : kind == 2 ? (y % 3 == 1 && random.chance(0.8))
                         : kind == 3 ? ((x + y) % 5 == 0 && random.chance(0.9))
+                        : kind == 4 ? ((x % 4 != 0 && y % 5 != 0) || random.chance(0.1 * share))
                                     : random.chance(share);
       if (wall) cells[{x, y}] = CellState::occupied;
     }

@@ -8,12 +8,9 @@
 namespace wend {
 namespace {
 
-constexpr unsigned kLastBit = 63;
-
 /// A word of a row, of the bits one place before (dx = 1) or behind (dx = -1).
 std::uint64_t shifted(std::span<const std::uint64_t> words, std::size_t i, int dx) {
-  if (dx > 0) return words[i] << 1U | (i > 0 ? words[i - 1] >> kLastBit : 0);
-  return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << kLastBit : 0);
+  return dx > 0 ? bits_before(words, i) : bits_behind(words, i);
 }
 
 /// What there is for one diagonal direction: by rows.
@@ -68,20 +65,19 @@ ArrivalBoards::ArrivalBoards(const BitLines& rows, const BitLines& corners,
     : height_(rows.lines()) {
   const BitLines columns = rows.transposed();
   std::array<BitLines, 4> met;
-  for (unsigned diagonal = 0; diagonal < 4; ++diagonal) {
-    DiagonalRows made = diagonal_rows(rows, beginnings[diagonal], kDrawnSteps[2 * diagonal + 1]);
-    const bool falls_right = diagonal % 2 == 0;  // down_right and up_left
-    diagonal_[diagonal] = made.stops.diagonals(falls_right ? BitLines::Diagonals::falling_right
-                                                           : BitLines::Diagonals::falling_left);
-    met[diagonal] = std::move(made.met);
+  for (const Direction diagonal : kDiagonalDirections) {
+    const std::size_t i = quarter(diagonal);
+    DiagonalRows made = diagonal_rows(rows, beginnings[i], moved({0, 0}, diagonal, 1));
+    diagonal_[i] = made.stops.diagonals(diagonals_along(diagonal));
+    met[i] = std::move(made.met);
   }
-  for (unsigned straight = 0; straight < 4; ++straight) {
-    BitLines of_interest = corners;  // the diagonals on both sides of the direction
-    add(of_interest, met[straight]);
-    add(of_interest, met[(straight + 3) % 4]);
-    const bool vertical = straight % 2 == 0;
-    straight_[straight] = vertical ? of_interest.transposed() : std::move(of_interest);
-    add_blocked(straight_[straight], vertical ? columns : rows);
+  for (const Direction straight : kStraightDirections) {
+    BitLines of_interest = corners;
+    for (const Direction diagonal : beside(straight)) add(of_interest, met[quarter(diagonal)]);
+    const bool vertical = straight == Direction::down || straight == Direction::up;
+    BitLines& stops = straight_[quarter(straight)];
+    stops = vertical ? of_interest.transposed() : std::move(of_interest);
+    add_blocked(stops, vertical ? columns : rows);
   }
 }
 

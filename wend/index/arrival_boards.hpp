@@ -15,12 +15,13 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/space/bit_lines.hpp"
+#include "wend/space/drawn_direction.hpp"
 
 namespace wend {
 
 class ArrivalBoards {
  public:
-  /// Of rows: by diagonal (Direction / 2), where a leg may begin that goes along it.
+  /// Of rows: by quarter(), where a leg may begin that goes along it.
   using Beginnings = std::array<BitLines, 4>;
 
   ArrivalBoards() = default;
@@ -32,7 +33,7 @@ class ArrivalBoards {
   /// is something of interest.
   template <Direction kStraight>
   int distance_back(Cell from) const {
-    const BitLines& stops = straight_[static_cast<std::size_t>(kStraight) / 2];
+    const BitLines& stops = straight_[quarter(kStraight)];
     if constexpr (kStraight == Direction::down) return stops.distance_back(from.x, from.y);
     if constexpr (kStraight == Direction::right) return stops.distance_back(from.y, from.x);
     if constexpr (kStraight == Direction::up) return stops.distance_ahead(from.x, from.y);
@@ -43,8 +44,8 @@ class ArrivalBoards {
   /// step back must be legal.
   template <Direction kDiagonal>
   int distance_back_on_diagonal(Cell from) const {
-    const BitLines& stops = diagonal_[static_cast<std::size_t>(kDiagonal) / 2];
-    const int line = falls_right(kDiagonal) ? from.x - from.y + height_ - 1 : from.x + from.y;
+    const BitLines& stops = diagonal_[quarter(kDiagonal)];
+    const int line = diagonal_line(diagonals_along(kDiagonal), from, height_);
     if constexpr (kDiagonal == Direction::down_right || kDiagonal == Direction::down_left) {
       return stops.distance_back(line, from.y);
     } else {
@@ -53,13 +54,9 @@ class ArrivalBoards {
   }
 
  private:
-  static constexpr bool falls_right(Direction diagonal) {
-    return diagonal == Direction::down_right || diagonal == Direction::up_left;
-  }
-
   int height_ = 0;
-  std::array<BitLines, 4> straight_;  // by Direction / 2; by columns or rows
-  std::array<BitLines, 4> diagonal_;  // by Direction / 2; by diagonals
+  std::array<BitLines, 4> straight_;  // by quarter(); by columns or rows
+  std::array<BitLines, 4> diagonal_;  // by quarter(); by diagonals
 };
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 
 #include "wend/index/diagonal_walk.hpp"
 #include "wend/index/rays.hpp"
+#include "wend/space/drawn_direction.hpp"
 
 namespace wend {
 namespace {
@@ -33,12 +34,12 @@ class EdgeScan {
   /// The corners between a diagonal and the two straight directions beside it. What a ray meets
   /// hides what lies farther out on the rays of the cells further along.
   void scan_quadrant(Direction diagonal) {
-    const std::array<Direction, 2> beside = straight_parts(diagonal);
-    std::array<int, 2> reach{clear_steps(beside[0]), clear_steps(beside[1])};
+    const std::array<Direction, 2> straight = beside(diagonal);
+    std::array<int, 2> reach{clear_steps(straight[0]), clear_steps(straight[1])};
     walk_diagonal(corners_.passable(), from_, diagonal, [&](Cell cell) {
       if (append_if_corner(cell)) return false;
-      for (std::size_t i = 0; i < beside.size(); ++i) {
-        reach[i] = std::min(reach[i], scan_ray(cell, beside[i], reach[i]));
+      for (std::size_t i = 0; i < straight.size(); ++i) {
+        reach[i] = std::min(reach[i], scan_ray(cell, straight[i], reach[i]));
       }
       return true;
     });
@@ -60,7 +61,7 @@ class EdgeScan {
   bool append_if_corner(Cell cell) {
     const std::uint32_t corner = corners_.number(cell);
     if (corner == Corners::kNone) return false;
-    edges_->push_back({corner, octile_cost(from_, cell)});
+    edges_->push_back({corner, octile_cost<CornerCost>(from_, cell)});
     return true;
   }
 

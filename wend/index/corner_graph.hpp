@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "wend/index/corner_cost.hpp"
 #include "wend/index/corners.hpp"
-#include "wend/index/octile_cost.hpp"
 
 namespace wend {
 

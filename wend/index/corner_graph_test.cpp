@@ -135,17 +135,18 @@ class ThreeTerms {
   std::uint64_t distance(Cell s, Cell t, bool stand) const {
     const Corners& corners = graph_.corners();
     const auto sees = [&](Cell a, Cell b) { return brute_sees(corners.passable(), a, b); };
-    std::uint64_t least = sees(s, t) || sees(t, s) ? octile_cost(s, t) : kUnreached;
+    std::uint64_t least = sees(s, t) || sees(t, s) ? octile_cost<CornerCost>(s, t) : kUnreached;
     const bool alone = stand && (corners.contains(s) || corners.contains(t));
     const auto first_of_s = first(s, stand);
     for (const std::uint32_t c : first(t, stand)) {
-      const std::uint64_t from_c = octile_cost(corners.cell(c), t);
+      const std::uint64_t from_c = octile_cost<CornerCost>(corners.cell(c), t);
       if (!alone && sees(s, corners.cell(c))) {
-        least = std::min(least, octile_cost(s, corners.cell(c)) + from_c);
+        least = std::min(least, octile_cost<CornerCost>(s, corners.cell(c)) + from_c);
       }
       for (const std::uint32_t a : first_of_s) {
         if (between_[a][c] == kUnreached) continue;
-        least = std::min(least, octile_cost(s, corners.cell(a)) + between_[a][c] + from_c);
+        least =
+            std::min(least, octile_cost<CornerCost>(s, corners.cell(a)) + between_[a][c] + from_c);
       }
     }
     return least;

@@ -85,7 +85,7 @@ bool costs_fit(const ContractionHierarchy& hierarchy, std::span<const Cell> cell
     const std::uint32_t end = hierarchy.nodes[node + 1].leaving;
     for (std::uint32_t number = hierarchy.nodes[node].leaving; number < end; ++number) {
       const HierarchyArc& arc = hierarchy.arcs[number];
-      const CornerCost least = octile_cost(cells[node], cells[arc.node]);
+      const CornerCost least = octile_cost<CornerCost>(cells[node], cells[arc.node]);
       const bool fits = hierarchy.vias[number].shortcut() ? arc.cost >= least : arc.cost == least;
       if (!fits) return false;
     }
@@ -109,7 +109,7 @@ class CornerHierarchyEngine final : public IndexEngine {
       path_.begin(start);
     } else if (turns_.sees(goal, start)) {
       path_.begin(start);
-      path_.append(bend_of(goal, start));
+      path_.append(octile_bend(goal, start));
     } else {
       search(start, goal);
     }
@@ -126,10 +126,10 @@ class CornerHierarchyEngine final : public IndexEngine {
     starts_.clear();
     goals_.clear();
     turns_.for_each_first(start, [&](const TurnChoice& choice, CornerCost cost) {
-      starts_.add(choice, {cost, cost + octile_cost(choice.cell, goal)});
+      starts_.add(choice, {cost, cost + octile_cost<CornerCost>(choice.cell, goal)});
     });
     turns_.for_each_last(goal, [&](const TurnChoice& choice, CornerCost cost) {
-      goals_.add(choice, {cost, cost + octile_cost(choice.cell, start)});
+      goals_.add(choice, {cost, cost + octile_cost<CornerCost>(choice.cell, start)});
     });
     const CornerCost cost = search_.find(starts_.ends, goals_.ends, HierarchySearch::kNoCost,
                                          OctileQuery{*this, start, goal});
@@ -162,9 +162,11 @@ class CornerHierarchyEngine final : public IndexEngine {
     Cell goal;
 
     CornerCost to_start(std::uint32_t node) const {
-      return octile_cost(engine.cells_[node], start);
+      return octile_cost<CornerCost>(engine.cells_[node], start);
     }
-    CornerCost to_goal(std::uint32_t node) const { return octile_cost(engine.cells_[node], goal); }
+    CornerCost to_goal(std::uint32_t node) const {
+      return octile_cost<CornerCost>(engine.cells_[node], goal);
+    }
 
     template <class Visit>
     void for_each_start(std::uint32_t i, Visit&& visit) const {

@@ -3,20 +3,13 @@
 #include <algorithm>
 
 #include "wend/index/diagonal_walk.hpp"
+#include "wend/space/drawn_direction.hpp"
 
 namespace wend {
 namespace {
 
-/// The two diagonals that cast rays in a straight direction.
-constexpr std::array<Direction, 2> diagonals_beside(Direction straight) {
-  const auto number = static_cast<unsigned>(straight);
-  return {static_cast<Direction>((number + kDirections - 1) % kDirections),
-          static_cast<Direction>(number + 1)};
-}
-
 bool is_stop(const BitGrid& passable, Cell cell, Direction straight) {
-  return (jump_directions(passable.block(cell, 1)) >> (static_cast<unsigned>(straight) / 2) & 1U) !=
-         0;
+  return (jump_directions(passable.block(cell, 1)) >> quarter(straight) & 1U) != 0;
 }
 
 /// Visits every cell that has a corner in its list: back along the rays that stop there, and back
@@ -28,7 +21,7 @@ void visit_cells_before(const BitGrid& passable, Cell corner, Visit&& visit) {
     for (Cell cell = step(corner, opposite(straight), false); passable[cell];
          cell = step(cell, opposite(straight), false)) {
       visit(cell);
-      for (const Direction diagonal : diagonals_beside(straight)) {
+      for (const Direction diagonal : beside(straight)) {
         walk_diagonal(passable, cell, opposite(diagonal), [&](Cell start) {
           visit(start);
           return true;
@@ -53,7 +46,7 @@ void FirstCorners::find(Cell cell, std::vector<std::uint32_t>& out) const {
   for (const Direction straight : kStraightDirections) cast(cell, straight);
   for (const Direction diagonal : kDiagonalDirections) {
     walk_diagonal(corners_->passable(), cell, diagonal, [&](Cell on_diagonal) {
-      for (const Direction straight : straight_parts(diagonal)) cast(on_diagonal, straight);
+      for (const Direction straight : beside(diagonal)) cast(on_diagonal, straight);
       return true;
     });
   }

@@ -28,7 +28,7 @@ template <class Record, class Visit>
 void for_costs(const Record& record, Cell cell, Visit&& visit) {
   std::uint32_t i = 0;
   for (std::uint32_t corner = 0; corner < record.corner_count(); ++corner) {
-    const CornerCost to_corner = octile_cost(cell, record.cell(corner));
+    const CornerCost to_corner = octile_cost<CornerCost>(cell, record.cell(corner));
     const std::uint32_t end = i + record.count(corner);
     for (; i < end; ++i) visit(i, to_corner + record.cost(i));
   }
@@ -52,9 +52,10 @@ OctileSteps HubEngine<Hub>::find(Cell start, Cell goal) {
   const Record to = record_of(goal);
   metrics_ = {1, 1, 1};
   if (sight_.sees(start, goal)) {
-    way_ = {octile_cost(start, goal), goal, goal, {}, octile_cost(start, goal)};
+    way_ = {
+        octile_cost<CornerCost>(start, goal), goal, goal, {}, octile_cost<CornerCost>(start, goal)};
   } else if (sight_.sees(goal, start)) {
-    way_ = {octile_cost(start, goal), start, start, {}, 0};
+    way_ = {octile_cost<CornerCost>(start, goal), start, start, {}, 0};
   } else {
     way_ = way_by_hub(from, to);
     if (!from.is_corner() && !to.is_corner()) {
@@ -88,7 +89,7 @@ typename HubEngine<Hub>::Way HubEngine<Hub>::way_by_hub(const Record& from, cons
   const std::uint32_t corner = corner_of(from, first);
   const Cell first_cell = from.cell(corner);
   return {static_cast<CornerCost>(least >> kHalf), first_cell, to.cell(corner_of(to, last)),
-          to.hub(last), octile_cost(start_, first_cell) + from.cost(first)};
+          to.hub(last), octile_cost<CornerCost>(start_, first_cell) + from.cost(first)};
 }
 
 template <class Hub>
@@ -109,9 +110,10 @@ template <class Hub>
 void HubEngine<Hub>::improve_by_sight(const Record& seen, Cell own, Cell other, Way& way) const {
   for (std::uint32_t i = 0; i < seen.corner_count(); ++i) {
     const Cell corner = seen.cell(i);
-    const CornerCost cost = octile_cost(own, corner) + octile_cost(corner, other);
+    const CornerCost cost =
+        octile_cost<CornerCost>(own, corner) + octile_cost<CornerCost>(corner, other);
     if (cost < way.cost && sight_.sees(other, corner)) {
-      way = {cost, corner, corner, {}, octile_cost(start_, corner)};
+      way = {cost, corner, corner, {}, octile_cost<CornerCost>(start_, corner)};
     }
   }
 }

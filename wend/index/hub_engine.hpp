@@ -10,7 +10,7 @@
 #include "wend/index/hub_sections.hpp"
 #include "wend/index/index_engine.hpp"
 #include "wend/index/run_writer.hpp"
-#include "wend/index/sight.hpp"
+#include "wend/space/sight.hpp"
 
 namespace wend {
 

@@ -20,7 +20,7 @@
 // corners, which is g or one yet more important, has the least sum too. (For boards of up to a
 // million cells a query takes 0.2 to 2 us, its path included.)
 //
-// Limits: 65536 rows and columns; no way to a hub may be longer than some 23,000 cells.
+// Limits: 32767 rows and columns; no way to a hub may be longer than some 23,000 cells.
 
 #include <memory>
 #include <string>

@@ -93,8 +93,8 @@ TEST(HubLabelling, KeepsTheTreeOfEveryHubInTheOrderOfCosts) {
         ASSERT_LT(tree[i].parent, i);
         ASSERT_GE(distance(tree[i]), distance(tree[i - 1]));
         ASSERT_EQ(distance(tree[i]) - distance(tree[tree[i].parent]),
-                  octile_cost(map.graph.corners().cell(tree[i].corner),
-                              map.graph.corners().cell(tree[tree[i].parent].corner)));
+                  octile_cost<CornerCost>(map.graph.corners().cell(tree[i].corner),
+                                          map.graph.corners().cell(tree[tree[i].parent].corner)));
       }
     }
   });

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/index/octile_cost.hpp"
+#include "wend/index/corner_cost.hpp"
 
 namespace wend {
 

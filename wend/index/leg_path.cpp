@@ -8,18 +8,6 @@
 #include "wend/index/run_writer.hpp"
 
 namespace wend {
-namespace {
-
-int sign(int value) { return (value > 0) - (value < 0); }
-
-}  // namespace
-
-Cell bend_of(Cell from, Cell to) {
-  const int dx = to.x - from.x;
-  const int dy = to.y - from.y;
-  const int diagonal = std::min(std::abs(dx), std::abs(dy));
-  return {from.x + diagonal * sign(dx), from.y + diagonal * sign(dy)};
-}
 
 void LegPath::append(Cell point) {
   const Cell last = points_.back();

@@ -11,9 +11,6 @@
 
 namespace wend {
 
-/// Where a leg turns from its diagonal part to its straight part.
-Cell bend_of(Cell from, Cell to);
-
 class LegPath {
  public:
   void begin(Cell start) {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "wend/index/corner_cost.hpp"
 #include "wend/index/index_engine.hpp"
-#include "wend/index/octile_cost.hpp"
 
 namespace wend {
 

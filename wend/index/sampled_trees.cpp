@@ -36,7 +36,7 @@ std::size_t SampledTrees::grow_nodes() {
     start_at(corners.number(root), 0);
   } else {
     for (const std::uint32_t corner : first_.of(root)) {
-      start_at(corner, octile_cost(root, corners.cell(corner)));
+      start_at(corner, octile_cost<CornerCost>(root, corners.cell(corner)));
     }
   }
   spread();

@@ -33,8 +33,8 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/index/arrival_boards.hpp"
+#include "wend/index/corner_cost.hpp"
 #include "wend/index/corners.hpp"
-#include "wend/index/octile_cost.hpp"
 #include "wend/space/jump_boards.hpp"
 
 namespace wend {
@@ -86,7 +86,7 @@ class Turns {
   Cell cell(std::uint32_t turn) const { return cells_[turn]; }
 
   /// Is the way free that goes diagonally first?
-  bool sees(Cell from, Cell to) const { return boards_.in_sight(from, to); }
+  bool sees(Cell from, Cell to) const { return boards_.sight().sees(from, to); }
 
   /// visit(turn) of each turn of a choice: there may be none.
   template <class Visit>

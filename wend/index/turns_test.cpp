@@ -57,7 +57,7 @@ TEST(Turns, LeadByAShortestPathFromEveryCellToEveryOther) {
       }
       for (const Cell to : passable_cells(bits)) {
         std::uint64_t least = kUnreached;
-        if (turns.sees(from, to)) least = octile_cost(from, to);
+        if (turns.sees(from, to)) least = octile_cost<CornerCost>(from, to);
         turns.for_each_last(to, [&](const TurnChoice& choice, std::uint64_t cost) {
           turns.for_each_of(choice, [&](std::uint32_t turn) {
             if (costs[turn] != kUnreached) least = std::min(least, costs[turn] + cost);
@@ -89,7 +89,7 @@ TEST(Turns, AreJoinedByLegsThatAreFree) {
     const auto check = [&](Cell from, Cell to, CornerCost cost) {
       ASSERT_TRUE(brute_sees(bits, from, to))
           << from.x << ',' << from.y << " to " << to.x << ',' << to.y;
-      ASSERT_EQ(cost, octile_cost(from, to));
+      ASSERT_EQ(cost, octile_cost<CornerCost>(from, to));
     };
     for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
       std::set<std::uint32_t> seen;

@@ -23,6 +23,12 @@ class GoalCells {
     return cell == first_ || (!others_.empty() && is_another(cell));
   }
 
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    visit(first_);
+    for (const Cell goal : others_) visit(goal);
+  }
+
   /// The least value(goal) over all goals. O(goals).
   template <class Value>
   auto least(Value&& value) const {

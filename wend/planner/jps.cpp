@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "wend/index/run_writer.hpp"
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid_planner.hpp"
 #include "wend/planner/jump_point_search.hpp"
@@ -17,9 +18,9 @@ namespace {
 template <class Cost>
 class JumpEngine final : public GridEngine {
  public:
-  JumpEngine(FreeSpace space, std::shared_ptr<const JumpBoards> boards,
+  JumpEngine(FreeSpace space, std::shared_ptr<const JumpGraph> graph,
              std::shared_ptr<const DeadEnds> dead_ends)
-      : space_(std::move(space)), search_(std::move(boards), std::move(dead_ends)) {}
+      : space_(std::move(space)), search_(std::move(graph), std::move(dead_ends)) {}
 
   bool allocated() const override { return true; }
 
@@ -45,7 +46,7 @@ class JumpEngine final : public GridEngine {
   const SearchMetrics& metrics() const override { return search_.metrics(); }
 
   double heuristic(const Cell& cell) const override {
-    return search_.goal_count() == 0 ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
+    return goals_.empty() ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
   }
 
   void write_path(Path& path) const override {
@@ -55,17 +56,10 @@ class JumpEngine final : public GridEngine {
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
       count += static_cast<std::size_t>(steps_between(waypoints[i - 1], waypoints[i]));
     }
-    auto out = path.make_cells(count).begin();
-    *out++ = drawn_cell(space_, waypoints.front());
-    for (std::size_t i = 1; i < waypoints.size(); ++i) {
-      Cell at = drawn_cell(space_, waypoints[i - 1]);
-      const Cell to = drawn_cell(space_, waypoints[i]);
-      const Cell step{(to.x > at.x) - (to.x < at.x), (to.y > at.y) - (to.y < at.y)};
-      for (int steps = steps_between(at, to); steps > 0; --steps) {
-        at = {at.x + step.x, at.y + step.y};
-        *out++ = at;
-      }
-    }
+    const std::span<Cell> cells = path.make_cells(count);
+    cells.front() = drawn_cell(space_, waypoints.front());
+    RunWriter<1> writer(cells.data() + 1, cells.size() - 1, cells.front());
+    for (const Cell waypoint : waypoints.subspan(1)) writer.go_to(drawn_cell(space_, waypoint));
   }
 
  private:
@@ -87,7 +81,13 @@ class JumpEngine final : public GridEngine {
       observer_.on_generate(event(cell, parent, g));
     }
     void on_expand(Cell cell, Cell parent, Cost g) { observer_.on_expand(event(cell, parent, g)); }
-    void on_relax(Cell cell, Cell parent, Cost g) { observer_.on_relax(event(cell, parent, g)); }
+    void on_reach(Cell cell, Cell parent, Cost g, bool again) {
+      if (again) {
+        observer_.on_relax(event(cell, parent, g));
+      } else {
+        on_generate(cell, parent, g);
+      }
+    }
 
    private:
     SearchEvent event(Cell cell, Cell parent, Cost g) const {
@@ -119,9 +119,10 @@ class JumpEngine final : public GridEngine {
 GridPlanner::Parts choose_parts(const FreeSpace& space) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
   const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
+  const auto graph = std::make_shared<const JumpGraph>(boards);
   const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  const auto engine = [space, boards, dead_ends]<class Cost>(Cost) {
-    return std::make_unique<JumpEngine<Cost>>(space, boards, dead_ends);
+  const auto engine = [space, graph, dead_ends]<class Cost>(Cost) {
+    return std::make_unique<JumpEngine<Cost>>(space, graph, dead_ends);
   };
   return {
       {},
@@ -140,18 +141,19 @@ PlannerInfo jps_planner() {
           "Among all shortest paths that differ only in the order of their steps it looks at one: "
           "diagonal steps first. That one turns nowhere but past the corners of obstacles, and "
           "to the next such place the search jumps, reading the map 64 cells at a time. Dead "
-          "ends of the map are left out, and what comes after a jump is kept for later searches.",
+          "ends of the map are left out. Where there is no choice one leap takes several turns, "
+          "and "
+          "what has been found out is kept for later searches.",
       .citation = "Harabor, Grastien 2011 and 2014",
       .guarantee = "optimal on 8 neighbours without corner cutting, where all cells cost the same",
       .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
       .memory =
-          "8 bytes a cell, 49 a jump point, 4 for each jump that a search has met so far, and 12 "
-          "an "
-          "entry of the frontier",
+          "8 bytes a cell, 57 a jump point, 16 for each leap that a search has met so far, and 12 "
+          "an entry of the frontier",
       .when =
-          "The fastest without an index, wherever the map has rooms and streets: ask it first. "
-          "In noise and narrow mazes it has less to leap over. It cannot plan on terrain, nor "
-          "keep away from obstacles.",
+          "The fastest without an index, wherever the map has rooms, streets or corridors: ask it "
+          "first. In noise it has little to leap over. It cannot plan on terrain, nor keep away "
+          "from obstacles.",
       .promise = Promise::optimal,
       .plans_on_terrain = false,
       .preprocessing = Preprocessing::none,

@@ -34,7 +34,7 @@ template <class Search>
 Search make_search(const BitGrid& cells) {
   auto boards = std::make_shared<const JumpBoards>(cells);
   auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  return Search(std::move(boards), std::move(dead_ends));
+  return Search(std::make_shared<const JumpGraph>(boards), std::move(dead_ends));
 }
 
 using Compact = JumpPointSearch<std::uint32_t>;
@@ -135,6 +135,23 @@ TEST(Jps, FindsPathsThatOutgrow32Bits) {
   const auto astar = (*make_planner("astar", space))->plan(query);
   ASSERT_TRUE(astar);
   EXPECT_EQ(plan->cost, astar->cost);
+}
+
+/// So wide that the distance of two cells may outgrow 32 bits.
+TEST(Jps, PlansOnMapsThatAreVeryWide) {
+  constexpr int kWidth = 150000;
+  Grid<CellState> cells(kWidth, 3, CellState::free);
+  for (int x = 0; x < kWidth; ++x) cells[{x, 1}] = CellState::occupied;
+  cells[{100, 1}] = cells[{kWidth - 1, 1}] = CellState::free;
+  const FreeSpace space{GridMap(cells)};
+  const auto planner = make_planner("jps", space);
+  ASSERT_TRUE(planner);
+  const auto plan = (*planner)->plan(Query::between({kWidth - 101, 0}, {kWidth - 1, 2}));
+  ASSERT_TRUE(plan) << plan.error().reason;
+  EXPECT_EQ(plan->cost, 102) << "by the near gap";
+  const auto far = (*planner)->plan(Query::between({0, 0}, {kWidth - 2, 2}));
+  ASSERT_TRUE(far) << far.error().reason;
+  EXPECT_EQ(far->cost, kWidth) << "by the first gap";
 }
 
 TEST(Jps, RefusesTerrainAndSaysSo) {

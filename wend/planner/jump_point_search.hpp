@@ -2,23 +2,24 @@
 
 // JumpPointSearch: A* that jumps from one jump point to the next and leaves out what lies between.
 //
-//   wend::JumpPointSearch<std::uint32_t> search(boards, dead_ends);
+//   wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
 //   search.begin({1, 1}, goals, limits);
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
 // A state is a jump point together with the straight directions it was reached in, all by equally
-// cheap ways. A state that sees a goal opens nothing: no way is shorter. Open states lie in buckets
-// whose order is inexact, so a state may be expanded again when a cheaper way to it comes, and the
-// search ends when the bucket in work is past the cheapest way found.
+// cheap ways. A state that sees a goal opens nothing: no way is shorter. Where there is no choice it
+// leaps over several jump points (LeapGraph), and looks for a goal from each of them if the leap may
+// see one. Open states lie in buckets whose order is inexact, so a state may be expanded again when
+// a cheaper way to it comes, and the search ends when the bucket in work is past the cheapest way
+// found.
 //
-// Optimal. 24 bytes a jump point, and what JumpGraph, JumpBoards and DeadEnds take. One thread a
-// search; boards and dead ends are shared.
+// Optimal. 32 bytes a jump point, and what JumpGraph, JumpBoards, LeapGraph and DeadEnds take. One
+// thread a search; jump graph and dead ends are shared.
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <span>
@@ -27,13 +28,16 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/base/state_id.hpp"
-#include "wend/search/forward_search.hpp"
+#include "wend/planner/goal_cells.hpp"
+#include "wend/planner/jump_nodes.hpp"
 #include "wend/search/jump_queue.hpp"
+#include "wend/search/limit_check.hpp"
 #include "wend/search/search_metrics.hpp"
+#include "wend/search/search_outcome.hpp"
 #include "wend/space/dead_ends.hpp"
-#include "wend/space/jump_boards.hpp"
 #include "wend/space/jump_graph.hpp"
-#include "wend/space/octile_units.hpp"
+#include "wend/space/leap_graph.hpp"
+#include "wend/space/octile_way.hpp"
 
 namespace wend {
 
@@ -41,16 +45,17 @@ namespace wend {
 struct NoJumpWatcher {
   void on_generate(Cell, Cell, auto) const {}
   void on_expand(Cell, Cell, auto) const {}
-  void on_relax(Cell, Cell, auto) const {}
+  void on_reach(Cell, Cell, auto, bool) const {}
 };
 
-template <class CostType, std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max()>
+/// kSearches: after how many of them stamps start again.
+template <class CostType, std::uint32_t kSearches = std::numeric_limits<std::uint32_t>::max()>
 class JumpPointSearch {
  public:
   using Cost = CostType;
   using Units = OctileUnits<Cost>;
 
-  JumpPointSearch(std::shared_ptr<const JumpBoards> boards,
+  JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
                   std::shared_ptr<const DeadEnds> dead_ends);
 
   /// Forgets the last search. Cells are as drawn and passable; `limits` must live as long as the
@@ -76,71 +81,73 @@ class JumpPointSearch {
   /// them all steps go the same way. Replaced by the next call.
   std::span<const Cell> waypoints();
 
-  /// Of the search begun last.
-  std::size_t goal_count() const { return goals_.size(); }
-
-  /// The estimate to the nearest goal, in units; there must be one.
+  /// The estimate to the nearest goal of the search begun last, in units.
   Cost h(Cell cell) const {
-    Cost least = octile(cell, goals_.front());
-    for (std::size_t i = 1; i < goals_.size(); ++i) {
-      least = std::min(least, octile(cell, goals_[i]));
-    }
-    return least;
+    return goals_.least([cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
   }
 
  private:
   static constexpr Cost kInfinite = std::numeric_limits<Cost>::max();
 
-  struct Node {
-    Cell cell;
-    Cost g;
-    StateId parent;
-    std::uint32_t generation;  // of the search that reached it; 0: never
-    std::uint8_t pending;      // arrivals to be expanded, a bit each
-    std::uint8_t done;         // arrivals that were, as cheaply
-    bool in_dead_end;
+  using Nodes = JumpNodes<Cost, kSearches>;
+  using Node = typename Nodes::Node;
+
+  static constexpr Jump kNoJump = Jump(std::numeric_limits<std::uint32_t>::max());
+
+  /// A state that sees a goal: a node, or a jump point on a leap from that.
+  struct Seer {
+    StateId node = 0;
+    Jump first = kNoJump;  // of the leap
+    Jump last = kNoJump;
   };
 
-  static Cost octile(Cell from, Cell to) {
-    const auto dx = static_cast<Cost>(std::abs(to.x - from.x));
-    const auto dy = static_cast<Cost>(std::abs(to.y - from.y));
-    return Units::kStraight * std::max(dx, dy) +
-           (Units::kDiagonal - Units::kStraight) * std::min(dx, dy);
-  }
+  /// What there is to see from a cell.
+  struct View {
+    bool better = false;   // a goal that is cheaper than all before
+    bool nearest = false;  // the nearest one: no way from here is shorter
+  };
 
   /// The start is the node behind the jump points.
   StateId start_id() const { return static_cast<StateId>(nodes_.size() - 1); }
 
-  void next_generation();
-  bool within_limits();
-  bool see_goal(const Node& node, DirectionSet directions, StateId id);
+  View look(Cell from, DirectionSet directions, Cost g);
+  bool may_see_goal(const Leap& leap) const;
+  bool look_from_passed(const Leap& leap, const Node& from, StateId parent);
 
   template <class Watcher>
   void expand(StateId id, Watcher& watcher);
   template <class Watcher>
+  void expand_start(Watcher& watcher);
+  template <class Watcher>
   void finish(Watcher& watcher);
   template <class Watcher>
-  void reach(Jump jump, const Node& from, StateId parent, Watcher& watcher);
+  [[gnu::always_inline]] inline void reach(const Leap& leap, const Node& from, StateId parent,
+                                           Watcher& watcher);
 
-  JumpGraph graph_;
+  void append_waypoint(Cell from);
+  void append_chain(Jump first, std::uint32_t last);
+
+  std::shared_ptr<const JumpGraph> graph_;
+  LeapGraph leaps_;
   OpenDeadEnds open_;
-  std::vector<Node> nodes_;
-  std::uint32_t generation_ = 0;
+  Nodes nodes_;
   JumpQueue<Cost> queue_;
-  std::vector<Cell> goals_;
+  GoalCells goals_;
+  std::vector<CoarsePlace> goal_places_;
   std::vector<Jump> first_jumps_;  // from the start
+  bool too_wide_;                  // for an octile distance to be surely below half of kInfinite
 
-  Cost best_ = 0;          // the cheapest way to a goal so far
-  StateId seen_from_ = 0;  // the state that sees that goal
+  Cost best_ = 0;  // the cheapest way to a goal so far
+  Seer seer_;      // of that goal
   Cell goal_{};
   bool overflown_ = false;
 
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
-  const Limits* limits_ = nullptr;
-  double deadline_ = 0;
-  std::uint64_t next_check_ = 0;
+  std::uint64_t most_expansions_ = 0;
+  LimitCheck limits_;
   std::vector<Cell> waypoints_;
+  std::vector<Cell> chain_;
 };
 
 /// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
@@ -154,48 +161,68 @@ constexpr DirectionSet first_direction(Cell from, Cell to) {
   return kByNeighbour[static_cast<std::size_t>(4 + 3 * below + right_of)];
 }
 
-template <class Cost, std::uint32_t kLast>
-JumpPointSearch<Cost, kLast>::JumpPointSearch(std::shared_ptr<const JumpBoards> boards,
-                                              std::shared_ptr<const DeadEnds> dead_ends)
-    : graph_(std::move(boards)), open_(std::move(dead_ends)), nodes_(graph_.size() + 1) {
-  for (StateId id = 0; id < graph_.size(); ++id) {
-    nodes_[id].cell = graph_.cell(id);
-    nodes_[id].in_dead_end = !open_.in_core(nodes_[id].cell);
+template <class Cost, std::uint32_t kSearches>
+JumpPointSearch<Cost, kSearches>::JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
+                                                  std::shared_ptr<const DeadEnds> dead_ends)
+    : graph_(std::move(graph)),
+      leaps_(graph_),
+      open_(std::move(dead_ends)),
+      nodes_(graph_->size() + 1) {
+  const JumpBoards& boards = graph_->boards();
+  const std::uint64_t steps =
+      static_cast<std::uint64_t>(boards.width()) + static_cast<std::uint64_t>(boards.height());
+  too_wide_ = steps > kInfinite / 2 / Units::kStraight;
+  for (StateId id = 0; id < graph_->size(); ++id) {
+    nodes_[id].cell = graph_->cell(static_cast<std::uint32_t>(id));
+    nodes_[id].dead_end = open_.number(nodes_[id].cell);
   }
 }
 
-template <class Cost, std::uint32_t kLast>
+template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::begin(Cell start, std::span<const Cell> goals,
-                                         const Limits& limits, Watcher&& watcher) {
+void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const Cell> goals,
+                                             const Limits& limits, Watcher&& watcher) {
   // A bucket is nearly a straight step wide.
   constexpr auto kWidthBits = static_cast<unsigned>(std::bit_width(Units::kStraight) - 1);
-  limits_ = &limits;
-  deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
-  next_check_ = 0;
+  limits_.begin(limits);
+  most_expansions_ = limits.expansions;
   metrics_ = {.expanded = 0, .generated = 1, .max_frontier = 1};
   overflown_ = false;
   best_ = kInfinite;
-  outcome_ = SearchOutcome::running;
-  next_generation();
-  goals_.assign(goals.begin(), goals.end());
+  outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
+  nodes_.begin_search();
+  goals_.assign(goals);
+  goal_places_.clear();
+  for (const Cell goal : goals) goal_places_.push_back(leaps_.raster().place(goal));
   open_.open_for(start, goals);
   queue_.begin(h(start), kWidthBits);
-  nodes_.back() = {start, 0, start_id(), generation_, 1, 0, false};
+  Node& node = nodes_[start_id()];
+  node.stamp = nodes_.stamp(0);
+  node.cell = start;
+  node.parent = start_id();
+  node.pending = 1;
   queue_.push(h(start), start_id());
   watcher.on_generate(start, start, Cost{0});
 }
 
-template <class Cost, std::uint32_t kLast>
+template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::step(Watcher&& watcher) {
+void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
     if (queue_.bucket_is_behind(best_)) break;
     // Of no use any more, or expanded meanwhile.
     if (entry.f >= best_ || nodes_[entry.id].pending == 0) continue;
-    if (metrics_.expanded == next_check_ && !within_limits()) return;
-    expand(entry.id, watcher);
+    if (limits_.due(metrics_.expanded)) {
+      outcome_ = limits_.look(metrics_.expanded);
+      if (outcome_ != SearchOutcome::running) return;
+    }
+    ++metrics_.expanded;
+    if (entry.id == start_id()) {
+      expand_start(watcher);
+    } else {
+      expand(entry.id, watcher);
+    }
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
     if (overflown_) outcome_ = SearchOutcome::cost_overflow;
     return;
@@ -203,16 +230,16 @@ void JumpPointSearch<Cost, kLast>::step(Watcher&& watcher) {
   finish(watcher);
 }
 
-template <class Cost, std::uint32_t kLast>
+template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::finish(Watcher& watcher) {
+void JumpPointSearch<Cost, kSearches>::finish(Watcher& watcher) {
   if (best_ == kInfinite) {
     outcome_ = SearchOutcome::exhausted;
     return;
   }
-  const Cell from = nodes_[seen_from_].cell;
+  const Cell from = nodes_[seer_.node].cell;
   const bool expanded = from == goal_;  // before
-  if (!expanded && metrics_.expanded >= limits_->expansions) {
+  if (!expanded && metrics_.expanded >= most_expansions_) {
     outcome_ = SearchOutcome::expansion_limit;
     return;
   }
@@ -224,50 +251,69 @@ void JumpPointSearch<Cost, kLast>::finish(Watcher& watcher) {
   watcher.on_expand(goal_, from, best_);
 }
 
-template <class Cost, std::uint32_t kLast>
+template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::expand(StateId id, Watcher& watcher) {
+void JumpPointSearch<Cost, kSearches>::expand_start(Watcher& watcher) {
   constexpr DirectionSet kEveryDirection = 0xFF;
-  Node& node = nodes_[id];
-  ++metrics_.expanded;
-  watcher.on_expand(node.cell, nodes_[node.parent].cell, node.g);
-  const unsigned arrivals = std::exchange(node.pending, std::uint8_t{0});
-  node.done |= static_cast<std::uint8_t>(arrivals);
-  if (id == start_id()) {
-    if (see_goal(node, kEveryDirection, id)) return;
-    first_jumps_.clear();
-    graph_.append_jumps(node.cell, kEveryDirection, first_jumps_);
-    for (const Jump jump : first_jumps_) reach(jump, node, id, watcher);
-    return;
-  }
-  DirectionSet directions = 0;
-  for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
-    directions |= graph_.directions(id, static_cast<unsigned>(std::countr_zero(rest)));
-  }
-  if (see_goal(node, directions, id)) return;
-  for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
-    const auto arrival = static_cast<unsigned>(std::countr_zero(rest));
-    const auto jumps = graph_.jumps(id, arrival);
-    for (const Jump jump : jumps) __builtin_prefetch(&nodes_[jump.number()], 1);  // 5 % faster
-    for (const Jump jump : jumps) reach(jump, node, id, watcher);
+  Node& start = nodes_[start_id()];
+  start.pending = 0;
+  watcher.on_expand(start.cell, start.cell, Cost{0});
+  const View view = look(start.cell, kEveryDirection, 0);
+  if (view.better) seer_ = {start_id(), kNoJump, kNoJump};
+  if (view.nearest) return;
+  first_jumps_.clear();
+  graph_->append_jumps(start.cell, kEveryDirection, first_jumps_);
+  for (const Jump jump : first_jumps_) {
+    reach(Leap(jump, start.cell, graph_->cell(jump.number())), start, start_id(), watcher);
   }
 }
 
-template <class Cost, std::uint32_t kLast>
+template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kLast>::reach(Jump jump, const Node& from, StateId parent,
-                                         Watcher& watcher) {
+void JumpPointSearch<Cost, kSearches>::expand(StateId id, Watcher& watcher) {
+  Node& node = nodes_[id];
+  watcher.on_expand(node.cell, nodes_[node.parent].cell, node.g());
+  const unsigned arrivals = std::exchange(node.pending, std::uint8_t{0});
+  node.done |= static_cast<std::uint8_t>(arrivals);
+  const auto for_each_arrival = [&](auto&& visit) {
+    for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
+      visit(Jump(static_cast<std::uint32_t>(id), static_cast<unsigned>(std::countr_zero(rest))));
+    }
+  };
+  DirectionSet directions = 0;
+  for_each_arrival([&](Jump state) { directions |= graph_->directions(state); });
+  const View view = look(node.cell, directions, node.g());
+  if (view.better) seer_ = {id, kNoJump, kNoJump};
+  if (view.nearest) return;
+  for_each_arrival([&](Jump state) {
+    const LeapList leaps = leaps_.leaps(state);
+    for (const Leap& leap : leaps) {
+      __builtin_prefetch(&nodes_[leap.last().number()], 1);
+      leaps_.prefetch_place(leap.last());
+    }
+    for (const Leap& leap : leaps) reach(leap, node, id, watcher);
+  });
+}
+
+template <class Cost, std::uint32_t kSearches>
+template <class Watcher>
+inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node& from,
+                                                    StateId parent, Watcher& watcher) {
+  if (may_see_goal(leap) && look_from_passed(leap, from, parent)) return;
+  if (leap.dead()) return;
+  const Jump jump = leap.last();
   Node& node = nodes_[jump.number()];
-  const std::uint64_t g = std::uint64_t{from.g} + octile(from.cell, node.cell);
+  const Cost g = from.g() + leap.template cost<Cost>(from.cell, node.cell);
+  const auto stamp = nodes_.stamp(g);
+  if (stamp > node.stamp) return;
+  if (stamp < node.stamp && !open_.contains(node.dead_end)) return;
+  // No branch: what a node was left with by searches before is hard to foresee.
+  const bool open = nodes_.reached(node) & (node.pending != 0);
   const auto arrival = static_cast<std::uint8_t>(1U << jump.arrival());
-  const bool known = node.generation == generation_;
-  if (known && g > node.g) return;
-  const bool open = known && node.pending != 0;
-  if (!known || g < node.g) {
-    if (node.in_dead_end && !open_.contains(node.cell)) return;
-    node.g = static_cast<Cost>(g);
+  if (stamp < node.stamp) {
+    node.stamp = stamp;
     node.parent = parent;
-    node.generation = generation_;
+    node.first = leap.first();
     node.pending = arrival;
     node.done = 0;
   } else {
@@ -276,81 +322,101 @@ void JumpPointSearch<Cost, kLast>::reach(Jump jump, const Node& from, StateId pa
     node.pending |= arrival;
     if (open) return;
   }
-  if (open) {
-    watcher.on_relax(node.cell, from.cell, node.g);
-  } else {
-    ++metrics_.generated;
-    watcher.on_generate(node.cell, from.cell, node.g);
-  }
-  const std::uint64_t f = g + h(node.cell);
-  if (f >= kInfinite) {
+  metrics_.generated += open ? 0 : 1;
+  watcher.on_reach(node.cell, from.cell, g, open);
+  const Cost f = g + h(node.cell);
+  if (g < from.g() || f < g || f == kInfinite) {  // more than the type holds
     overflown_ = true;
-  } else {
-    queue_.push(static_cast<Cost>(f), jump.number());
+    return;
+  }
+  leaps_.prefetch_leaps(jump);  // a state is often expanded soon after it was reached
+  queue_.push(f, jump.number());
+}
+
+template <class Cost, std::uint32_t kSearches>
+bool JumpPointSearch<Cost, kSearches>::may_see_goal(const Leap& leap) const {
+  bool may = leap.may_see(goal_places_.front());
+  for (std::size_t i = 1; i < goal_places_.size(); ++i) may |= leap.may_see(goal_places_[i]);
+  return may;
+}
+
+/// Looks for goals from the jump points that a leap passes, and from its end if nothing comes after
+/// that. True if no way that goes on is shorter.
+template <class Cost, std::uint32_t kSearches>
+bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Leap& leap, const Node& from,
+                                                        StateId parent) {
+  Cell at = from.cell;
+  Cost g = from.g();
+  for (Jump jump = leap.first();; jump = leaps_.only_next(jump)) {
+    const bool last = jump == leap.last();
+    if (last && !leap.dead()) return false;
+    const Cell cell = graph_->cell(jump.number());
+    const Cost reached = g + octile_cost<Cost>(std::exchange(at, cell), cell);
+    if (reached < g) {  // more than the type holds
+      overflown_ = true;
+      return true;
+    }
+    g = reached;
+    const View view = look(cell, graph_->directions(jump), g);
+    if (view.better) seer_ = {parent, leap.first(), jump};
+    if (view.nearest || last) return true;
   }
 }
 
-/// Is the nearest goal in sight? Then no way from here is shorter than the straight one to it. Goals
-/// in other directions than these are reached as cheaply by other ways.
-template <class Cost, std::uint32_t kLast>
-bool JumpPointSearch<Cost, kLast>::see_goal(const Node& node, DirectionSet directions, StateId id) {
-  bool seen_nearest = false;
-  for (const Cell goal : goals_) {
-    const bool ahead = (directions & first_direction(node.cell, goal)) != 0 || goal == node.cell;
-    if (!ahead || !graph_.boards().in_sight(node.cell, goal)) continue;
-    const Cost distance = octile(node.cell, goal);
-    seen_nearest = seen_nearest || distance == h(node.cell);
-    const auto cost = static_cast<Cost>(node.g + distance);
-    if (cost >= best_) continue;
-    best_ = cost;
-    seen_from_ = id;
+/// Which goals are in sight? If the nearest one is, no way from here is shorter than the straight one
+/// to it. Goals in other directions than these are reached as cheaply by other ways.
+template <class Cost, std::uint32_t kSearches>
+typename JumpPointSearch<Cost, kSearches>::View JumpPointSearch<Cost, kSearches>::look(
+    Cell from, DirectionSet directions, Cost g) {
+  View view;
+  goals_.for_each([&](Cell goal) {
+    const bool ahead = (directions & first_direction(from, goal)) != 0 || goal == from;
+    if (!ahead || !graph_->boards().sight().sees(from, goal)) return;
+    const Cost distance = octile_cost<Cost>(from, goal);
+    view.nearest = view.nearest || distance == h(from);
+    if (distance >= kInfinite - g) {
+      overflown_ = true;
+      return;
+    }
+    if (g + distance >= best_) return;
+    best_ = g + distance;
     goal_ = goal;
-  }
-  return seen_nearest;
+    view.better = true;
+  });
+  return view;
 }
 
-template <class Cost, std::uint32_t kLast>
-void JumpPointSearch<Cost, kLast>::next_generation() {
-  if (generation_ == kLast) {
-    for (Node& node : nodes_) node.generation = 0;
-    generation_ = 0;
+template <class Cost, std::uint32_t kSearches>
+std::span<const Cell> JumpPointSearch<Cost, kSearches>::waypoints() {
+  waypoints_.assign(1, goal_);
+  if (seer_.first != kNoJump) append_chain(seer_.first, seer_.last.number());
+  for (StateId id = seer_.node; id != start_id(); id = nodes_[id].parent) {
+    append_chain(nodes_[id].first, static_cast<std::uint32_t>(id));
   }
-  ++generation_;
-}
-
-template <class Cost, std::uint32_t kLast>
-bool JumpPointSearch<Cost, kLast>::within_limits() {
-  const std::uint64_t expanded = metrics_.expanded;
-  if (expanded >= limits_->expansions) {
-    outcome_ = SearchOutcome::expansion_limit;
-  } else if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
-    outcome_ = SearchOutcome::cancelled;
-  } else if (limits_->clock && limits_->clock() > deadline_) {
-    outcome_ = SearchOutcome::time_limit;
-  }
-  next_check_ = std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
-  return outcome_ == SearchOutcome::running;
-}
-
-template <class Cost, std::uint32_t kLast>
-std::span<const Cell> JumpPointSearch<Cost, kLast>::waypoints() {
-  waypoints_.clear();
-  Cell to = goal_;
-  waypoints_.push_back(to);
-  for (StateId id = seen_from_;; id = nodes_[id].parent) {
-    const Cell from = nodes_[id].cell;
-    const int right = to.x - from.x;
-    const int down = to.y - from.y;
-    const int diagonal = std::min(std::abs(right), std::abs(down));
-    const Cell turn{from.x + (right < 0 ? -diagonal : diagonal),
-                    from.y + (down < 0 ? -diagonal : diagonal)};
-    if (turn != to && turn != from) waypoints_.push_back(turn);
-    if (from != to) waypoints_.push_back(from);
-    if (id == start_id()) break;
-    to = from;
-  }
+  append_waypoint(nodes_[start_id()].cell);
   std::reverse(waypoints_.begin(), waypoints_.end());
   return waypoints_;
+}
+
+/// A leap's jump points, from its end on, by their numbers.
+template <class Cost, std::uint32_t kSearches>
+void JumpPointSearch<Cost, kSearches>::append_chain(Jump first, std::uint32_t last) {
+  chain_.clear();
+  Jump jump = first;
+  for (; jump.number() != last; jump = leaps_.only_next(jump)) {
+    chain_.push_back(graph_->cell(jump.number()));
+  }
+  append_waypoint(graph_->cell(last));
+  for (auto cell = chain_.rbegin(); cell != chain_.rend(); ++cell) append_waypoint(*cell);
+}
+
+/// From there one goes to the way-point before.
+template <class Cost, std::uint32_t kSearches>
+void JumpPointSearch<Cost, kSearches>::append_waypoint(Cell from) {
+  const Cell to = waypoints_.back();
+  const Cell bend = octile_bend(from, to);
+  if (bend != to && bend != from) waypoints_.push_back(bend);
+  if (from != to) waypoints_.push_back(from);
 }
 
 }  // namespace wend

@@ -59,7 +59,8 @@ class JumpQueue {
     current_ = word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]));
     const std::uint32_t link = heads_[current_];
     heads_[current_] = links_[link].next;
-    if (heads_[current_] == kNone) occupied_[word] &= occupied_[word] - 1;
+    const std::uint64_t empty = heads_[current_] == kNone ? 1 : 0;
+    occupied_[word] ^= empty << (current_ % kWordBits);
     --size_;
     return links_[link].entry;
   }

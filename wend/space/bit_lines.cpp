@@ -50,6 +50,12 @@ BitLines::BitLines(int lines, int length)
       words_per_line_((static_cast<std::size_t>(length) + 2 + kWordBits - 1) / kWordBits),
       words_((static_cast<std::size_t>(lines) + 2) * words_per_line_ + 2 * kSlackWords) {}
 
+BitLines::BitLines(const BitGrid& drawn) : BitLines(drawn.height(), drawn.width()) {
+  for (int y = 0; y < lines_; ++y) {
+    std::copy_n(drawn.row_words(y).begin(), words_per_line_, words(y).begin());
+  }
+}
+
 BitLines BitLines::transposed() const {
   BitLines turned(length_, lines_);
   Block block;

@@ -15,6 +15,9 @@
 #include <span>
 #include <vector>
 
+#include "wend/geometry/cell.hpp"
+#include "wend/map/bit_grid.hpp"
+
 namespace wend {
 
 class BitLines {
@@ -23,6 +26,9 @@ class BitLines {
 
   /// All bits are zero.
   BitLines(int lines, int length);
+
+  /// The rows of a picture.
+  explicit BitLines(const BitGrid& drawn);
 
   int lines() const { return lines_; }
   int length() const { return length_; }
@@ -97,8 +103,7 @@ class BitLines {
   BitLines transposed() const;
 
   /// A line for each diagonal of the picture whose rows these lines are, and a bit for each row:
-  /// cell (at, line) is bit `line` of line at - line + lines() - 1 where diagonals fall to the right,
-  /// at + line where they fall to the left.
+  /// cell (at, line) is bit `line` of the line that diagonal_line() says.
   enum class Diagonals { falling_right, falling_left };
   BitLines diagonals(Diagonals which) const;
 
@@ -127,5 +132,21 @@ class BitLines {
   std::size_t words_per_line_ = 0;
   std::vector<std::uint64_t> words_;
 };
+
+/// The line of diagonals() that a cell lies on, of a picture with so many rows. Diagonals may begin
+/// outside.
+constexpr int diagonal_line(BitLines::Diagonals which, Cell cell, int rows) {
+  return which == BitLines::Diagonals::falling_right ? cell.x - cell.y + rows - 1 : cell.x + cell.y;
+}
+
+/// Word i of a line, but of the bits one place before (`at - 1`).
+inline std::uint64_t bits_before(std::span<const std::uint64_t> words, std::size_t i) {
+  return words[i] << 1U | (i > 0 ? words[i - 1] >> 63U : 0);
+}
+
+/// The same of the bits one place behind (`at + 1`).
+inline std::uint64_t bits_behind(std::span<const std::uint64_t> words, std::size_t i) {
+  return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << 63U : 0);
+}
 
 }  // namespace wend

@@ -232,6 +232,7 @@ void OpenDeadEnds::open_for(Cell start, std::span<const Cell> goals) {
     std::fill(opened_.begin(), opened_.end(), 0);
     query_ = 1;
   }
+  opened_[DeadEnds::kCore] = query_;
   open(start);
   for (const Cell goal : goals) open(goal);
 }
@@ -246,7 +247,7 @@ void OpenDeadEnds::open(Cell cell) {
 }
 
 void OpenDeadEnds::push(std::uint32_t number) {
-  if (number == DeadEnds::kCore || opened_[number] == query_) return;
+  if (opened_[number] == query_) return;
   opened_[number] = query_;
   pending_.push_back(number);
 }

@@ -19,7 +19,7 @@
 //   const auto dead_ends = std::make_shared<const wend::DeadEnds>(boards);
 //   wend::OpenDeadEnds open(dead_ends);
 //   open.open_for(start, goals);
-//   if (open.contains(jump_point)) ...
+//   if (open.contains(open.number(jump_point))) ...
 //
 // Cells are as drawn. Immutable; O(cells) to make, 4 bytes a cell and some a dead end.
 
@@ -74,14 +74,11 @@ class OpenDeadEnds {
   /// opened).
   void open_for(Cell start, std::span<const Cell> goals);
 
-  /// Is a cell in the core?
-  bool in_core(Cell cell) const { return dead_ends_->number(cell) == DeadEnds::kCore; }
+  /// The dead end that a cell is in.
+  std::uint32_t number(Cell cell) const { return dead_ends_->number(cell); }
 
-  /// May a jump point lie on a shortest path?
-  bool contains(Cell cell) const {
-    const std::uint32_t number = dead_ends_->number(cell);
-    return number == DeadEnds::kCore || opened_[number] == query_;
-  }
+  /// May a jump point in such a dead end lie on a shortest path? In the core every one may.
+  bool contains(std::uint32_t number) const { return opened_[number] == query_; }
 
  private:
   void open(Cell cell);

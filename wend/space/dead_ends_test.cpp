@@ -91,7 +91,8 @@ void expect_closed_ones_needless(const BitGrid& cells, Random& random, int& clos
     for (int y = 0; y < cells.height(); ++y) {
       for (int x = 0; x < cells.width(); ++x) {
         const auto number = static_cast<std::size_t>(y * cells.width() + x);
-        if (!jump_points.get(y, x) || open.contains({x, y}) || from_start[number] < 0) continue;
+        if (!jump_points.get(y, x) || open.contains(open.number({x, y})) || from_start[number] < 0)
+          continue;
         ++closed;
         EXPECT_GT(from_start[number] + from_goal[number], shortest + 1e-9)
             << start.x << ',' << start.y << " to " << goal.x << ',' << goal.y << " passes " << x

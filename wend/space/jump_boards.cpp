@@ -1,21 +1,12 @@
 #include "wend/space/jump_boards.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace wend {
 namespace {
-
-constexpr unsigned kLastBit = 63;
-
-/// A word of a line whose bits are those one place before (`at - 1`) or behind (`at + 1`).
-std::uint64_t before(std::span<const std::uint64_t> words, std::size_t i) {
-  return words[i] << 1U | (i > 0 ? words[i - 1] >> kLastBit : 0);
-}
-std::uint64_t behind(std::span<const std::uint64_t> words, std::size_t i) {
-  return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << kLastBit : 0);
-}
 
 /// The words of a board from words of another one, around each place.
 template <class WordAt>
@@ -30,7 +21,7 @@ BitLines mapped(const BitLines& board, WordAt&& word_at) {
 
 /// The jump points of runs along the lines, towards greater numbers (or smaller ones).
 BitLines jump_points_along(const BitLines& passable, bool ahead) {
-  const auto last = ahead ? before : behind;  // the cell a run comes from
+  const auto last = ahead ? bits_before : bits_behind;  // the cell a run comes from
   return mapped(passable, [&](int line, std::size_t i) {
     const auto here = passable.words(line);
     const auto one_side = passable.words(line - 1);
@@ -75,7 +66,7 @@ BitLines places_with_ray(const BitLines& jumps, const BitLines& stops, bool ahea
       const std::uint64_t first = open + (jumping << 1U | last_jump);
       const std::uint64_t sum = first + carry;
       carry = (first < open ? 1U : 0U) | (sum < first ? 1U : 0U);
-      last_jump = jumping >> kLastBit;
+      last_jump = jumping >> 63U;
       ray[at] = ahead ? reversed(sum ^ open) : sum ^ open;
     }
   }
@@ -84,17 +75,17 @@ BitLines places_with_ray(const BitLines& jumps, const BitLines& stops, bool ahea
 
 /// Where the step down and to the right (or left) is legal.
 BitLines legal_steps_down(const BitLines& rows, bool right) {
-  const auto beside = right ? behind : before;
+  const auto next_to = right ? bits_behind : bits_before;
   return mapped(rows, [&](int line, std::size_t i) {
     const auto here = rows.words(line);
     const auto below = rows.words(line + 1);
-    return here[i] & beside(here, i) & below[i] & beside(below, i);
+    return here[i] & next_to(here, i) & below[i] & next_to(below, i);
   });
 }
 
 /// The same steps by the cells that they lead to: where the step back is legal.
 BitLines legal_steps_up(const BitLines& down, bool down_right) {
-  const auto from = down_right ? before : behind;
+  const auto from = down_right ? bits_before : bits_behind;
   return mapped(down, [&](int line, std::size_t i) { return from(down.words(line - 1), i); });
 }
 
@@ -146,51 +137,39 @@ Grid<DirectionSet> sets_of(const std::array<const BitLines*, kDirections>& board
   return sets;
 }
 
-BitLines rows_of(const BitGrid& drawn) {
-  BitLines rows(drawn.height(), drawn.width());
-  for (int y = 0; y < drawn.height(); ++y) {
-    const auto from = drawn.row_words(y);
-    std::copy_n(from.begin(), rows.words(y).size(), rows.words(y).begin());
-  }
-  return rows;
-}
-
-constexpr std::size_t index(Direction direction) { return static_cast<std::size_t>(direction) / 2; }
-
 }  // namespace
 
-JumpBoards::JumpBoards(const BitGrid& drawn) : rows_(rows_of(drawn)), columns_(rows_.transposed()) {
+JumpBoards::JumpBoards(const BitGrid& drawn) : sight_(drawn) {
   using enum Direction;
-  std::array<BitLines, 4> row_rays;  // by index()
-  for (const Direction direction : {down, right, up, left}) {
+  std::array<BitLines, 4> row_rays;  // by quarter()
+  for (const Direction direction : kStraightDirections) {
     const bool vertical = direction == down || direction == up;
     const bool ahead = direction == down || direction == right;
-    const BitLines& passable = vertical ? columns_ : rows_;
+    const BitLines& passable = vertical ? sight_.columns() : rows();
     const BitLines jumps = jump_points_along(passable, ahead);
-    BitLines& stops = stops_[index(direction)];
+    BitLines& stops = stops_[quarter(direction)];
     stops = with_blocked(jumps, passable);
     const BitLines found = places_with_ray(jumps, stops, ahead);
-    row_rays[index(direction)] = vertical ? found.transposed() : found;
+    row_rays[quarter(direction)] = vertical ? found.transposed() : found;
   }
-  const BitLines step_down_right = legal_steps_down(rows_, true);
-  const BitLines step_down_left = legal_steps_down(rows_, false);
+  const BitLines step_down_right = legal_steps_down(rows(), true);
+  const BitLines step_down_left = legal_steps_down(rows(), false);
   const BitLines step_up_left = legal_steps_up(step_down_right, true);
   const BitLines step_up_right = legal_steps_up(step_down_left, false);
-  const auto stops = [&](Direction one, Direction other, const BitLines& legal,
-                         BitLines::Diagonals which) {
-    return diagonal_stops(row_rays[index(one)], row_rays[index(other)], legal).diagonals(which);
-  };
-  constexpr auto kRight = BitLines::Diagonals::falling_right;
-  constexpr auto kLeft = BitLines::Diagonals::falling_left;
-  diagonal_stops_[index(down_right)] = stops(down, right, step_down_right, kRight);
-  diagonal_stops_[index(up_right)] = stops(up, right, step_up_right, kLeft);
-  diagonal_stops_[index(up_left)] = stops(up, left, step_up_left, kRight);
-  diagonal_stops_[index(down_left)] = stops(down, left, step_down_left, kLeft);
-  falls_right_ = step_down_right.diagonals(kRight);
-  falls_left_ = step_down_left.diagonals(kLeft);
-  moves_ = sets_of({&row_rays[0], &step_down_right, &row_rays[1], &step_up_right, &row_rays[2],
-                    &step_up_left, &row_rays[3], &step_down_left},
-                   width(), height());
+  const std::array<const BitLines*, 4> legal{&step_down_right, &step_up_right, &step_up_left,
+                                             &step_down_left};  // by quarter()
+  std::array<const BitLines*, kDirections> boards{};
+  for (const Direction direction : kDiagonalDirections) {
+    const auto [one, other] = beside(direction);
+    diagonal_stops_[quarter(direction)] =
+        diagonal_stops(row_rays[quarter(one)], row_rays[quarter(other)], *legal[quarter(direction)])
+            .diagonals(diagonals_along(direction));
+    boards[static_cast<std::size_t>(direction)] = legal[quarter(direction)];
+  }
+  for (const Direction direction : kStraightDirections) {
+    boards[static_cast<std::size_t>(direction)] = &row_rays[quarter(direction)];
+  }
+  moves_ = sets_of(boards, width(), height());
 }
 
 BitLines JumpBoards::jump_points() const {
@@ -200,28 +179,12 @@ BitLines JumpBoards::jump_points() const {
     });
   };
   using enum Direction;
-  const BitLines by_rows = found(rows_, stops_[index(right)], stops_[index(left)]);
-  const BitLines by_columns = found(columns_, stops_[index(down)], stops_[index(up)]).transposed();
-  return mapped(rows_, [&](int line, std::size_t i) {
+  const BitLines by_rows = found(rows(), stops_[quarter(right)], stops_[quarter(left)]);
+  const BitLines by_columns =
+      found(sight_.columns(), stops_[quarter(down)], stops_[quarter(up)]).transposed();
+  return mapped(rows(), [&](int line, std::size_t i) {
     return by_rows.words(line)[i] | by_columns.words(line)[i];
   });
-}
-
-bool JumpBoards::in_sight(Cell from, Cell to) const {
-  const int right = to.x - from.x;
-  const int down = to.y - from.y;
-  const int diagonal = std::min(std::abs(right), std::abs(down));
-  const Cell turn{from.x + (right < 0 ? -diagonal : diagonal),
-                  from.y + (down < 0 ? -diagonal : diagonal)};
-  const bool straight_free =
-      turn.x == to.x ? columns_.all_set(to.x, std::min(turn.y, to.y), std::abs(to.y - turn.y) + 1)
-                     : rows_.all_set(to.y, std::min(turn.x, to.x), std::abs(to.x - turn.x) + 1);
-  if (!straight_free) return false;
-  if (diagonal == 0) return true;
-  const Cell top = down < 0 ? turn : from;  // steps are by the cell that they lead down from
-  return (right < 0) == (down < 0)
-             ? falls_right_.all_set(diagonal_line<Direction::down_right>(top), top.y, diagonal)
-             : falls_left_.all_set(diagonal_line<Direction::down_left>(top), top.y, diagonal);
 }
 
 }  // namespace wend

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <string>
 
 #include "wend/base/random.hpp"
@@ -49,17 +47,6 @@ class SlowBoards {
         return distance;
       }
     }
-  }
-
-  bool in_sight(Cell from, Cell to) const {
-    while (from != to) {
-      const Cell step{(to.x > from.x) - (to.x < from.x), (to.y > from.y) - (to.y < from.y)};
-      const Cell next{from.x + step.x, from.y + step.y};
-      if (!passable(next) || !passable({next.x, from.y}) || !passable({from.x, next.y}))
-        return false;
-      from = next;
-    }
-    return true;
   }
 
  private:
@@ -118,30 +105,6 @@ TEST(JumpBoards, SayWhatTheDefinitionsSay) {
       }
     }
   }
-}
-
-TEST(JumpBoards, SeeAlongDiagonalsAndThenStraight) {
-  Random random(12);
-  int seen = 0;
-  for (int map = 0; map < 300 && !::testing::Test::HasFailure(); ++map) {
-    const BitGrid cells = random_cells(random);
-    const JumpBoards boards(cells);
-    const SlowBoards slow(cells);
-    for (int i = 0; i < 200; ++i) {
-      const int from_x = random.between(0, cells.width() - 1);
-      const int from_y = random.between(0, cells.height() - 1);
-      const int to_x = random.between(0, cells.width() - 1);
-      const int to_y = random.between(0, cells.height() - 1);
-      const Cell from{from_x, from_y};
-      const Cell to{to_x, to_y};
-      if (!cells[from] || !cells[to]) continue;
-      const bool expected = slow.in_sight(from, to);
-      seen += expected ? 1 : 0;
-      EXPECT_EQ(boards.in_sight(from, to), expected)
-          << from.x << ',' << from.y << " to " << to.x << ',' << to.y;
-    }
-  }
-  EXPECT_GT(seen, 1000);
 }
 
 }  // namespace
