@@ -8,18 +8,17 @@
 #include <thread>
 #include <vector>
 
-#include "wend/index/brute_distances_test.hpp"
+#include "wend/index/all_pairs_test.hpp"
 #include "wend/index/index_header.hpp"
 
 namespace wend {
 namespace {
 
 using test::brute_distances;
-using test::brute_step_is_legal;
+using test::expect_all_pairs;
 using test::for_small_boards;
 using test::kUnreached;
 using test::passable_cells;
-using test::text_of;
 
 IndexBytes built(const BitGrid& bits, const ContractionEffort& effort = {}) {
   auto index = build_corner_hierarchy(bits, {}, effort);
@@ -33,45 +32,9 @@ std::unique_ptr<IndexEngine> opened(const IndexBytes& index, const BitGrid& bits
   return *std::move(engine);
 }
 
-std::uint64_t cost_of(const OctileSteps& steps) {
-  return 33461 * std::uint64_t{steps.straight} + 47321 * std::uint64_t{steps.diagonal};
-}
-
-/// Is it a path of these many steps that are all legal?
-void expect_path(const BitGrid& bits, const std::vector<Cell>& cells, const OctileSteps& steps,
-                 Cell start, Cell goal) {
-  ASSERT_EQ(cells.front(), start);
-  ASSERT_EQ(cells.back(), goal);
-  OctileSteps counted;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    const int dx = cells[i].x - cells[i - 1].x;
-    const int dy = cells[i].y - cells[i - 1].y;
-    ASSERT_TRUE(std::abs(dx) <= 1 && std::abs(dy) <= 1 && (dx != 0 || dy != 0));
-    ASSERT_TRUE(brute_step_is_legal(bits, cells[i - 1], dx, dy));
-    ++(dx != 0 && dy != 0 ? counted.diagonal : counted.straight);
-  }
-  ASSERT_EQ(counted, steps);
-}
-
-void expect_all_pairs(const BitGrid& bits, IndexEngine& engine) {
-  for (const Cell start : passable_cells(bits)) {
-    const auto distances = brute_distances(bits, start);
-    for (const Cell goal : passable_cells(bits)) {
-      if (start == goal || distances[goal] == kUnreached) continue;
-      const OctileSteps steps = engine.find(start, goal);
-      ASSERT_EQ(cost_of(steps), distances[goal])
-          << start.x << ',' << start.y << " to " << goal.x << ',' << goal.y;
-      std::vector<Cell> cells(steps.cells());
-      engine.write(cells);
-      ASSERT_NO_FATAL_FAILURE(expect_path(bits, cells, steps, start, goal));
-    }
-  }
-}
-
 TEST(CornerHierarchy, AnswersAllPairsOfSmallBoards) {
   std::uint64_t board = 0;
   for_small_boards(250, [&](const BitGrid& bits) {
-    SCOPED_TRACE(text_of(bits));
     constexpr std::uint64_t kWork[] = {2000, 0, 30};  // all taken out, none, some
     const auto engine = opened(built(bits, {.work_per_node = kWork[++board % 3]}), bits);
     expect_all_pairs(bits, *engine);

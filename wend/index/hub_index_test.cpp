@@ -10,18 +10,18 @@
 #include <thread>
 #include <vector>
 
-#include "wend/index/brute_distances_test.hpp"
+#include "wend/index/all_pairs_test.hpp"
 #include "wend/index/index_header.hpp"
 
 namespace wend {
 namespace {
 
 using test::brute_distances;
-using test::brute_step_is_legal;
+using test::expect_all_pairs;
+using test::expect_path;
 using test::for_small_boards;
 using test::kUnreached;
 using test::passable_cells;
-using test::text_of;
 using ::testing::HasSubstr;
 
 BitGrid random_board(std::uint64_t seed, int width, int height, double density) {
@@ -50,47 +50,15 @@ std::string error_of(const IndexBytes& index, const BitGrid& bits) {
   return engine ? "" : engine.error();
 }
 
-bool is_path(const BitGrid& bits, const std::vector<Cell>& path, Cell from, Cell to) {
-  if (path.front() != from || path.back() != to) return false;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const int dx = path[i].x - path[i - 1].x;
-    const int dy = path[i].y - path[i - 1].y;
-    if (std::abs(dx) > 1 || std::abs(dy) > 1 || (dx == 0 && dy == 0)) return false;
-    if (!brute_step_is_legal(bits, path[i - 1], dx, dy)) return false;
-  }
-  return true;
-}
-
-/// Compares all pairs of cells with a plain Dijkstra, and walks the paths.
-void expect_exact(const BitGrid& bits, IndexEngine& engine) {
-  SCOPED_TRACE(text_of(bits));
-  const std::vector<Cell> cells = passable_cells(bits);
-  std::vector<Cell> path;
-  for (const Cell from : cells) {
-    const auto expected = brute_distances(bits, from);
-    for (const Cell to : cells) {
-      if (from == to || expected[to] == kUnreached) continue;
-      const OctileSteps steps = engine.find(from, to);
-      const auto cost =
-          std::uint64_t{33461} * steps.straight + std::uint64_t{47321} * steps.diagonal;
-      ASSERT_EQ(cost, expected[to]) << from.x << "," << from.y << " to " << to.x << "," << to.y;
-      path.assign(steps.cells(), {-9, -9});
-      engine.write(path);
-      ASSERT_TRUE(is_path(bits, path, from, to))
-          << from.x << "," << from.y << " to " << to.x << "," << to.y;
-    }
-  }
-}
-
 TEST(HubIndex, AnswersAllPairsOfSmallBoardsLikeDijkstra) {
   for_small_boards(600, [](const BitGrid& bits) {
-    if (!testing::Test::HasFatalFailure()) expect_exact(bits, *opened(built(bits), bits));
+    if (!testing::Test::HasFatalFailure()) expect_all_pairs(bits, *opened(built(bits), bits));
   });
 }
 
 TEST(HubIndex, AnswersAllPairsOfTensOfThousandsOfSmallBoardsLikeDijkstraLong) {
   for_small_boards(40000, [](const BitGrid& bits) {
-    if (!testing::Test::HasFatalFailure()) expect_exact(bits, *opened(built(bits), bits));
+    if (!testing::Test::HasFatalFailure()) expect_all_pairs(bits, *opened(built(bits), bits));
   });
 }
 
@@ -99,7 +67,7 @@ TEST(HubIndex, AnswersThreadsThatShareIt) {
   const IndexBytes index = built(bits);
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] { expect_exact(bits, *opened(index, bits)); });
+    threads.emplace_back([&] { expect_all_pairs(bits, *opened(index, bits)); });
   }
   for (std::thread& thread : threads) thread.join();
 }
@@ -166,7 +134,7 @@ TEST(HubIndex, AnswersOnAWindingWayAndRefusesWhatOutgrowsItsNumbers) {
   EXPECT_EQ(steps, (OctileSteps{70 * 299 + 69 * 2, 0}));
   std::vector<Cell> path(steps.cells());
   engine->write(path);
-  EXPECT_TRUE(is_path(bits, path, {0, 0}, {0, 138}));
+  expect_path(bits, path, steps, {0, 0}, {0, 138});
 
   const auto longer = build_hub_index(serpentine(500, 300), {});
   ASSERT_FALSE(longer);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "wend/search/min_heap.hpp"
-
 namespace wend {
 
 HubLabelling::HubLabelling(const CornerGraph& graph)
@@ -11,7 +9,7 @@ HubLabelling::HubLabelling(const CornerGraph& graph)
       is_hub_(graph.size()),
       labels_(graph.size()),
       from_root_(graph.size(), kUnreachedCost),
-      costs_(graph.size(), kUnreachedCost) {}
+      frontier_(graph.size()) {}
 
 void HubLabelling::add_hub(std::uint32_t corner) {
   const auto hub = static_cast<std::uint32_t>(hubs());
@@ -22,17 +20,17 @@ void HubLabelling::add_hub(std::uint32_t corner) {
   for (const HubEntry& entry : before) from_root_[entry.hub] = entry.cost;
   spread(hub, corner);
   for (const HubEntry& entry : before) from_root_[entry.hub] = kUnreachedCost;
-  for (const std::uint32_t touched : reached_) costs_[touched] = kUnreachedCost;
-  reached_.clear();
+  frontier_.clear();
   trees_.push_back(nodes_.size());
 }
 
 void HubLabelling::spread(std::uint32_t hub, std::uint32_t root) {
   const std::size_t tree = nodes_.size();
   reach({0, root, HubTreeNode::kRoot});
-  while (!queue_.empty()) {
-    const Candidate next = min_heap::pop(queue_);
-    if (next.cost > costs_[next.corner] || is_covered(next.corner, next.cost)) continue;
+  while (!frontier_.empty()) {
+    const CornerFrontier::Entry next = frontier_.pop();
+    if (frontier_.is_outdated(next)) continue;
+    if (covers(labels_[next.corner], from_root_, next.cost)) continue;
     const auto place = static_cast<std::uint32_t>(nodes_.size() - tree);
     nodes_.push_back({next.corner, next.parent});
     labels_[next.corner].push_back({hub, next.cost});
@@ -42,19 +40,9 @@ void HubLabelling::spread(std::uint32_t hub, std::uint32_t root) {
   }
 }
 
-void HubLabelling::reach(const Candidate& candidate) {
-  greatest_cost_ = std::max(greatest_cost_, candidate.cost);
-  CornerCost& cost = costs_[candidate.corner];
-  if (candidate.cost >= cost) return;
-  if (cost == kUnreachedCost) reached_.push_back(candidate.corner);
-  cost = candidate.cost;
-  min_heap::push(queue_, candidate);
-}
-
-bool HubLabelling::is_covered(std::uint32_t corner, CornerCost cost) const {
-  return std::any_of(labels_[corner].begin(), labels_[corner].end(), [&](const HubEntry& entry) {
-    return from_root_[entry.hub] + entry.cost <= cost;
-  });
+void HubLabelling::reach(const CornerFrontier::Entry& entry) {
+  greatest_cost_ = std::max(greatest_cost_, entry.cost);
+  frontier_.reach(entry);
 }
 
 }  // namespace wend

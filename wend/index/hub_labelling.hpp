@@ -9,11 +9,13 @@
 // Landmark Labeling", 2013.) Which corners to take first decides how small the labels become: see
 // label_order.hpp.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "wend/index/corner_frontier.hpp"
 #include "wend/index/corner_graph.hpp"
 
 namespace wend {
@@ -23,6 +25,13 @@ struct HubEntry {
   std::uint32_t hub;  // hubs count from 0, the most important one
   CornerCost cost;
 };
+
+/// Does a hub of the label, at these costs by hub from elsewhere, give a way at no more than `cost`?
+inline bool covers(std::span<const HubEntry> label, std::span<const CornerCost> by_hub,
+                   CornerCost cost) {
+  return std::any_of(label.begin(), label.end(),
+                     [&](const HubEntry& entry) { return by_hub[entry.hub] + entry.cost <= cost; });
+}
 
 /// The corners that a hub reached, in the order of their costs: the tree of shortest ways to it.
 struct HubTreeNode {
@@ -55,19 +64,8 @@ class HubLabelling {
   void add_hub(std::uint32_t corner);
 
  private:
-  struct Candidate {
-    CornerCost cost;
-    std::uint32_t corner;
-    std::uint32_t parent;
-
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-      return a.cost != b.cost ? a.cost < b.cost : a.corner < b.corner;
-    }
-  };
-
   void spread(std::uint32_t hub, std::uint32_t root);
-  void reach(const Candidate& candidate);
-  bool is_covered(std::uint32_t corner, CornerCost cost) const;
+  void reach(const CornerFrontier::Entry& entry);
 
   const CornerGraph& graph_;
   std::vector<std::uint32_t> hub_corners_;
@@ -79,9 +77,7 @@ class HubLabelling {
 
   // Of the hub that spreads.
   std::vector<CornerCost> from_root_;  // by hub before it
-  std::vector<CornerCost> costs_;      // by corner
-  std::vector<std::uint32_t> reached_;
-  std::vector<Candidate> queue_;
+  CornerFrontier frontier_;
 };
 
 }  // namespace wend

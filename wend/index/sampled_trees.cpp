@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "wend/search/min_heap.hpp"
-
 namespace wend {
 
 SampledTrees::SampledTrees(const CornerGraph& graph, const AllFirstCorners& first,
@@ -15,7 +13,7 @@ SampledTrees::SampledTrees(const CornerGraph& graph, const AllFirstCorners& firs
       first_nodes_(graph.size(), kNone),
       totals_(graph.size()),
       from_root_(graph.size(), kUnreachedCost),
-      costs_(graph.size(), kUnreachedCost) {
+      frontier_(graph.size()) {
   const BitGrid& passable = graph.corners().passable();
   for (int y = 0; y < passable.height(); ++y) {
     for (int x = 0; x < passable.width(); ++x) {
@@ -40,8 +38,7 @@ std::size_t SampledTrees::grow_nodes() {
     }
   }
   spread();
-  for (const std::uint32_t corner : reached_) costs_[corner] = kUnreachedCost;
-  reached_.clear();
+  frontier_.clear();
   for (const std::uint32_t hub : hubs_) from_root_[hub] = kUnreachedCost;
   hubs_.clear();
 
@@ -65,9 +62,10 @@ void SampledTrees::start_at(std::uint32_t corner, CornerCost cost) {
 }
 
 void SampledTrees::spread() {
-  while (!queue_.empty()) {
-    const Candidate next = min_heap::pop(queue_);
-    if (next.cost > costs_[next.corner] || is_covered(next.corner, next.cost)) continue;
+  while (!frontier_.empty()) {
+    const CornerFrontier::Entry next = frontier_.pop();
+    if (frontier_.is_outdated(next)) continue;
+    if (covers(labelling_.label(next.corner), from_root_, next.cost)) continue;
     const auto place = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(
         {.corner = next.corner, .parent = next.parent, .weight = cell_counts_[next.corner]});
@@ -77,19 +75,8 @@ void SampledTrees::spread() {
   }
 }
 
-void SampledTrees::reach(const Candidate& candidate) {
-  CornerCost& cost = costs_[candidate.corner];
-  if (candidate.cost >= cost || labelling_.is_hub(candidate.corner)) return;
-  if (cost == kUnreachedCost) reached_.push_back(candidate.corner);
-  cost = candidate.cost;
-  min_heap::push(queue_, candidate);
-}
-
-bool SampledTrees::is_covered(std::uint32_t corner, CornerCost cost) const {
-  const auto label = labelling_.label(corner);
-  return std::any_of(label.begin(), label.end(), [&](const HubEntry& entry) {
-    return from_root_[entry.hub] + entry.cost <= cost;
-  });
+void SampledTrees::reach(const CornerFrontier::Entry& entry) {
+  if (!labelling_.is_hub(entry.corner)) frontier_.reach(entry);
 }
 
 void SampledTrees::link(std::uint32_t node) {

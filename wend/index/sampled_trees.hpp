@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
+#include "wend/index/corner_frontier.hpp"
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/first_corners.hpp"
 #include "wend/index/hub_labelling.hpp"
@@ -54,21 +55,10 @@ class SampledTrees {
     std::uint32_t weight;               // 0 once it is cut off
   };
 
-  struct Candidate {
-    CornerCost cost;
-    std::uint32_t corner;
-    std::uint32_t parent;
-
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-      return a.cost != b.cost ? a.cost < b.cost : a.corner < b.corner;
-    }
-  };
-
   std::size_t grow_nodes();
   void spread();
   void start_at(std::uint32_t corner, CornerCost cost);
-  void reach(const Candidate& candidate);
-  bool is_covered(std::uint32_t corner, CornerCost cost) const;
+  void reach(const CornerFrontier::Entry& entry);
   void link(std::uint32_t node);
   void drop_cut_nodes();
 
@@ -86,9 +76,7 @@ class SampledTrees {
   // Of the tree that grows.
   std::vector<CornerCost> from_root_;  // by hub
   std::vector<std::uint32_t> hubs_;    // of the corners that the root's ways turn first at
-  std::vector<CornerCost> costs_;      // by corner
-  std::vector<std::uint32_t> reached_;
-  std::vector<Candidate> queue_;
+  CornerFrontier frontier_;
   std::vector<std::uint32_t> stack_;
 };
 
