@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "command_line/bench_folder.hpp"
 
 namespace wend::test {
@@ -58,6 +60,47 @@ TEST_F(BenchCommand, TakesTheScenariosOfFolders) {
   EXPECT_THAT(found.at(1).at("scen").get<std::string>(), EndsWith("/b.scen"));
   const TemporaryFolder empty;
   EXPECT_THAT(wend({"bench", empty / ""}).err, HasSubstr("there is no .scen file"));
+}
+
+TEST_F(BenchCommand, BuildsAnIndexThatIsNotGivenBeforeItCounts) {
+  const std::string file = scenario(kRight);
+  for (const char* planner : {"hub_labels", "corner_hierarchy"}) {
+    const json row = rows({file, "--planner", planner}).at(0);
+    EXPECT_EQ(row.at("wrong"), 0) << planner;
+    EXPECT_EQ(row.at("solved"), 2) << planner;
+    EXPECT_GT(row.at("build_s").get<double>(), 0) << planner;
+    EXPECT_GT(row.at("index_bytes").get<double>(), 0) << planner;
+  }
+}
+
+TEST_F(BenchCommand, TakesTheIndexThatIsGiven) {
+  const std::string file = scenario(kRight);
+  const std::string index = folder_ / "ok.idx";
+  ASSERT_EQ(wend({"index", "build", folder_ / "ok.map", "-o", index}).code, 0);
+  const json row = rows({file, "--planner", "astar,hub_labels", "--index", index}).at(1);
+  EXPECT_EQ(row.at("planner"), "hub_labels");
+  EXPECT_EQ(row.at("wrong"), 0);
+  EXPECT_EQ(row.at("build_s"), 0);
+  EXPECT_EQ(row.at("index_bytes"), std::filesystem::file_size(index));
+}
+
+TEST_F(BenchCommand, RefusesAnIndexThatIsOfNoUse) {
+  const std::string file = scenario(kRight);
+  const std::string index = folder_ / "ok.idx";
+  ASSERT_EQ(wend({"index", "build", folder_ / "ok.map", "-o", index}).code, 0);
+  const auto refused = [&](const std::string& planner, const std::string& given) {
+    const Outcome outcome = wend({"bench", file, "--planner", planner, "--index", given});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  };
+  EXPECT_THAT(refused("astar", index), HasSubstr("hub_labels, which is not in --planner"));
+  EXPECT_THAT(refused("hub_labels", folder_ / "none.idx"), HasSubstr("none.idx"));
+  EXPECT_THAT(refused("hub_labels", folder_ / "ok.map"), HasSubstr("ok.map"));
+  const std::string other =
+      folder_.write("other.map", "type octile\nheight 1\nwidth 3\nmap\n...\n");
+  ASSERT_EQ(wend({"index", "build", other, "-o", index}).code, 0);
+  EXPECT_THAT(refused("hub_labels", index), HasSubstr("it is for another map"));
 }
 
 TEST_F(BenchCommand, RepeatsPassesAndShowsTheirSpread) {

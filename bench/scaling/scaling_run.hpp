@@ -37,9 +37,9 @@ struct PlannerScale {
   std::uint64_t index_bytes = 0;
   std::uint64_t memory_bytes = 0;  // all that it needs beside the map
   std::size_t queries = 0;
-  double mean_us = 0;         // a query, on one thread
-  double two_threads_us = 0;  // the same of all queries on two, by the wall
-  bool wrong = false;         // some path was longer or shorter than another planner's
+  double mean_us = 0;           // a query, on one thread
+  double two_threads_gain = 0;  // how many times as fast two threads answer all, by the wall
+  bool wrong = false;           // some path was longer or shorter than another planner's
 };
 
 struct MapScale {
