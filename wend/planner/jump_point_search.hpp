@@ -28,8 +28,9 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/base/state_id.hpp"
-#include "wend/planner/goal_cells.hpp"
+#include "wend/planner/goal_sight.hpp"
 #include "wend/planner/jump_nodes.hpp"
+#include "wend/planner/jump_trail.hpp"
 #include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_metrics.hpp"
@@ -82,13 +83,12 @@ class JumpPointSearch {
   std::span<const Cell> waypoints();
 
   /// The estimate to the nearest goal of the search begun last, in units.
-  Cost h(Cell cell) const {
-    return goals_.least([cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
-  }
+  Cost h(Cell cell) const { return goals_.h(cell); }
 
  private:
-  static constexpr Cost kInfinite = std::numeric_limits<Cost>::max();
+  static constexpr Cost kInfinite = GoalSight<Cost>::kInfinite;
 
+  using View = typename GoalSight<Cost>::View;
   using Nodes = JumpNodes<Cost, kSearches>;
   using Node = typename Nodes::Node;
 
@@ -101,17 +101,12 @@ class JumpPointSearch {
     Jump last = kNoJump;
   };
 
-  /// What there is to see from a cell.
-  struct View {
-    bool better = false;   // a goal that is cheaper than all before
-    bool nearest = false;  // the nearest one: no way from here is shorter
-  };
-
   /// The start is the node behind the jump points.
   StateId start_id() const { return static_cast<StateId>(nodes_.size() - 1); }
 
-  View look(Cell from, DirectionSet directions, Cost g);
-  bool may_see_goal(const Leap& leap) const;
+  View look(Cell from, DirectionSet directions, Cost g) {
+    return goals_.look(graph_->boards().sight(), from, directions, g);
+  }
   bool look_from_passed(const Leap& leap, const Node& from, StateId parent);
 
   template <class Watcher>
@@ -124,42 +119,24 @@ class JumpPointSearch {
   [[gnu::always_inline]] inline void reach(const Leap& leap, const Node& from, StateId parent,
                                            Watcher& watcher);
 
-  void append_waypoint(Cell from);
-  void append_chain(Jump first, std::uint32_t last);
-
   std::shared_ptr<const JumpGraph> graph_;
   LeapGraph leaps_;
   OpenDeadEnds open_;
   Nodes nodes_;
   JumpQueue<Cost> queue_;
-  GoalCells goals_;
-  std::vector<CoarsePlace> goal_places_;
+  GoalSight<Cost> goals_;
+  Seer seer_;                      // of the cheapest goal
   std::vector<Jump> first_jumps_;  // from the start
   bool too_wide_;                  // for an octile distance to be surely below half of kInfinite
 
-  Cost best_ = 0;  // the cheapest way to a goal so far
-  Seer seer_;      // of that goal
-  Cell goal_{};
   bool overflown_ = false;
 
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   std::uint64_t most_expansions_ = 0;
   LimitCheck limits_;
-  std::vector<Cell> waypoints_;
-  std::vector<Cell> chain_;
+  JumpTrail trail_;
 };
-
-/// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
-constexpr DirectionSet first_direction(Cell from, Cell to) {
-  using enum Direction;
-  constexpr std::array<DirectionSet, 9> kByNeighbour{
-      set_of(up_left), set_of(up),        set_of(up_right), set_of(left),      0,
-      set_of(right),   set_of(down_left), set_of(down),     set_of(down_right)};
-  const int right_of = static_cast<int>(to.x > from.x) - static_cast<int>(to.x < from.x);
-  const int below = static_cast<int>(to.y > from.y) - static_cast<int>(to.y < from.y);
-  return kByNeighbour[static_cast<std::size_t>(4 + 3 * below + right_of)];
-}
 
 template <class Cost, std::uint32_t kSearches>
 JumpPointSearch<Cost, kSearches>::JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
@@ -188,12 +165,9 @@ void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const Cell> g
   most_expansions_ = limits.expansions;
   metrics_ = {.expanded = 0, .generated = 1, .max_frontier = 1};
   overflown_ = false;
-  best_ = kInfinite;
   outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
   nodes_.begin_search();
-  goals_.assign(goals);
-  goal_places_.clear();
-  for (const Cell goal : goals) goal_places_.push_back(leaps_.raster().place(goal));
+  goals_.begin(goals, leaps_.raster());
   open_.open_for(start, goals);
   queue_.begin(h(start), kWidthBits);
   Node& node = nodes_[start_id()];
@@ -210,9 +184,9 @@ template <class Watcher>
 void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
-    if (queue_.bucket_is_behind(best_)) break;
+    if (queue_.bucket_is_behind(goals_.best())) break;
     // Of no use any more, or expanded meanwhile.
-    if (entry.f >= best_ || nodes_[entry.id].pending == 0) continue;
+    if (entry.f >= goals_.best() || nodes_[entry.id].pending == 0) continue;
     if (limits_.due(metrics_.expanded)) {
       outcome_ = limits_.look(metrics_.expanded);
       if (outcome_ != SearchOutcome::running) return;
@@ -224,7 +198,7 @@ void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
       expand(entry.id, watcher);
     }
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
-    if (overflown_) outcome_ = SearchOutcome::cost_overflow;
+    if (overflown_ || goals_.overflown()) outcome_ = SearchOutcome::cost_overflow;
     return;
   }
   finish(watcher);
@@ -233,12 +207,12 @@ void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
 template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
 void JumpPointSearch<Cost, kSearches>::finish(Watcher& watcher) {
-  if (best_ == kInfinite) {
+  if (goals_.best() == kInfinite) {
     outcome_ = SearchOutcome::exhausted;
     return;
   }
   const Cell from = nodes_[seer_.node].cell;
-  const bool expanded = from == goal_;  // before
+  const bool expanded = from == goals_.goal();  // before
   if (!expanded && metrics_.expanded >= most_expansions_) {
     outcome_ = SearchOutcome::expansion_limit;
     return;
@@ -247,8 +221,8 @@ void JumpPointSearch<Cost, kSearches>::finish(Watcher& watcher) {
   if (expanded) return;
   ++metrics_.generated;
   ++metrics_.expanded;
-  watcher.on_generate(goal_, from, best_);
-  watcher.on_expand(goal_, from, best_);
+  watcher.on_generate(goals_.goal(), from, goals_.best());
+  watcher.on_expand(goals_.goal(), from, goals_.best());
 }
 
 template <class Cost, std::uint32_t kSearches>
@@ -299,7 +273,7 @@ template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
 inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node& from,
                                                     StateId parent, Watcher& watcher) {
-  if (may_see_goal(leap) && look_from_passed(leap, from, parent)) return;
+  if (goals_.may_be_seen(leap) && look_from_passed(leap, from, parent)) return;
   if (leap.dead()) return;
   const Jump jump = leap.last();
   Node& node = nodes_[jump.number()];
@@ -333,13 +307,6 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node
   queue_.push(f, jump.number());
 }
 
-template <class Cost, std::uint32_t kSearches>
-bool JumpPointSearch<Cost, kSearches>::may_see_goal(const Leap& leap) const {
-  bool may = leap.may_see(goal_places_.front());
-  for (std::size_t i = 1; i < goal_places_.size(); ++i) may |= leap.may_see(goal_places_[i]);
-  return may;
-}
-
 /// Looks for goals from the jump points that a leap passes, and from its end if nothing comes after
 /// that. True if no way that goes on is shorter.
 template <class Cost, std::uint32_t kSearches>
@@ -363,60 +330,15 @@ bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Leap& leap, const 
   }
 }
 
-/// Which goals are in sight? If the nearest one is, no way from here is shorter than the straight one
-/// to it. Goals in other directions than these are reached as cheaply by other ways.
-template <class Cost, std::uint32_t kSearches>
-typename JumpPointSearch<Cost, kSearches>::View JumpPointSearch<Cost, kSearches>::look(
-    Cell from, DirectionSet directions, Cost g) {
-  View view;
-  goals_.for_each([&](Cell goal) {
-    const bool ahead = (directions & first_direction(from, goal)) != 0 || goal == from;
-    if (!ahead || !graph_->boards().sight().sees(from, goal)) return;
-    const Cost distance = octile_cost<Cost>(from, goal);
-    view.nearest = view.nearest || distance == h(from);
-    if (distance >= kInfinite - g) {
-      overflown_ = true;
-      return;
-    }
-    if (g + distance >= best_) return;
-    best_ = g + distance;
-    goal_ = goal;
-    view.better = true;
-  });
-  return view;
-}
-
 template <class Cost, std::uint32_t kSearches>
 std::span<const Cell> JumpPointSearch<Cost, kSearches>::waypoints() {
-  waypoints_.assign(1, goal_);
-  if (seer_.first != kNoJump) append_chain(seer_.first, seer_.last.number());
+  trail_.begin(goals_.goal());
+  if (seer_.first != kNoJump) trail_.append_leap(leaps_, seer_.first, seer_.last.number());
   for (StateId id = seer_.node; id != start_id(); id = nodes_[id].parent) {
-    append_chain(nodes_[id].first, static_cast<std::uint32_t>(id));
+    trail_.append_leap(leaps_, nodes_[id].first, static_cast<std::uint32_t>(id));
   }
-  append_waypoint(nodes_[start_id()].cell);
-  std::reverse(waypoints_.begin(), waypoints_.end());
-  return waypoints_;
-}
-
-/// A leap's jump points, from its end on, by their numbers.
-template <class Cost, std::uint32_t kSearches>
-void JumpPointSearch<Cost, kSearches>::append_chain(Jump first, std::uint32_t last) {
-  chain_.clear();
-  Jump jump = first;
-  for (; jump.number() != last; jump = leaps_.only_next(jump)) {
-    chain_.push_back(graph_->cell(jump.number()));
-  }
-  append_waypoint(graph_->cell(last));
-  for (auto cell = chain_.rbegin(); cell != chain_.rend(); ++cell) append_waypoint(*cell);
-}
-
-/// From there one goes to the way-point before.
-template <class Cost, std::uint32_t kSearches>
-void JumpPointSearch<Cost, kSearches>::append_waypoint(Cell from) {
-  const Cell to = waypoints_.back();
-  const Cell bend = octile_bend(from, to);
-  if (bend != to && bend != from) waypoints_.push_back(bend);
-  if (from != to) waypoints_.push_back(from);
+  trail_.append(nodes_[start_id()].cell);
+  return trail_.from_start();
 }
 
 }  // namespace wend
