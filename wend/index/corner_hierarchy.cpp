@@ -85,7 +85,7 @@ bool costs_fit(const ContractionHierarchy& hierarchy, std::span<const Cell> cell
     const std::uint32_t end = hierarchy.nodes[node + 1].leaving;
     for (std::uint32_t number = hierarchy.nodes[node].leaving; number < end; ++number) {
       const HierarchyArc& arc = hierarchy.arcs[number];
-      const CornerCost least = octile_cost<CornerCost>(cells[node], cells[arc.node]);
+      const auto least = octile_cost<CornerCost>(cells[node], cells[arc.node]);
       const bool fits = hierarchy.vias[number].shortcut() ? arc.cost >= least : arc.cost == least;
       if (!fits) return false;
     }

@@ -28,7 +28,7 @@ template <class Record, class Visit>
 void for_costs(const Record& record, Cell cell, Visit&& visit) {
   std::uint32_t i = 0;
   for (std::uint32_t corner = 0; corner < record.corner_count(); ++corner) {
-    const CornerCost to_corner = octile_cost<CornerCost>(cell, record.cell(corner));
+    const auto to_corner = octile_cost<CornerCost>(cell, record.cell(corner));
     const std::uint32_t end = i + record.count(corner);
     for (; i < end; ++i) visit(i, to_corner + record.cost(i));
   }

@@ -168,7 +168,7 @@ Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const All
 /// What a record cannot hold, if there is anything.
 std::optional<std::string> fault_of(const CornerGraph& graph, const HubLabelling& labelling) {
   const BitGrid& passable = graph.corners().passable();
-  const CornerCost across = octile_cost<CornerCost>({0, 0}, {passable.width(), passable.height()});
+  const auto across = octile_cost<CornerCost>({0, 0}, {passable.width(), passable.height()});
   if (labelling.greatest_cost() + across >= kCostsOfOneKindOfPath / 2) {
     return "its paths are too long for a label index";
   }

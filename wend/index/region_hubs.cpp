@@ -43,7 +43,7 @@ void RegionHubs::list_hubs(std::span<const std::uint32_t> first) {
 void RegionHubs::reach_hubs(Cell cell, std::span<const std::uint32_t> first) {
   std::fill(reached_.begin(), reached_.end(), Reached{kUnreachedCost, 0, 0});
   for (std::uint32_t i = 0; i < first.size(); ++i) {
-    const CornerCost to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[i]));
+    const auto to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[i]));
     for (const HubEntry& entry : labelling_.label(first[i])) {
       Reached& reached = reached_[slots_[entry.hub]];
       const CornerCost cost = to_corner + entry.cost;
@@ -61,7 +61,7 @@ void RegionHubs::keep_what_is_needed(Cell cell, std::span<const std::uint32_t> f
 
 bool RegionHubs::is_kept(Cell cell, std::span<const std::uint32_t> first, std::size_t slot) const {
   return std::any_of(kept_by_[slot].begin(), kept_by_[slot].end(), [&](const Reached& kept) {
-    const CornerCost to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[kept.by]));
+    const auto to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[kept.by]));
     return to_corner + kept.from_corner == reached_[slot].cost;
   });
 }

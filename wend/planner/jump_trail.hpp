@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -40,7 +41,7 @@ class JumpTrail {
       passed_.push_back(leaps.jumps().cell(jump.number()));
     }
     append(leaps.jumps().cell(end));
-    for (auto cell = passed_.rbegin(); cell != passed_.rend(); ++cell) append(*cell);
+    for (const Cell cell : passed_ | std::views::reverse) append(cell);
   }
 
   /// All of them turned round; until the next begin().
