@@ -1,20 +1,17 @@
 #include "wend/index/leg_path.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <cstdlib>
 
 #include "wend/index/run_writer.hpp"
+#include "wend/space/octile_way.hpp"
 
 namespace wend {
 
 void LegPath::append(Cell point) {
-  const Cell last = points_.back();
-  const int dx = std::abs(point.x - last.x);
-  const int dy = std::abs(point.y - last.y);
-  steps_.diagonal += static_cast<std::uint32_t>(std::min(dx, dy));
-  steps_.straight += static_cast<std::uint32_t>(std::abs(dx - dy));
+  const OctileWay way = octile_way(points_.back(), point);
+  steps_.diagonal += static_cast<std::uint32_t>(way.diagonal);
+  steps_.straight += static_cast<std::uint32_t>(way.straight);
   points_.push_back(point);
 }
 

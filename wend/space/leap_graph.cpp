@@ -1,7 +1,6 @@
 #include "wend/space/leap_graph.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 namespace wend {
@@ -10,10 +9,9 @@ Leap::Leap(Jump jump, Cell from, Cell to) : first_(jump), last_(jump) { lengthen
 
 /// False if there are too many steps to be counted.
 bool Leap::lengthen(Cell from, Cell to) {
-  const int wide = std::abs(to.x - from.x);
-  const int high = std::abs(to.y - from.y);
-  const int straight = straight_ + std::abs(wide - high);
-  const int diagonal = diagonal_ + std::min(wide, high);
+  const OctileWay way = octile_way(from, to);
+  const int straight = straight_ + way.straight;
+  const int diagonal = diagonal_ + way.diagonal;
   if (straight > kMostSteps || diagonal > kMostSteps) return false;
   straight_ = static_cast<std::uint16_t>(straight) & kMostSteps;
   diagonal_ = static_cast<std::uint16_t>(diagonal) & kMostSteps;

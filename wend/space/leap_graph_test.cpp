@@ -187,7 +187,7 @@ TEST(LeapGraph, CirclesEndSomewhere) {
 }
 
 /// Longer than a leap can count.
-TEST(LeapGraph, AJumpMayBeAsLongAsTheMap) {
+TEST(LeapGraph, AJumpMaySpanTheWholeMap) {
   constexpr int kWidth = 70000;
   BitGrid cells(kWidth, 3);
   for (int x = 0; x < kWidth; ++x) cells.set({x, 1}, true);

@@ -11,6 +11,18 @@
 
 namespace wend {
 
+/// How many steps of each kind it has.
+struct OctileWay {
+  int straight;
+  int diagonal;
+};
+
+inline OctileWay octile_way(Cell from, Cell to) {
+  const int wide = std::abs(to.x - from.x);
+  const int high = std::abs(to.y - from.y);
+  return {std::abs(wide - high), std::min(wide, high)};
+}
+
 /// What it costs, in OctileUnits<Cost>.
 template <class Cost>
 Cost octile_cost(Cell from, Cell to) {
@@ -23,7 +35,7 @@ Cost octile_cost(Cell from, Cell to) {
 
 /// Where it turns from its diagonal part to its straight part.
 inline Cell octile_bend(Cell from, Cell to) {
-  const int diagonal = std::min(std::abs(to.x - from.x), std::abs(to.y - from.y));
+  const int diagonal = octile_way(from, to).diagonal;
   return {to.x < from.x ? from.x - diagonal : from.x + diagonal,
           to.y < from.y ? from.y - diagonal : from.y + diagonal};
 }
