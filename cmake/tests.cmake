@@ -1,4 +1,4 @@
-# Every GoogleTest case is a ctest test. Those that take long, by name All/... or ...Long..., have the
+# Every GoogleTest case is a ctest test. Those that take long, by name All/... or ...LongRun..., have the
 # label "long"; ./run test leaves them out.
 
 find_package(GTest REQUIRED)
@@ -20,7 +20,7 @@ function(wend_add_test target prefix)
                                                WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
   set(common TEST_PREFIX ${prefix}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
-  set(long "All/*:*Long*")
+  set(long "All/*:*LongRun*")
   gtest_discover_tests(${target} ${common} TEST_FILTER "-${long}" PROPERTIES TIMEOUT 300)
   gtest_discover_tests(${target} ${common} TEST_FILTER "${long}" PROPERTIES TIMEOUT 3600 LABELS long)
 endfunction()

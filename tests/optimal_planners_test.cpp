@@ -84,7 +84,7 @@ TEST_P(OptimalPlanners, AreOptimalOnNastyMaps) {
 }
 
 /// With ./run test --all.
-TEST_P(OptimalPlanners, AreOptimalOnNastyMapsALongTime) {
+TEST_P(OptimalPlanners, AreOptimalOnNastyMapsInALongRun) {
   expect_optimal_on_nasty_maps(GetParam(), 43, 200000, 10);
 }
 

@@ -56,7 +56,7 @@ TEST(HubIndex, AnswersAllPairsOfSmallBoardsLikeDijkstra) {
   });
 }
 
-TEST(HubIndex, AnswersAllPairsOfTensOfThousandsOfSmallBoardsLikeDijkstraLong) {
+TEST(HubIndex, AnswersAllPairsOfTensOfThousandsOfSmallBoardsInALongRun) {
   for_small_boards(40000, [](const BitGrid& bits) {
     if (!testing::Test::HasFatalFailure()) expect_all_pairs(bits, *opened(built(bits), bits));
   });
