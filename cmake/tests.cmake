@@ -8,7 +8,7 @@ include(GoogleTest)
 # RapidCheck with its macros for GoogleTest and gmock.
 add_library(wend_rapidcheck INTERFACE)
 target_link_libraries(wend_rapidcheck INTERFACE rapidcheck rapidcheck_gtest rapidcheck_gmock
-                                                GTest::gtest)
+                                                GTest::gtest fmt::fmt)
 
 # wend_add_test(<target> <prefix> SOURCES <file>... LIBRARIES <target>...): ctest names are
 # <prefix>.<suite>.<case>.
@@ -16,6 +16,7 @@ function(wend_add_test target prefix)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LIBRARIES")
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_rapidcheck GTest::gmock_main)
+  wend_precompile(${target} test)
   target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
                                                WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 

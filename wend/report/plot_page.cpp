@@ -20,7 +20,7 @@ constexpr double kMark = 62;     // of an entry, with the space around it
 std::string hex(std::uint32_t rgb) { return fmt::format("'#{:06x}'", rgb); }
 
 /// A text in gnuplot's single quotes, on one line.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string quoted = "'";
   for (const char letter : text) {
     const bool is_control = static_cast<unsigned char>(letter) < ' ';
@@ -87,7 +87,7 @@ void PlotPage::put_panel(const PlotRectangle& place, const PlotAxis& x, const Pl
 }
 
 void PlotPage::put_axis(char name, const PlotAxis& axis) {
-  put("set {}label {} textcolor rgb {}\n", name, quoted(axis.label), hex(colours_.ink));
+  put("set {}label {} textcolor rgb {}\n", name, in_quotes(axis.label), hex(colours_.ink));
   put("{} logscale {}\n", axis.logarithmic ? "set" : "unset", name);
   put("set format {} '{}'\n", name, axis.format);
   put("set {}range [{}:{}]\n", name, axis.least, axis.greatest);
@@ -95,7 +95,7 @@ void PlotPage::put_axis(char name, const PlotAxis& axis) {
 
 void PlotPage::put_legend(std::string_view headline) {
   const std::string ink = hex(colours_.ink);
-  put("set label {} at screen 0.5,{:.4f} center font ',{}' textcolor rgb {}\n", quoted(headline),
+  put("set label {} at screen 0.5,{:.4f} center font ',{}' textcolor rgb {}\n", in_quotes(headline),
       1 - 26 / height(), terminal_.headline_font, ink);
   const std::size_t columns = legend_columns();
   const double left = (kWidth - legend_column() * static_cast<double>(columns) + kMark) / 2;
@@ -104,7 +104,7 @@ void PlotPage::put_legend(std::string_view headline) {
     const double x = left + legend_column() * static_cast<double>(i % columns);
     const double y = height() - kTitle - kLegendRow * static_cast<double>(row);
     put("set label {} at screen {:.4f},{:.4f} left offset 1.2,0 textcolor rgb {} point {}\n",
-        quoted(names_[i]), x / kWidth, y / height(), ink, point_look(i));
+        in_quotes(names_[i]), x / kWidth, y / height(), ink, point_look(i));
   }
 }
 
