@@ -1,0 +1,69 @@
+#pragma once
+
+// CPU time of a thread, and the one rule by which times are measured.
+//
+//   const wend::Clock clock = wend::thread_cpu_seconds;
+//   const double first = wend::seconds_of(clock, [&] { planner->plan(query, plan); });
+//   const double later = wend::least_seconds(clock, [&] { planner->plan(query, plan); });
+//
+// On a busy machine wall time counts the work of other processes; CPU time does not. What still
+// disturbs it, such as caches that others emptied, only adds time, so the least of several runs is
+// nearest to what the work costs.
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "wend/base/limits.hpp"
+
+namespace wend {
+
+/// CPU seconds that the calling thread has used so far, in user and in kernel mode. Falls back to
+/// seconds of the monotonic clock where the system has no CLOCK_THREAD_CPUTIME_ID (POSIX).
+double thread_cpu_seconds();
+
+/// What thread_cpu_seconds() counts on this system: "CPU time", or "wall time" if it falls back.
+std::string_view thread_time_name();
+
+/// How often something is run to be timed.
+struct RepetitionRule {
+  double fill_seconds = 5e-3;  // runs are repeated until they took this long together
+  /// Runs that are shorter than this are timed several at a time, because reading the clock takes
+  /// up to a microsecond.
+  double shortest_seconds = 50e-6;
+  std::uint64_t most_runs = std::uint64_t{1} << 20U;  // whatever the clock says
+};
+
+/// What one run takes.
+template <class Run>
+double seconds_of(const Clock& clock, Run&& run) {
+  const double begin = clock();
+  run();
+  return clock() - begin;
+}
+
+/// What the quickest takes of as many runs as fill the rule's time. Something slower than that is
+/// run once. Of runs that are timed together it is the mean that counts.
+template <class Run>
+double least_seconds(const Clock& clock, Run&& run, const RepetitionRule& rule = {}) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double least = kNone;
+  double total = 0;
+  std::uint64_t runs = 0;
+  for (std::uint64_t together = 1; total < rule.fill_seconds && runs < rule.most_runs;) {
+    const double seconds = seconds_of(clock, [&] {
+      for (std::uint64_t i = 0; i < together; ++i) run();
+    });
+    total += seconds;
+    runs += together;
+    if (seconds >= rule.shortest_seconds) {
+      least = std::min(least, seconds / static_cast<double>(together));
+    } else {
+      together *= 2;
+    }
+  }
+  return least < kNone ? least : total / static_cast<double>(runs);
+}
+
+}  // namespace wend
