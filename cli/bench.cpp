@@ -198,20 +198,20 @@ int run(const BenchArguments& arguments) {
 
 }  // namespace
 
-Command add_bench(CLI::App& app) {
-  CLI::App& bench = *app.add_subcommand("bench", "Solve, time and check MovingAI scenarios");
+Command add_bench(Parser& app) {
+  Parser bench = app.add_subcommand("bench", "Solve, time and check MovingAI scenarios");
   const auto arguments = std::make_shared<BenchArguments>();
   bench
       .add_option("SCEN", arguments->scenarios,
                   wrapped("MovingAI scenarios, and folders with .scen files"))
-      ->required()
-      ->type_name(kFileType);
+      .required()
+      .type_name(kFileType);
   bench
       .add_option("--planner", arguments->planners,
                   wrapped("Planners with commas between, options after a colon: "
                           "astar:weight=2,dijkstra (default astar)"))
-      ->type_name(kPlannerType);
-  bench.add_option("--map", arguments->map, "The map, for all scenarios")->type_name(kFileType);
+      .type_name(kPlannerType);
+  bench.add_option("--map", arguments->map, "The map, for all scenarios").type_name(kFileType);
   add_count(bench, "--threads", arguments->threads,
             "So many planners at the same time, on one map (default 1)");
   add_count(bench, "--passes", arguments->passes,
@@ -221,12 +221,12 @@ Command add_bench(CLI::App& app) {
   add_texts(bench, "--index", arguments->indexes,
             "An index for one of the planners; may be given several times. One that is not given "
             "is built first")
-      ->type_name(kFileType);
+      .type_name(kFileType);
   bench
       .add_option("--database", arguments->database,
                   wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
                           "benchmarks; what it has is not done again"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   bench.add_flag("--distributed", arguments->distributed,
                  wrapped("Under mpirun: share the queries among the ranks, and put their answers "
                          "together in the database"));
@@ -237,10 +237,10 @@ Command add_bench(CLI::App& app) {
       .add_option("--plot", arguments->plot,
                   wrapped("Time against length, distributions and, of several maps, time against "
                           "size, as .png, .svg or .pdf; needs gnuplot"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
   bench.footer(kExamples);
-  return {&bench, [arguments] { return run(*arguments); }};
+  return {bench, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -87,8 +87,8 @@ int run(const CheckArguments& arguments) {
 
 }  // namespace
 
-Command add_check(CLI::App& app) {
-  CLI::App& check = *app.add_subcommand("check", "Check that a path is free, and measure it");
+Command add_check(Parser& app) {
+  Parser check = app.add_subcommand("check", "Check that a path is free, and measure it");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);
@@ -102,7 +102,7 @@ Command add_check(CLI::App& app) {
       "Also write a picture (.png, .svg, .pdf) in which the first collision is "
       "marked, or the JSON; may be given several times");
   check.footer(kExamples);
-  return {&check, [arguments] { return run(*arguments); }};
+  return {check, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

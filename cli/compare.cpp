@@ -265,20 +265,19 @@ int run(const CompareArguments& arguments) {
 
 }  // namespace
 
-Command add_compare(CLI::App& app) {
-  CLI::App& compare =
-      *app.add_subcommand("compare", "Compare planners on the same query, or on many");
+Command add_compare(Parser& app) {
+  Parser compare = app.add_subcommand("compare", "Compare planners on the same query, or on many");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
   compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
-      ->type_name("X,Y[,HEADING]");
-  compare.add_option("--goal", arguments->goal, "To where")->type_name("X,Y[,HEADING]");
+      .type_name("X,Y[,HEADING]");
+  compare.add_option("--goal", arguments->goal, "To where").type_name("X,Y[,HEADING]");
   compare
       .add_option("--planner", arguments->planners,
                   wrapped("Planners with commas between, options after a colon: "
                           "astar:w=2,heuristic=euclidean,bfs (default: all that need no "
                           "index and take the map; all of a car if the start has a heading)"))
-      ->type_name(kPlannerType);
+      .type_name(kPlannerType);
   add_count(compare, "--random", arguments->random,
             "Compare on so many random pairs of cells that a path joins");
   add_count(compare, "--seed", arguments->seed, "Another seed, other pairs (default 1)");
@@ -292,9 +291,9 @@ Command add_compare(CLI::App& app) {
       .add_option("--plot", arguments->plot,
                   wrapped("Of many queries: time and expansions against length, and their "
                           "distributions, as .png, .svg or .pdf"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   compare.footer(kExamples);
-  return {&compare, [arguments] { return run(*arguments); }};
+  return {compare, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

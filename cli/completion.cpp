@@ -1,5 +1,6 @@
 // wend completion: scripts that complete wend's command line in a shell.
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -96,8 +97,8 @@ std::string in_short(std::string help) {
   return help;
 }
 
-Argument argument_of(const CLI::Option& option) {
-  Argument argument;
+CompletedArgument argument_of(const CLI::Option& option) {
+  CompletedArgument argument;
   for (const std::string& name : option.get_snames()) argument.flags.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) argument.flags.push_back("--" + name);
   argument.help = in_short(option.get_description());
@@ -108,14 +109,14 @@ Argument argument_of(const CLI::Option& option) {
   return argument;
 }
 
-bool has_flag(const Subcommand& subcommand, const Argument& flag) {
-  return std::ranges::find(subcommand.flags, flag.flags, &Argument::flags) !=
+bool has_flag(const Subcommand& subcommand, const CompletedArgument& flag) {
+  return std::ranges::find(subcommand.flags, flag.flags, &CompletedArgument::flags) !=
          subcommand.flags.end();
 }
 
 void add_arguments(Subcommand& subcommand, const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
-    Argument argument = argument_of(*option);
+    CompletedArgument argument = argument_of(*option);
     if (!option->nonpositional()) {
       subcommand.positionals.push_back(std::move(argument));
     } else if (!has_flag(subcommand, argument)) {
@@ -127,7 +128,7 @@ void add_arguments(Subcommand& subcommand, const CLI::App& app) {
 /// What subcommands of their own choose between is their first argument; their flags are those of
 /// all.
 void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
-  Argument choice;
+  CompletedArgument choice;
   choice.help = "what to do";
   for (const CLI::App* each : app.get_subcommands({})) {
     choice.words.push_back(each->get_name());
@@ -167,16 +168,16 @@ int run(const CLI::App& app, Shell shell) {
 
 }  // namespace
 
-Command add_completion(CLI::App& app) {
-  CLI::App& completion =
-      *app.add_subcommand("completion", "Print a script that completes wend in a shell");
+Command add_completion(Parser& app) {
+  Parser completion =
+      app.add_subcommand("completion", "Print a script that completes wend in a shell");
   const auto shell = std::make_shared<Shell>(Shell::bash);
   add_choice<Shell>(completion, "SHELL", *shell,
                     {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}},
                     "The shell")
-      ->required();
+      .required();
   completion.footer(kExamples);
-  return {&completion, [&app, shell] { return run(app, *shell); }};
+  return {completion, [app, shell] { return run(app.app(), *shell); }};
 }
 
 }  // namespace wend::cli

@@ -35,7 +35,7 @@ std::string subcommand_names(const std::vector<Subcommand>& subcommands) {
 /// `"plan --planner" | ...) words="astar bfs" ;;` for each flag with words.
 std::string bash_values(const Subcommand& subcommand) {
   std::string cases;
-  for (const Argument& flag : subcommand.flags) {
+  for (const CompletedArgument& flag : subcommand.flags) {
     if (!flag.takes_value) continue;
     std::string patterns;
     for (const std::string& name : flag.flags) {
@@ -48,24 +48,24 @@ std::string bash_values(const Subcommand& subcommand) {
 
 std::string bash_flags(const Subcommand& subcommand) {
   std::vector<std::string> flags;
-  for (const Argument& flag : subcommand.flags) {
+  for (const CompletedArgument& flag : subcommand.flags) {
     flags.insert(flags.end(), flag.flags.begin(), flag.flags.end());
   }
   std::vector<std::string> words;
-  for (const Argument& positional : subcommand.positionals) {
+  for (const CompletedArgument& positional : subcommand.positionals) {
     words.insert(words.end(), positional.words.begin(), positional.words.end());
   }
   return fmt::format("    {}) flags='{}' words='{}' ;;\n", subcommand.name, joined(flags, " "),
                      joined(words, " "));
 }
 
-std::string zsh_action(const Argument& argument) {
+std::string zsh_action(const CompletedArgument& argument) {
   if (!argument.words.empty()) return fmt::format("({})", joined(argument.words, " "));
   return argument.is_file ? "_files" : " ";
 }
 
 /// One line of _arguments for each spelling.
-std::string zsh_flag(const Argument& flag) {
+std::string zsh_flag(const CompletedArgument& flag) {
   std::string lines;
   for (const std::string& name : flag.flags) {
     const std::string value = flag.takes_value ? ":value:" + zsh_action(flag) : "";
@@ -79,7 +79,7 @@ std::string fish_line(const Subcommand& subcommand, const std::string& rest) {
                      rest);
 }
 
-std::string fish_flag(const Argument& flag) {
+std::string fish_flag(const CompletedArgument& flag) {
   std::string spellings;
   for (const std::string& name : flag.flags) {
     const bool is_long = name.starts_with("--");
@@ -132,8 +132,8 @@ std::string zsh_completion(const std::vector<Subcommand>& subcommands) {
   for (const Subcommand& subcommand : subcommands) {
     names += fmt::format("    '{}:{}'\n", subcommand.name, plain(subcommand.help));
     std::string arguments;
-    for (const Argument& flag : subcommand.flags) arguments += zsh_flag(flag);
-    for (const Argument& positional : subcommand.positionals) {
+    for (const CompletedArgument& flag : subcommand.flags) arguments += zsh_flag(flag);
+    for (const CompletedArgument& positional : subcommand.positionals) {
       arguments += fmt::format(" \\\n        '{}:{}:{}'", positional.takes_many ? "*" : "",
                                plain(positional.help), zsh_action(positional));
     }
@@ -163,8 +163,9 @@ std::string fish_completion(const std::vector<Subcommand>& subcommands) {
   for (const Subcommand& subcommand : subcommands) {
     text += fmt::format("complete -c wend -f -n __fish_use_subcommand -a {} -d '{}'\n",
                         subcommand.name, plain(subcommand.help));
-    for (const Argument& flag : subcommand.flags) text += fish_line(subcommand, fish_flag(flag));
-    for (const Argument& positional : subcommand.positionals) {
+    for (const CompletedArgument& flag : subcommand.flags)
+      text += fish_line(subcommand, fish_flag(flag));
+    for (const CompletedArgument& positional : subcommand.positionals) {
       if (positional.words.empty()) continue;
       text += fish_line(subcommand, fmt::format("-f -a '{}'", joined(positional.words, " ")));
     }

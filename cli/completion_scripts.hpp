@@ -8,7 +8,7 @@
 namespace wend::cli {
 
 /// A flag or a positional argument.
-struct Argument {
+struct CompletedArgument {
   std::vector<std::string> flags;  // every spelling, dashes included
   std::string help;                // a few words
   bool takes_value = false;
@@ -20,8 +20,8 @@ struct Argument {
 struct Subcommand {
   std::string name;
   std::string help;
-  std::vector<Argument> flags;
-  std::vector<Argument> positionals;
+  std::vector<CompletedArgument> flags;
+  std::vector<CompletedArgument> positionals;
 };
 
 std::string bash_completion(const std::vector<Subcommand>& subcommands);

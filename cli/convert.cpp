@@ -111,8 +111,8 @@ int run(const ConvertArguments& arguments) {
 
 }  // namespace
 
-Command add_convert(CLI::App& app) {
-  CLI::App& convert = *app.add_subcommand("convert", "Save a map in another format");
+Command add_convert(Parser& app) {
+  Parser convert = app.add_subcommand("convert", "Save a map in another format");
   const auto arguments = std::make_shared<ConvertArguments>();
   arguments->input.add_to(convert, "IN");
   convert
@@ -120,13 +120,13 @@ Command add_convert(CLI::App& app) {
                   wrapped("The new file, in the format of its name: a ROS map (.yaml, .yml) and "
                           "its picture .png, MovingAI (.map), a text grid (.txt, .grid) or a "
                           "picture (.png, .pgm, .pnm)"))
-      ->required()
-      ->type_name(kFileType);
+      .required()
+      .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,
                    wrapped("Save nothing if the new format cannot hold the whole map"));
   add_format(convert, arguments->format);
   convert.footer(kExamples);
-  return {&convert, [arguments] { return run(*arguments); }};
+  return {convert, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -4,7 +4,7 @@
 
 namespace wend::cli {
 
-void add_corner_rule(CLI::App& app, CornerRule& rule) {
+void add_corner_rule(Parser& app, CornerRule& rule) {
   NamedValues<CornerRule> rules;
   for (const auto& choice : choice_names(CornerRule{})) {
     rules.emplace_back(choice.name, choice.value);

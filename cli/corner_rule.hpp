@@ -2,13 +2,12 @@
 
 // --corner-rule where no planner has it among its options.
 
-#include <CLI/App.hpp>
-
+#include "parser.hpp"
 #include "wend/planner/cost_to_go.hpp"
 
 namespace wend::cli {
 
 /// --corner-rule none|one|both
-void add_corner_rule(CLI::App& app, CornerRule& rule);
+void add_corner_rule(Parser& app, CornerRule& rule);
 
 }  // namespace wend::cli

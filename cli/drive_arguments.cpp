@@ -57,23 +57,23 @@ std::string summaries() {
 
 }  // namespace
 
-void DriveArguments::add_to(CLI::App& app) {
+void DriveArguments::add_to(Parser& app) {
   app.add_option("--controller", controller_,
                  wrapped("What drives (default pure_pursuit); options may follow as in "
                          "pid:heading_gain=3. " +
                          summaries()))
-      ->type_name(kControllerType);
+      .type_name(kControllerType);
   const auto compare = [this](const std::string& text) { compared_ = text; };
-  app.add_option_function<std::string>(
+  app.add_option(
          "--compare", compare,
          wrapped("Drive with each of these controllers instead, or with all; options may follow "
                  "each"))
-      ->expected(0, 1)
-      ->type_name("[" + std::string(kControllerType) + ",...]");
+      .optional_value()
+      .type_name("[" + std::string(kControllerType) + ",...]");
   add_number(app, "--noise", noise_, kNoise,
              "All noise at once: the same as --actuation-noise S --position-noise S (metres) "
              "--heading-noise S (radians)")
-      ->type_name("S");
+      .type_name("S");
   for (const ControllerInfo& info : wend::controllers()) {
     controller_options_.collect(info.name, info.options);
   }

@@ -2,7 +2,6 @@
 
 // How a robot is to drive: controllers, the robot, what disturbs it, when it has arrived.
 
-#include <CLI/App.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,7 +22,7 @@ struct ChosenController {
 
 class DriveArguments {
  public:
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   /// Throw InputError for what is out of range. `loop`: one lap.
   SimulationOptions simulation(bool loop) const;

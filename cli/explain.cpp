@@ -186,15 +186,14 @@ int run(const ExplainArguments& arguments) {
 
 }  // namespace
 
-Command add_explain(CLI::App& app) {
-  CLI::App& explain =
-      *app.add_subcommand("explain", "Say why there is no path, and what would help");
+Command add_explain(Parser& app) {
+  Parser explain = app.add_subcommand("explain", "Say why there is no path, and what would help");
   const auto arguments = std::make_shared<ExplainArguments>();
   arguments->map.add_to(explain);
   explain.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
-      ->required()
-      ->type_name("X,Y");
-  explain.add_option("--goal", arguments->goal, "To where")->required()->type_name("X,Y");
+      .required()
+      .type_name("X,Y");
+  explain.add_option("--goal", arguments->goal, "To where").required().type_name("X,Y");
   add_format(explain, arguments->format);
   arguments->pictures.add_to(explain);
   arguments->output.add_to(explain, {".png", ".svg", ".pdf", ".json"},
@@ -203,7 +202,7 @@ Command add_explain(CLI::App& app) {
   arguments->options.collect("explain", option_schema<GridMoves>());
   arguments->options.add_to(explain);
   explain.footer(kExamples);
-  return {&explain, [arguments] { return run(*arguments); }};
+  return {explain, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

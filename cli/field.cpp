@@ -178,17 +178,17 @@ int run(const FieldArguments& arguments) {
 
 }  // namespace
 
-Command add_field(CLI::App& app) {
-  CLI::App& field = *app.add_subcommand("field", "Find cost and way to a goal from every cell");
+Command add_field(Parser& app) {
+  Parser field = app.add_subcommand("field", "Find cost and way to a goal from every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
   add_texts(field, "--goal", arguments->goals,
             "Where to go: metres or cells as in `wend plan`; the nearest of several counts")
-      ->required()
-      ->type_name("X,Y");
+      .required()
+      .type_name("X,Y");
   add_texts(field, "--start", arguments->starts,
             "Print the best path from here; may be given several times")
-      ->type_name("X,Y");
+      .type_name("X,Y");
   field.add_flag("--grid", arguments->grid,
                  wrapped("Put the cost and the move of every cell into the JSON"));
   arguments->limits.add_to(field);
@@ -200,7 +200,7 @@ Command add_field(CLI::App& app) {
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
   field.footer(kExamples);
-  return {&field, [arguments] { return run(*arguments); }};
+  return {field, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/Error.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "exit_code.hpp"
@@ -15,49 +15,49 @@ namespace {
 constexpr std::size_t kHelpWidth = 46;  // beside the names, in 80 columns
 
 template <class Value>
-CLI::Option* add_number_to(CLI::App& app, const std::string& flags, Value& value, OptionRange range,
-                           const std::string& help) {
+Argument add_number_to(Parser& app, const std::string& flags, Value& value, OptionRange range,
+                       const std::string& help) {
   const auto assign = [flags, range, &value](const std::string& text) {
     double number = 0;
     const std::string wrong = option_text::parse(text, number, range);
     if (!wrong.empty()) refuse_value(flags, wrong);
     value = number;
   };
-  return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name("NUMBER");
+  return app.add_option(flags, assign, wrapped(help)).type_name("NUMBER");
 }
 
 }  // namespace
 
-void add_format(CLI::App& app, Format& format) {
+void add_format(Parser& app, Format& format) {
   add_choice<Format>(app, "--format", format, {{"text", Format::text}, {"json", Format::json}},
                      "Results for people (the default) or for programs");
 }
 
-void add_table_format(CLI::App& app, TableFormat& format) {
+void add_table_format(Parser& app, TableFormat& format) {
   add_choice<TableFormat>(
       app, "--format", format,
       {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
       "A table for people (the default), or one for programs");
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& flags, double& value, OptionRange range,
-                        const std::string& help) {
+Argument add_number(Parser& app, const std::string& flags, double& value, OptionRange range,
+                    const std::string& help) {
   return add_number_to(app, flags, value, range, help);
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& flags, std::optional<double>& value,
-                        OptionRange range, const std::string& help) {
+Argument add_number(Parser& app, const std::string& flags, std::optional<double>& value,
+                    OptionRange range, const std::string& help) {
   return add_number_to(app, flags, value, range, help);
 }
 
-CLI::Option* add_count(CLI::App& app, const std::string& flags, std::uint64_t& value,
-                       const std::string& help) {
+Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
+                   const std::string& help) {
   const auto assign = [flags, &value](const std::string& text) {
     const auto number = parse_integer<std::uint64_t>(text);
     if (!number) refuse_value(flags, quote(text) + " is not a whole number from 0 on");
     value = *number;
   };
-  return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name("N");
+  return app.add_option(flags, assign, wrapped(help)).type_name("N");
 }
 
 void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
@@ -66,9 +66,20 @@ void check_range(const std::string& flag, std::uint64_t value, std::uint64_t lea
   throw InputError(fmt::format("{} {}: from {} to {}", flag, value, least, most));
 }
 
-CLI::Option* add_texts(CLI::App& app, const std::string& flags, std::vector<std::string>& values,
-                       const std::string& help) {
-  return app.add_option(flags, values, wrapped(help))->allow_extra_args(false);
+Argument add_texts(Parser& app, const std::string& flags, std::vector<std::string>& values,
+                   const std::string& help) {
+  return app.add_option(flags, values, wrapped(help)).one_at_a_time();
+}
+
+Argument add_word(Parser& app, const std::string& flags, const std::vector<std::string>& words,
+                  const std::function<void(std::size_t)>& assign, const std::string& help) {
+  const auto find = [flags, words, assign](const std::string& text) {
+    const auto word = std::ranges::find(words, text);
+    if (word == words.end()) refuse_value(flags, option_text::unknown_choice(text, words));
+    assign(static_cast<std::size_t>(word - words.begin()));
+  };
+  return app.add_option(flags, find, wrapped(help))
+      .type_name(fmt::format("{}", fmt::join(words, "|")));
 }
 
 std::string wrapped(std::string_view text) {
@@ -92,10 +103,6 @@ std::string or_list(const std::vector<std::string>& names) {
     list += (i == 0 ? "" : last ? " or " : ", ") + names[i];
   }
   return list;
-}
-
-void refuse_value(const std::string& flags, const std::string& what) {
-  throw CLI::ValidationError(flags, what);
 }
 
 }  // namespace wend::cli

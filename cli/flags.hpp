@@ -3,9 +3,10 @@
 // Flags with strict values: numbers in a range, choices, files. A wrong value ends parsing with an
 // error that names the flag.
 
-#include <CLI/App.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "parser.hpp"
 #include "wend/base/options.hpp"
 
 namespace wend::cli {
@@ -29,31 +31,31 @@ inline constexpr const char* kStyleType = "STYLE";
 enum class Format { text, json };
 
 /// --format text|json
-void add_format(CLI::App& app, Format& format);
+void add_format(Parser& app, Format& format);
 
 /// What tables come in.
 enum class TableFormat { text, json, csv };
 
 /// --format text|json|csv
-void add_table_format(CLI::App& app, TableFormat& format);
+void add_table_format(Parser& app, TableFormat& format);
 
 /// A finite number in a range.
-CLI::Option* add_number(CLI::App& app, const std::string& flags, double& value, OptionRange range,
-                        const std::string& help);
-CLI::Option* add_number(CLI::App& app, const std::string& flags, std::optional<double>& value,
-                        OptionRange range, const std::string& help);
+Argument add_number(Parser& app, const std::string& flags, double& value, OptionRange range,
+                    const std::string& help);
+Argument add_number(Parser& app, const std::string& flags, std::optional<double>& value,
+                    OptionRange range, const std::string& help);
 
 /// A whole number from 0 on.
-CLI::Option* add_count(CLI::App& app, const std::string& flags, std::uint64_t& value,
-                       const std::string& help);
+Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
+                   const std::string& help);
 
 /// Throws InputError for a number outside of a range, ends included.
 void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
                  std::uint64_t most);
 
 /// Texts, each after a flag of its own: `-o a.png -o b.csv`.
-CLI::Option* add_texts(CLI::App& app, const std::string& flags, std::vector<std::string>& values,
-                       const std::string& help);
+Argument add_texts(Parser& app, const std::string& flags, std::vector<std::string>& values,
+                   const std::string& help);
 
 /// The help of a flag, broken into lines.
 std::string wrapped(std::string_view text);
@@ -61,31 +63,21 @@ std::string wrapped(std::string_view text);
 /// "one, two or three"
 std::string or_list(const std::vector<std::string>& names);
 
-/// Throws what CLI11 throws for a wrong value.
-[[noreturn]] void refuse_value(const std::string& flags, const std::string& what);
-
 template <class Value>
 using NamedValues = std::vector<std::pair<std::string, Value>>;
 
-/// One of a few words.
+/// One of a few words; `assign` is told which of them.
+Argument add_word(Parser& app, const std::string& flags, const std::vector<std::string>& words,
+                  const std::function<void(std::size_t)>& assign, const std::string& help);
+
+/// One of a few named values.
 template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& flags, Value& value,
-                        const NamedValues<Value>& choices, const std::string& help) {
-  std::vector<std::string> names;
-  std::string type;
-  for (const auto& [name, choice] : choices) {
-    type += (type.empty() ? "" : "|") + name;
-    names.push_back(name);
-  }
-  const auto assign = [flags, choices, names, &value](const std::string& text) {
-    for (const auto& [name, choice] : choices) {
-      if (name != text) continue;
-      value = choice;
-      return;
-    }
-    refuse_value(flags, option_text::unknown_choice(text, names));
-  };
-  return app.add_option_function<std::string>(flags, assign, wrapped(help))->type_name(type);
+Argument add_choice(Parser& app, const std::string& flags, Value& value,
+                    const NamedValues<Value>& choices, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& [name, choice] : choices) words.push_back(name);
+  const auto assign = [choices, &value](std::size_t which) { value = choices[which].second; };
+  return add_word(app, flags, words, assign, help);
 }
 
 }  // namespace wend::cli

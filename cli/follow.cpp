@@ -71,19 +71,19 @@ int run(const FollowArguments& arguments) {
   return run.report();
 }
 
-void add_path(CLI::App& app, FollowArguments& arguments) {
+void add_path(Parser& app, FollowArguments& arguments) {
   app.add_option("--start", arguments.ends.start,
                  wrapped("Where a path is planned from, as for `wend plan`"))
-      ->type_name("X,Y[,HEADING]");
+      .type_name("X,Y[,HEADING]");
   add_texts(app, "--goal", arguments.ends.goals, "Where to; of several the cheapest to reach")
-      ->type_name("X,Y[,HEADING]");
+      .type_name("X,Y[,HEADING]");
   app.add_flag(
       "--nearest", arguments.nearest,
       wrapped("Where start or goal is blocked, with the margin, take the nearest free cell "
               "that is connected to the other end (not of a car)"));
   app.add_option("--planner", arguments.planner,
                  wrapped("The planner (default astar); options may follow as in astar:weight=2"))
-      ->type_name(kPlannerType);
+      .type_name(kPlannerType);
   add_number(app, "--margin", arguments.margin, kMargins,
              "Plan as if the robot's radius were larger by this: room for what a controller is off "
              "the path (units as --robot-radius; default 0.1 m)");
@@ -92,7 +92,7 @@ void add_path(CLI::App& app, FollowArguments& arguments) {
          wrapped("Follow this path instead: as `wend plan -o` and `wend smooth -o` write it "
                  "(.csv, .json; of a plan with --smooth the smoothed one), or a centreline in "
                  "metres"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   app.add_flag("--loop", arguments.loop, wrapped("Drive one lap of that path, back to its start"));
   arguments.refine.add_to(app);
   arguments.limits.add_to(app);
@@ -100,8 +100,8 @@ void add_path(CLI::App& app, FollowArguments& arguments) {
 
 }  // namespace
 
-Command add_follow(CLI::App& app) {
-  CLI::App& follow = *app.add_subcommand("follow", "Let a simulated robot follow a path");
+Command add_follow(Parser& app) {
+  Parser follow = app.add_subcommand("follow", "Let a simulated robot follow a path");
   const auto arguments = std::make_shared<FollowArguments>();
   arguments->map.add_to(follow);
   add_path(follow, *arguments);
@@ -116,7 +116,7 @@ Command add_follow(CLI::App& app) {
       .add_option("--plot", arguments->plot,
                   wrapped("Plot speed, heading error and cross-track error over time with gnuplot "
                           "(.png, .svg, .pdf)"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   arguments->output.add_to(
       follow, {".png", ".svg", ".pdf", ".gif", ".json", ".csv"},
       "Also write a picture of the paths (.png, .svg, .pdf), a film of the drive "
@@ -124,7 +124,7 @@ Command add_follow(CLI::App& app) {
       "given several times");
   arguments->drive.add_to(follow);
   follow.footer(kExamples);
-  return {&follow, [arguments] { return run(*arguments); }};
+  return {follow, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -108,8 +108,8 @@ int run(const GenerateArguments& arguments) {
 
 }  // namespace
 
-Command add_generate(CLI::App& app) {
-  CLI::App& generate = *app.add_subcommand("generate", "Make a map from a seed");
+Command add_generate(Parser& app) {
+  Parser generate = app.add_subcommand("generate", "Make a map from a seed");
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {
@@ -117,10 +117,10 @@ Command add_generate(CLI::App& app) {
     kinds += wrapped(kind.name + ": " + kind.summary);
     arguments->options.collect(kind.name, kind.options);
   }
-  generate.add_option("KIND", arguments->kind, kinds)->required()->type_name(kGeneratorType);
+  generate.add_option("KIND", arguments->kind, kinds).required().type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, "Columns and rows, as in 160x100")
-      ->required()
-      ->type_name("WxH");
+      .required()
+      .type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
   add_format(generate, arguments->format);
   arguments->output.add_to(
@@ -130,7 +130,7 @@ Command add_generate(CLI::App& app) {
       "text grid");
   arguments->options.add_to(generate);
   generate.footer(kExamples);
-  return {&generate, [arguments] { return run(*arguments); }};
+  return {generate, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -137,33 +137,33 @@ int info(const InfoArguments& arguments) {
 
 }  // namespace
 
-Command add_index(CLI::App& app) {
-  CLI::App& index = *app.add_subcommand("index", "Build an index of a map, to plan at once");
-  index.require_subcommand(1);
+Command add_index(Parser& app) {
+  Parser index = app.add_subcommand("index", "Build an index of a map, to plan at once");
+  index.require_subcommand();
   index.footer(kExamples);
 
-  CLI::App& build_command = *index.add_subcommand("build", "Build the index of a map");
+  Parser build_command = index.add_subcommand("build", "Build the index of a map");
   const auto to_build = std::make_shared<BuildArguments>();
   to_build->map.add_to(build_command);
   build_command
       .add_option("--planner", to_build->planner,
                   wrapped("For which planner (default hub_labels): " + planners_with_index()))
-      ->type_name(kPlannerType);
+      .type_name(kPlannerType);
   add_count(build_command, "--threads", to_build->threads,
             "How many threads build (default 0: as many as the machine runs at once)");
   add_format(build_command, to_build->format);
   build_command.add_option("-o,--output", to_build->output, "The index to write")
-      ->required()
-      ->type_name(kFileType);
+      .required()
+      .type_name(kFileType);
   build_command.footer(kBuildExamples);
 
-  CLI::App& info_command = *index.add_subcommand("info", "Say what an index holds");
+  Parser info_command = index.add_subcommand("info", "Say what an index holds");
   const auto to_tell = std::make_shared<InfoArguments>();
-  info_command.add_option("FILE", to_tell->file, "An index")->required()->type_name(kFileType);
+  info_command.add_option("FILE", to_tell->file, "An index").required().type_name(kFileType);
   add_format(info_command, to_tell->format);
   info_command.footer(kInfoExamples);
 
-  return {&index, [&build_command, to_build, to_tell] {
+  return {index, [&build_command, to_build, to_tell] {
             return build_command.parsed() ? build(*to_build) : info(*to_tell);
           }};
 }

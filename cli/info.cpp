@@ -33,13 +33,13 @@ int run(const InfoArguments& arguments) {
 
 }  // namespace
 
-Command add_info(CLI::App& app) {
-  CLI::App& info = *app.add_subcommand("info", "Say what a map file holds");
+Command add_info(Parser& app) {
+  Parser info = app.add_subcommand("info", "Say what a map file holds");
   const auto arguments = std::make_shared<InfoArguments>();
   arguments->map.add_to(info);
   add_format(info, arguments->format);
   info.footer(kExamples);
-  return {&info, [arguments] { return run(*arguments); }};
+  return {info, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -12,7 +12,7 @@ constexpr OptionRange kSeconds{0, 1e9};
 
 }  // namespace
 
-void LimitArguments::add_to(CLI::App& app) {
+void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Give up after so many expansions");
   add_number(app, "--limit-time", seconds, kSeconds, "Give up after so many seconds of search");
 }

@@ -2,10 +2,10 @@
 
 // What a search may use: --limit-expansions, --limit-time, and Ctrl-C, which cancels it.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 
+#include "parser.hpp"
 #include "progress_bar.hpp"
 #include "wend/base/limits.hpp"
 
@@ -15,7 +15,7 @@ struct LimitArguments {
   std::uint64_t expansions = Limits::kUnlimited;
   std::optional<double> seconds;
 
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   /// `progress` is told the cells expanded; it must outlive the search.
   Limits limits(ProgressBar& progress) const;

@@ -2,7 +2,9 @@
 // into messages and exit codes.
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -34,11 +36,13 @@ std::vector<Command> add_commands(CLI::App& app) {
   app.get_formatter()->column_width(kNameColumn);
   app.require_subcommand(1);
   app.footer(kExamples);
-  std::vector<Command> commands{add_plan(app),  add_smooth(app),   add_follow(app),  add_check(app),
-                                add_field(app), add_compare(app),  add_explain(app), add_view(app),
-                                add_info(app),  add_generate(app), add_convert(app), add_index(app),
-                                add_bench(app), add_planners(app)};
-  commands.push_back(add_completion(app));
+  Parser parser(app);
+  std::vector<Command> commands{add_plan(parser),     add_smooth(parser),  add_follow(parser),
+                                add_check(parser),    add_field(parser),   add_compare(parser),
+                                add_explain(parser),  add_view(parser),    add_info(parser),
+                                add_generate(parser), add_convert(parser), add_index(parser),
+                                add_bench(parser),    add_planners(parser)};
+  commands.push_back(add_completion(parser));
   return commands;
 }
 
@@ -65,7 +69,7 @@ int run_app(int argc, char** argv) {
     return bad_input;
   }
   for (const Command& command : commands) {
-    if (command.app->parsed()) return run(command);
+    if (command.parser.parsed()) return run(command);
   }
   return bad_input;
 }

@@ -16,12 +16,12 @@ constexpr OptionRange kCosts{0, 1e6};
 
 }  // namespace
 
-void MapFileArguments::add_to(CLI::App& app, const std::string& name) {
+void MapFileArguments::add_to(Parser& app, const std::string& name) {
   app.add_option(name, file,
                  wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
                          "or a bare PNG or PNM image"))
-      ->required()
-      ->type_name(kFileType);
+      .required()
+      .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
              "Metres a cell of a bare image, which then counts in metres");
 }
@@ -38,7 +38,7 @@ LoadedMap MapFileArguments::load() const {
   return *std::move(loaded);
 }
 
-void MapArguments::add_to(CLI::App& app) {
+void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
   add_number(app, "--robot-radius", robot_radius, kDistances,
              "The robot is a disc of this radius, in metres for a map with a resolution, in cells "

@@ -2,11 +2,11 @@
 
 // The map file, as convert takes it too, and the robot on the map, as plan, field and info do.
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "coordinates.hpp"
+#include "parser.hpp"
 #include "wend/io/loaded_map.hpp"
 #include "wend/map/free_space.hpp"
 
@@ -17,7 +17,7 @@ struct MapFileArguments {
   std::optional<double> resolution;
 
   /// `name` is what help calls the file.
-  void add_to(CLI::App& app, const std::string& name);
+  void add_to(Parser& app, const std::string& name);
 
   /// Throws InputError if the map cannot be read.
   LoadedMap load() const;
@@ -30,7 +30,7 @@ struct MapArguments : MapFileArguments {
   double keep_away_cost = FreeSpaceOptions{}.keep_away_cost;
   bool cells = false;
 
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
   FreeSpace free_space(const GridMap& map) const;

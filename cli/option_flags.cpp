@@ -105,26 +105,24 @@ void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo
   }
 }
 
-void OptionFlags::add_to(CLI::App& app) {
+void OptionFlags::add_to(Parser& app) {
   for (const Flag& flag : flags_) add_flag(app, flag);
 }
 
-void OptionFlags::add_flag(CLI::App& app, const Flag& flag) {
+void OptionFlags::add_flag(Parser& app, const Flag& flag) {
   const std::string name = flag.name;
   const std::string help = help_of(flag.owners, flag.options);
   if (flag.options.front().kind == OptionKind::flag) {
     const auto give = [this, name](std::int64_t count) {
       given_.emplace_back(name, option_text::format(count > 0));
     };
-    app.add_flag_function(spellings(name) + ",!--no-" + dashed(name), give, help)->group(group());
+    app.add_flag(spellings(name) + ",!--no-" + dashed(name), give, help).group(group());
     return;
   }
   std::string names = spellings(name);
   for (const std::string& alias : flag.options.front().aliases) names += "," + spellings(alias);
   const auto give = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  app.add_option_function<std::string>(names, give, help)
-      ->type_name(type_of(flag.options))
-      ->group(group());
+  app.add_option(names, give, help).type_name(type_of(flag.options)).group(group());
 }
 
 std::string OptionFlags::group() const {

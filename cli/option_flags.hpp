@@ -5,10 +5,10 @@
 // "furniture" is --furniture and --no-furniture. Options of the same name share a flag;
 // where they have different choices, the flag takes a --heuristic HEURISTIC, say.
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
+#include "parser.hpp"
 #include "wend/base/options.hpp"
 
 namespace wend::cli {
@@ -25,7 +25,7 @@ class OptionFlags {
   void collect(const std::string& owner, const std::vector<OptionInfo>& options);
 
   /// Adds a flag for every option collected.
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   /// The options given, by their names. Throws InputError for one that the owner does not have.
   OptionValues values_for(const std::string& owner) const;
@@ -37,7 +37,7 @@ class OptionFlags {
     std::vector<OptionInfo> options;  // of each owner
   };
 
-  void add_flag(CLI::App& app, const Flag& flag);
+  void add_flag(Parser& app, const Flag& flag);
   std::string group() const;
   const Flag* find(const std::string& name) const;
 

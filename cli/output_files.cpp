@@ -52,10 +52,10 @@ std::string write_bytes(const std::string& file, const std::string& bytes) {
   return written ? std::string() : written.error().message();
 }
 
-void OutputFiles::add_to(CLI::App& app, std::vector<std::string> extensions,
+void OutputFiles::add_to(Parser& app, std::vector<std::string> extensions,
                          const std::string& help) {
   extensions_ = std::move(extensions);
-  add_texts(app, "-o,--output", files_, help)->type_name(kFileType);
+  add_texts(app, "-o,--output", files_, help).type_name(kFileType);
 }
 
 void OutputFiles::check() const {

@@ -2,12 +2,13 @@
 
 // -o FILE: results as files, each in the format that its name asks for.
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "parser.hpp"
 
 namespace wend::cli {
 
@@ -28,7 +29,7 @@ std::string write_bytes(const std::string& file, const std::string& bytes);
 class OutputFiles {
  public:
   /// -o, once for each file. `extensions` are those that the command can write: {".png", ".csv"}.
-  void add_to(CLI::App& app, std::vector<std::string> extensions, const std::string& help);
+  void add_to(Parser& app, std::vector<std::string> extensions, const std::string& help);
 
   /// Throws InputError for a name that no writer will take and for a folder that is not there.
   void check() const;

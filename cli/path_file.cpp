@@ -29,12 +29,12 @@ std::optional<std::string> part_outside(const Path& path, const FreeSpace& space
 
 }  // namespace
 
-void add_path_file(CLI::App& app, std::string& file) {
+void add_path_file(Parser& app, std::string& file) {
   app.add_option("PATH", file,
                  wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
                          "(.csv with columns x_m and y_m)"))
-      ->required()
-      ->type_name(kFileType);
+      .required()
+      .type_name(kFileType);
 }
 
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage) {

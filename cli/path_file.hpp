@@ -2,16 +2,16 @@
 
 // A path that is read from a file, for the map it belongs to.
 
-#include <CLI/App.hpp>
 #include <string>
 
+#include "parser.hpp"
 #include "wend/io/load_path.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend::cli {
 
 /// The positional PATH.
-void add_path_file(CLI::App& app, std::string& file);
+void add_path_file(Parser& app, std::string& file);
 
 /// Throws InputError if it cannot be read.
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage);

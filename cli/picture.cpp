@@ -22,7 +22,7 @@ int small_columns(const Screen& screen) {
 
 }  // namespace
 
-void PictureArguments::add_to(CLI::App& app) {
+void PictureArguments::add_to(Parser& app) {
   add_choice<PictureWhen>(app, "--picture", when,
                           {{"auto", PictureWhen::automatic},
                            {"always", PictureWhen::always},
@@ -34,7 +34,7 @@ void PictureArguments::add_to(CLI::App& app) {
             "a black-and-white printer");
 }
 
-void add_style(CLI::App& app, StyleName& style, const std::string& help) {
+void add_style(Parser& app, StyleName& style, const std::string& help) {
   NamedValues<StyleName> styles;
   for (const auto& choice : choice_names(StyleName{})) {
     styles.emplace_back(choice.name, choice.value);
@@ -42,7 +42,7 @@ void add_style(CLI::App& app, StyleName& style, const std::string& help) {
   add_choice<StyleName>(app, "--style", style, styles, help);
 }
 
-void add_styles(CLI::App& app, std::vector<StyleName>& styles) {
+void add_styles(Parser& app, std::vector<StyleName>& styles) {
   const auto add = [&styles](const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       std::vector<std::string> known;
@@ -55,13 +55,12 @@ void add_styles(CLI::App& app, std::vector<StyleName>& styles) {
       }
     }
   };
-  app.add_option_function<std::vector<std::string>>(
+  app.add_list(
          "--style", add,
          wrapped("Colours: light (the default), dark or print; several with commas between come "
                  "side by side"))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name(kStyleType);
+      .separated_by_commas()
+      .type_name(kStyleType);
 }
 
 bool is_small(const GridMap& map, const Screen& screen) {

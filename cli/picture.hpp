@@ -3,10 +3,10 @@
 // A scene on standard output: a small map as text with a character a cell, a large one as a
 // picture.
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 
+#include "parser.hpp"
 #include "terminal.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
@@ -21,14 +21,14 @@ struct PictureArguments {
   StyleName style = StyleName::light;
 
   /// --picture auto|always|never and --style light|dark|print
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 };
 
 /// --style light|dark|print
-void add_style(CLI::App& app, StyleName& style, const std::string& help);
+void add_style(Parser& app, StyleName& style, const std::string& help);
 
 /// --style light,dark,print: one or more.
-void add_styles(CLI::App& app, std::vector<StyleName>& styles);
+void add_styles(Parser& app, std::vector<StyleName>& styles);
 
 /// Is the map small enough for one character a cell?
 bool is_small(const GridMap& map, const Screen& screen);

@@ -60,20 +60,20 @@ int run(const PlanArguments& arguments) {
 
 }  // namespace
 
-Command add_plan(CLI::App& app) {
-  CLI::App& plan = *app.add_subcommand("plan", "Plan a path from a start to a goal");
+Command add_plan(Parser& app) {
+  Parser plan = app.add_subcommand("plan", "Plan a path from a start to a goal");
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->map.add_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
                           "resolution, a cell for others and with --cells; of a car a corner, and "
                           "the heading N, W, E, S or an angle as 45deg"))
-      ->required()
-      ->type_name("X,Y[,HEADING]");
+      .required()
+      .type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
             "Where it ends; of several the cheapest to reach. A car's heading may be any")
-      ->required()
-      ->type_name("X,Y[,HEADING]");
+      .required()
+      .type_name("X,Y[,HEADING]");
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
                         "that is connected to the other end (not of a car)"));
@@ -81,11 +81,11 @@ Command add_plan(CLI::App& app) {
           "--planner", arguments->planner,
           wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
                   "in astar:weight=2"))
-      ->type_name(kPlannerType);
+      .type_name(kPlannerType);
   plan.add_option("--index", arguments->index,
                   wrapped("An index of the map that `wend index build` made; the planner is its "
                           "own unless --planner says another"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   arguments->refine.add_to(plan);
   arguments->limits.add_to(plan);
   add_format(plan, arguments->format);
@@ -102,7 +102,7 @@ Command add_plan(CLI::App& app) {
   }
   arguments->options.add_to(plan);
   plan.footer(kExamples);
-  return {&plan, [arguments] { return run(*arguments); }};
+  return {plan, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

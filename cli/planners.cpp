@@ -25,13 +25,12 @@ int run(Format format) {
 
 }  // namespace
 
-Command add_planners(CLI::App& app) {
-  CLI::App& planners =
-      *app.add_subcommand("planners", "List planners: guarantees, options and papers");
+Command add_planners(Parser& app) {
+  Parser planners = app.add_subcommand("planners", "List planners: guarantees, options and papers");
   const auto format = std::make_shared<Format>(Format::text);
   add_format(planners, *format);
   planners.footer(kExamples);
-  return {&planners, [format] { return run(*format); }};
+  return {planners, [format] { return run(*format); }};
 }
 
 }  // namespace wend::cli

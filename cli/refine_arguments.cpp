@@ -17,10 +17,10 @@ namespace {
 
 constexpr OptionRange kSpacings{1e-6, 1e9};
 
-CLI::Option* add_optional_text(CLI::App& app, const std::string& flag,
-                               std::optional<std::string>& value, const std::string& help) {
+Argument add_optional_text(Parser& app, const std::string& flag, std::optional<std::string>& value,
+                           const std::string& help) {
   const auto assign = [&value](const std::string& text) { value = text; };
-  return app.add_option_function<std::string>(flag, assign, wrapped(help))->expected(0, 1);
+  return app.add_option(flag, assign, wrapped(help)).optional_value();
 }
 
 Simplification simplification_of(const std::string& typed, const Coordinates& coordinates) {
@@ -51,27 +51,27 @@ OptionValues weights_of(const std::string& typed) {
 
 }  // namespace
 
-void RefineArguments::add_to(CLI::App& app) {
+void RefineArguments::add_to(Parser& app) {
   add_points_to(app);
   add_optional_text(app, "--smooth", smooth,
                     "Smooth the path, without ever touching an obstacle; ALPHA holds points where "
                     "they were, BETA draws neighbours together (default 0.1,0.3)")
-      ->type_name("[ALPHA,BETA]");
+      .type_name("[ALPHA,BETA]");
   app.add_option("--smoother", smoother,
                  wrapped("Smooth with this smoother (default gradient); options may follow as in "
                          "curvature:radius=6, lengths in cells; `wend smooth --help` tells them"))
-      ->type_name(kSmootherType);
+      .type_name(kSmootherType);
   app.add_flag("--unsafe", unsafe,
                wrapped("Smooth as the textbook does, whatever the path runs into"));
 }
 
-void RefineArguments::add_points_to(CLI::App& app) {
+void RefineArguments::add_points_to(Parser& app) {
   add_optional_text(
       app, "--simplify", simplify,
       "Leave out points: collinear ones, all but those needed to see the next (sight, "
       "the default), or those within a tolerance of the rest, a length; before the "
       "path is smoothed")
-      ->type_name("[collinear|sight|TOLERANCE]");
+      .type_name("[collinear|sight|TOLERANCE]");
   add_number(app, "--resample", resample, kSpacings,
              "Last, put points at equal distances along the path, about so far apart (a length: "
              "metres for a map with a resolution, cells for others and with --cells)");

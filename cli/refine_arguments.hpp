@@ -2,13 +2,13 @@
 
 // What is to become of a path: --simplify, --smooth, --smoother, --unsafe and --resample.
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "coordinates.hpp"
+#include "parser.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/path_report.hpp"
@@ -23,10 +23,10 @@ struct RefineArguments {
   std::optional<double> resample;  // in the user's units
 
   /// All of them, for paths that are planned.
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   /// --simplify and --resample.
-  void add_points_to(CLI::App& app);
+  void add_points_to(Parser& app);
 
   bool any() const { return simplify || smooth || !smoother.empty() || unsafe || resample; }
 

@@ -62,17 +62,14 @@ std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
 
 }  // namespace
 
-void ShownLayers::add_to(CLI::App& app) {
+void ShownLayers::add_to(Parser& app) {
   const auto add = [this](const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       const LayerKind kind = parse_layer(name);
       if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     }
   };
-  app.add_option_function<std::vector<std::string>>("--show", add, wrapped(kHelp))
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name(kLayerType);
+  app.add_list("--show", add, wrapped(kHelp)).separated_by_commas().type_name(kLayerType);
 }
 
 bool ShownLayers::any_from(LayerSource source) const {

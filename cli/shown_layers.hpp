@@ -2,11 +2,11 @@
 
 // --show: layers of a search, of the costs to the goal and of the map, instead of the path alone.
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "parser.hpp"
 #include "picture.hpp"
 #include "terminal.hpp"
 #include "wend/planner/layer.hpp"
@@ -18,7 +18,7 @@ namespace wend::cli {
 class ShownLayers {
  public:
   /// --show LAYER[,LAYER...], once or more.
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   const std::vector<LayerKind>& kinds() const { return kinds_; }
   bool empty() const { return kinds_.empty(); }

@@ -129,7 +129,7 @@ int run(const SmoothArguments& arguments) {
   return success;
 }
 
-void add_smoothers(CLI::App& app, SmoothArguments& arguments) {
+void add_smoothers(Parser& app, SmoothArguments& arguments) {
   std::string names;
   for (const SmootherInfo& smoother : smoothers()) {
     names += fmt::format("{}: {}; ", smoother.name, smoother.summary);
@@ -139,7 +139,7 @@ void add_smoothers(CLI::App& app, SmoothArguments& arguments) {
   }
   app.add_option("--smoother", arguments.smoother,
                  wrapped("How to smooth (default gradient). " + names + "none"))
-      ->type_name(kSmootherType);
+      .type_name(kSmootherType);
   add_number(app, "--turning-radius", arguments.turning_radius, kRadii,
              "No bend is to be tighter than this (units as --robot-radius; curvature)");
   arguments.points.add_points_to(app);
@@ -148,8 +148,8 @@ void add_smoothers(CLI::App& app, SmoothArguments& arguments) {
 
 }  // namespace
 
-Command add_smooth(CLI::App& app) {
-  CLI::App& smooth = *app.add_subcommand("smooth", "Smooth or simplify a path, clear of obstacles");
+Command add_smooth(Parser& app) {
+  Parser smooth = app.add_subcommand("smooth", "Smooth or simplify a path, clear of obstacles");
   const auto arguments = std::make_shared<SmoothArguments>();
   arguments->map.add_to(smooth);
   add_path_file(smooth, arguments->path);
@@ -161,7 +161,7 @@ Command add_smooth(CLI::App& app) {
                            ".pdf); may be given several times");
   add_smoothers(smooth, *arguments);
   smooth.footer(kExamples);
-  return {&smooth, [arguments] { return run(*arguments); }};
+  return {smooth, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

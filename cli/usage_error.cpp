@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
+#include <CLI/Error.hpp>
+
 #include <vector>
 
 #include "flags.hpp"

@@ -2,9 +2,12 @@
 
 // What to tell a user whose command line could not be parsed.
 
-#include <CLI/App.hpp>
-#include <CLI/Error.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 namespace wend::cli {
 

@@ -154,17 +154,17 @@ int run(const ViewArguments& arguments) {
 
 }  // namespace
 
-Command add_view(CLI::App& app) {
-  CLI::App& view = *app.add_subcommand("view", "Show a map, and paths on it");
+Command add_view(Parser& app) {
+  Parser view = app.add_subcommand("view", "Show a map, and paths on it");
   const auto arguments = std::make_shared<ViewArguments>();
   arguments->map.add_to(view);
   view.add_option("PATH", arguments->paths,
                   wrapped("Paths on it, as `wend plan -o` writes them (.csv, .json)"))
-      ->type_name(kFileType);
+      .type_name(kFileType);
   add_texts(view, "--beside", arguments->beside,
             "Another map, to be shown beside it; may be given "
             "several times")
-      ->type_name(kFileType);
+      .type_name(kFileType);
   arguments->layers.add_to(view);
   add_choice<PictureWhen>(view, "--picture", arguments->when,
                           {{"auto", PictureWhen::automatic},
@@ -177,7 +177,7 @@ Command add_view(CLI::App& app) {
                            "Write the picture, as .png, .svg or .pdf; "
                            "may be given several times");
   view.footer(kExamples);
-  return {&view, [arguments] { return run(*arguments); }};
+  return {view, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace wend::cli

@@ -24,24 +24,24 @@ bool is_yaml(const std::string& file) {
 
 }  // namespace
 
-void WatchArguments::add_to(CLI::App& app) {
+void WatchArguments::add_to(Parser& app) {
   app.add_flag("--verbose", verbose,
                wrapped("Tell on standard error what the search does, a line an event"))
-      ->group(kGroup);
+      .group(kGroup);
   app.add_flag("--step", step, wrapped("Wait for a key after each expansion and show the search"))
-      ->group(kGroup);
-  app.add_flag("--animate", animate, wrapped("Play the search on the terminal"))->group(kGroup);
+      .group(kGroup);
+  app.add_flag("--animate", animate, wrapped("Play the search on the terminal")).group(kGroup);
   add_number(app, "--speed", speed, kSpeeds,
              "Expansions a second of --animate and of a .gif (default: a few seconds in all)")
-      ->group(kGroup);
+      .group(kGroup);
   app.add_option("--trace", trace,
                  wrapped("Write the search as a trace for Posthoc: a name in .trace.yaml or "
                          ".trace.json"))
-      ->type_name(kFileType)
-      ->group(kGroup);
+      .type_name(kFileType)
+      .group(kGroup);
   add_count(app, "--trace-limit", trace_limit,
             "The most events that a trace keeps (default 200000, some 20 MB)")
-      ->group(kGroup);
+      .group(kGroup);
 }
 
 void WatchArguments::check(const Screen& screen) const {

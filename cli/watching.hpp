@@ -2,11 +2,11 @@
 
 // How a person follows a search: told line by line, step by step, played, or kept as a trace.
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "parser.hpp"
 #include "terminal.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
@@ -20,7 +20,7 @@ struct WatchArguments {
   std::string trace;                    // a file; empty: none
   std::uint64_t trace_limit = 200'000;  // events, some 20 MB
 
-  void add_to(CLI::App& app);
+  void add_to(Parser& app);
 
   /// Throws InputError where the flags cannot be honoured.
   void check(const Screen& screen) const;

@@ -1,0 +1,81 @@
+#pragma once
+
+// Parser: the arguments that a program or a subcommand takes, and Argument: one of them. They hand
+// everything to CLI11 and are the only way to it for the subcommands, because each source that sees
+// CLI11 compiles much of it anew: see parser.cpp.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace wend::cli {
+
+/// An argument that was added, to say more about it. A reference: copies mean the same argument.
+class Argument {
+ public:
+  explicit Argument(CLI::Option& option) : option_(&option) {}
+
+  Argument required() const;
+  /// What it takes, as help shows it: "FILE".
+  Argument type_name(const std::string& name) const;
+  /// The heading in help under which it stands.
+  Argument group(const std::string& name) const;
+  /// Its value may be left out and is empty then.
+  Argument optional_value() const;
+  /// Takes one value each time that it is given.
+  Argument one_at_a_time() const;
+  /// Takes one word each time that it is given, with several values between commas.
+  Argument separated_by_commas() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// Adds arguments. Values are assigned while the command line is parsed, so what they refer to must
+/// outlive that. A reference: copies add to the same command.
+class Parser {
+ public:
+  using AssignText = std::function<void(const std::string&)>;
+  using AssignTexts = std::function<void(const std::vector<std::string>&)>;
+  using AssignCount = std::function<void(std::int64_t)>;
+
+  explicit Parser(CLI::App& app) : app_(&app) {}
+
+  Parser add_subcommand(const std::string& name, const std::string& description);
+  /// One of the subcommands must be named.
+  void require_subcommand();
+
+  /// `flags` are "-o,--output", or a name without dashes for a positional argument.
+  Argument add_option(const std::string& flags, std::string& value, const std::string& help);
+  Argument add_option(const std::string& flags, std::vector<std::string>& values,
+                      const std::string& help);
+  Argument add_option(const std::string& flags, const AssignText& assign, const std::string& help);
+  Argument add_list(const std::string& flags, const AssignTexts& assign, const std::string& help);
+
+  Argument add_flag(const std::string& flags, bool& value, const std::string& help);
+  /// Is told how often it was given; a flag that is negated ("!--no-furniture") counts down.
+  Argument add_flag(const std::string& flags, const AssignCount& assign, const std::string& help);
+
+  /// What stands below the arguments in help: examples and exit codes.
+  void footer(const std::string& text);
+
+  /// Whether the command line named this subcommand.
+  bool parsed() const;
+
+  /// For the sources that walk over all that was added: completion and usage errors.
+  const CLI::App& app() const { return *app_; }
+
+ private:
+  CLI::App* app_;
+};
+
+/// Throws what ends parsing with an error: the value of this flag is wrong.
+[[noreturn]] void refuse_value(const std::string& flags, const std::string& what);
+
+}  // namespace wend::cli
