@@ -163,7 +163,7 @@ Command add_index(Parser& app) {
   add_format(info_command, to_tell->format);
   info_command.footer(kInfoExamples);
 
-  return {index, [&build_command, to_build, to_tell] {
+  return {index, [build_command, to_build, to_tell] {
             return build_command.parsed() ? build(*to_build) : info(*to_tell);
           }};
 }
