@@ -97,10 +97,11 @@ int build(const BuildArguments& arguments) {
                 {"build_s", seconds},
                 {"threads", workers.count()}});
   } else {
-    print(fmt::format("{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s with {} thread{}\n",
-                      arguments.output, planner.name, space.width(), space.height(),
-                      static_cast<double>(index->size()) / kMegabyte, seconds, workers.count(),
-                      workers.count() == 1 ? "" : "s"));
+    print(fmt::format(
+        "{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s of wall time with {} thread{}\n",
+        arguments.output, planner.name, space.width(), space.height(),
+        static_cast<double>(index->size()) / kMegabyte, seconds, workers.count(),
+        workers.count() == 1 ? "" : "s"));
   }
   return success;
 }

@@ -14,7 +14,9 @@ constexpr OptionRange kSeconds{0, 1e9};
 
 void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Give up after so many expansions");
-  add_number(app, "--limit-time", seconds, kSeconds, "Give up after so many seconds of search");
+  add_number(app, "--limit-time", seconds, kSeconds,
+             "Give up after so many seconds of search (wall time); reading the map and making "
+             "the planner do not count");
 }
 
 Limits LimitArguments::limits(ProgressBar& progress) const {

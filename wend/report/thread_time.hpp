@@ -23,7 +23,10 @@ namespace wend {
 /// seconds of the monotonic clock where the system has no CLOCK_THREAD_CPUTIME_ID (POSIX).
 double thread_cpu_seconds();
 
-/// What thread_cpu_seconds() counts on this system: "CPU time", or "wall time" if it falls back.
+/// CPU seconds of all threads of the program, for work that threads share. Falls back likewise.
+double process_cpu_seconds();
+
+/// What these clocks count on this system: "CPU time", or "wall time" if they fall back.
 std::string_view thread_time_name();
 
 /// How often something is run to be timed.
@@ -32,7 +35,7 @@ struct RepetitionRule {
   /// Runs that are shorter than this are timed several at a time, because reading the clock takes
   /// up to a microsecond.
   double shortest_seconds = 50e-6;
-  std::uint64_t most_runs = std::uint64_t{1} << 20U;  // whatever the clock says
+  std::uint64_t most_runs = std::uint64_t{1} << 14U;  // whatever the clock says
 };
 
 /// What one run takes.
@@ -43,15 +46,25 @@ double seconds_of(const Clock& clock, Run&& run) {
   return clock() - begin;
 }
 
+/// Runs something that has a result, and adds what it takes to `seconds`.
+template <class Run>
+auto timed(const Clock& clock, double& seconds, Run&& run) {
+  const double begin = clock();
+  auto result = run();
+  seconds += clock() - begin;
+  return result;
+}
+
 /// What the quickest takes of as many runs as fill the rule's time. Something slower than that is
-/// run once. Of runs that are timed together it is the mean that counts.
+/// run once, but nothing less often. Of runs that are timed together it is the mean that counts.
 template <class Run>
 double least_seconds(const Clock& clock, Run&& run, const RepetitionRule& rule = {}) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   double least = kNone;
   double total = 0;
   std::uint64_t runs = 0;
-  for (std::uint64_t together = 1; total < rule.fill_seconds && runs < rule.most_runs;) {
+  std::uint64_t together = 1;
+  do {
     const double seconds = seconds_of(clock, [&] {
       for (std::uint64_t i = 0; i < together; ++i) run();
     });
@@ -62,7 +75,7 @@ double least_seconds(const Clock& clock, Run&& run, const RepetitionRule& rule =
     } else {
       together *= 2;
     }
-  }
+  } while (total < rule.fill_seconds && runs < rule.most_runs);
   return least < kNone ? least : total / static_cast<double>(runs);
 }
 

@@ -34,6 +34,7 @@ TEST(ThreadTime, DoesNotGoBack) {
     EXPECT_GE(now, before);
     before = now;
   }
+  EXPECT_GE(process_cpu_seconds(), before) << "this thread's is part of it";
   EXPECT_EQ(thread_time_name(), "CPU time") << "what Linux has";
 }
 
@@ -43,9 +44,27 @@ TEST(SecondsOf, IsOneRun) {
   EXPECT_EQ(work.runs, 1U);
 }
 
+TEST(Timed, AddsWhatARunTakesAndHandsOnItsResult) {
+  Work work{.seconds = {2, 1}};
+  double seconds = 0.5;
+  const auto run = [&work] {
+    work();
+    return work.runs;
+  };
+  EXPECT_EQ(timed(work.clock(), seconds, run), 1U);
+  EXPECT_EQ(timed(work.clock(), seconds, run), 2U);
+  EXPECT_EQ(seconds, 3.5);
+}
+
 TEST(LeastSeconds, RunsOnceWhatFillsTheTimeAlone) {
   Work work{.seconds = {5e-3, 1e-3}};
   EXPECT_EQ(least_of(work), 5e-3);
+  EXPECT_EQ(work.runs, 1U);
+}
+
+TEST(LeastSeconds, RunsOnceWhereThereIsNoTimeToFill) {
+  Work work{.seconds = {1e-6}};
+  EXPECT_EQ(least_of(work, {.fill_seconds = 0}), 1e-6);
   EXPECT_EQ(work.runs, 1U);
 }
 

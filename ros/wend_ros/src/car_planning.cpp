@@ -1,6 +1,5 @@
 #include "wend_ros/car_planning.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/heading.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend_ros {
 namespace {
@@ -113,9 +113,10 @@ CarResult plan_car(const CarRequest& request, const Watch& watch) {
   wend::Query query{.start = *start, .goals = {*goal}};
   query.limits.cancel = watch.cancel;
   query.observer = watch.observer;
-  const auto begin = std::chrono::steady_clock::now();
   wend::Plan plan;
-  const wend::Status status = (*planner)->plan(query, plan);
+  double seconds = 0;
+  const wend::Status status =
+      wend::timed(wend::thread_cpu_seconds, seconds, [&] { return (*planner)->plan(query, plan); });
   CarResult result = car_refusal(code_of(status), {});
   if (status == wend::Status::found) {
     put_plan(result, plan);
@@ -125,8 +126,7 @@ CarResult plan_car(const CarRequest& request, const Watch& watch) {
   result.metrics.expanded = plan.metrics.expanded;
   result.metrics.generated = plan.metrics.generated;
   result.metrics.max_frontier = plan.metrics.max_frontier;
-  result.metrics.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.metrics.seconds = seconds;
   return result;
 }
 

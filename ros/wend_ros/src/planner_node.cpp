@@ -8,6 +8,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/io/load_map.hpp"
+#include "wend/report/thread_time.hpp"
 #include "wend_ros/feedback.hpp"
 #include "wend_ros/markers.hpp"
 #include "wend_ros/option_parameters.hpp"
@@ -211,7 +212,8 @@ PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<boo
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
                              << result.metrics.expanded << " expanded in "
-                             << 1e3 * result.metrics.seconds << " ms");
+                             << 1e3 * result.metrics.seconds << " ms of "
+                             << wend::thread_time_name());
   } else {
     ROS_WARN_STREAM("no plan, " << result.status << " " << result.status_name << ": "
                                 << result.reason);

@@ -9,6 +9,7 @@
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
 #include "wend_ros/path_message.hpp"
 
 namespace wend_ros {
@@ -146,9 +147,11 @@ PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters&
                                        const wend::Query& query, const wend::GridMoves& moves) {
   std::vector<wend::Cell> goals;
   for (const wend::Goal& goal : query.goals) goals.push_back(wend::cell_at(goal.point));
-  const double begin = seconds_now();
   wend::PlanFailure failure{wend::Status::found, {}};
-  const auto field = field_to(map, goals, moves, query.limits, failure);
+  double seconds = 0;
+  const auto field = wend::timed(wend::thread_cpu_seconds, seconds, [&] {
+    return field_to(map, goals, moves, query.limits, failure);
+  });
   const auto refused = [&](wend::Status status) {
     return refusal(code_of(status), std::string(wend::describe(status)));
   };
@@ -162,7 +165,7 @@ PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters&
     put_plan(result, map, parameters, moves, *plan);
   }
   result.from_field = 1;
-  put_metrics(result, failure.metrics, seconds_now() - begin);
+  put_metrics(result, failure.metrics, seconds);
   return result;
 }
 
@@ -192,10 +195,10 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
                    "only planners from cell to cell answer from a field");
   }
 
-  const double begin = seconds_now();
   wend::Plan plan;
-  const wend::Status status = planner->plan(query, plan);
-  const double seconds = seconds_now() - begin;
+  double seconds = 0;
+  const wend::Status status =
+      wend::timed(wend::thread_cpu_seconds, seconds, [&] { return planner->plan(query, plan); });
   PlanResult result;
   if (status == wend::Status::found) {
     result.status_name = to_string(StatusCode::found);
