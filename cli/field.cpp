@@ -21,6 +21,7 @@
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/planner/no_path.hpp"
 #include "wend/report/field_report.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::cli {
 namespace {
@@ -50,7 +51,9 @@ input.)";
 /// One field, from the arguments to its report.
 class FieldRun {
  public:
-  FieldRun(const FieldArguments& arguments, GridMoves moves, FreeSpace space)
+  /// `times` are those of what was done for it so far.
+  FieldRun(const FieldArguments& arguments, GridMoves moves, FreeSpace space,
+           const WorkTimes& times)
       : arguments_(arguments),
         moves_(moves),
         space_(std::move(space)),
@@ -61,6 +64,7 @@ class FieldRun {
       starts_.push_back(coordinates_.parse("start", typed));
     }
     for (const Place& goal : goals_) report_.goals.push_back(goal.cell);
+    report_.times = times;
   }
 
   void make();
@@ -87,9 +91,8 @@ class FieldRun {
 void FieldRun::make() {
   ProgressBar progress("costs", space_.passable().count());
   const Limits limits = arguments_.limits.limits(progress);
-  const double begin = steady_seconds();
-  auto field = CostToGo::make(space_, report_.goals, moves_, limits);
-  report_.seconds = steady_seconds() - begin;
+  auto field = timed(thread_cpu_seconds, report_.times.search,
+                     [&] { return CostToGo::make(space_, report_.goals, moves_, limits); });
   if (!field) {
     report_.status = field.error().status;
     report_.metrics = field.error().metrics;
@@ -169,9 +172,13 @@ int run(const FieldArguments& arguments) {
   arguments.output.check();
   const auto moves = parse_options<GridMoves>(arguments.options.values_for("field"));
   if (!moves) throw InputError(moves.error().message());
-  const LoadedMap loaded = arguments.map.load();
+  WorkTimes times;
+  const LoadedMap loaded =
+      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.output.check_not_among(loaded.files);
-  FieldRun run(arguments, *moves, arguments.map.free_space(loaded.map));
+  const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
+                                [&] { return arguments.map.free_space(loaded.map); });
+  FieldRun run(arguments, *moves, space, times);
   run.make();
   return run.report();
 }

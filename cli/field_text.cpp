@@ -73,7 +73,7 @@ std::string field_text(const CostToGo& field, const FreeSpace& space, const Fiel
   const bool small = is_small(space.map(), screen);
   if (small) text += grids(field, scene_of(field, space, report), screen);
   for (const FieldStart& start : report.starts) text += start_text(start, small);
-  return text + reach_text(field, space) + work_lines(report.metrics, report.seconds);
+  return text + reach_text(field, space) + work_lines(report.metrics, report.times);
 }
 
 }  // namespace wend::cli

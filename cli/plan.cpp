@@ -7,6 +7,7 @@
 #include "plan_run.hpp"
 #include "planner_argument.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::cli {
 namespace {
@@ -44,16 +45,22 @@ int run(const PlanArguments& arguments) {
   if (arguments.watch.step && arguments.format == Format::json) {
     throw InputError("--step and --format json: choose one");
   }
+  WorkTimes times;
   std::optional<Expected<GivenIndex, std::string>> index;
-  if (!arguments.index.empty()) index = read_given_index(arguments.index);
+  if (!arguments.index.empty()) {
+    index = timed(thread_cpu_seconds, times.index.emplace(0),
+                  [&] { return read_given_index(arguments.index); });
+  }
   PlannerSpec planner = parse_planner(planner_text(arguments, index));
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
-  const LoadedMap loaded = arguments.map.load();
+  const LoadedMap loaded =
+      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.output.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
-  PlanRun run(arguments, std::move(planner), arguments.map.free_space(loaded.map),
-              std::move(index));
+  FreeSpace space = timed(thread_cpu_seconds, times.free_space,
+                          [&] { return arguments.map.free_space(loaded.map); });
+  PlanRun run(arguments, std::move(planner), std::move(space), std::move(index), times);
   run.plan();
   return run.report();
 }

@@ -15,6 +15,7 @@
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/plan_json.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::cli {
 
@@ -25,7 +26,7 @@ constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
 }  // namespace
 
 PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
-                 std::optional<Expected<GivenIndex, std::string>> index)
+                 std::optional<Expected<GivenIndex, std::string>> index, const WorkTimes& times)
     : arguments_(arguments),
       spec_(std::move(planner)),
       space_(std::move(space)),
@@ -33,6 +34,7 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace 
       asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
                                               moves_of(spec_).adjacency())) {
+  result_.times = times;
   asked_->check(arguments.layers);
   if (!arguments.refine.any() || info_of(spec_).motion == Motion::cells) return;
   throw InputError(fmt::format(
@@ -67,17 +69,26 @@ void PlanRun::plan() {
 }
 
 /// On the index that was given, else on one that is built now if the planner needs one.
-PlannerResult PlanRun::make_planner() const {
+PlannerResult PlanRun::make_planner() {
   if (index_ && !*index_) {
     return Unexpected<PlannerError>({Status::index_mismatch, index_->error()});
   }
-  if (index_) return wend::make_planner(spec_.name, space_, spec_.options, (*index_)->bytes);
   const PlannerInfo& info = info_of(spec_);
-  if (!info.build_index) return info.make(space_, spec_.options);
+  if (!index_ && info.build_index) return make_planner_on_new_index(info);
+  return timed(thread_cpu_seconds, result_.times.planner.emplace(0), [&] {
+    return index_ ? wend::make_planner(spec_.name, space_, spec_.options, (*index_)->bytes)
+                  : info.make(space_, spec_.options);
+  });
+}
+
+PlannerResult PlanRun::make_planner_on_new_index(const PlannerInfo& info) {
   ThreadWorkers workers;
-  auto index = build_index(info, space_, workers);
+  auto index = timed(process_cpu_seconds, result_.times.index.emplace(0),
+                     [&] { return build_index(info, space_, workers); });
   if (!index) return Unexpected<PlannerError>(index.error());
-  return info.make_on_index(space_, spec_.options, *std::move(index));
+  built_index_ = true;
+  return timed(thread_cpu_seconds, result_.times.planner.emplace(0),
+               [&] { return info.make_on_index(space_, spec_.options, *std::move(index)); });
 }
 
 void PlanRun::search() {
@@ -94,9 +105,13 @@ void PlanRun::search() {
         trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
   }
   if (arguments_.watch.step) observers.add(last_expansion_);
-  if (!observers.empty()) query.observer = &observers;
-  const bool steps = arguments_.watch.step && recorder_;
-  result_.status = steps ? search_in_steps(query, *recorder_) : search_to_the_end(query);
+  if (arguments_.watch.step && recorder_) {
+    query.observer = &observers;
+    result_.status = search_in_steps(query, *recorder_);
+  } else {
+    search_to_the_end(query);
+    if (!observers.empty()) search_for(observers, query);
+  }
   if (result_.status != Status::found) {
     fail(result_.status,
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
@@ -106,11 +121,21 @@ void PlanRun::search() {
   make_layers(query.limits);
 }
 
-Status PlanRun::search_to_the_end(const Query& query) {
-  const double begin = steady_seconds();
-  const Status status = planner_->plan(query, result_.plan);
-  result_.seconds = steady_seconds() - begin;
-  return status;
+void PlanRun::search_to_the_end(const Query& query) {
+  result_.status = timed(thread_cpu_seconds, result_.times.search,
+                         [&] { return planner_->plan(query, result_.plan); });
+}
+
+/// The same search again, as far as it went: what an observer does takes time that is none of the
+/// search's.
+void PlanRun::search_for(SearchObserver& observer, Query query) {
+  const std::atomic<bool>* const cancel = query.limits.cancel;
+  query.limits = {};
+  query.limits.expansions = result_.plan.metrics.expanded;
+  if (result_.status != Status::cancelled) query.limits.cancel = cancel;
+  query.observer = &observer;
+  Plan plan;
+  planner_->plan(query, plan);
 }
 
 /// Only the search is timed, not the person.
@@ -118,14 +143,14 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
   if (!info_of(spec_).can_step) {
     throw InputError(fmt::format("--step: the planner {} cannot be stepped", spec_.name));
   }
-  double begin = steady_seconds();
+  double begin = thread_cpu_seconds();
   auto outcome = planner_->begin(query, result_.plan);
   if (outcome) return *outcome;
   // Lines of --verbose would come in between.
   Stepper stepper(screen_.is_terminal && !(arguments_.watch.verbose && progress_is_seen()));
   for (;;) {
     outcome = planner_->step(result_.plan);
-    result_.seconds += steady_seconds() - begin;
+    result_.times.search += thread_cpu_seconds() - begin;
     if (outcome) {
       stepper.finish();
       return *outcome;
@@ -136,7 +161,7 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
       outcome_is_shown_ = stepper.in_place();
       return Status::cancelled;
     }
-    begin = steady_seconds();
+    begin = thread_cpu_seconds();
   }
 }
 
@@ -211,6 +236,9 @@ std::string PlanRun::text() const {
   }
   std::string summary;
   if (found) summary += asked_->summary(result_);
+  if (found && built_index_) {
+    summary += "index     built for this query and not kept: `wend index build` keeps it\n";
+  }
   if (result_.refined) {
     summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
   }

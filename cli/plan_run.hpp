@@ -45,9 +45,10 @@ struct PlanArguments {
 
 class PlanRun {
  public:
-  /// `index`: what the planner is to plan on, if one was given; or what is wrong with it.
+  /// `index`: what the planner is to plan on, if one was given; or what is wrong with it. `times`
+  /// are those of what was done for the query so far.
   PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
-          std::optional<Expected<GivenIndex, std::string>> index);
+          std::optional<Expected<GivenIndex, std::string>> index, const WorkTimes& times);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
@@ -56,9 +57,11 @@ class PlanRun {
   ExitCode report();
 
  private:
-  PlannerResult make_planner() const;
+  PlannerResult make_planner();
+  PlannerResult make_planner_on_new_index(const PlannerInfo& info);
   void search();
-  Status search_to_the_end(const Query& query);
+  void search_to_the_end(const Query& query);
+  void search_for(SearchObserver& observer, Query query);
   Status search_in_steps(const Query& query, const SearchRecorder& recorder);
   void refine_path();
   void make_layers(const Limits& limits);
@@ -83,6 +86,7 @@ class PlanRun {
   std::vector<Layer> layers_;
   Refinement refinement_;
   PlanResult result_;
+  bool built_index_ = false;
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };
 

@@ -25,8 +25,9 @@ std::string plan_summary(const PlanResult& result, const Frame& frame);
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
                           std::size_t goals);
 
-/// What the search took, for a failure too. `states` is what was expanded: "cells".
-std::string work_lines(const SearchMetrics& metrics, double seconds,
+/// What the search took and what came before it, for a failure too. `states` is what was expanded:
+/// "cells".
+std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
                        const std::string& states = "cells");
 
 }  // namespace wend::cli

@@ -90,7 +90,7 @@ TEST_F(CarCommand, HasTheJsonOfItsSchema) {
   EXPECT_EQ(found.at("moves"), json({"FWD_RIGHT", "FWD"}));
   EXPECT_EQ(found.at("start_shift").at("cells"), 0);
   EXPECT_EQ(found.at("bound"), 1);
-  EXPECT_GT(found.at("metrics").at("time_us"), 0);
+  EXPECT_GT(found.at("times").at("search_us"), 0);
 }
 
 TEST_F(CarCommand, TakesHeadingsAsLettersNumbersAndAngles) {

@@ -14,6 +14,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class IndexCommand : public testing::Test {
  protected:
@@ -55,6 +56,22 @@ TEST_F(IndexCommand, PlansAsAStarDoes) {
     EXPECT_EQ(found.at("planner"), planner) << "the planner comes with the index";
     EXPECT_NEAR(found.at("cost").get<double>(), expected.at("cost").get<double>(), 1e-9);
   }
+}
+
+TEST_F(IndexCommand, PlanSaysThatItBuildsAnIndexAndDoesNotKeepIt) {
+  const Outcome built = plan(map_, {"--planner", "hub_labels"});
+  EXPECT_EQ(built.code, 0) << built.err;
+  EXPECT_THAT(built.out, AllOf(HasSubstr(", index "), HasSubstr("not kept: `wend index build`")));
+  const auto index_us = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--format", "json"});
+    return json::parse(plan(map_, std::move(more)).out).at("times").at("index_us");
+  };
+  EXPECT_GT(index_us({"--planner", "hub_labels"}), 0);
+  EXPECT_TRUE(index_us({"--planner", "jps"}).is_null());
+
+  const std::string index = build("hub_labels");
+  EXPECT_GT(index_us({"--index", index}), 0) << "to open it";
+  EXPECT_THAT(plan(map_, {"--index", index}).out, Not(HasSubstr("not kept")));
 }
 
 TEST_F(IndexCommand, SaysWhatAnIndexHolds) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
@@ -74,7 +75,32 @@ TEST_F(PlanCommand, HasTheJsonOfItsSchema) {
   EXPECT_GE(metrics.at("expanded"), 4);
   EXPECT_GE(metrics.at("generated"), metrics.at("expanded"));
   EXPECT_GE(metrics.at("max_frontier"), 1);
-  EXPECT_GT(metrics.at("time_us"), 0);
+}
+
+TEST_F(PlanCommand, TellsWhatCameBeforeTheSearch) {
+  const json found = plan_json("0,2", "3,3");
+  EXPECT_THAT(plan("0,2", "3,3", {"--format", "json"}).out, StartsWith(R"({"schema":1,)"));
+  for (const char* key : {"load_us", "free_space_us", "planner_us", "search_us"}) {
+    EXPECT_GT(found.at("times").at(key), 0) << key;
+  }
+  EXPECT_TRUE(found.at("times").at("index_us").is_null());
+  EXPECT_THAT(plan("0,2", "3,3").out,
+              AllOf(HasSubstr(" to search, "), HasSubstr(" in all (CPU time)\n"),
+                    HasSubstr("\nbefore    map "), HasSubstr(", free space "),
+                    HasSubstr(", planner "), Not(HasSubstr("index"))));
+}
+
+TEST_F(PlanCommand, AnswersTheSameWhetherOrNotItIsWatched) {
+  const json alone = plan_json("0,2", "3,3");
+  const json watched = plan_json("0,2", "3,3", {"--show", "expansion", "--verbose"});
+  for (const char* key : {"path", "cost", "metrics"}) EXPECT_EQ(watched.at(key), alone.at(key));
+  double last = 0;
+  for (const json& row : watched.at("layers").at("expansion")) {
+    for (const json& number : row) {
+      if (number.is_number()) last = std::max(last, number.get<double>());
+    }
+  }
+  EXPECT_EQ(last, alone.at("metrics").at("expanded").get<double>());
 }
 
 TEST_F(PlanCommand, KeepsAwayFromObstaclesWhenAsked) {
@@ -327,6 +353,8 @@ class FieldCommand : public PlanCommand {
 
 TEST_F(FieldCommand, ShowsCostsPolicyAndPaths) {
   const Outcome outcome = field({"--goal", "0,0", "--start", "2,2", "--start=4,0"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr(" in all (CPU time)\n"), HasSubstr("before    map "),
+                                 Not(HasSubstr("planner"))));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("0.00 1.00 2.00 3.00 4.00    #    -\n"), HasSubstr("G ← ← ← ← # .\n"),

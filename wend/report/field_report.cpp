@@ -30,9 +30,12 @@ Json json_of_grid(const CostToGo& field) {
 }  // namespace
 
 std::string field_json(const FieldReport& report, const Frame& frame, const CostToGo* grid) {
-  Json json{{"goals", json_of(report.goals)}, {"status", to_string(report.status)}};
+  Json json{{"schema", kJsonSchema},
+            {"goals", json_of(report.goals)},
+            {"status", to_string(report.status)}};
   if (report.status != Status::found) json["reason"] = report.reason;
-  json["metrics"] = json_of(report.metrics, report.seconds);
+  json["metrics"] = json_of(report.metrics);
+  json["times"] = json_of(report.times);
   Json& starts = json["starts"] = Json::array();
   for (const FieldStart& start : report.starts) starts.push_back(json_of_start(start, frame));
   if (grid != nullptr) json["grid"] = json_of_grid(*grid);

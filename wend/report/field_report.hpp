@@ -21,11 +21,11 @@ struct FieldReport {
   Status status = Status::found;  // why there is no field
   std::string reason;             // the same for people
   SearchMetrics metrics;          // of making it
-  double seconds = 0;
+  WorkTimes times{};              // no planner and no index
   std::vector<FieldStart> starts;
 };
 
-/// {"goals", "status", "metrics", "starts": [{"start", "status", "cost", "length_cells",
+/// {"schema", "goals", "status", "metrics", "times", "starts": [{"start", "status", "cost", "length_cells",
 /// "length_m", "path", "path_m"}], "grid": {"width", "height", "costs", "policy"}}. The grid is
 /// there where a field is given: a list for every row, row 0 first; null where there is no path,
 /// and, in the policy, in a goal. Moves have the names of the directions as drawn ("up_left"). One

@@ -72,12 +72,32 @@ Json json_of(const Grid<std::optional<Direction>>& directions) {
   return rows;
 }
 
-Json json_of(const SearchMetrics& metrics, double seconds) {
-  const double nanoseconds = std::round(seconds * 1e9);
+Json json_of(const SearchMetrics& metrics) {
   return {{"expanded", metrics.expanded},
           {"generated", metrics.generated},
-          {"max_frontier", metrics.max_frontier},
-          {"time_us", nanoseconds / 1000}};
+          {"max_frontier", metrics.max_frontier}};
+}
+
+Json json_of(const SearchMetrics& metrics, double seconds) {
+  Json json = json_of(metrics);
+  json["time_us"] = in_microseconds(seconds);
+  return json;
+}
+
+Json in_microseconds(double seconds) {
+  const double nanoseconds = std::round(seconds * 1e9);
+  return nanoseconds / 1000;
+}
+
+Json json_of(const WorkTimes& times) {
+  const auto optional = [](const std::optional<double>& seconds) {
+    return seconds ? in_microseconds(*seconds) : Json();
+  };
+  return {{"load_us", in_microseconds(times.load)},
+          {"free_space_us", in_microseconds(times.free_space)},
+          {"planner_us", optional(times.planner)},
+          {"index_us", optional(times.index)},
+          {"search_us", in_microseconds(times.search)}};
 }
 
 Json json_of(const OptionInfo& option) {

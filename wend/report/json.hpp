@@ -16,6 +16,7 @@
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
+#include "wend/report/work_times.hpp"
 
 namespace wend {
 
@@ -43,8 +44,20 @@ Json json_of(const Grid<std::optional<Direction>>& directions);
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
 
-/// {"expanded", "generated", "max_frontier", "time_us"}, the time in microseconds.
+/// The first key of every output, "schema": it grows when a key changes its name or its meaning.
+inline constexpr int kJsonSchema = 1;
+
+/// {"expanded", "generated", "max_frontier"}
+Json json_of(const SearchMetrics& metrics);
+
+/// The same with "time_us", the time in microseconds.
 Json json_of(const SearchMetrics& metrics, double seconds);
+
+/// Microseconds to the nanosecond; null of what is not finite.
+Json in_microseconds(double seconds);
+
+/// {"load_us", "free_space_us", "planner_us", "index_us", "search_us"}; null of what there was not.
+Json json_of(const WorkTimes& times);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty. Of a car
 /// "steps", "headings", "moves" and "yaw" too, as plan_json.hpp has them.

@@ -15,7 +15,8 @@ Json json_of(const Shift& shift, const Frame& frame) {
 }  // namespace
 
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
-  Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
+  Json json{
+      {"schema", kJsonSchema}, {"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
   put_path(json, result.plan, frame, result.motion);
   if (result.refined) put_refined(json, *result.refined, frame);
@@ -26,7 +27,8 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
     json["goal_shift"] = found ? json_of(result.plan.goal_shift, frame) : Json();
     json["states"] = result.states;
   }
-  json["metrics"] = json_of(result.plan.metrics, result.seconds);
+  json["metrics"] = json_of(result.plan.metrics);
+  json["times"] = json_of(result.times);
   for (const Layer& layer : layers) {
     json["layers"][std::string(choice_name(layer.kind))] =
         layer.numbers.empty() ? json_of(layer.arrows) : json_of(layer.numbers);

@@ -2,11 +2,13 @@
 
 // A plan, or why there is none, as JSON:
 //
-//   {"planner": "astar", "status": "found", "cost": 2.41, "bound": 1,
+//   {"schema": 1, "planner": "astar", "status": "found", "cost": 2.41, "bound": 1,
 //    "length_cells": 2.41, "length_m": 0.12, "path": [[1,1],[2,2],[3,2]], "path_m":
-//    [[0.07,0.07],...], "metrics": {"expanded": 3, "generated": 9, "max_frontier": 6,
-//    "time_us": 4.2}}
+//    [[0.07,0.07],...], "metrics": {"expanded": 3, "generated": 9, "max_frontier": 6},
+//    "times": {"load_us": 310.5, "free_space_us": 92.1, "planner_us": 3.6, "index_us": null,
+//    "search_us": 4.2}}
 //
+// `times` are CPU time, see work_times.hpp; null is what there was not.
 // `path` counts in cells, `path_m` are their centres in the map's frame. `bound` is the factor by
 // which the cost may exceed the cheapest one, null where nothing is promised. On failure `status`
 // is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
@@ -19,11 +21,11 @@
 //
 // Of a car:
 //
-//   {"planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
+//   {"schema": 1, "planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
 //    "steps": 2, "path": [[1,0],[2,1],[2,2]], "headings": ["E","S","S"], "moves":
 //    ["FWD_RIGHT","FWD"], "path_m": [[0.05,0],...], "yaw": [0,1.57,1.57], "bound": 1,
 //    "start_shift": {"cells": 0.5, "m": 0.025, "degrees": 4}, "goal_shift": {...}, "states": 1600,
-//    "metrics": {...}}
+//    "metrics": {...}, "times": {...}}
 //
 // `path` are then corners of the map, `headings` N, W, E or S as drawn (a pose that faces elsewhere
 // has its angle instead, in radians from +x towards +y of the grid), `moves` and `steps` what joins

@@ -19,20 +19,31 @@ using nlohmann::json;
 constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
 TEST(PlanJson, HasAPlanInCellsAndMetres) {
-  PlanResult result{.planner = "astar", .plan = {}, .seconds = 1.5e-6, .reason = {}};
+  PlanResult result{.planner = "astar", .plan = {}, .reason = {}};
+  result.times = {.load = 4e-3, .free_space = 2e-3, .planner = 3e-6, .search = 1.5e-6};
   result.plan.path = Path({{0, 0}, {1, 0}});
   result.plan.cost = 1;
   result.plan.bound = 1;
   result.plan.metrics = {.expanded = 2, .generated = 5, .max_frontier = 3};
-  EXPECT_EQ(plan_json(result, kFrame),
-            R"({"planner":"astar","status":"found","cost":1.0,"length_cells":1.0,"length_m":0.5,)"
-            R"("path":[[0,0],[1,0]],"path_m":[[-0.75,2.25],[-0.25,2.25]],"bound":1.0,)"
-            R"("metrics":{"expanded":2,"generated":5,"max_frontier":3,"time_us":1.5}})"
-            "\n");
+  EXPECT_EQ(
+      plan_json(result, kFrame),
+      R"({"schema":1,"planner":"astar","status":"found","cost":1.0,"length_cells":1.0,"length_m":0.5,)"
+      R"("path":[[0,0],[1,0]],"path_m":[[-0.75,2.25],[-0.25,2.25]],"bound":1.0,)"
+      R"("metrics":{"expanded":2,"generated":5,"max_frontier":3},"times":{"load_us":4000.0,)"
+      R"("free_space_us":2000.0,"planner_us":3.0,"index_us":null,"search_us":1.5}})"
+      "\n");
+}
+
+TEST(PlanJson, SaysWhatAnIndexTook) {
+  PlanResult result{.planner = "hub_labels", .plan = {}, .reason = {}};
+  result.times.index = 1.25;
+  const json times = json::parse(plan_json(result, kFrame)).at("times");
+  EXPECT_EQ(times.at("index_us"), 1.25e6);
+  EXPECT_TRUE(times.at("planner_us").is_null()) << "none was made";
 }
 
 PlanResult driven() {
-  PlanResult result{.planner = "car", .plan = {}, .seconds = 1.5e-6, .reason = {}};
+  PlanResult result{.planner = "car", .plan = {}, .reason = {}};
   result.motion = Motion::car;
   result.states = 1600;
   result.plan.path = Path::through({{1, 0, 0}, {2, 1, kPi / 2}, {2, 2, kPi / 2}});
@@ -97,7 +108,7 @@ TEST(PlanJson, OfACarThatFailedHasTheSameKeys) {
 
 RC_GTEST_PROP(PlanJson, OfADriveIsReadAsTheSamePath, (bool y_up)) {
   const Frame frame{.resolution = 0.05, .origin = {-3, 7, 0.3}, .y_up = y_up, .metric = true};
-  PlanResult result{.planner = "car", .plan = {}, .seconds = 0, .reason = {}};
+  PlanResult result{.planner = "car", .plan = {}, .reason = {}};
   result.motion = Motion::car;
   CornerPose place{{*rc::gen::inRange(100, 1 << 20), 1000000}, *rc::gen::elementOf(kAllHeadings)};
   result.plan.path.drive_to(pose_of(place, y_up));

@@ -10,14 +10,15 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/report/path_report.hpp"
+#include "wend/report/work_times.hpp"
 
 namespace wend {
 
 struct PlanResult {
   std::string planner;
   Status status = Status::found;
-  Plan plan;           // of a failure: its metrics
-  double seconds = 0;  // that plan() took
+  Plan plan;  // of a failure: its metrics
+  WorkTimes times{};
   std::string reason;  // of a failure, for people
   Motion motion = Motion::cells;
   std::uint64_t states = 0;  // Planner::state_count()
