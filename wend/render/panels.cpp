@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kTitleSize = 20;
 constexpr double kCaptionSize = 16;
-constexpr std::size_t kCaptionLines = 2;
 constexpr double kLongestBar = 200;
 constexpr int kPad = 12;  // around a panel on a page of its own
 
@@ -65,12 +64,19 @@ std::optional<ScaleBar> shared_bar(std::span<const Panel> panels, const PanelLay
   return shared;
 }
 
+/// How many lines a caption may have: those it was written in, and two if it is one long line.
+std::size_t most_lines(std::string_view caption) {
+  constexpr std::ptrdiff_t kLeast = 2;
+  return static_cast<std::size_t>(std::max(kLeast, std::ranges::count(caption, '\n') + 1));
+}
+
 /// The text's lines, broken between words, the last one shortened.
 std::vector<std::string> caption_lines(cairo_t* context, std::string_view text, double room) {
+  const std::size_t most = most_lines(text);
   std::vector<std::string> lines;
-  while (!text.empty() && lines.size() < kCaptionLines) {
+  while (!text.empty() && lines.size() < most) {
     std::size_t end = std::min(text.find('\n'), text.size());
-    const bool last = lines.size() + 1 == kCaptionLines;
+    const bool last = lines.size() + 1 == most;
     while (!last && text_width(context, text.substr(0, end)) > room) {
       const std::size_t blank = text.substr(0, end).rfind(' ');
       if (blank == std::string_view::npos || blank == 0) break;
@@ -88,8 +94,11 @@ Footer own_footer(const Scene& scene, const Style& style, double width) {
 }
 
 double caption_height(std::span<const Panel> panels) {
-  const bool any = std::ranges::any_of(panels, [](const auto& p) { return !p.caption.empty(); });
-  return any ? static_cast<double>(kCaptionLines) * PanelLayout::kCaptionLine + 4 : 0;
+  std::size_t most = 0;
+  for (const Panel& panel : panels) {
+    if (!panel.caption.empty()) most = std::max(most, most_lines(panel.caption));
+  }
+  return most == 0 ? 0 : static_cast<double>(most) * PanelLayout::kCaptionLine + 4;
 }
 
 /// Legends of panels need room below the maps, and how much depends on how wide the panels are.

@@ -21,7 +21,7 @@ namespace wend {
 struct Panel {
   std::string title;
   Scene scene;
-  std::string caption{};  // below it, at most two lines; '\n' ends a line
+  std::string caption{};  // below it; '\n' ends a line, a long one is broken into two
   std::optional<Style> style{};
 };
 

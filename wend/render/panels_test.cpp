@@ -101,6 +101,7 @@ TEST(Panels, GrowByALegendAndCaptions) {
   marked.start = centre_of({0, 0});
   const int plain = png_of({{"a", bare}, {"b", bare}}).height();
   EXPECT_EQ(png_of({{"a", bare, "caption"}, {"b", bare}}).height(), plain + 48);
+  EXPECT_EQ(png_of({{"a", bare, "a caption\nof three\nlines"}, {"b", bare}}).height(), plain + 70);
   EXPECT_EQ(png_of({{"a", bare}, {"b", marked}}).height(), plain) << "beside the scale bar";
 }
 
