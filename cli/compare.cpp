@@ -28,6 +28,7 @@
 #include "wend/report/comparison.hpp"
 #include "wend/report/comparison_plot.hpp"
 #include "wend/report/comparison_run.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::cli {
 namespace {
@@ -178,8 +179,10 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
 
 std::string caption_of(const ComparisonRow& row, Motion motion) {
   if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
-  return fmt::format("{} {:.6g}, {} expanded, {}", motion == Motion::car ? "fuel" : "cost",
-                     row.cost, row.expanded, time_text(row.seconds));
+  return fmt::format("{} {:.6g}, {} expanded\nfirst query {}, later {}\nprepared in {} ({})",
+                     motion == Motion::car ? "fuel" : "cost", row.cost, row.expanded,
+                     time_text(row.times.first), time_text(row.times.later),
+                     time_text(row.times.preparation), thread_time_name());
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.
@@ -250,7 +253,7 @@ int run(const CompareArguments& arguments) {
   }
   const FreeSpace space = arguments.map.free_space(loaded.map);
   if (specs.empty()) specs = all_planners(arguments.start, space);
-  auto made = ComparisonRun::make(space, std::move(specs), steady_seconds);
+  auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message());
   ComparisonRun& run = *made;
   if (!answer_all(run, queries_of(run, arguments, space), arguments.limits)) {

@@ -84,7 +84,7 @@ TEST_F(CompareCommand, SaysWhyThereIsNoPath) {
 TEST_F(CompareCommand, GivesTheSameReasonOnce) {
   const Outcome outcome =
       compare({"--start", "0,0", "--goal", "7,5", "--planner", "astar,bfs,dijkstra"});
-  EXPECT_THAT(outcome.out, HasSubstr("\nastar, bfs, dijkstra: no path joins"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nastar, bfs, dijkstra: unreachable: no path joins"));
 }
 
 TEST_F(CompareCommand, ShowsHowFarKeepAwayCostKeepsAPathFromWalls) {
@@ -110,7 +110,9 @@ TEST_F(CompareCommand, TakesRandomPairsFromASeed) {
     std::string text;
     for (std::string line; std::getline(lines, line);) {
       const std::size_t reason = line.rfind(',');
-      text += line.substr(0, line.rfind(',', reason - 1)) + line.substr(reason) + "\n";
+      std::size_t times = reason;
+      for (int time = 0; time < 3; ++time) times = line.rfind(',', times - 1);
+      text += line.substr(0, times) + line.substr(reason) + "\n";
     }
     return text;
   };
@@ -121,7 +123,40 @@ TEST_F(CompareCommand, TakesRandomPairsFromASeed) {
   std::vector<std::string> other = some;
   other[3] = "6";
   EXPECT_NE(without_time(first.out), without_time(compare(other).out));
-  EXPECT_THAT(compare({"--random", "30"}).out, AllOf(HasSubstr("median"), HasSubstr("99 %")));
+  EXPECT_THAT(compare({"--random", "30"}).out,
+              AllOf(HasSubstr("median"), HasSubstr("99 %"), HasSubstr("1 % least"),
+                    HasSubstr("later queries, us")));
+}
+
+TEST_F(CompareCommand, ShowsPreparationFirstAndLaterQueries) {
+  const json all = json::parse(
+      compare({"--start", "0,0", "--goal", "4,5", "--planner", "astar,bfs", "--format", "json"})
+          .out);
+  EXPECT_EQ(all.at("schema"), 1);
+  for (const json& row : all.at("queries")[0].at("planners")) {
+    for (const char* key : {"preparation_us", "first_query_us", "later_query_us"}) {
+      EXPECT_GT(row.at("times").at(key), 0) << key;
+    }
+  }
+  const std::string table =
+      compare({"--start", "0,0", "--goal", "4,5", "--planner", "astar,bfs"}).out;
+  EXPECT_THAT(table, AllOf(HasSubstr("prepare"), HasSubstr("first"), HasSubstr("later"),
+                           HasSubstr("Times are CPU time.")));
+}
+
+TEST_F(CompareCommand, FitsEightyColumns) {
+  const std::string office = folder_ / "office.yaml";
+  ASSERT_EQ(wend({"generate", "office", "--size", "100x80", "--seed", "4", "-o", office}).code, 0);
+  const std::vector<std::vector<std::string>> commands{
+      {"compare", office, "--random", "3", "--robot-radius", "0.1"},
+      {"compare", office, "--start", "1,1", "--goal", "9,3.5"},
+      {"compare", office, "--start", "1,1", "--goal", "9,3.5", "--planner",
+       "astar:w=2,random_walk:max_steps=9,dijkstra"},
+      {"compare", map_, "--start", "0,0,E", "--goal", "8,0"}};
+  for (const std::vector<std::string>& command : commands) {
+    std::istringstream lines(wend(command).out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+  }
 }
 
 TEST_F(CompareCommand, DrawsAPanelForEachPlanner) {

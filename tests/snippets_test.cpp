@@ -437,7 +437,8 @@ std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {
 }
 
 TEST(Snippets, OfComparisonRun) {
-  EXPECT_NE(compare(open_space(), [] { return 0.0; }).find("100 queries"), std::string::npos);
+  const wend::Clock clock = [seconds = 0.0]() mutable { return ++seconds; };
+  EXPECT_NE(compare(open_space(), clock).find("100 queries"), std::string::npos);
 }
 
 std::string keep(const std::vector<wend::BenchAnswer>& answers) {

@@ -66,12 +66,8 @@ Answers answers(std::string_view text, const FreeSpace& space, const std::vector
   Answers all;
   Plan plan;
   for (const Query& drive : drives) {
-    double seconds = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < rounds(effort); ++round) {
-      const double begin = steady_seconds();
-      planner->plan(drive, plan);
-      seconds = std::min(seconds, steady_seconds() - begin);
-    }
+    const double seconds =
+        least_seconds(thread_cpu_seconds, [&] { planner->plan(drive, plan); }, repetition(effort));
     all.fuel.push_back(plan.cost);
     all.expanded.push_back(static_cast<double>(plan.metrics.expanded));
     all.us.push_back(seconds * 1e6);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 
 #include "docs/planner_page/markdown.hpp"
 #include "docs/planner_page/measured_family.hpp"
@@ -29,24 +28,21 @@ struct Answers {
 };
 
 Answers answers(const FreeSpace& space, const std::vector<CellPair>& queries, Effort effort) {
-  auto run = ComparisonRun::make(space, *parse_planner_specs("astar"), steady_seconds);
+  auto run = ComparisonRun::make(space, *parse_planner_specs("astar"), thread_cpu_seconds,
+                                 repetition(effort));
   assert(run);
   const double resolution = space.map().frame().resolution;
   Answers all;
   for (const CellPair& query : queries) {
-    const std::size_t first = run->comparison().queries.size();
-    double seconds = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < rounds(effort); ++round) {
-      run->answer(query);
-      seconds = std::min(seconds, run->comparison().queries.back().rows.front().seconds);
-    }
+    const std::size_t number = run->comparison().queries.size();
+    run->answer(query);
     const ComparisonRow& row = run->comparison().queries.back().rows.front();
-    const PathMetrics metrics = measure(run->path(0, first), space);
+    const PathMetrics metrics = measure(run->path(0, number), space);
     all.lengths.push_back(metrics.length);
     all.mean_clearances.push_back(metrics.mean_clearance * resolution);
     all.least_clearances.push_back(metrics.smallest_clearance * resolution);
     all.expanded.push_back(static_cast<double>(row.expanded));
-    all.us.push_back(seconds * 1e6);
+    all.us.push_back(row.times.later * 1e6);
   }
   return all;
 }

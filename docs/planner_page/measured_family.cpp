@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <limits>
 
 #include "wend/report/comparison_measures.hpp"
@@ -11,25 +10,15 @@
 namespace wend::planner_page {
 namespace {
 
-Comparison compared(const Family& family) {
+Comparison compared(const Family& family, Effort effort) {
   std::vector<PlannerSpec> specs;
   specs.reserve(family.planners.size());
   for (const Configuration& planner : family.planners) specs.push_back(planner.spec);
-  auto run = ComparisonRun::make(family.space, std::move(specs), steady_seconds);
+  auto run =
+      ComparisonRun::make(family.space, std::move(specs), thread_cpu_seconds, repetition(effort));
   assert(run);
   for (const CellPair& query : family.queries) run->answer(query);
   return std::move(run->comparison());
-}
-
-/// The same answers, each with the less of both times.
-void keep_fastest(Comparison& comparison, const Comparison& other) {
-  for (std::size_t query = 0; query < comparison.queries.size(); ++query) {
-    auto& rows = comparison.queries[query].rows;
-    for (std::size_t planner = 0; planner < rows.size(); ++planner) {
-      const ComparisonRow& row = other.queries[query].rows[planner];
-      rows[planner].seconds = std::min(rows[planner].seconds, row.seconds);
-    }
-  }
 }
 
 /// The queries that the statistics are about.
@@ -59,13 +48,13 @@ MeasuredPlanner measured(const Comparison& comparison, std::size_t planner) {
   MeasuredPlanner row;
   row.cost = median("cost_ratio");
   row.expanded = median("expanded");
-  row.us = median("time_us");
+  row.us = median("later_query_us");
   row.clearance = median("clearance_cells");
   const std::vector<double> costs = values_of(comparison, "cost_ratio", planner);
   row.worst_cost = *std::max_element(costs.begin(), costs.end());
   const double expanded = summary_of(values_of(comparison, "expanded", planner)).mean;
   row.ns_an_expansion =
-      1000 * summary_of(values_of(comparison, "time_us", planner)).mean / expanded;
+      1000 * summary_of(values_of(comparison, "later_query_us", planner)).mean / expanded;
   return row;
 }
 
@@ -83,19 +72,12 @@ const MeasuredPlanner* MeasuredFamily::find(std::string_view role) const {
   return place == planners.end() ? nullptr : &*place;
 }
 
-double steady_seconds() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
+RepetitionRule repetition(Effort effort) {
+  return effort == Effort::full ? RepetitionRule{} : RepetitionRule{.fill_seconds = 0};
 }
 
-int rounds(Effort effort) { return effort == Effort::full ? 3 : 1; }
-
 MeasuredFamily measure_planners(const Family& family, Effort effort) {
-  Comparison comparison = compared(family);
-  for (int round = 1; round < rounds(effort); ++round) {
-    keep_fastest(comparison, compared(family));
-  }
-
+  const Comparison comparison = compared(family, effort);
   MeasuredFamily result;
   result.title = family.title;
   result.about = family.about;

@@ -10,6 +10,7 @@
 
 #include "docs/planner_page/family.hpp"
 #include "docs/planner_page/generated_families.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::planner_page {
 
@@ -44,11 +45,8 @@ struct MeasuredFamily {
   const MeasuredPlanner* find(std::string_view role) const;
 };
 
-/// Seconds, as wend::Clock has them.
-double steady_seconds();
-
-/// How often each query is asked; the fastest answer counts.
-int rounds(Effort effort);
+/// How often each query is asked; the quickest answer counts.
+RepetitionRule repetition(Effort effort);
 
 MeasuredFamily measure_planners(const Family& family, Effort effort);
 

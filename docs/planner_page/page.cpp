@@ -19,13 +19,14 @@ constexpr std::string_view kIntroduction =
 
 std::string how_it_was_measured(const Measurements& measurements) {
   std::string text = fmt::format(
-      "Times are from one run on one machine ({}) and drift from hour to hour: ratios mean "
-      "more. The planners take turns, query by query, so that none has the cache to itself. "
-      "Each query is asked three times, and the fastest answer counts. Values are medians over "
+      "Times are {} of one thread, from one run on one machine ({}): ratios mean more. The "
+      "planners take turns, query by query. They are made before, and each query is asked as "
+      "often as fills 5 ms; the quickest answer counts, which uses what a planner keeps (`jps` "
+      "does) of those before. Values are medians over "
       "the queries that every planner of the table solved. *Cost / cheapest* is over the "
       "cheapest path that any planner of the table found, *worst* the greatest of these. "
       "*Clearance* is the smallest along the path. The best of a column is **bold**.\n",
-      describe_machine());
+      thread_time_name(), describe_machine());
   text += measurements.with_data
               ? "\nMaps are made by `wend generate`, seed 7, or come from the benchmark sets of "
                 "movingai.com (N. Sturtevant, \"Benchmarks for Grid-Based Pathfinding\", 2012), "

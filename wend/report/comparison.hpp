@@ -4,8 +4,9 @@
 //
 // With many queries it is their statistics that are compared: the median, the mean and the 99th
 // percentile over the queries that every planner solved, so that all are measured by the same.
-// Percentiles are one of the values, the nearest rank (see statistics.hpp); of the clearance, of
-// which more is better, the 99th is the one that 99 of 100 queries reach.
+// Percentiles are one of the values, the nearest rank (see statistics.hpp). The 99th is what 99 of
+// 100 queries do not exceed; of the clearance and the like, of which little is bad, it is the 1st,
+// below which 1 of 100 queries lies.
 
 #include <cstdint>
 #include <string>
@@ -16,6 +17,7 @@
 #include "wend/geometry/pose.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/query.hpp"
+#include "wend/report/timed_planner.hpp"
 
 namespace wend {
 
@@ -35,7 +37,7 @@ struct ComparisonRow {
   std::uint64_t expanded = 0;
   std::uint64_t generated = 0;
   std::uint64_t max_frontier = 0;  // the most states that were open
-  double seconds = 0;
+  QueryTimes times{};
 
   bool found() const { return status == Status::found; }
 };
@@ -54,18 +56,20 @@ struct Comparison {
 };
 
 /// For people. Of one query: a line for each planner with what its path is, then one with what its
-/// search took, and why some found nothing. Of many: a block for each measure, with a line for each planner; at most 100 columns where planners'
-/// names have no more than 40. The best of what is compared is marked, unless all are equal; only
+/// search took, then why some found nothing; tables that are too wide go on below. Of many: a block
+/// for each measure, with a line for each planner. At most 80 columns where planners' names have no
+/// more than 24 characters. The best of what is compared is marked, unless all are equal; only
 /// those that found a path compete. Lengths are in metres where people mean metres, in cells where
 /// they do not. Cars are compared by steps and reversals too.
 std::string comparison_table(const Comparison& comparison);
 
-/// {"queries": [{"start", "goal", "planners": [{"planner", "status", "cost", "length_cells",
-/// "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m", "turning_radius_cells",
-/// "turning_radius_m", "clearance_cells", "clearance_m", "mean_clearance_cells", "mean_clearance_m",
-/// "metrics"}]}],
+/// {"schema", "queries": [{"start", "goal", "planners": [{"planner", "status", "cost",
+/// "length_cells", "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m",
+/// "turning_radius_cells", "turning_radius_m", "clearance_cells", "clearance_m",
+/// "mean_clearance_cells", "mean_clearance_m", "metrics", "times": {"preparation_us", "first_query_us", "later_query_us"}}]}],
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
-/// ...}]}. A failure has a "reason", and null for what is not known of it, as for what is infinite.
+/// ...}]}; of clearances and the turning radius "p1" instead of "p99". A failure has a "reason", and
+/// null for what is not known of it, as for what is infinite.
 /// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y], of
 /// cars [x,y,"E"] in grid coordinates (radians where it is none of the four headings, "any" where
 /// any will do); cars have "steps" and "reversals" besides. One line with its line end.

@@ -20,8 +20,10 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
     if (!measure.of_path || measure.key == kRatio) continue;
     json[std::string(measure.key)] = measure.of(comparison, query, planner);
   }
-  json["metrics"] =
-      json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier}, row.seconds);
+  json["metrics"] = json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier});
+  json["times"] = {{"preparation_us", in_microseconds(row.times.preparation)},
+                   {"first_query_us", in_microseconds(row.times.first)},
+                   {"later_query_us", in_microseconds(row.times.later)}};
   return json;
 }
 
@@ -48,8 +50,9 @@ Json statistics_json(const Comparison& comparison, const std::string& name, std:
   for (const Measure& measure : measures_of(comparison)) {
     if (measure.key == "cost") continue;
     const Summary summary = summary_of(comparison, measure, planner);
-    json[std::string(measure.key)] = {
-        {"median", summary.median}, {"mean", summary.mean}, {"p99", summary.p99}};
+    json[std::string(measure.key)] = {{"median", summary.median},
+                                      {"mean", summary.mean},
+                                      {measure.more_is_better ? "p1" : "p99", summary.p99}};
   }
   return json;
 }
@@ -66,7 +69,8 @@ std::string comparison_json(const Comparison& comparison) {
   for (std::size_t i = 0; i < planners.size(); ++i) {
     statistics.push_back(statistics_json(comparison, planners[i], i));
   }
-  return text_of({{"queries", queries},
+  return text_of({{"schema", kJsonSchema},
+                  {"queries", queries},
                   {"solved_by_all", solved_by_all(comparison)},
                   {"statistics", statistics}});
 }

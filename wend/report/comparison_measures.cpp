@@ -29,6 +29,11 @@ double value(const ComparedQuery&, const ComparisonRow& row) {
   return static_cast<double>(row.*kMember);
 }
 
+template <auto kTime>
+double microseconds(const ComparedQuery&, const ComparisonRow& row) {
+  return row.times.*kTime * 1e6;
+}
+
 constexpr std::array kMeasures{
     Measure{.key = "cost",
             .title = "cost",
@@ -130,12 +135,21 @@ constexpr std::array kMeasures{
     Measure{.key = "generated", .title = "generated", .value = value<&ComparisonRow::generated>},
     Measure{
         .key = "max_frontier", .title = "frontier", .value = value<&ComparisonRow::max_frontier>},
-    Measure{
-        .key = "time_us",
-        .title = "time",
-        .unit = "us",
-        .decimals = 1,
-        .value = [](const ComparedQuery&, const ComparisonRow& row) { return row.seconds * 1e6; }}};
+    Measure{.key = "preparation_us",
+            .title = "prepare",
+            .unit = "us",
+            .decimals = 1,
+            .value = microseconds<&QueryTimes::preparation>},
+    Measure{.key = "first_query_us",
+            .title = "first query",
+            .unit = "us",
+            .decimals = 1,
+            .value = microseconds<&QueryTimes::first>},
+    Measure{.key = "later_query_us",
+            .title = "later queries",
+            .unit = "us",
+            .decimals = 1,
+            .value = microseconds<&QueryTimes::later>}};
 
 bool all_found(const ComparedQuery& query) {
   return std::all_of(query.rows.begin(), query.rows.end(),
@@ -143,7 +157,10 @@ bool all_found(const ComparedQuery& query) {
 }
 
 /// Equal but for rounding: costs are sums.
-bool equal(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * std::abs(a); }
+bool equal(double a, double b) {
+  if (std::isinf(a) || std::isinf(b)) return a == b;
+  return std::abs(a - b) <= 1e-9 * std::abs(a);
+}
 
 }  // namespace
 
@@ -194,7 +211,9 @@ Summary summary_of(const Comparison& comparison, const Measure& measure, std::si
   const double sign = measure.more_is_better ? -1 : 1;  // so that less is better
   std::vector<double> values;
   for (const ComparedQuery& query : comparison.queries) {
-    if (all_found(query)) values.push_back(sign * measure.of(comparison, query, planner));
+    if (!all_found(query)) continue;
+    const double value = measure.of(comparison, query, planner);
+    if (!std::isnan(value)) values.push_back(sign * value);
   }
   const Summary summary = summary_of(std::move(values));
   const auto value = [sign](double signed_value) { return sign * signed_value + 0.0; };  // no -0

@@ -45,7 +45,8 @@ std::vector<std::string> planners_of(const Comparison& comparison);
 std::size_t solved_by(const Comparison& comparison, std::size_t planner);
 std::size_t solved_by_all(const Comparison& comparison);
 
-/// Over the queries that every planner solved; `p99` is what 99 of 100 of them do no worse than.
+/// Over the queries that every planner solved; `p99` is what 99 of 100 of them do no worse than: of a
+/// measure of which more is better the 1st percentile.
 Summary summary_of(const Comparison& comparison, const Measure& measure, std::size_t planner);
 
 /// Which of the values are the best: none if fewer than two compete (NaN does not) or if all that

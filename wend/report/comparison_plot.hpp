@@ -1,8 +1,9 @@
 #pragma once
 
-// A comparison of planners on many queries as a picture, drawn by gnuplot (5.4 or later): time and
-// expansions against the length of the path, and the share of queries that was solved within a time
-// and within a number of expansions. Axes are logarithmic where the values span decades.
+// A comparison of planners on many queries as a picture, drawn by gnuplot (5.4 or later): the time
+// of a first and of a later query and expansions against the length of the path, and the share of
+// queries that was solved within such a time and within a number of expansions. The legend says how
+// long each planner was prepared. Axes are logarithmic where the values span decades.
 //
 // The script holds its data and writes the picture to standard output:
 //

@@ -35,7 +35,9 @@ Comparison made_up(const std::vector<std::string>& planners, int queries, double
       const double work = std::pow(length / 20, spread) * (1 + random.uniform());
       ComparisonRow row{.planner = planners[planner], .length = length};
       row.expanded = static_cast<std::uint64_t>(20 * work * std::pow(3, planner));
-      row.seconds = static_cast<double>(row.expanded) * 1e-7;
+      row.times = {.preparation = 2e-3,
+                   .first = static_cast<double>(row.expanded) * 2e-7,
+                   .later = static_cast<double>(row.expanded) * 1e-7};
       if (planner + 1 == planners.size() && random.chance(0.4)) row.status = Status::step_limit;
       query.rows.push_back(row);
     }
@@ -81,7 +83,9 @@ TEST_F(Gnuplot, DrawsEveryKindOfPicture) {
   const std::string svg = picture(PlotKind::svg);
   EXPECT_THAT(svg, HasSubstr("</svg>"));
   for (const std::string& planner : kPlanners) EXPECT_THAT(svg, HasSubstr(planner));
-  for (const char* label : {"path length, m", "expansions", "queries solved, %", "time, ms"}) {
+  for (const char* label :
+       {"path length, m", "expansions", "queries solved, %", "first query, CPU time, ms",
+        "later queries, CPU time, ms", "astar, 2 ms to prepare"}) {
     EXPECT_THAT(svg, HasSubstr(label));
   }
 }
@@ -98,7 +102,7 @@ TEST_F(Gnuplot, DrawsWhatIsOddWithoutComplaint) {
   for (ComparedQuery& query : failed.queries) query.rows[1].status = Status::unreachable;
   svg(failed);
   Comparison idle = made_up({"a"}, 2, 1);
-  for (ComparedQuery& query : idle.queries) query.rows = {{.planner = "a"}};
+  for (ComparedQuery& query : idle.queries) query.rows = {{.planner = "a", .times = {0, 0, 0}}};
   svg(idle);
 }
 
@@ -122,8 +126,11 @@ TEST(ComparisonPlot, IsLogarithmicWhereValuesSpanDecades) {
 
 TEST(ComparisonPlot, HasEverySolvedQueryAndSharesOfAll) {
   const auto row = [](double length, double seconds, Status status) {
-    return ComparisonRow{
-        .planner = "a", .status = status, .length = length, .expanded = 3, .seconds = seconds};
+    return ComparisonRow{.planner = "a",
+                         .status = status,
+                         .length = length,
+                         .expanded = 3,
+                         .times = {1e-6, 2 * seconds, seconds}};
   };
   const Comparison comparison{{},
                               {{{}, Pose{}, {row(7, 5e-6, Status::found)}},
@@ -131,8 +138,18 @@ TEST(ComparisonPlot, HasEverySolvedQueryAndSharesOfAll) {
                                {{}, Pose{}, {row(8, 4e-6, Status::found)}},
                                {{}, Pose{}, {row(9, 6e-6, Status::found)}}}};
   const std::string script = comparison_plot(comparison, PlotKind::png);
-  EXPECT_THAT(script, HasSubstr("$points0 << END\n7 5 3\n8 4 3\n9 6 3\nEND\n"));
-  EXPECT_THAT(script, HasSubstr("$time0 << END\n0 0\n4 25\n5 50\n6 75\n"));
+  EXPECT_THAT(script, HasSubstr("$points0 << END\n7 10 5 3\n8 8 4 3\n9 12 6 3\nEND\n"));
+  EXPECT_THAT(script, HasSubstr("$later0 << END\n0 0\n4 25\n5 50\n6 75\n"));
+  EXPECT_THAT(script, HasSubstr("$first0 << END\n0 0\n8 25\n10 50\n12 75\n"));
+}
+
+TEST(ComparisonPlot, LeavesOutTimesThatWereNotTaken) {
+  Comparison comparison = made_up({"a"}, 3, 1);
+  comparison.queries[1].rows[0].times = {};
+  const std::string script = comparison_plot(comparison, PlotKind::png);
+  EXPECT_THAT(script, HasSubstr("a, 2 ms to prepare"));
+  const std::string distribution = script.substr(script.find("$first0"));
+  EXPECT_THAT(distribution.substr(0, distribution.find("END\n$")), Not(HasSubstr("nan")));
 }
 
 }  // namespace

@@ -94,8 +94,9 @@ std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t
 
 Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space,
                                                           std::vector<PlannerSpec> specs,
-                                                          Clock clock) {
-  ComparisonRun run(space, std::move(clock));
+                                                          const Clock& clock,
+                                                          const RepetitionRule& rule) {
+  ComparisonRun run(space);
   const auto motion = motion_of(specs);
   if (!motion) {
     return Unexpected<PlannerError>(
@@ -105,13 +106,11 @@ Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space
   run.comparison_.frame = space.map().frame();
   run.comparison_.motion = *motion;
   for (PlannerSpec& spec : specs) {
-    auto planner = make_planner(spec.name, space, spec.options);
-    if (!planner && planner.error().status == Status::invalid_option) {
+    const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
+    if (planner.error() && planner.error()->status == Status::invalid_option) {
       return Unexpected<PlannerError>(
-          {Status::invalid_option, spec.text + ": " + planner.error().message()});
+          {Status::invalid_option, spec.text + ": " + planner.error()->message()});
     }
-    run.errors_.push_back(planner ? PlannerError{} : planner.error());
-    run.planners_.push_back(planner ? *std::move(planner) : nullptr);
     run.specs_.push_back(std::move(spec));
   }
   return run;
@@ -135,22 +134,19 @@ void ComparisonRun::answer(Query query) {
 
 ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) {
   ComparisonRow row{.planner = specs_[planner].text};
-  Planner* const made = planners_[planner].get();
-  if (made == nullptr) {
-    row.status = errors_[planner].status;
-    row.reason = errors_[planner].what;
+  TimedPlanner& timed = planners_[planner];
+  if (const auto& error = timed.error()) {
+    row.status = error->status;
+    row.reason = error->what;
     return row;
   }
-  if (comparison_.queries.empty()) made->plan(query, plan_);
-  const double begin = clock_();
-  row.status = made->plan(query, plan_);
-  row.seconds = clock_() - begin;
+  row.status = timed.answer(query, plan_, row.times);
   row.cost = plan_.cost;
   row.expanded = plan_.metrics.expanded;
   row.generated = plan_.metrics.generated;
   row.max_frontier = plan_.metrics.max_frontier;
   if (!row.found()) {
-    if (comparison_.motion == Motion::car) row.reason = made->reason(query, row.status);
+    if (comparison_.motion == Motion::car) row.reason = timed.planner()->reason(query, row.status);
     return row;
   }
   const PathMetrics metrics = measure(plan_.path, space_);
@@ -171,12 +167,12 @@ Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver
   same.limits.expansions = asked.rows[planner].expanded;
   same.observer = observer;
   Plan plan;
-  if (planners_[planner] != nullptr) planners_[planner]->plan(same, plan);
+  if (Planner* const made = planners_[planner].planner()) made->plan(same, plan);
   return plan;
 }
 
 SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) const {
-  const Planner* const made = planners_[planner].get();
+  const Planner* const made = planners_[planner].planner();
   SearchRecorder recorder(space_, made == nullptr ? 0 : made->corner_unit());
   again(planner, query, &recorder);
   return recorder;

@@ -7,7 +7,8 @@
 //   for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
 //   const std::string table = wend::comparison_table(run->comparison());
 //
-// One thread. The clock is passed in; times are as good as it is.
+// One thread. The clock is passed in; times are as good as it is. See timed_planner.hpp for what is
+// timed.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,11 +19,11 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/base/limits.hpp"
-#include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/planner/query.hpp"
 #include "wend/planner/search_recorder.hpp"
 #include "wend/report/comparison.hpp"
+#include "wend/report/timed_planner.hpp"
 
 namespace wend {
 
@@ -48,10 +49,12 @@ class ComparisonRun {
   /// Fails for a planner that does not take its options, and for planners of different motions; one
   /// that cannot be made for another reason answers every query with that.
   static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
-                                                    std::vector<PlannerSpec> specs, Clock clock);
+                                                    std::vector<PlannerSpec> specs,
+                                                    const Clock& clock,
+                                                    const RepetitionRule& rule = {});
 
-  /// Every planner's answer to one query, added to the comparison. Limits are for each planner. The
-  /// first query is asked twice, and the second answer timed: a planner's memory is fresh at first.
+  /// Every planner's answer to one query, added to the comparison. Limits are for each planner, each
+  /// time that it is asked.
   void answer(const CellPair& cells, const Limits& limits = {});
 
   /// The same of a query with one goal, in the grid coordinates of any motion, and its limits.
@@ -70,17 +73,14 @@ class ComparisonRun {
   Path path(std::size_t planner, std::size_t query) const;
 
  private:
-  ComparisonRun(FreeSpace space, Clock clock)
-      : space_(std::move(space)), clock_(std::move(clock)) {}
+  explicit ComparisonRun(FreeSpace space) : space_(std::move(space)) {}
 
   ComparisonRow answer_of(std::size_t planner, const Query& query);
   Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
 
   FreeSpace space_;
-  Clock clock_;
   std::vector<PlannerSpec> specs_;
-  std::vector<std::unique_ptr<Planner>> planners_;  // none where one cannot be made
-  std::vector<PlannerError> errors_;                // why
+  std::vector<TimedPlanner> planners_;  // the same
   Comparison comparison_;
   Plan plan_;
 };

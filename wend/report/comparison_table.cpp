@@ -5,9 +5,12 @@
 
 #include "wend/report/comparison_measures.hpp"
 #include "wend/report/text_table.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend {
 namespace {
+
+constexpr std::size_t kWidth = 80;
 
 /// A column of numbers, the best of them marked.
 struct Column {
@@ -15,11 +18,14 @@ struct Column {
   std::vector<double> values;
   std::vector<bool> best;  // empty: nothing is compared
 
+  /// A word a line.
   std::string title() const {
-    const std::string end = has_marks() ? " " : "";
-    std::string title = std::string(measure.title) + end;
-    if (!measure.unit.empty()) title.append("\n").append(measure.unit).append(end);
-    return title;
+    std::string text(measure.title);
+    if (!measure.unit.empty()) text.append(" ").append(measure.unit);
+    const std::string line_end = has_marks() ? " \n" : "\n";
+    std::string title;
+    for (const char letter : text) letter == ' ' ? title += line_end : title += letter;
+    return has_marks() ? title + ' ' : title;
   }
 
   /// Digits stand below digits, marks below marks.
@@ -50,21 +56,23 @@ Column column_of(const Comparison& comparison, const ComparedQuery& query, const
   return column;
 }
 
-/// A line for each reason, after the planners that it stopped.
-std::string reasons_of(const ComparedQuery& query) {
-  std::vector<std::pair<std::string, std::string>> lines;  // the reason, the planners
+/// A line for each status and reason, after the planners that it stopped.
+std::string failures_of(const ComparedQuery& query) {
+  std::vector<std::pair<std::string, std::string>> lines;  // why, the planners
   for (const ComparisonRow& row : query.rows) {
-    if (row.found() || row.reason.empty()) continue;
+    if (row.found()) continue;
+    std::string why(to_string(row.status));
+    if (!row.reason.empty()) why += ": " + row.reason;
     const auto line = std::find_if(lines.begin(), lines.end(),
-                                   [&](const auto& each) { return each.first == row.reason; });
+                                   [&](const auto& each) { return each.first == why; });
     if (line == lines.end()) {
-      lines.emplace_back(row.reason, row.planner);
+      lines.emplace_back(std::move(why), row.planner);
     } else {
       line->second += ", " + row.planner;
     }
   }
   std::string text;
-  for (const auto& [reason, planners] : lines) text += fmt::format("{}: {}\n", planners, reason);
+  for (const auto& [why, planners] : lines) text += fmt::format("{}: {}\n", planners, why);
   return text;
 }
 
@@ -90,20 +98,41 @@ std::vector<Column> columns_of_one(const Comparison& comparison, bool of_path) {
   return columns;
 }
 
-std::string table_of(const ComparedQuery& query, const std::vector<Column>& columns,
-                     bool with_status) {
+TextTable table_of(const ComparedQuery& query, const std::vector<Column>& columns) {
   std::vector<TextTable::Column> titles{{"planner"}};
-  if (with_status) titles.push_back({"status"});
   for (const Column& column : columns) titles.push_back({column.title(), Align::right});
   TextTable table(std::move(titles));
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
-    const ComparisonRow& row = query.rows[i];
-    std::vector<std::string> fields{row.planner};
-    if (with_status) fields.emplace_back(to_string(row.status));
+    std::vector<std::string> fields{query.rows[i].planner};
     for (const Column& column : columns) fields.push_back(column.field(i));
     table.add(std::move(fields));
   }
-  return table.text();
+  return table;
+}
+
+/// Columns for which there is no room go into tables below.
+std::string tables_of(const ComparedQuery& query, const std::vector<Column>& columns) {
+  std::string text;
+  std::vector<Column> beside;
+  for (const Column& column : columns) {
+    std::vector<Column> wider = beside;
+    wider.push_back(column);
+    if (!beside.empty() && table_of(query, wider).width() > kWidth) {
+      text += table_of(query, beside).text() + "\n";
+      wider = std::vector<Column>{column};
+    }
+    beside.swap(wider);
+  }
+  return text + table_of(query, beside).text();
+}
+
+/// What the times are.
+std::string_view times_note() {
+  static const std::string note = fmt::format(
+      "Times are {}. prepare: to make the planner for the map. first query: one\n"
+      "run of a planner just made. later queries: the quickest of runs that fill 5 ms.\n",
+      thread_time_name());
+  return note;
 }
 
 std::string table_of_one(const Comparison& comparison) {
@@ -111,17 +140,20 @@ std::string table_of_one(const Comparison& comparison) {
   const std::vector<Column> paths = columns_of_one(comparison, true);
   const std::vector<Column> searches = columns_of_one(comparison, false);
   const bool marked = has_marks(paths) || has_marks(searches);
-  return table_of(query, paths, true) + "\n" + table_of(query, searches, false) +
-         reasons_of(query) + (marked ? "* best of its column\n" : "");
+  std::string text =
+      tables_of(query, paths) + "\n" + tables_of(query, searches) + failures_of(query);
+  if (marked) text += "* best of its column\n";
+  return text.append(times_note());
 }
 
-/// Median, mean and 99th percentile of every planner.
+/// Median, mean and percentile of every planner. There is no mean of what is infinite, as the turning
+/// radius of a straight path is.
 std::vector<Column> columns_of(const Comparison& comparison, const Measure& measure) {
   std::vector<Column> columns(3, Column{measure, {}, {}});
   for (std::size_t i = 0; i < planners_of(comparison).size(); ++i) {
     const Summary summary = summary_of(comparison, measure, i);
     columns[0].values.push_back(summary.median);
-    columns[1].values.push_back(summary.mean);
+    columns[1].values.push_back(std::isinf(summary.mean) ? std::nan("") : summary.mean);
     columns[2].values.push_back(summary.p99);
   }
   for (Column& column : columns) column.best = best_of(column.values, measure.more_is_better);
@@ -157,16 +189,19 @@ std::string title_with_unit(const Measure& measure) {
   return title;
 }
 
-/// The three columns of a measure, for every measure.
+/// The three columns of a measure, for every measure of which more is better, or less.
 std::string statistics_table(const std::vector<std::string>& planners,
-                             const std::vector<std::vector<Column>>& blocks) {
+                             const std::vector<std::vector<Column>>& blocks, bool more_is_better) {
   TextTable table({{"measure"},
                    {"planner"},
                    {"median ", Align::right},
                    {"mean ", Align::right},
-                   {"99 % ", Align::right}});
+                   {more_is_better ? "1 % least " : "99 % ", Align::right}});
+  bool is_first = true;
   for (const std::vector<Column>& columns : blocks) {
-    if (&columns != &blocks.front()) table.add(std::vector<std::string>(5));
+    if (columns.front().measure.more_is_better != more_is_better) continue;
+    if (!is_first) table.add(std::vector<std::string>(5));
+    is_first = false;
     for (std::size_t i = 0; i < planners.size(); ++i) {
       std::vector<std::string> fields{i == 0 ? title_with_unit(columns.front().measure) : "",
                                       planners[i]};
@@ -197,9 +232,17 @@ std::string table_of_many(const Comparison& comparison) {
     marked = marked || has_marks(blocks.back());
   }
   text += fmt::format("Of the {} that every planner solved:\n\n", common);
-  text += statistics_table(planners_of(comparison), blocks) + "\n";
+  const std::vector<std::string> planners = planners_of(comparison);
+  text += statistics_table(planners, blocks, false) + "\n";
+  text += statistics_table(planners, blocks, true) + "\n";
   if (marked) text += kBest;
-  return text + "99 %: so many of 100 queries did no worse\n";
+  const bool no_mean = std::any_of(blocks.begin(), blocks.end(), [](const auto& columns) {
+    const std::vector<double>& means = columns[1].values;
+    return std::any_of(means.begin(), means.end(), [](double mean) { return std::isnan(mean); });
+  });
+  if (no_mean) text += "- there is no mean: some of the values are infinite\n";
+  text += "99 %: what 99 of 100 queries do not exceed. 1 % least: what 99 of 100 reach.\n";
+  return text.append(times_note());
 }
 
 }  // namespace

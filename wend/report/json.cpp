@@ -78,12 +78,6 @@ Json json_of(const SearchMetrics& metrics) {
           {"max_frontier", metrics.max_frontier}};
 }
 
-Json json_of(const SearchMetrics& metrics, double seconds) {
-  Json json = json_of(metrics);
-  json["time_us"] = in_microseconds(seconds);
-  return json;
-}
-
 Json in_microseconds(double seconds) {
   const double nanoseconds = std::round(seconds * 1e9);
   return nanoseconds / 1000;

@@ -50,9 +50,6 @@ inline constexpr int kJsonSchema = 1;
 /// {"expanded", "generated", "max_frontier"}
 Json json_of(const SearchMetrics& metrics);
 
-/// The same with "time_us", the time in microseconds.
-Json json_of(const SearchMetrics& metrics, double seconds);
-
 /// Microseconds to the nanosecond; null of what is not finite.
 Json in_microseconds(double seconds);
 

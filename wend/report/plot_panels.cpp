@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wend/report/statistics.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend {
 namespace {
@@ -44,10 +45,12 @@ void fit(PlotAxis& axis, PlotScale scale, const std::vector<PlotValues>& values)
 PlotAxis time_axis(const std::vector<PlotValues>& microseconds) {
   PlotValues all;
   for (const PlotValues& values : microseconds) all.insert(all.end(), values.begin(), values.end());
+  std::erase_if(all, [](double value) { return std::isnan(value); });
   const double median = summary_of(std::move(all)).median;
-  if (median >= 1e6) return {.label = "time, s", .unit = 1e-6};
-  if (median >= 1e3) return {.label = "time, ms", .unit = 1e-3};
-  return {.label = "time, µs"};
+  const std::string name(thread_time_name());
+  if (median >= 1e6) return {.label = name + ", s", .unit = 1e-6};
+  if (median >= 1e3) return {.label = name + ", ms", .unit = 1e-3};
+  return {.label = name + ", µs"};
 }
 
 PlotRectangle panel_place(int column, int row) {
@@ -58,6 +61,7 @@ double height_of_panels(int rows) { return kBottom + (rows - 1) * kRow + kPanelH
 
 void put_distribution(PlotPage& page, std::string_view name, std::size_t planner, PlotValues values,
                       const PlotAxis& axis, std::size_t all) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   std::sort(values.begin(), values.end());
   const auto percent = [all](std::size_t count) {
     return 100 * static_cast<double>(count) / static_cast<double>(all);

@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// The values of a measure: of one planner, one a query.
+/// The values of a measure: of one planner, one a query; NaN where it has none.
 using PlotValues = std::vector<double>;
 
 enum class PlotScale {

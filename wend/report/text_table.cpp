@@ -34,6 +34,17 @@ std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::C
   return lines;
 }
 
+/// Of each column.
+std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& fields : lines) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(fields[i]));
+    }
+  }
+  return widths;
+}
+
 }  // namespace
 
 void TextTable::add(std::vector<std::string> row) {
@@ -41,17 +52,27 @@ void TextTable::add(std::vector<std::string> row) {
   rows_.push_back(std::move(row));
 }
 
-std::string TextTable::text() const {
+std::vector<std::vector<std::string>> TextTable::lines() const {
   std::vector<std::vector<std::string>> lines = title_lines(columns_);
   lines.insert(lines.end(), rows_.begin(), rows_.end());
-  std::vector<std::size_t> widths(columns_.size(), 0);
-  for (const auto& fields : lines) {
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      widths[i] = std::max(widths[i], width_of(fields[i]));
-    }
+  return lines;
+}
+
+std::size_t TextTable::width() const {
+  const auto all = lines();
+  const std::vector<std::size_t> widths = widths_of(all);
+  std::size_t width = 0;
+  for (const auto& fields : all) {
+    width = std::max(width, width_of(line(fields, widths)) - 1);  // without its line end
   }
+  return width;
+}
+
+std::string TextTable::text() const {
+  const auto all = lines();
+  const std::vector<std::size_t> widths = widths_of(all);
   std::string text;
-  for (const auto& fields : lines) text += line(fields, widths);
+  for (const auto& fields : all) text += line(fields, widths);
   return text;
 }
 

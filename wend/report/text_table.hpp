@@ -6,6 +6,7 @@
 //   table.add({"astar", "12.5"});
 //   print(table.text());
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,14 @@ class TextTable {
   /// As many fields as there are columns; UTF-8, one character a column of the terminal.
   void add(std::vector<std::string> row);
 
+  /// Of the longest line.
+  std::size_t width() const;
+
   /// The titles, then the rows, each with its line end.
   std::string text() const;
 
  private:
+  std::vector<std::vector<std::string>> lines() const;
   std::string line(const std::vector<std::string>& fields,
                    const std::vector<std::size_t>& widths) const;
 

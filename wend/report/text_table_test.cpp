@@ -15,6 +15,14 @@ TEST(TextTable, AlignsItsColumns) {
             "random_walk  12.25\n");
 }
 
+TEST(TextTable, IsAsWideAsItsLongestLine) {
+  TextTable table({{"a"}, {"long title"}});
+  table.add({"wide field", ""});
+  EXPECT_EQ(table.width(), 22U) << "the title; spaces at the end of a line do not count";
+  table.add({"", "→ longer field"});
+  EXPECT_EQ(table.width(), 26U);
+}
+
 TEST(TextTable, CountsCharactersAndNotBytes) {
   TextTable table({{"→"}, {"b"}});
   table.add({"ab", "c"});
