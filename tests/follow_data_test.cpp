@@ -51,7 +51,7 @@ TEST_P(LapOf, StaysOnTheTrack) {
   EXPECT_NEAR(drive.distance, length, 0.02 * length);
   std::cout << GetParam() << ": " << length << " m in " << drive.time
             << " s, largest cross-track error " << drive.cross_track_largest << " m\n";
-  EXPECT_LT(drive.cross_track_largest, 0.25);
+  EXPECT_LT(drive.cross_track_largest, 0.06);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tracks, LapOf,

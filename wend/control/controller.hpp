@@ -8,7 +8,8 @@
 //   if (!controller) report(controller.error().message());
 //
 // Metres, radians, seconds, in the map's frame. A controller remembers (integrals, filters), is for
-// one robot and one thread, and allocates nothing while it drives.
+// one robot and one thread. It may prepare itself for a route with the first command after reset(); from
+// then on it allocates nothing.
 
 #include <cstddef>
 #include <functional>

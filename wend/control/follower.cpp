@@ -59,7 +59,9 @@ FollowerStep Follower::step(const Pose& pose, double seconds) {
   }
   const Pose shown = shown_to_controller(pose, current_leg().reverse);
   locate(shown);
-  const double heading = current_leg().line.at(along_).heading;
+  const Polyline& line = current_leg().line;
+  const double turn_left = normalized_angle(line.at(along_).heading - shown.heading);
+  const double heading = line.heading_at(along_, options_.heading_window);
   const double heading_error = normalized_angle(heading - shown.heading);
   if (cross_track_ > options_.off_path) state_ = FollowerState::off_path;
 
@@ -73,7 +75,7 @@ FollowerStep Follower::step(const Pose& pose, double seconds) {
     brake(seconds);
   } else {
     velocity_ = limited(ask_controller(shown, seconds), velocity_, limits_, seconds);
-    watch_progress(along() - cross_track_, heading_error, seconds);
+    watch_progress(along() - cross_track_, turn_left, seconds);
   }
   return {velocity_, state_, heading_error, cross_track_};
 }

@@ -24,7 +24,8 @@ struct FollowerOptions {
   double heading_tolerance = 0;     // rad: turns on the spot at the goal until within; 0 = any
   double off_path = 1;              // m: farther from the route than this is lost
   double stuck_time = 10;           // s
-  bool turns_in_place = true;       // can the robot? No option: simulate() knows the robot
+  double heading_window = 0.3;  // m: the route's heading is the mean from so far before to behind
+  bool turns_in_place = true;   // can the robot? No option: simulate() knows the robot
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -35,6 +36,9 @@ struct FollowerOptions {
     field({"heading_tolerance", "and within this of its heading, rad; 0 = any heading"},
           self.heading_tolerance, {0, 3.2});
     field({"off_path", "farther from the path than this is lost, m"}, self.off_path, {1e-2, 1e6});
+    field({"heading_window",
+           "the path's heading is its mean from this far before the robot to as far ahead, m"},
+          self.heading_window, {0, 1e3});
     field({"stuck_time", "without progress for this long is stuck, s"}, self.stuck_time,
           {1e-1, 1e6});
   }
@@ -50,7 +54,8 @@ enum class FollowerState {
 struct FollowerStep {
   Velocity command{};
   FollowerState state = FollowerState::driving;
-  double heading_error = 0;  // rad, in (-pi, pi]: to face as the route leads where the robot is
+  double heading_error = 0;  // rad, in (-pi, pi]: to face as the route leads where the robot is,
+                             // in the mean over the heading window (Polyline::heading_at)
   double cross_track = 0;    // m, to the route, unsigned
 };
 
@@ -69,7 +74,7 @@ class Follower {
   /// The next command, from the pose that was measured, `seconds` (> 0) after the last one. It is
   /// within the limits. Before follow() there is nothing to do: reached. A pose that is not finite is none: the robot brakes. In
   /// every state but driving it brakes, too, and the state stays. O(lines of the route that it can
-  /// come to within a second); allocates nothing.
+  /// come to within a second); allocates nothing but what a controller needs for a new route.
   FollowerStep step(const Pose& pose, double seconds);
 
   /// How far along the route the robot has come, m.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/make_controller.hpp"
+#include "wend/control/speed_profile.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -17,6 +19,7 @@ struct PurePursuitOptions {
   double lookahead = 0.2;
   double lookahead_time = 0.3;
   double slow_radius = 0.6;
+  double lateral_acceleration = 1;
   double approach = 0.5;
   double least_speed = 0.05;
 
@@ -28,6 +31,8 @@ struct PurePursuitOptions {
           {0, 1e2});
     field({"slow_radius", "slower in curves that are tighter than this, m"}, self.slow_radius,
           {0, 1e3});
+    field({"lateral_acceleration", "slower in curves in which it would be greater, m/s^2"},
+          self.lateral_acceleration, {1e-3, 1e3});
     field({"approach", "slower this near to the goal, m"}, self.approach, {0, 1e3});
     field({"least_speed", "but never slower, m/s"}, self.least_speed, {1e-4, 1e3});
   }
@@ -37,7 +42,7 @@ class PurePursuitController final : public Controller {
  public:
   explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
 
-  void reset() override {}
+  void reset() override { profile_.reset(); }
 
   Velocity command(const Situation& situation) override {
     const Pose& pose = situation.pose;
@@ -67,18 +72,32 @@ class PurePursuitController final : public Controller {
     return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
   }
 
-  double speed_on(double curvature, const Situation& situation) const {
+  double speed_on(double curvature, const Situation& situation) {
     const VelocityLimits& limits = situation.limits;
     const double bend = std::abs(curvature);
     const double left = way_left(*situation.route, situation.along, situation.pose.point());
-    double speed = limits.speed;
+    double speed = profile_for(situation).at(situation.along);
     if (bend * options_.slow_radius > 1) speed /= bend * options_.slow_radius;
     if (left < options_.approach) speed *= left / options_.approach;
     speed = std::max(speed, options_.least_speed);
     return bend * speed > limits.turn_rate ? limits.turn_rate / bend : speed;
   }
 
+  const SpeedProfile& profile_for(const Situation& situation) {
+    if (!profile_) {
+      profile_.emplace(*situation.route,
+                       SpeedProfileOptions{.limits = situation.limits,
+                                           .lateral_acceleration = options_.lateral_acceleration,
+                                           .least_speed = options_.least_speed,
+                                           .window = options_.lookahead,
+                                           .lookahead = options_.lookahead,
+                                           .lookahead_time = options_.lookahead_time});
+    }
+    return *profile_;
+  }
+
   PurePursuitOptions options_;
+  std::optional<SpeedProfile> profile_;  // of the route; none before the first command
 };
 
 }  // namespace
@@ -88,8 +107,8 @@ ControllerInfo pure_pursuit_controller() {
           .summary = "Pure pursuit: drives on circles to a point of the path ahead",
           .idea =
               "It aims at a point of the path a lookahead away and drives on the circle that leads "
-              "there. The faster it drives the farther it looks; in tight curves and near the goal "
-              "it slows down.",
+              "there. The faster it drives the farther it looks; it brakes in time for curves and "
+              "for the goal.",
           .citation = "Coulter 1992; regulated: Macenski, Singh, Martín, Ginés 2023",
           .turns_in_place = false,
           .options = option_schema<PurePursuitOptions>(),

@@ -104,6 +104,7 @@ class Simulation {
         options_(options),
         period_(1 / options.rate),
         follower_(controller, model.limits, adapted(follower, model)),
+        heading_window_(follower.heading_window),
         collisions_(space),
         random_(static_cast<std::uint64_t>(options.seed)),
         delay_(options.latency, period_) {
@@ -214,7 +215,7 @@ class Simulation {
     const double around = kDeviations * options_.position_noise;
     const double along = follower_.along_leg();
     const OnPolyline place = leg.line.nearest(robot_.pose.point(), along - around, along + around);
-    const double heading = leg.line.at(place.along).heading;
+    const double heading = leg.line.heading_at(place.along, heading_window_);
     const double to_x = robot_.pose.x - place.point.x;
     const double to_y = robot_.pose.y - place.point.y;
     const double left = std::cos(heading) * to_y - std::sin(heading) * to_x;
@@ -244,6 +245,7 @@ class Simulation {
   SimulationOptions options_;
   double period_;
   Follower follower_;
+  double heading_window_;
   CollisionCounter collisions_;
   Random random_;
   Delay delay_;

@@ -71,7 +71,7 @@ struct DriveSample {
   double time = 0;
   Pose pose;                 // true, not measured; grid coordinates
   Velocity velocity;         // true
-  double heading_error = 0;  // of the route, rad
+  double heading_error = 0;  // of the route's mean heading (FollowerOptions::heading_window), rad
   double cross_track = 0;    // m, signed: positive left of the route (towards +y from +x)
 };
 

@@ -64,6 +64,20 @@ Pose Polyline::at(double along) const {
   return {point.x, point.y, std::atan2(to.y - from.y, to.x - from.x)};
 }
 
+double Polyline::heading_at(double along, double window) const {
+  const double place = std::clamp(along, 0.0, length());
+  const double half =
+      closed_ ? std::min(window, length() / 4) : std::min({window, place, length() - place});
+  const auto around = [this](double at_along) {
+    return closed_ ? std::fmod(at_along + length(), length()) : at_along;
+  };
+  const Point from = at(around(place - half)).point();
+  const Point to = at(around(place + half)).point();
+  constexpr double kRounding = 1e-9;  // of the window: there the direction is noise
+  if (distance(from, to) <= kRounding * half) return at(place).heading;
+  return std::atan2(to.y - from.y, to.x - from.x);
+}
+
 OnPolyline Polyline::nearest(Point point, double from, double to) const {
   const double first = std::clamp(from, 0.0, length());
   const double last = std::clamp(to, first, length());

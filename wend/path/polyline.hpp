@@ -50,6 +50,12 @@ class Polyline {
   /// meet: of the one that begins; a single point heads along +x). O(log n).
   Pose at(double along) const;
 
+  /// The mean heading from `window` (>= 0) before that place to as far behind it: of a curve given by
+  /// points its heading but for little, where that of its lines jumps from point to point. The window
+  /// is no longer than what is left to either end; a closed line has none. Where the line comes back
+  /// to where it was, the heading of at(). O(log n).
+  double heading_at(double along, double window) const;
+
   /// The line on which that place lies: the index of its first point. O(log n).
   std::size_t piece_at(double along) const;
 

@@ -68,5 +68,46 @@ TEST(Polyline, OfADriveKeepsToItsArcs) {
   }
 }
 
+/// Points of a circle, 10 degrees apart.
+std::vector<Point> coarse_circle() {
+  std::vector<Point> points;
+  for (int i = 0; i < 36; ++i) {
+    const double angle = i * kPi / 18;
+    points.push_back({4 * std::sin(angle), -4 * std::cos(angle)});
+  }
+  return points;
+}
+
+TEST(Polyline, HasTheHeadingOfTheCurveThatItsPointsAreOf) {
+  const Polyline circle(coarse_circle(), true);
+  double lines_are_off = 0;
+  double mean_is_off = 0;
+  for (int i = 0; i < 720; ++i) {
+    const double along = circle.length() * i / 720;
+    const double exact = 2 * kPi * i / 720;
+    const auto off = [&](double heading) { return std::abs(normalized_angle(heading - exact)); };
+    lines_are_off = std::max(lines_are_off, off(circle.at(along).heading));
+    mean_is_off = std::max(mean_is_off, off(circle.heading_at(along, 1)));
+  }
+  EXPECT_GT(lines_are_off, radians_from(4.9)) << "a saw";
+  EXPECT_LT(mean_is_off, radians_from(1));
+}
+
+TEST(Polyline, KeepsTheMeanHeadingWithinItsEnds) {
+  const Polyline corner({{0, 0}, {4, 0}, {4, 4}});
+  EXPECT_EQ(corner.heading_at(0, 1), 0);
+  EXPECT_EQ(corner.heading_at(8, 1), kPi / 2);
+  EXPECT_NEAR(corner.heading_at(4, 1), kPi / 4, 1e-12);
+  EXPECT_EQ(corner.heading_at(2, 1), 0) << "a window that ends before the corner";
+  EXPECT_EQ(corner.heading_at(3.5, 0), 0) << "no window";
+}
+
+TEST(Polyline, HasTheHeadingOfALineWhereItTurnsBack) {
+  const Polyline there_and_back({{0, 0}, {4, 0}, {0, 0}});
+  EXPECT_NEAR(std::abs(there_and_back.heading_at(4, 1)), kPi, 1e-12);
+  EXPECT_EQ(there_and_back.heading_at(2, 1), 0);
+  EXPECT_EQ(Polyline({{3, 3}}).heading_at(0, 1), 0);
+}
+
 }  // namespace
 }  // namespace wend

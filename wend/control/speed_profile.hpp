@@ -1,0 +1,47 @@
+#pragma once
+
+// SpeedProfile: how fast a robot may be at each place of a line, so that it brakes in time for what
+// comes.
+//
+//   const wend::SpeedProfile profile(line, {.lateral_acceleration = 1, .window = 0.2});
+//   const double fastest = profile.at(along);
+//
+// Where the line bends with a curvature c, the speed v is at most
+//   the turn rate / |c|,
+//   the root of the lateral acceleration / |c|,
+//   the root of the turn acceleration / |dc/ds|, for that is how fast a robot, a bicycle too, steers;
+// already the lookahead before it, where a pursuit begins to turn. Then, from the end of the line, at
+// which the robot stands, to its beginning: v^2 <= v_next^2 + 2 a ds, what it can brake. The curvature
+// is the change of the mean heading (Polyline::heading_at), so that a corner is a bend as long as the
+// window. Metres, radians, seconds. O(length / window) to make.
+
+#include <vector>
+
+#include "wend/control/velocity.hpp"
+#include "wend/path/polyline.hpp"
+
+namespace wend {
+
+struct SpeedProfileOptions {
+  VelocityLimits limits{};
+  double lateral_acceleration = 1;  // m/s^2
+  double least_speed = 0.05;        // m/s
+  double window = 0.2;              // m, > 0: half of what headings are averaged over
+  double lookahead = 0;             // m: so long before a bend the robot is as slow as in it,
+  double lookahead_time = 0;        // s: and longer by what it drives in this time
+};
+
+class SpeedProfile {
+ public:
+  SpeedProfile(const Polyline& line, const SpeedProfileOptions& options);
+
+  /// The greatest speed there, at least the least speed. O(1).
+  double at(double along) const;
+
+ private:
+  double step_ = 1;  // from sample to sample, m
+  double least_speed_ = 0;
+  std::vector<double> squared_;  // speeds, at multiples of the step
+};
+
+}  // namespace wend
