@@ -1,7 +1,9 @@
 #pragma once
 
 // Writing a file whole or not at all: the bytes go into a temporary file beside it, which then
-// takes its name. A failure leaves what was there before.
+// takes its name. A failure leaves what was there before, and so does a program that ends meanwhile,
+// by Ctrl-C or by kill: on Linux the temporary file has no name until it is whole (O_TMPFILE), where
+// the file system allows that.
 
 #include <filesystem>
 #include <string_view>
