@@ -171,7 +171,7 @@ bool run_distributed(const BenchArguments& arguments) {
     ranks.end_all(bad_input);
   } catch (const Cancelled&) {
     complain("cancelled; the same command goes on where the ranks were");
-    ranks.end_all(no_plan);
+    ranks.end_all(interrupted);
   }
   return ranks.rank() == 0;
 }
@@ -192,7 +192,7 @@ int run(const BenchArguments& arguments) {
         arguments.database.empty()
             ? "cancelled"
             : fmt::format("cancelled; the same command goes on where {} ends", arguments.database));
-    return no_plan;
+    return interrupted;
   }
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "exit_code.hpp"
-#include "interrupt.hpp"
 #include "limit_arguments.hpp"
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/planners.hpp"
@@ -77,7 +76,6 @@ Preparation Contestant::prepare(const FreeSpace& space, const std::vector<GivenI
 Preparation Contestant::build(const FreeSpace& space, Workers& workers) const {
   const double begin = steady_seconds();
   auto index = build_index(info_, space, workers);
-  if (!index && index.error().status == Status::cancelled) throw Cancelled();
   if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message()));
   const std::uint64_t bytes = index->size();
   return {*std::move(index), {steady_seconds() - begin, bytes}};

@@ -39,7 +39,7 @@ class Contestant {
   bool takes(const GivenIndex& index) const;
 
   /// What is needed before planners are made: one of the given indexes, or one that is built now.
-  /// Throws InputError if it cannot be built, and Cancelled if Ctrl-C came.
+  /// Throws InputError if it cannot be built.
   Preparation prepare(const FreeSpace& space, const std::vector<GivenIndex>& given,
                       Workers& workers) const;
 

@@ -18,9 +18,7 @@ constexpr double kQuick = 100e-6;  // seconds; a check takes some millionths
 }  // namespace
 
 BenchLane::BenchLane(std::unique_ptr<Planner> planner, Complain complain)
-    : planner_(std::move(planner)),
-      complain_(std::move(complain)),
-      cancelled_(cancel_on_interrupt()) {}
+    : planner_(std::move(planner)), complain_(std::move(complain)) {}
 
 void BenchLane::warm_up(const ScenarioQuery& query) { ask(query); }
 
@@ -53,11 +51,11 @@ bool BenchLane::settle() {
 
 bool BenchLane::ask(const ScenarioQuery& query) {
   Query asked = Query::between(query.start, query.goal);
-  asked.limits.cancel = &cancelled_;
+  asked.limits.cancel = &Interruptible::cancelled();
   const double begin = steady_seconds();
   status_ = planner_->plan(asked, plan_);
   seconds_ = steady_seconds() - begin;
-  return !cancelled_;
+  return !Interruptible::cancelled();
 }
 
 void BenchLane::settle(const ScenarioQuery& query, BenchAnswer& answer) {

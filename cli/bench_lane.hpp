@@ -2,7 +2,6 @@
 
 // BenchLane: a planner that answers the queries of a scenario in one thread, timed and checked.
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -47,7 +46,6 @@ class BenchLane {
 
   std::unique_ptr<Planner> planner_;
   Complain complain_;
-  const std::atomic<bool>& cancelled_;
   Status status_ = Status::found;
   Plan plan_;
   double seconds_ = 0;

@@ -100,6 +100,7 @@ void BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& prog
   for (std::size_t i = 0; i < runner.answers.size(); ++i) {
     if (share_.contains(i) && runner.answers[i].seconds.size() <= pass) open.push_back(i);
   }
+  const Interruptible interruptible;  // what is answered is to be stored
   while (!open.empty()) {
     const bool cancelled = !answer_some(runner, open, progress);
     std::vector<BenchAnswer> done;

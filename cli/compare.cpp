@@ -13,7 +13,6 @@
 #include "explainer.hpp"
 #include "flags.hpp"
 #include "gnuplot.hpp"
-#include "interrupt.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
 #include "output.hpp"
@@ -117,8 +116,8 @@ std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareA
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
                                   const FreeSpace& space) {
   if (run.comparison().motion == Motion::car) {
-    auto drives =
-        random_drives(space, common_unit(run.planners()), arguments.random, arguments.seed);
+    auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
+                                arguments.random, arguments.seed);
     if (drives.empty()) throw InputError("--random: no two corners of this map are connected");
     return drives;
   }
@@ -136,17 +135,14 @@ std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& 
   return {query_for(run.planners().front(), arguments, space)->query()};
 }
 
-/// Answers all queries; false if Ctrl-C came.
-bool answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
-  const auto& cancelled = cancel_on_interrupt();
+void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
   ProgressBar progress("comparing", queries.size());
   ProgressBar within_a_query("", 0);
-  for (std::size_t i = 0; i < queries.size() && !cancelled; ++i) {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
     queries[i].limits = limits.limits(within_a_query);
     run.answer(std::move(queries[i]));
     progress.update(i + 1);
   }
-  return !cancelled;
 }
 
 /// Why a planner that moves from cell to cell found nothing.
@@ -256,10 +252,7 @@ int run(const CompareArguments& arguments) {
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message());
   ComparisonRun& run = *made;
-  if (!answer_all(run, queries_of(run, arguments, space), arguments.limits)) {
-    complain("cancelled");
-    return no_plan;
-  }
+  answer_all(run, queries_of(run, arguments, space), arguments.limits);
   give_reasons(run, arguments, space);
   print(text_of(run.comparison(), arguments.format));
   write_files(arguments, run, space);

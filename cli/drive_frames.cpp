@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "interrupt.hpp"
 #include "wend/render/drawing.hpp"
 #include "wend/render/gif.hpp"
 
@@ -47,7 +46,6 @@ Scene scene_at(Scene scene, const Drive& drive, std::size_t sample) {
 
 Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive& drive,
                                                 std::optional<double> speed, const Style& style) {
-  const auto& cancelled = cancel_on_interrupt();
   const auto pixels_at = [&](const Scene& base, std::size_t sample) {
     return draw_pixels(scene_at(base, drive, sample), kWidth, kHeight, style, PixelLegend::below);
   };
@@ -60,7 +58,6 @@ Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive&
                                                  pixels_at(outcome, last / 2)};
   GifAnimation animation(end.width(), end.height(), palette_of(samples));
   for (const std::size_t sample : frames_of(drive, speed)) {
-    if (cancelled) break;
     animation.add(pixels_at(outcome, sample), kFrameHundredths);
   }
   animation.add(end, kOutcomeHundredths);

@@ -14,7 +14,7 @@
 namespace wend::cli {
 
 /// A GIF: the scene with the robot on its way, and behind it what it drove. `speed` is how many times
-/// as fast as the robot; without one the film takes a few seconds. Ctrl-C ends it early.
+/// as fast as the robot; without one the film takes a few seconds.
 Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive& drive,
                                                 std::optional<double> speed, const Style& style);
 

@@ -8,8 +8,9 @@ namespace wend::cli {
 
 enum ExitCode : int {
   success = 0,
-  no_plan = 1,    // there is no plan, a benchmark found wrong answers, convert --strict a loss
-  bad_input = 2,  // bad usage or input: nothing was planned
+  no_plan = 1,        // there is no plan, a benchmark found wrong answers, convert --strict a loss
+  bad_input = 2,      // bad usage or input: nothing was planned
+  interrupted = 130,  // Ctrl-C, as shells number it
 };
 
 /// Ends a subcommand with bad_input. what() is one line for people.

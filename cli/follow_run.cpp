@@ -7,7 +7,6 @@
 
 #include "drive_frames.hpp"
 #include "gnuplot.hpp"
-#include "interrupt.hpp"
 #include "output.hpp"
 #include "path_file.hpp"
 #include "picture_files.hpp"
@@ -80,9 +79,7 @@ std::optional<Path> FollowRun::plan() {
 }
 
 void FollowRun::drive() {
-  const auto& cancelled = cancel_on_interrupt();
   for (ChosenController& chosen : controllers_) {
-    if (cancelled) break;
     drives_.push_back({chosen.text, simulate(space_, path_.refined.path, *chosen.controller, robot_,
                                              simulation_, following_)});
   }
@@ -150,10 +147,6 @@ void FollowRun::write_files() const {
 }
 
 ExitCode FollowRun::report() const {
-  if (drives_.empty()) {
-    complain("cancelled before the robot drove");
-    return no_plan;
-  }
   const DriveSamples samples = arguments_.samples ? DriveSamples::all : DriveSamples::none;
   print(arguments_.format == Format::json
             ? drive_json(path_, drives_, space_.map().frame(), samples)

@@ -7,7 +7,6 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
-#include "interrupt.hpp"
 #include "progress_bar.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -26,8 +25,7 @@ Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const
   constexpr double kSteps = 1000;
   ProgressBar bar("index of " + planner.name, static_cast<std::uint64_t>(kSteps));
   const IndexBuilding building{
-      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); },
-      &cancel_on_interrupt()};
+      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); }};
   return planner.build_index(space, building);
 }
 

@@ -22,7 +22,7 @@ struct GivenIndex {
 /// damaged one, is the error.
 Expected<GivenIndex, std::string> read_given_index(const std::string& file);
 
-/// Builds with a progress bar; Ctrl-C ends it as cancelled.
+/// Builds with a progress bar.
 Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const FreeSpace& space,
                                                Workers& workers);
 

@@ -5,8 +5,6 @@
 
 #include <cerrno>
 
-#include "interrupt.hpp"
-
 namespace wend::cli {
 
 Keyboard::Keyboard() {
@@ -25,9 +23,8 @@ Keyboard::~Keyboard() {
 
 std::optional<char> Keyboard::read() const {
   // Reading goes on after a signal; polling does not, so Ctrl-C is noticed.
-  const auto& cancelled = cancel_on_interrupt();
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  while (!cancelled) {
+  while (!Interruptible::cancelled()) {
     const int ready = poll(&input, 1, -1);
     if (ready < 0 && errno == EINTR) continue;
     char key = 0;

@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include "interrupt.hpp"
+
 namespace wend::cli {
 
 class Keyboard {
@@ -21,6 +23,7 @@ class Keyboard {
   std::optional<char> read() const;
 
  private:
+  Interruptible interruptible_;
   std::optional<termios> before_;  // where it is a terminal
 };
 

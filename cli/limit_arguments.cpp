@@ -29,7 +29,7 @@ Limits LimitArguments::limits(ProgressBar& progress) const {
     expanded += Limits::kExpansionsBetweenClockReads;
     return steady_seconds();
   };
-  limits.cancel = &cancel_on_interrupt();
+  limits.cancel = &Interruptible::cancelled();
   return limits;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a search may use: --limit-expansions, --limit-time, and Ctrl-C, which cancels it.
+// What a search may use: --limit-expansions, --limit-time, and Ctrl-C.
 
 #include <cstdint>
 #include <optional>
@@ -17,7 +17,8 @@ struct LimitArguments {
 
   void add_to(Parser& app);
 
-  /// `progress` is told the cells expanded; it must outlive the search.
+  /// `progress` is told the cells expanded; it must outlive the search. Within an Interruptible,
+  /// Ctrl-C cancels the search.
   Limits limits(ProgressBar& progress) const;
 };
 

@@ -14,6 +14,7 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "usage_error.hpp"
 
@@ -79,9 +80,10 @@ int run_app(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A reader who has seen enough (`wend ... | head`) ends nothing: see finish_output().
   std::signal(SIGPIPE, SIG_IGN);
+  end_on_interrupt();
   try {
     const int code = run_app(argc, argv);
-    if (finish_output()) return code;
+    if (finish_output()) return Interruptible::cancelled() ? interrupted : code;
     complain("the results could not be written to standard output");
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame.hpp"
+#include "interrupt.hpp"
 #include "observer_list.hpp"
 #include "output.hpp"
 #include "picture_files.hpp"
@@ -122,6 +123,7 @@ void PlanRun::search() {
 }
 
 void PlanRun::search_to_the_end(const Query& query) {
+  const Interruptible interruptible;  // what it did until then is reported
   result_.status = timed(thread_cpu_seconds, result_.times.search,
                          [&] { return planner_->plan(query, result_.plan); });
 }

@@ -68,7 +68,7 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
 
 void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& screen,
           const PictureArguments& pictures, std::optional<double> speed) {
-  const auto& cancelled = cancel_on_interrupt();
+  const Interruptible interruptible;  // the cursor is to be shown again
   const auto frame = [&](const Scene& scene) {
     return frame_text(scene, {}, screen, pictures.style, kRowsBelow);
   };
@@ -77,7 +77,7 @@ void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& sc
   auto next = std::chrono::steady_clock::now();
   for (const std::size_t expansions :
        frame_times(recorder.expansions().size(), speed, kMostFilmFrames)) {
-    if (cancelled) break;
+    if (Interruptible::cancelled()) break;
     const SearchSnapshot snapshot = recorder.snapshot(expansions);
     display.show(frame(with_snapshot(base, snapshot)) + progress_line(snapshot, expansions));
     next += std::chrono::milliseconds(1000 / kFramesPerSecond);

@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "interrupt.hpp"
-
 namespace wend::cli {
 namespace {
 
@@ -16,7 +14,7 @@ constexpr const char* kKeys = "any key: next   t: ten more   r: run to the end  
 void Stepper::ask(const std::string& picture, std::uint64_t expansions) {
   display_.show(picture + kKeys);
   const auto key = keyboard_.read();
-  quit_ = key == 'q' || cancel_on_interrupt();
+  quit_ = key == 'q';
   if (key == 't') {
     next_ = expansions + kLeap;
   } else if (key == 'r' || !key) {  // at the end of the input there is nobody to ask

@@ -27,8 +27,8 @@ class Stepper {
   /// Does the last picture stand where the outcome will be shown?
   bool in_place() const { return display_.in_place(); }
 
-  /// Does the person want to stop here?
-  bool quit() const { return quit_; }
+  /// Does the person want to stop here, by a key or by Ctrl-C?
+  bool quit() const { return quit_ || Interruptible::cancelled(); }
 
  private:
   Display display_;

@@ -106,6 +106,7 @@ class LongBench : public BenchDatabaseCommand {
     }
     kill(child, signal);
     waitpid(child, &status, 0);
+    if (signal == SIGINT) EXPECT_EQ(WEXITSTATUS(status), 130);
     return bytes_of(err);
   }
 

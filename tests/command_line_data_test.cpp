@@ -188,7 +188,7 @@ TEST(Interrupt, CancelsTheSearch) {
   Outcome outcome;
   set_end(outcome, wait_status);
   EXPECT_EQ(outcome.signal, 0);
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(json::parse(bytes_of(out)).at("status"), "cancelled");
 }
 
