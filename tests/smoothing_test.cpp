@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
@@ -137,10 +139,30 @@ TEST(Smoothing, BoundsCurvatureInOffices) {
         const auto smoothed = smooth_by_curvature(path, space, {.radius = radius});
         ASSERT_TRUE(smoothed);
         EXPECT_TRUE(smoothed->within_bound) << "seed " << seed << ", radius " << radius;
-        EXPECT_GE(measure(smoothed->path, space).smallest_turning_radius(), radius * (1 - 1e-5));
+        EXPECT_GE(measure(smoothed->path, space).rounded_turning_radius, radius * (1 - 1e-5));
         EXPECT_FALSE(first_collision(smoothed->path, space));
       }
     }
+  }
+}
+
+/// What docs/motion.md says of turning radii in offices.
+TEST(Smoothing, MeetsTurningRadiiThatDoorsAllow) {
+  for (const auto& [radius, least] : {std::pair(3.0, 1.0), {4.0, 1.0}, {5.0, 0.95}, {10.0, 0.2}}) {
+    int met = 0;
+    int plans = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      Random random(seed);
+      const auto map = generators().find("office")->make(200, 160, seed, {});
+      const FreeSpace space(*map, {.robot_radius = 0.2});
+      for (const Path& path : office_plans(space, random, 25)) {
+        met += smooth_by_curvature(path, space, {.radius = radius})->within_bound ? 1 : 0;
+        ++plans;
+      }
+    }
+    std::cout << "a turning radius of " << radius << " cells: met on " << met << " of " << plans
+              << " plans\n";
+    EXPECT_GE(met, least * plans);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/movable_path.hpp"
 #include "wend/path/smoothing.hpp"
 
@@ -32,8 +33,21 @@ std::optional<std::string> fault_of(const CurvatureOptions& options) {
   return fault_of_weights(options.alpha, options.beta, true);
 }
 
-/// The same way with points near enough to each other that three of them know a bend when they see
-/// one: Menger's curvature of points far apart is small however sharply the lines between them meet.
+/// The options as text, for the schema: a length for people.
+struct CurvatureFlags : CurvatureOptions {
+  double turning_radius = 0;  // m
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"turning_radius",
+           "the smallest turning radius, in metres (in cells on maps in cells); 0: as radius says"},
+          self.turning_radius, OptionRange{0, 1e6});
+    CurvatureOptions::fields(self, field);
+  }
+};
+
+/// The same way with points near enough to each other that arcs within kCornerRounding of them can
+/// have the radius.
 Path divided(const Path& path, double radius) {
   constexpr double kLongest = 1.5;  // cells: steps to neighbouring cells stay whole
   constexpr double kShortest = 0.1;
@@ -49,8 +63,8 @@ Path divided(const Path& path, double radius) {
   return Path::along(std::move(dense));
 }
 
-/// How far the middle one of three points is off the line through the others, beyond what a turning
-/// radius allows; and the direction from it to that line.
+/// How far the middle one of three points is to move towards the others, or they towards it, until its
+/// corner can be rounded with a turning radius; and the direction in which it is to move.
 struct Bend {
   double excess = 0;
   Point inwards;
@@ -58,23 +72,31 @@ struct Bend {
 
 Bend bend_of(Point a, Point b, Point c, double radius) {
   const double before = distance(a, b);
+  const double after = distance(b, c);
+  if (before == 0 || after == 0) return {};
+  const Corner corner(a, b, c);
+  const double widest = corner.widest_half_turn(radius, kCornerRounding);
+  if (corner.half_turn_tangent() <= widest) return {};
+  if (corner.half_turn_tangent() > 1) {  // it turns back: the line through the others leads nowhere
+    const Point to_middle{(a.x + c.x) / 2 - b.x, (a.y + c.y) / 2 - b.y};
+    const double way = std::hypot(to_middle.x, to_middle.y);
+    return {way, {to_middle.x / way, to_middle.y / way}};
+  }
   const double length = distance(a, c);
-  if (before == 0) return {};
-  if (length == 0) return {before, {(a.x - b.x) / before, (a.y - b.y) / before}};
   const Point across{(a.y - c.y) / length, (c.x - a.x) / length};
   const double off = (a.x - b.x) * across.x + (a.y - b.y) * across.y;
-  // Menger's curvature is 2 off / (|ab| |bc|).
-  const double most = before * distance(b, c) / (2 * radius);
+  // The triangle is 2 |ab| |bc| sin(turn) = 2 off |ac| large.
+  const double most = before * after * 2 * widest / (1 + widest * widest) / length;
   const double side = off < 0 ? -1 : 1;
   return {std::max(0.0, std::abs(off) - most), {side * across.x, side * across.y}};
 }
 
-/// Is no bend tighter than that? Points on top of each other count once.
+/// Can every corner be rounded with that radius? Points on top of each other count once.
 bool is_within(std::vector<Point> points, double radius) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   for (std::size_t i = 2; i < points.size(); ++i) {
-    const double least = radius * (1 - kRounding);
-    if (bend_of(points[i - 2], points[i - 1], points[i], least).excess > 0) return false;
+    const Corner corner(points[i - 2], points[i - 1], points[i]);
+    if (corner.radius(kCornerRounding) < radius * (1 - kRounding)) return false;
   }
   return true;
 }
@@ -193,9 +215,14 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
 }
 
 SmootherInfo curvature_smoother() {
-  return smoother_with<CurvatureOptions>(
+  return smoother_with<CurvatureFlags>(
       "curvature", "Bends no tighter than a turning radius, where obstacles leave room for that",
-      "Kaczmarz 1937; Mueller and others 2007, Position based dynamics", smooth_by_curvature);
+      "Kaczmarz 1937; Mueller and others 2007, Position based dynamics",
+      [](const Path& path, const FreeSpace& space, CurvatureFlags flags) {
+        const double resolution = space.map().frame().resolution;
+        if (flags.turning_radius > 0) flags.radius = flags.turning_radius / resolution;
+        return smooth_by_curvature(path, space, flags);
+      });
 }
 
 }  // namespace wend

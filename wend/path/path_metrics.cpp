@@ -10,25 +10,23 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/map/arc_clearance.hpp"
 #include "wend/map/way_clearance.hpp"
+#include "wend/path/corner_rounding.hpp"
 
 namespace wend {
 namespace {
-
-/// Menger's: 4 times the area of the triangle over the product of its sides.
-double curvature_of(Point a, Point b, Point c) {
-  const double cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-  const double dot = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
-  if (cross == 0) return dot < 0 ? std::numeric_limits<double>::infinity() : 0;
-  return 2 * std::abs(cross) / (distance(a, b) * distance(b, c) * distance(c, a));
-}
 
 double angle_of(Point a, Point b, Point c) {
   const double before = std::atan2(b.y - a.y, b.x - a.x);
   return std::abs(normalized_angle(std::atan2(c.y - b.y, c.x - b.x) - before));
 }
 
+void add_bend(PathMetrics& metrics, double radius, double rounded_radius) {
+  metrics.smallest_turning_radius = std::min(metrics.smallest_turning_radius, radius);
+  metrics.rounded_turning_radius = std::min(metrics.rounded_turning_radius, rounded_radius);
+}
+
 /// Where lines meet. Points on top of each other count once.
-void measure_bends(const Path& path, PathMetrics& metrics) {
+void measure_corners(const Path& path, PathMetrics& metrics) {
   std::vector<Point> points = path.points();
   points.erase(std::unique(points.begin(), points.end()), points.end());
   for (std::size_t i = 2; i < points.size(); ++i) {
@@ -36,13 +34,17 @@ void measure_bends(const Path& path, PathMetrics& metrics) {
     const Point b = points[i - 1];
     const Point c = points[i];
     metrics.turning += angle_of(a, b, c);
-    metrics.largest_curvature = std::max(metrics.largest_curvature, curvature_of(a, b, c));
+    add_bend(metrics, Corner(a, b, c).radius(0), Corner(a, b, c).radius(metrics.corner_rounding));
   }
 }
 
-void measure_bends(const Arc& arc, PathMetrics& metrics) {
-  metrics.turning += std::abs(arc.turn());
-  metrics.largest_curvature = std::max(metrics.largest_curvature, std::abs(arc.curvature));
+void measure_bends(const Path& path, PathMetrics& metrics) {
+  if (!path.driven()) return measure_corners(path, metrics);
+  for (const Arc& arc : path.arcs()) {
+    if (arc.length == 0) continue;
+    metrics.turning += std::abs(arc.turn());
+    add_bend(metrics, 1 / std::abs(arc.curvature), 1 / std::abs(arc.curvature));
+  }
 }
 
 /// The mean over the length of a way of what is known at points of it, linear between them.
@@ -66,8 +68,9 @@ class Mean {
 
 PathMetrics measure_cells(const Path& path, const FreeSpace& space) {
   const auto cells = path.cells();
-  PathMetrics metrics{.length = path.length(),
-                      .smallest_clearance = space.clearance(cells.front())};
+  PathMetrics metrics;
+  metrics.length = path.length();
+  metrics.smallest_clearance = space.clearance(cells.front());
   Mean clearance(space.clearance(cells.front()));
   for (std::size_t i = 1; i < cells.size(); ++i) {
     const Cell from = cells[i - 1];
@@ -87,13 +90,14 @@ double clearance_at(const FreeSpace& space, Point point) {
 
 PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {
   const double at_start = clearance_at(space, path.poses().front().point());
-  PathMetrics metrics{.length = path.length(), .smallest_clearance = at_start};
+  PathMetrics metrics;
+  metrics.length = path.length();
+  metrics.smallest_clearance = at_start;
   Mean clearance(at_start);
   double last_length = 0;
   for (const Arc& arc : path.arcs()) {
     if (arc.length == 0) continue;
     const double length = std::abs(arc.length);
-    if (path.driven()) measure_bends(arc, metrics);
     metrics.reversals += arc.length * last_length < 0 ? 1 : 0;
     last_length = arc.length;
     metrics.smallest_clearance = std::min(metrics.smallest_clearance, arc_clearance(space, arc));
@@ -108,11 +112,14 @@ PathMetrics measure_arcs(const Path& path, const FreeSpace& space) {
 
 }  // namespace
 
-PathMetrics measure(const Path& path, const FreeSpace& space) {
-  assert(!path.empty());
+PathMetrics measure(const Path& path, const FreeSpace& space, double corner_rounding) {
+  assert(!path.empty() && corner_rounding >= 0);
   PathMetrics metrics =
       path.cells().empty() ? measure_arcs(path, space) : measure_cells(path, space);
-  if (!path.driven()) measure_bends(path, metrics);
+  metrics.corner_rounding = corner_rounding;
+  metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
+  metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
+  measure_bends(path, metrics);
   return metrics;
 }
 

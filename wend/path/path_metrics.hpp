@@ -4,6 +4,7 @@
 // comes.
 
 #include "wend/map/free_space.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/path.hpp"
 
 namespace wend {
@@ -15,13 +16,16 @@ struct PathMetrics {
   /// path of cells or waypoints turns back, that is pi; a car that changes gear keeps its heading.
   double turning = 0;
 
-  /// Of a driven path that of its tightest arc. Of cells and waypoints Menger's curvature, that of
-  /// the circle through three points in a row, so that points on a circle have its curvature however
-  /// far apart they are; infinite where the path turns straight back. 1 / cells.
-  double largest_curvature = 0;
+  /// The least radius of a driven path's arcs; of cells and waypoints 0 if there is a corner, for
+  /// nothing that steers can follow one. Infinite of a straight path. Cells.
+  double smallest_turning_radius = 0;
 
-  /// 1 / largest_curvature, in cells; infinite of a straight path, 0 where it turns back.
-  double smallest_turning_radius() const { return 1 / largest_curvature; }
+  /// The same with every corner rounded by an arc that keeps within `corner_rounding` of it
+  /// (corner_rounding.hpp): a robot that can turn so tightly follows the path, no farther from it
+  /// than that. So it is never more than what a curve has from which the points were taken, and
+  /// nearly that where they are dense: no farther from each other than sqrt(8 radius rounding).
+  double rounded_turning_radius = 0;
+  double corner_rounding = 0;  // cells
 
   int reversals = 0;  // changes between ahead and reverse; 0 unless it is driven
 
@@ -39,6 +43,7 @@ struct PathMetrics {
 /// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
 /// neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
 /// arc_clearance().
-PathMetrics measure(const Path& path, const FreeSpace& space);
+PathMetrics measure(const Path& path, const FreeSpace& space,
+                    double corner_rounding = kCornerRounding);
 
 }  // namespace wend

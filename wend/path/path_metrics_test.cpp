@@ -220,12 +220,12 @@ TEST(PathMetrics, OfALineThatStandsInPointsIsStraight) {
       measure(Path::along({{1, 1}, {4, 5}, {4, 5}, {7, 9}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 10);
   EXPECT_EQ(metrics.turning, 0);
-  EXPECT_EQ(metrics.largest_curvature, 0);
-  EXPECT_TRUE(std::isinf(metrics.smallest_turning_radius()));
+  EXPECT_TRUE(std::isinf(metrics.smallest_turning_radius));
+  EXPECT_TRUE(std::isinf(metrics.rounded_turning_radius));
   EXPECT_EQ(metrics.reversals, 0);
 }
 
-RC_GTEST_PROP(PathMetrics, OfPointsOnACircleHaveItsCurvature, ()) {
+RC_GTEST_PROP(PathMetrics, OfPointsOnACircleNeverOverstateItsRadius, ()) {
   const double radius = *rc::gen::inRange(1, 60) / 4.0;
   const int count = *rc::gen::inRange(3, 200);
   std::vector<Point> points;
@@ -234,7 +234,11 @@ RC_GTEST_PROP(PathMetrics, OfPointsOnACircleHaveItsCurvature, ()) {
     points.push_back({20 + radius * std::cos(angle), 20 + radius * std::sin(angle)});
   }
   const PathMetrics metrics = measure(Path::along(points), test::open_space(40, 40));
-  RC_ASSERT(std::abs(metrics.smallest_turning_radius() - radius) < 1e-6 * radius);
+  RC_ASSERT(metrics.smallest_turning_radius == 0);
+  RC_ASSERT(metrics.rounded_turning_radius <= radius);
+  if (radius * (1 - std::cos(kPi / count)) <= kCornerRounding) {
+    RC_ASSERT(metrics.rounded_turning_radius >= radius * std::cos(kPi / count) * (1 - 1e-9));
+  }
   RC_ASSERT(std::abs(metrics.turning - 2 * kPi * (count - 1) / count) < 1e-9);
   RC_ASSERT(std::abs(metrics.length - 2 * radius * count * std::sin(kPi / count)) < 1e-9);
 }
@@ -244,16 +248,29 @@ TEST(PathMetrics, OfASquareTurnByThreeRightAngles) {
       measure(Path::along({{5, 5}, {9, 5}, {9, 9}, {5, 9}, {5, 5}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 16);
   EXPECT_DOUBLE_EQ(metrics.turning, 3 * kPi / 2);
-  EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius(), 2 * std::numbers::sqrt2)
-      << "of the circle around it";
+  EXPECT_EQ(metrics.smallest_turning_radius, 0);
+  EXPECT_DOUBLE_EQ(metrics.rounded_turning_radius, 0.1 / (std::numbers::sqrt2 - 1));
 }
 
 TEST(PathMetrics, OfAPathThatTurnsBackHaveNoTurningRadius) {
   const PathMetrics metrics =
       measure(Path::along({{5, 5}, {9, 5}, {6, 5}}), test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.turning, kPi);
-  EXPECT_TRUE(std::isinf(metrics.largest_curvature));
-  EXPECT_EQ(metrics.smallest_turning_radius(), 0);
+  EXPECT_EQ(metrics.smallest_turning_radius, 0);
+  EXPECT_EQ(metrics.rounded_turning_radius, 0);
+}
+
+/// Leaving out points makes corners sharper, not wider.
+TEST(PathMetrics, OfFewPointsAreNoWiderThanOfMany) {
+  const FreeSpace space = test::open_space(40, 40);
+  const Path dense = Path::along({{1, 5}, {2, 5}, {3, 5}, {4, 6}, {5, 7}, {6, 8}});
+  const Path sparse = Path::along({{1, 5}, {3, 5}, {6, 8}});
+  EXPECT_NEAR(measure(dense, space).rounded_turning_radius,
+              measure(sparse, space).rounded_turning_radius, 0.01);
+  const Path kink = Path::along({{5, 5}, {35, 5}, {38, 33}});
+  EXPECT_LT(measure(kink, space).rounded_turning_radius, 0.3) << "of 84 degrees, in 30 cells";
+  EXPECT_GT(measure(kink, space, 1).rounded_turning_radius, 2) << "where more is cut off";
+  EXPECT_EQ(measure(kink, space, 0).rounded_turning_radius, 0);
 }
 
 TEST(PathMetrics, OfADriveAreThoseOfItsArcs) {
@@ -261,7 +278,8 @@ TEST(PathMetrics, OfADriveAreThoseOfItsArcs) {
   const PathMetrics metrics = measure(drive, test::open_space(40, 40));
   EXPECT_DOUBLE_EQ(metrics.length, 3 * kPi / 2 + 2 + 6);
   EXPECT_DOUBLE_EQ(metrics.turning, kPi / 2);
-  EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius(), 3);
+  EXPECT_DOUBLE_EQ(metrics.smallest_turning_radius, 3);
+  EXPECT_DOUBLE_EQ(metrics.rounded_turning_radius, 3);
   EXPECT_EQ(metrics.reversals, 2);
 }
 

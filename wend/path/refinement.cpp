@@ -1,5 +1,7 @@
 #include "wend/path/refinement.hpp"
 
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include "wend/path/simplification.hpp"
@@ -54,6 +56,13 @@ Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& spa
     refined.smoothing = *std::move(smoothed);
   }
   if (refinement.spacing) {
+    const double points = refined.path.length() / *refinement.spacing;
+    if (points > static_cast<double>(kMostResampled)) {
+      return refused(Status::invalid_option,
+                     "resampling would make " + std::to_string(static_cast<std::uint64_t>(points)) +
+                         " points, and " + std::to_string(kMostResampled) +
+                         " are the most: choose a larger spacing");
+    }
     refined.path = resampled(refined.path, *refinement.spacing, space, adjacency);
   }
   return refined;

@@ -7,6 +7,7 @@
 //                                       .smoother = wend::SmootherChoice{"gradient"}});
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -50,7 +51,11 @@ struct Refined {
   std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
 };
 
-/// Errors are the smoother's, and unsupported_query for a drive that is to be simplified.
+/// No path is resampled to more points than these.
+inline constexpr std::uint64_t kMostResampled = 1'000'000;
+
+/// Errors are the smoother's, unsupported_query for a drive that is to be simplified, and
+/// invalid_option for a spacing of more than kMostResampled points.
 Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& space,
                                           const Refinement& refinement);
 

@@ -29,7 +29,7 @@ struct ComparisonRow {
   double cost = 0;                // as in Plan::cost; of a car its fuel
   double length = 0;              // cells
   double turning = 0;             // degrees, all turns together
-  double largest_curvature = 0;   // 1 / cells; infinite where the path turns straight back
+  double largest_curvature = 0;   // 1 / cells; corners rounded by kCornerRounding
   double smallest_clearance = 0;  // cells; infinite without obstacles
   double mean_clearance = 0;      // the same, over the path's length
   std::uint64_t steps = 0;        // moves

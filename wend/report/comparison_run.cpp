@@ -152,7 +152,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   const PathMetrics metrics = measure(plan_.path, space_);
   row.length = metrics.length;
   row.turning = without_rounding(degrees_from(metrics.turning));
-  row.largest_curvature = metrics.largest_curvature;
+  row.largest_curvature = 1 / metrics.rounded_turning_radius;
   row.smallest_clearance = metrics.smallest_clearance;
   row.mean_clearance = metrics.mean_clearance;
   row.steps = plan_.path.size() - 1;

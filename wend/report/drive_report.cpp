@@ -22,19 +22,23 @@ struct DriveMeasure {
   std::string_view unit;
   int decimals;
   double (*value)(const Drive&);
-  bool compared = true;  // else there is no column for it
+  std::string_view heading;  // of its column where drives are compared; empty: it has none
 };
 
 constexpr std::array<DriveMeasure, 8> kMeasures{{
-    {"time", "s", 2, [](const Drive& drive) { return drive.time; }},
-    {"distance", "m", 2, [](const Drive& drive) { return drive.distance; }},
-    {"turned", "degrees", 0, [](const Drive& drive) { return degrees_from(drive.turned); }},
-    {"rms cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_rms; }},
-    {"largest cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_largest; }},
-    {"final error", "m", 3, [](const Drive& drive) { return drive.final_error; }},
+    {"time", "s", 2, [](const Drive& drive) { return drive.time; }, "time\ns"},
+    {"distance", "m", 2, [](const Drive& drive) { return drive.distance; }, "driven\nm"},
+    {"turned", "degrees", 0, [](const Drive& drive) { return degrees_from(drive.turned); },
+     "turned\ndeg"},
+    {"rms cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_rms; },
+     "cross-\ntrack\nrms m"},
+    {"largest cross-track", "m", 3, [](const Drive& drive) { return drive.cross_track_largest; },
+     "cross-\ntrack\nmax m"},
+    {"final error", "m", 3, [](const Drive& drive) { return drive.final_error; }, ""},
     {"final heading error", "degrees", 1,
-     [](const Drive& drive) { return degrees_from(std::abs(drive.final_heading_error)); }, false},
-    {"collisions", "", 0, [](const Drive& drive) { return static_cast<double>(drive.collisions); }},
+     [](const Drive& drive) { return degrees_from(std::abs(drive.final_heading_error)); }, ""},
+    {"collisions", "", 0, [](const Drive& drive) { return static_cast<double>(drive.collisions); },
+     "hits"},
 }};
 
 bool reached(const Drive& drive) { return drive.outcome == DriveOutcome::reached; }
@@ -53,15 +57,13 @@ std::string table_of_one(const ControlledDrive& driven) {
   return text.substr(text.find('\n') + 1);  // no titles
 }
 
-/// The words of a title below each other, so that columns are narrow.
+/// With room for the marks of a column that has any.
 std::string heading_of(const DriveMeasure& measure, bool marked) {
   const std::string end = marked ? " " : "";
-  std::string heading(measure.title);
-  if (!measure.unit.empty()) heading.append(" ").append(measure.unit);
   std::string lines;
-  for (const char letter : heading) {
-    if (letter != ' ') lines += letter;
-    if (letter == ' ' || letter == '-') lines.append(end).append("\n");
+  for (const char letter : measure.heading) {
+    if (letter == '\n') lines += end;
+    lines += letter;
   }
   return lines + end;
 }
@@ -94,7 +96,7 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
   std::vector<TextTable::Column> titles{{"controller"}, {"outcome"}};
   std::vector<MarkedColumn> columns;
   for (const DriveMeasure& measure : kMeasures) {
-    if (!measure.compared) continue;
+    if (measure.heading.empty()) continue;
     columns.push_back(column_of(drives, measure, marked));
     titles.push_back({columns.back().title, Align::right});
   }

@@ -18,12 +18,13 @@ struct ControlledDrive {
 };
 
 /// Of one drive a line for each thing; of several a line for each controller, the best of each column
-/// marked among those that reached the goal. At most 100 columns where names have no more than 20.
+/// marked among those that reached the goal. At most 80 columns where names have no more than 16 and
+/// drives take less than 1000 s.
 std::string drive_table(std::span<const ControlledDrive> drives);
 
 enum class DriveSamples { none, all };
 
-/// {"drives": [{"controller", "outcome", "time_s", "distance_m", "turned_degrees",
+/// {"schema": 1, "drives": [{"controller", "outcome", "time_s", "distance_m", "turned_degrees",
 /// "cross_track_rms_m", "cross_track_largest_m", "final_error_m", "final_heading_error_degrees",
 /// "swings", "collisions", "first_collision", "first_collision_m", "samples": {"time_s", "x_m", "y_m", "yaw",
 /// "linear_m_s", "angular_rad_s", "heading_error_degrees", "cross_track_m"}}]}. Collisions are

@@ -18,15 +18,16 @@ Json json_of_smoothing(const RefinedPath& path) {
 Json json_of(const MeasuredPath& path, const Frame& frame) {
   const PathMetrics& metrics = path.metrics;
   const double metre = frame.resolution;
-  const double curvature = metrics.largest_curvature;
   return {{"points", path.points},
           {"length_cells", metrics.length},
           {"length_m", metrics.length * metre},
           {"turning_degrees", degrees_from(metrics.turning)},
-          {"largest_curvature_per_cell", curvature},
-          {"largest_curvature_per_m", curvature / metre},
-          {"smallest_turning_radius_cells", 1 / curvature},
-          {"smallest_turning_radius_m", metre / curvature},
+          {"smallest_turning_radius_cells", metrics.smallest_turning_radius},
+          {"smallest_turning_radius_m", metrics.smallest_turning_radius * metre},
+          {"rounded_turning_radius_cells", metrics.rounded_turning_radius},
+          {"rounded_turning_radius_m", metrics.rounded_turning_radius * metre},
+          {"corner_rounding_cells", metrics.corner_rounding},
+          {"corner_rounding_m", metrics.corner_rounding * metre},
           {"smallest_clearance_cells", metrics.smallest_clearance},
           {"smallest_clearance_m", metrics.smallest_clearance * metre},
           {"mean_clearance_cells", metrics.mean_clearance},

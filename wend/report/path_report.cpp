@@ -27,7 +27,7 @@ struct Row {
   std::function<std::string(const MeasuredPath&)> value;
 };
 
-std::vector<Row> rows_of(const LengthUnit& unit) {
+std::vector<Row> rows_of(const LengthUnit& unit, double rounding) {
   const auto length = [&unit](double PathMetrics::* member) {
     return [&unit, member](const MeasuredPath& path) {
       return number(path.metrics.*member * unit.per_cell, decimals_of(unit));
@@ -40,14 +40,9 @@ std::vector<Row> rows_of(const LengthUnit& unit) {
           {titled("length"), length(&PathMetrics::length)},
           {"turning, degrees",
            [](const MeasuredPath& path) { return number(degrees_from(path.metrics.turning), 0); }},
-          {fmt::format("largest curvature, 1/{}", unit.name),
-           [&unit](const MeasuredPath& path) {
-             return number(path.metrics.largest_curvature / unit.per_cell, 2);
-           }},
-          {titled("smallest turning radius"),
-           [&unit](const MeasuredPath& path) {
-             return number(unit.per_cell / path.metrics.largest_curvature, decimals_of(unit));
-           }},
+          {titled("smallest turning radius"), length(&PathMetrics::smallest_turning_radius)},
+          {fmt::format("  corners rounded by {:.3g} {}", rounding * unit.per_cell, unit.name),
+           length(&PathMetrics::rounded_turning_radius)},
           {titled("smallest clearance"), length(&PathMetrics::smallest_clearance)},
           {titled("mean clearance"), length(&PathMetrics::mean_clearance)},
           {"reversals",
@@ -71,12 +66,13 @@ std::string held_text(const Smoothed& smoothed) {
 
 }  // namespace
 
-MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space) {
+MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space,
+                      double corner_rounding) {
   const bool on_map =
       std::ranges::all_of(path.cells(), [&space](Cell cell) { return space.contains(cell); });
   // Waypoints may lie outside, cells may not.
   return {std::move(title), path.size(),
-          measure(on_map ? path : Path::along(path.points()), space)};
+          measure(on_map ? path : Path::along(path.points()), space, corner_rounding)};
 }
 
 std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit) {
@@ -85,7 +81,7 @@ std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit&
     columns.push_back({paths.size() > 1 ? path.title : "", Align::right});
   }
   TextTable table(std::move(columns));
-  for (const Row& row : rows_of(unit)) {
+  for (const Row& row : rows_of(unit, paths.front().metrics.corner_rounding)) {
     std::vector<std::string> fields{row.title};
     for (const MeasuredPath& path : paths) fields.push_back(row.value(path));
     table.add(std::move(fields));
@@ -110,7 +106,7 @@ std::string_view to_string(CollisionKind kind) {
 
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
                        const Frame& frame) {
-  Json json{{"free", !collision.has_value()}, {"collision", Json()}};
+  Json json{{"schema", kPathSchema}, {"free", !collision.has_value()}, {"collision", Json()}};
   if (collision) {
     const Point metres = frame.to_metres(collision->point);
     json["collision"] = {
@@ -126,11 +122,11 @@ std::string check_json(const MeasuredPath& path, const std::optional<PathCollisi
 }
 
 RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
-                         const FreeSpace& space) {
+                         const FreeSpace& space, double corner_rounding) {
   RefinedPath path{std::move(before), wanted, std::move(refined), {}, {}};
-  path.measured_before = measured("planned", path.before, space);
-  path.measured_after =
-      measured(path.wanted.smoother ? "smoothed" : "simplified", path.refined.path, space);
+  path.measured_before = measured("planned", path.before, space, corner_rounding);
+  path.measured_after = measured(path.wanted.smoother ? "smoothed" : "simplified",
+                                 path.refined.path, space, corner_rounding);
   return path;
 }
 
@@ -147,7 +143,7 @@ std::string smoothing_text(const RefinedPath& path) {
 }
 
 std::string smoothing_json(const RefinedPath& path, const Frame& frame) {
-  Json json;
+  Json json{{"schema", kPathSchema}};
   put_paths(json, path, frame);
   return text_of(json);
 }

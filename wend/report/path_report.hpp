@@ -10,12 +10,14 @@
 // In JSON lengths are in cells and in metres:
 //
 //   {"points": 2, "length_cells": 3.0, "length_m": 0.15, "turning_degrees": 0.0,
-//    "largest_curvature_per_cell": 0.0, "largest_curvature_per_m": 0.0,
 //    "smallest_turning_radius_cells": null, "smallest_turning_radius_m": null,
+//    "rounded_turning_radius_cells": null, "rounded_turning_radius_m": null,
+//    "corner_rounding_cells": 0.1, "corner_rounding_m": 0.005,
 //    "smallest_clearance_cells": 1.0, "smallest_clearance_m": 0.05, "mean_clearance_cells": 1.5,
 //    "mean_clearance_m": 0.075, "reversals": 0}
 //
-// What is infinite is null: the turning radius of a line, the clearance where nothing is near.
+// What is infinite is null: the turning radius of a line, the clearance where nothing is near. The
+// radii are those of PathMetrics: without rounding a corner has 0.
 
 #include <cstddef>
 #include <optional>
@@ -32,6 +34,10 @@
 
 namespace wend {
 
+/// The "schema" of the JSON of `wend smooth`, `check` and `follow`: it grows when a key changes its
+/// meaning or goes away.
+inline constexpr int kPathSchema = 1;
+
 /// What people count lengths in.
 struct LengthUnit {
   std::string_view name = "cells";
@@ -46,17 +52,18 @@ struct MeasuredPath {
   PathMetrics metrics{};
 };
 
-/// Of a path that is not empty; it may leave the map.
-MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space);
+/// Of a path that is not empty; it may leave the map. Corners are rounded as measure() does.
+MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space,
+                      double corner_rounding = kCornerRounding);
 
 /// A line for each thing that is measured, a column for each path, with their titles above if there
-/// are several.
+/// are several. All are measured with the same corner rounding.
 std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit);
 
 /// The kind as programs call it: "too_close".
 std::string_view to_string(CollisionKind kind);
 
-/// {"free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
+/// {"schema": 1, "free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
 /// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null where there is none. One line with
 /// its line end.
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
@@ -72,12 +79,12 @@ struct RefinedPath {
 };
 
 RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
-                         const FreeSpace& space);
+                         const FreeSpace& space, double corner_rounding = kCornerRounding);
 
 /// What smoothing did, a line for each thing; empty if nothing was smoothed.
 std::string smoothing_text(const RefinedPath& path);
 
-/// {"path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
+/// {"schema", "path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
 /// "converged", "held", "returned", "within_bound"}, "path_metrics", "path_smoothed_metrics"}.
 /// `path` are cells, and left out of a path that has none; `path_smoothed` are waypoints in grid
 /// coordinates; `smoothing` is null if nothing was. One line with its line end.

@@ -31,8 +31,8 @@ TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
             "points                         2\n"
             "length, m                   2.50\n"
             "turning, degrees               0\n"
-            "largest curvature, 1/m      0.00\n"
             "smallest turning radius, m     -\n"
+            "  corners rounded by 0.05 m    -\n"
             "smallest clearance, m          -\n"
             "mean clearance, m              -\n"
             "reversals                      0\n");
@@ -62,14 +62,16 @@ TEST(CheckJson, TellsWhereAPathCollides) {
   EXPECT_EQ(is_free.at("metrics").at("length_cells"), 3);
   EXPECT_EQ(is_free.at("metrics").at("length_m"), 1.5);
   EXPECT_TRUE(is_free.at("metrics").at("smallest_clearance_m").is_null());
-  // Three points of a right angle lie on a circle around the middle of its hypotenuse.
+  EXPECT_EQ(is_free.at("schema"), 1);
   const auto metric = [&](const char* name) {
     return is_free.at("metrics").at(name).get<double>();
   };
-  EXPECT_NEAR(metric("largest_curvature_per_cell"), std::sqrt(2.0), 1e-9);
-  EXPECT_NEAR(metric("largest_curvature_per_m"), 2 * std::sqrt(2.0), 1e-9);
-  EXPECT_NEAR(metric("smallest_turning_radius_cells"), std::sqrt(0.5), 1e-9);
-  EXPECT_NEAR(metric("smallest_turning_radius_m"), std::sqrt(0.5) / 2, 1e-9);
+  EXPECT_EQ(metric("smallest_turning_radius_cells"), 0) << "of a corner";
+  EXPECT_EQ(metric("smallest_turning_radius_m"), 0);
+  EXPECT_NEAR(metric("rounded_turning_radius_cells"), 0.1 / (std::sqrt(2.0) - 1), 1e-9);
+  EXPECT_NEAR(metric("rounded_turning_radius_m"), 0.05 / (std::sqrt(2.0) - 1), 1e-9);
+  EXPECT_EQ(metric("corner_rounding_cells"), 0.1);
+  EXPECT_EQ(metric("corner_rounding_m"), 0.05);
   const PathCollision collision{CollisionKind::too_close, 1, 1.5, {2, 0.5}, Cell{3, 1}};
   const json collides = json::parse(check_json(path, collision, kFrame));
   EXPECT_EQ(collides.at("free"), false);

@@ -58,6 +58,7 @@ PathMetrics metrics_message(const wend::Path& path, const wend::FreeSpace& space
   const double resolution = space.map().frame().resolution;
   message.length = metrics.length * resolution;
   message.turning = metrics.turning;
+  message.largest_curvature = 1 / (metrics.rounded_turning_radius * resolution);
   message.smallest_clearance = metrics.smallest_clearance * resolution;
   message.mean_clearance = metrics.mean_clearance * resolution;
   message.reversals = static_cast<std::uint32_t>(metrics.reversals);
