@@ -16,6 +16,7 @@
 #include "path_file.hpp"
 #include "picture.hpp"
 #include "picture_files.hpp"
+#include "refine_arguments.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/planner/cost_to_go.hpp"
 #include "wend/report/path_report.hpp"
@@ -27,6 +28,7 @@ struct CheckArguments {
   MapArguments map;
   std::string path;
   GridMoves moves;
+  std::optional<double> corner_rounding;  // in the user's units
   Format format = Format::text;
   PictureArguments pictures;
   OutputFiles output;
@@ -72,7 +74,9 @@ int run(const CheckArguments& arguments) {
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Path path = load_path_for(space, arguments.path, PathStage::smoothed);
   const auto collision = first_collision(path, space, arguments.moves.adjacency());
-  const MeasuredPath measures = measured("path", path, space);
+  const MeasuredPath measures = measured(
+      "path", path, space,
+      corner_rounding_in_cells(arguments.corner_rounding, arguments.map.coordinates(loaded.map)));
   const Scene scene = scene_of(space, path, collision);
   const std::string json = check_json(measures, collision, loaded.map.frame());
   print(arguments.format == Format::json ? json : text_of(arguments, scene, measures, !collision));
@@ -93,6 +97,7 @@ Command add_check(Parser& app) {
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);
   add_corner_rule(check, arguments->moves.corner_rule);
+  add_corner_rounding(check, arguments->corner_rounding);
   add_format(check, arguments->format);
   arguments->pictures.add_to(check);
   auto extensions = picture_extensions();

@@ -73,10 +73,10 @@ std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace&
 }
 
 /// The corners that all of the planners know, where they drive cars.
-int common_unit(const std::vector<PlannerSpec>& planners) {
+int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
   std::int64_t unit = 1;
   for (const PlannerSpec& planner : planners) {
-    unit = std::lcm(unit, unit_of(planner));
+    unit = std::lcm(unit, unit_of(planner, frame));
     unit = std::min<std::int64_t>(unit, std::numeric_limits<int>::max());  // no map is so large
   }
   return static_cast<int>(unit);

@@ -36,6 +36,12 @@ std::string caption_of(const Drive& drive) {
                      drive.cross_track_largest);
 }
 
+PlannerSpec steered(const FollowArguments& arguments, const Coordinates& coordinates) {
+  PlannerSpec planner = parse_planner(arguments.planner);
+  arguments.refine.steer(planner, coordinates);
+  return planner;
+}
+
 }  // namespace
 
 FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space)
@@ -43,7 +49,7 @@ FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpac
       space_(std::move(space)),
       planning_space_(std::move(planning_space)),
       coordinates_(arguments.map.coordinates(space_.map())),
-      planner_(parse_planner(arguments.planner)),
+      planner_(steered(arguments, coordinates_)),
       refinement_(arguments.refine.refinement(coordinates_, moves_of(planner_).adjacency())),
       robot_(arguments.drive.robot()),
       simulation_(arguments.drive.simulation(arguments.loop)),
@@ -54,7 +60,7 @@ bool FollowRun::find_path() {
   std::optional<Path> path =
       arguments_.path.empty() ? plan() : load_path_on(space_, arguments_.path, PathStage::smoothed);
   if (!path) return false;
-  path_ = refine(*path, planning_space_, refinement_);
+  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "plan_run.hpp"
@@ -39,6 +40,9 @@ std::string planner_text(const PlanArguments& arguments,
   return "hub_labels";  // only to say what is wrong with the index
 }
 
+/// What the flags of the command say otherwise: a smoother has one, too.
+bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
+
 int run(const PlanArguments& arguments) {
   arguments.output.check();
   arguments.watch.check(detect_screen());
@@ -56,6 +60,7 @@ int run(const PlanArguments& arguments) {
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
+  arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
   arguments.output.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
   FreeSpace space = timed(thread_cpu_seconds, times.free_space,
@@ -105,7 +110,9 @@ Command add_plan(Parser& app) {
       "none) or the JSON; may be given several times");
   arguments->watch.add_to(plan);
   for (const PlannerInfo& planner : planners()) {
-    arguments->options.collect(planner.name, planner.options);
+    std::vector<OptionInfo> options = planner.options;
+    std::erase_if(options, has_flag_of_its_own);
+    arguments->options.collect(planner.name, options);
   }
   arguments->options.add_to(plan);
   plan.footer(kExamples);

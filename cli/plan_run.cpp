@@ -61,6 +61,7 @@ void PlanRun::plan() {
   if (planner) {
     planner_ = *std::move(planner);
     result_.states = planner_->state_count();
+    result_.unit = planner_->corner_unit();
     search();
   } else if (planner.error().status == Status::invalid_option) {
     throw InputError(planner.error().message());
@@ -111,14 +112,15 @@ void PlanRun::search() {
     result_.status = search_in_steps(query, *recorder_);
   } else {
     search_to_the_end(query);
-    if (!observers.empty()) search_for(observers, query);
+    const bool cancelled = result_.status == Status::cancelled;
+    if (!observers.empty() && !cancelled) search_for(observers, query);
   }
   if (result_.status != Status::found) {
     fail(result_.status,
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
-  if (trace) write_trace(*trace);
+  if (trace && result_.status != Status::cancelled) write_trace(*trace);
   make_layers(query.limits);
 }
 
@@ -129,12 +131,10 @@ void PlanRun::search_to_the_end(const Query& query) {
 }
 
 /// The same search again, as far as it went: what an observer does takes time that is none of the
-/// search's.
+/// search's. Ctrl-C ends the program meanwhile.
 void PlanRun::search_for(SearchObserver& observer, Query query) {
-  const std::atomic<bool>* const cancel = query.limits.cancel;
   query.limits = {};
   query.limits.expansions = result_.plan.metrics.expanded;
-  if (result_.status != Status::cancelled) query.limits.cancel = cancel;
   query.observer = &observer;
   Plan plan;
   planner_->plan(query, plan);
@@ -167,7 +167,10 @@ Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& record
   }
 }
 
-void PlanRun::refine_path() { result_.refined = refine(result_.plan.path, space_, refinement_); }
+void PlanRun::refine_path() {
+  result_.refined = refine(result_.plan.path, space_, refinement_,
+                           arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
+}
 
 void PlanRun::make_layers(const Limits& limits) {
   std::optional<CostToGo> field;

@@ -32,18 +32,24 @@ std::string bound_text(const Plan& plan) {
 
 std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
 
-/// "18: 10 turns, 2 in reverse"
+/// "18: 10 turns, 2 in reverse"; of a drive mostly in reverse how to have another one.
 std::string steps_text(const Plan& plan) {
   int turns = 0;
-  int reverse = 0;
   for (const std::string_view name : plan.moves) {
     const auto move = car_move_from_string(name);
-    if (!move) continue;
-    turns += is_turn(*move) ? 1 : 0;
-    reverse += is_reverse(*move) ? 1 : 0;
+    turns += move && is_turn(*move) ? 1 : 0;
   }
-  return fmt::format("{}: {} {}, {} in reverse", plan.moves.size(), turns,
-                     turns == 1 ? "turn" : "turns", reverse);
+  const std::size_t reverse = steps_in_reverse(plan);
+  const bool mostly = 2 * reverse > plan.moves.size();
+  return fmt::format("{}: {} {}, {} in reverse{}", plan.moves.size(), turns,
+                     turns == 1 ? "turn" : "turns", reverse,
+                     mostly ? " (--reverse-factor makes these cost more)" : "");
+}
+
+/// "0.4 m, 8 cells"
+std::string radius_text(int unit, const Coordinates& coordinates) {
+  const std::string cells = fmt::format("{} {}", unit, unit == 1 ? "cell" : "cells");
+  return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(unit), cells) : cells;
 }
 
 /// "1 cell and 40 degrees from what was asked"; empty for what is no more than rounding.
@@ -116,6 +122,7 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
   return end_line("start", poses.front(), plan.start_shift, 1, coordinates) +
          end_line("goal", poses.back(), plan.goal_shift, goals, coordinates) +
          line("planner", result.planner) + line("steps", steps_text(plan)) +
+         line("turns in", radius_text(result.unit, coordinates)) +
          line("fuel", fmt::format("{:.6g}", plan.cost)) +
          line("length", length_text(plan.path.length(), frame)) +
          line("quality", bound_text(plan)) +

@@ -6,6 +6,7 @@
 
 #include "exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/planner/car_planner.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {
@@ -24,12 +25,17 @@ PlannerSpec parse_planner(const std::string& text) {
 
 const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find(planner.name); }
 
-int unit_of(const PlannerSpec& planner) {
-  int unit = 1;
+int unit_of(const PlannerSpec& planner, const Frame& frame) {
+  std::int64_t unit = 1;
   for (const auto& [name, value] : planner.options) {
     if (name == "unit") unit = parse_integer<int>(value).value_or(1);
+    if (name == "turning_radius") unit = unit_for(parse_number(value).value_or(0), frame);
   }
-  return std::max(unit, 1);
+  return static_cast<int>(std::max<std::int64_t>(unit, 1));
+}
+
+bool has_option(const std::vector<OptionInfo>& options, std::string_view name) {
+  return std::ranges::find(options, name, &OptionInfo::name) != options.end();
 }
 
 }  // namespace wend::cli

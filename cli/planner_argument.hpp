@@ -3,6 +3,7 @@
 // --planner: a planner by name, or several, each with options: "astar", "astar:weight=2,bfs".
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/planner/planner_info.hpp"
@@ -20,6 +21,9 @@ PlannerSpec parse_planner(const std::string& text);
 const PlannerInfo& info_of(const PlannerSpec& planner);
 
 /// Of a car: how many map cells apart the corners lie on which it stands, as far as its options say.
-int unit_of(const PlannerSpec& planner);
+int unit_of(const PlannerSpec& planner, const Frame& frame);
+
+/// Has a planner or smoother an option of that name?
+bool has_option(const std::vector<OptionInfo>& options, std::string_view name);
 
 }  // namespace wend::cli

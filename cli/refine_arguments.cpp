@@ -7,6 +7,7 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "planner_argument.hpp"
 #include "wend/base/option_spec.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/quote.hpp"
@@ -16,6 +17,9 @@ namespace wend::cli {
 namespace {
 
 constexpr OptionRange kSpacings{1e-6, 1e9};
+constexpr OptionRange kRadii{1e-6, 1e6};
+constexpr OptionRange kRoundings{0, 1e6};
+constexpr std::string_view kTurningRadius = "turning_radius";
 
 Argument add_optional_text(Parser& app, const std::string& flag, std::optional<std::string>& value,
                            const std::string& help) {
@@ -59,8 +63,11 @@ void RefineArguments::add_to(Parser& app) {
       .type_name("[ALPHA,BETA]");
   app.add_option("--smoother", smoother,
                  wrapped("Smooth with this smoother (default gradient); options may follow as in "
-                         "curvature:radius=6, lengths in cells; `wend smooth --help` tells them"))
+                         "curvature:turning_radius=0.4; `wend smooth --help` tells them"))
       .type_name(kSmootherType);
+  add_number(app, "--turning-radius", turning_radius, kRadii,
+             "Turn no more tightly than this (units as --robot-radius): --planner car, rounded up "
+             "to whole cells, or --smoother curvature");
   app.add_flag("--unsafe", unsafe,
                wrapped("Smooth as the textbook does, whatever the path runs into"));
 }
@@ -75,9 +82,26 @@ void RefineArguments::add_points_to(Parser& app) {
   add_number(app, "--resample", resample, kSpacings,
              "Last, put points at equal distances along the path, about so far apart (a length: "
              "metres for a map with a resolution, cells for others and with --cells)");
+  add_corner_rounding(app, corner_rounding);
 }
 
-std::optional<SmootherChoice> RefineArguments::smoother_choice() const {
+void RefineArguments::steer(PlannerSpec& planner, const Coordinates& coordinates) const {
+  if (!turning_radius) return;
+  if (has_option(info_of(planner).options, kTurningRadius)) {
+    planner.options.emplace_back(kTurningRadius,
+                                 format_number(coordinates.in_metres(*turning_radius)));
+    return;
+  }
+  const auto choice = smoother_choice(coordinates);
+  if (choice && has_option(smoothers().find(choice->name)->options, kTurningRadius)) return;
+  throw InputError(fmt::format(
+      "--turning-radius: neither the planner {} nor a smoother that is asked for has one; add "
+      "--planner car or --smoother curvature",
+      planner.name));
+}
+
+std::optional<SmootherChoice> RefineArguments::smoother_choice(
+    const Coordinates& coordinates) const {
   if (!smooth && smoother.empty()) {
     if (unsafe) throw InputError("--unsafe says how to smooth: add --smooth");
     return std::nullopt;
@@ -86,13 +110,17 @@ std::optional<SmootherChoice> RefineArguments::smoother_choice() const {
   const OptionValues weights = weights_of(smooth.value_or(""));
   choice.options.insert(choice.options.end(), weights.begin(), weights.end());
   if (unsafe) choice.options.emplace_back("unsafe", option_text::format(true));
+  if (turning_radius) {
+    choice.options.emplace_back(kTurningRadius,
+                                format_number(coordinates.in_metres(*turning_radius)));
+  }
   return choice;
 }
 
 Refinement RefineArguments::refinement(const Coordinates& coordinates, Adjacency adjacency) const {
   Refinement refinement;
   if (simplify) refinement.simplify = simplification_of(*simplify, coordinates);
-  refinement.smoother = smoother_choice();
+  refinement.smoother = smoother_choice(coordinates);
   if (resample) refinement.spacing = coordinates.in_cells(*resample);
   refinement.adjacency = adjacency;
   return refinement;
@@ -105,10 +133,26 @@ SmootherChoice parse_smoother(std::string_view text) {
   return {specs->front().name, specs->front().options};
 }
 
-RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement) {
+void add_corner_rounding(Parser& app, std::optional<double>& rounding) {
+  add_number(app, "--corner-rounding", rounding, kRoundings,
+             "Measure turning radii with corners rounded no farther from them than this, too "
+             "(units as --robot-radius; default a tenth of a cell)");
+}
+
+double corner_rounding_in_cells(const std::optional<double>& rounding,
+                                const Coordinates& coordinates) {
+  return rounding ? coordinates.in_cells(*rounding) : kCornerRounding;
+}
+
+double RefineArguments::rounding(const Coordinates& coordinates) const {
+  return corner_rounding_in_cells(corner_rounding, coordinates);
+}
+
+RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
+                   double corner_rounding) {
   auto refined = wend::refined(path, space, refinement);
   if (!refined) throw InputError(refined.error().message());
-  return refined_path(path, refinement, *std::move(refined), space);
+  return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }
 
 std::vector<SceneLine> lines_of(const RefinedPath& path) {

@@ -56,7 +56,7 @@ input.)";
 
 /// What the flags of the command say otherwise.
 bool has_flag_of_its_own(const OptionInfo& option) {
-  return option.name == "squeeze" || option.name == "radius";
+  return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius";
 }
 
 bool is_unsafe(const SmootherChoice& choice) {
@@ -120,7 +120,8 @@ int run(const SmoothArguments& arguments) {
   Refinement refinement = arguments.points.refinement(coordinates, arguments.moves.adjacency());
   refinement.smoother = smoother_of(arguments, coordinates);
   if (collides(path, space, refinement, coordinates)) return no_plan;
-  const RefinedPath refined = refine(path, space, refinement);
+  const RefinedPath refined =
+      refine(path, space, refinement, arguments.points.rounding(coordinates));
   const Scene scene = scene_of(space, lines_of(refined));
   print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
                                          : picture(scene, detect_screen(), arguments.pictures) +

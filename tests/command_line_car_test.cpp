@@ -152,6 +152,45 @@ TEST_F(CarCommand, WithAUnitItStandsOnEveryNthCorner) {
   EXPECT_EQ(shifted.at("goal_shift").at("cells"), 1);
 }
 
+TEST_F(CarCommand, TurnsNoTighterThanItsTurningRadius) {
+  const Outcome outcome = plan("4,0,E", "8,8,S", {"--turning-radius", "3.2"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("Start (4,0,E)\nGo FWD_RIGHT -> (8,4,S)\n"),
+                                 HasSubstr("turns in  4 cells\n")))
+      << "rounded up";
+  const json found = plan_json("4,0,E", "8,8,S", {"--turning-radius", "3.2"});
+  EXPECT_EQ(found.at("turning_radius_cells"), 4);
+  EXPECT_EQ(wend({"plan", yard_, "--planner", "car:turning_radius=3.2", "--start", "4,0,E",
+                  "--goal", "8,8,S"})
+                .out.substr(0, 40),
+            outcome.out.substr(0, 40));
+  EXPECT_THAT(plan("4,0,E", "8,8,S", {"--turning-radius", "3", "--unit", "3"}).err,
+              HasSubstr("unit and turning_radius say the same"));
+}
+
+TEST_F(CarCommand, CountsItsTurningRadiusInMetres) {
+  yard_ = folder_.write("yard.yaml",
+                        "image: yard.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                        "occupied_thresh: 0.65\nfree_thresh: 0.25\n");
+  std::string pixels = "P2 40 40 255\n";
+  for (int i = 0; i < 1600; ++i) pixels += "254\n";
+  folder_.write("yard.pgm", pixels);
+  const Outcome outcome = plan("0.2,0.2,0deg", "1.2,0.2,0deg", {"--turning-radius", "0.18"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("turns in  0.2 m, 4 cells\n"));
+  EXPECT_THAT(plan("4,4,E", "24,4,E", {"--turning-radius", "4", "--cells"}).out,
+              HasSubstr("turns in  4 cells\n"));
+}
+
+TEST_F(CarCommand, NamesTheFlagWhereMostStepsGoBackwards) {
+  const Outcome backwards = plan("9,9,E", "5,9,E");
+  EXPECT_THAT(backwards.out,
+              HasSubstr("steps     4: 0 turns, 4 in reverse (--reverse-factor makes these cost"));
+  EXPECT_EQ(plan_json("9,9,E", "5,9,E").at("steps_in_reverse"), 4);
+  EXPECT_THAT(plan("5,9,E", "9,9,E").out, Not(HasSubstr("--reverse-factor")));
+  EXPECT_EQ(plan_json("5,9,E", "9,9,E").at("steps_in_reverse"), 0);
+}
+
 // The lower left corner is boxed in.
 constexpr const char* kBadYard =
     "....#.\n"

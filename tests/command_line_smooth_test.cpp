@@ -49,6 +49,37 @@ TEST_F(SmoothCommand, ShowsThePathBeforeAndAfter) {
                     HasSubstr("smoother  gradient\n"), HasSubstr("held      ")));
 }
 
+TEST_F(SmoothCommand, SaysHowCornersAreRounded) {
+  EXPECT_THAT(smooth().out, AllOf(HasSubstr("smallest turning radius, cells     0.00      0.00\n"),
+                                  HasSubstr("  corners rounded by 0.1 cells   ")));
+  const auto rounded = [&](const std::string& window) {
+    return json::parse(
+               smooth({"--smoother", "none", "--corner-rounding", window, "--format", "json"}).out)
+        .at("path_metrics")
+        .at("rounded_turning_radius_cells")
+        .get<double>();
+  };
+  EXPECT_EQ(rounded("0"), 0);
+  EXPECT_GT(rounded("0.1"), rounded("0.05"));
+  EXPECT_THAT(wend({"check", map_, plan_, "--corner-rounding", "0.25"}).out,
+              HasSubstr("  corners rounded by 0.25 cells  "));
+}
+
+TEST_F(SmoothCommand, BoundsTheTurningRadiusOfPlansToo) {
+  const Outcome outcome =
+      plan({"--smoother", "curvature", "--turning-radius", "0.5", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found.at("smoothing").at("within_bound"), true);
+  EXPECT_GE(found.at("path_smoothed_metrics").at("rounded_turning_radius_cells"), 0.4999);
+  EXPECT_EQ(json::parse(plan({"--smoother", "curvature:radius=0.5", "--format", "json"}).out)
+                .at("path_smoothed"),
+            found.at("path_smoothed"))
+      << "the old name, in cells";
+  EXPECT_THAT(plan({"--turning-radius", "0.5"}).err, HasSubstr("add --planner car or --smoother"));
+  EXPECT_THAT(plan({"--smooth", "--turning-radius", "0.5"}).err, HasSubstr("--smoother curvature"));
+}
+
 TEST_F(SmoothCommand, WritesAFreePathThatReadsBackAndIsShorter) {
   const std::string csv = folder_ / "smooth.csv";
   const std::string file = folder_ / "smooth.json";

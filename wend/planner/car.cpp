@@ -1,6 +1,8 @@
 // A car on a lattice of grid corners: A* over corners and headings. State lattices: M. Pivtoraiko
 // and A. Kelly, "Efficient Constrained Path Planning via Search in State Lattices", 2005.
 
+#include <algorithm>
+
 #include "wend/planner/car_planner.hpp"
 
 namespace wend {
@@ -8,9 +10,16 @@ namespace {
 
 /// The options as text, for the schema.
 struct CarFlags : CarOptions {
+  double turning_radius = 0;  // m
+
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     CarDriving::fields(self.driving, field);
+    field(
+        {"turning_radius",
+         "the turning radius in metres (in cells on maps in cells), rounded up to whole cells, in "
+         "place of unit; 0: as unit says"},
+        self.turning_radius, OptionRange{0, 1e6});
     field({"heuristic", "estimate of the fuel to the goal"}, self.heuristic);
     field({"weight",
            "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
@@ -20,9 +29,17 @@ struct CarFlags : CarOptions {
 };
 
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
-  const auto options = parse_options<CarFlags>(values);
+  auto options = parse_options<CarFlags>(values);
   if (!options) {
     return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+  }
+  if (options->turning_radius > 0) {
+    const auto is_unit = [](const auto& value) { return value.first == "unit"; };
+    if (std::ranges::any_of(values, is_unit)) {
+      return Unexpected<PlannerError>(
+          {Status::invalid_option, "unit and turning_radius say the same: give one of them"});
+    }
+    options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
   if (std::string why = why_no_lattice(space.map(), options->driving); !why.empty()) {
     return Unexpected<PlannerError>({Status::unsupported_map, std::move(why)});

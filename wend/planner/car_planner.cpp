@@ -21,6 +21,13 @@ Shift shift_between(const Goal& asked, const Pose& taken) {
 
 }  // namespace
 
+std::int64_t unit_for(double turning_radius, const Frame& frame) {
+  constexpr double kMost = 1e6;
+  constexpr double kRounding = 1e-9;
+  const double cells = turning_radius / frame.resolution * (1 - kRounding);
+  return static_cast<std::int64_t>(std::clamp(std::ceil(cells), 1.0, kMost));
+}
+
 std::string why_no_lattice(const GridMap& map, const CarDriving& driving) {
   const std::string size =
       std::to_string(map.width()) + " x " + std::to_string(map.height()) + " cells";

@@ -61,6 +61,10 @@ class CarPlanner final : public Planner {
   Limits limits_;  // of a search that is stepped
 };
 
+/// How many cells wide the lattice of a car is that turns on circles of that radius, in metres: rounded
+/// up, so that no circle is tighter, and at least 1.
+std::int64_t unit_for(double turning_radius, const Frame& frame);
+
 /// Why a car cannot drive on a map at all; empty if it can.
 std::string why_no_lattice(const GridMap& map, const CarDriving& driving);
 

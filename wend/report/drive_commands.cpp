@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
+#include "wend/geometry/car_move.hpp"
 #include "wend/geometry/heading.hpp"
 
 namespace wend {
@@ -24,6 +27,14 @@ std::string drive_commands(const Plan& plan, bool y_up) {
                    corner_pose_text(poses[i + 1], y_up));
   }
   return text;
+}
+
+std::size_t steps_in_reverse(const Plan& plan) {
+  const auto count = std::ranges::count_if(plan.moves, [](std::string_view name) {
+    const auto move = car_move_from_string(name);
+    return move && is_reverse(*move);
+  });
+  return static_cast<std::size_t>(count);
 }
 
 }  // namespace wend

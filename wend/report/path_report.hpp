@@ -34,10 +34,6 @@
 
 namespace wend {
 
-/// The "schema" of the JSON of `wend smooth`, `check` and `follow`: it grows when a key changes its
-/// meaning or goes away.
-inline constexpr int kPathSchema = 1;
-
 /// What people count lengths in.
 struct LengthUnit {
   std::string_view name = "cells";

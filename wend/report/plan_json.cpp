@@ -1,6 +1,7 @@
 #include "wend/report/plan_json.hpp"
 
 #include "wend/geometry/angle.hpp"
+#include "wend/report/drive_commands.hpp"
 #include "wend/report/path_json.hpp"
 
 namespace wend {
@@ -25,6 +26,9 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
     const bool found = !result.plan.path.empty();
     json["start_shift"] = found ? json_of(result.plan.start_shift, frame) : Json();
     json["goal_shift"] = found ? json_of(result.plan.goal_shift, frame) : Json();
+    json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
+    json["turning_radius_cells"] = result.unit;
+    json["turning_radius_m"] = result.unit * frame.resolution;
     json["states"] = result.states;
   }
   json["metrics"] = json_of(result.plan.metrics);

@@ -24,7 +24,8 @@
 //   {"schema": 1, "planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
 //    "steps": 2, "path": [[1,0],[2,1],[2,2]], "headings": ["E","S","S"], "moves":
 //    ["FWD_RIGHT","FWD"], "path_m": [[0.05,0],...], "yaw": [0,1.57,1.57], "bound": 1,
-//    "start_shift": {"cells": 0.5, "m": 0.025, "degrees": 4}, "goal_shift": {...}, "states": 1600,
+//    "start_shift": {"cells": 0.5, "m": 0.025, "degrees": 4}, "goal_shift": {...},
+//    "steps_in_reverse": 0, "turning_radius_cells": 1, "turning_radius_m": 0.05, "states": 1600,
 //    "metrics": {...}, "times": {...}}
 //
 // `path` are then corners of the map, `headings` N, W, E or S as drawn (a pose that faces elsewhere

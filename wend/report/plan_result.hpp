@@ -22,8 +22,9 @@ struct PlanResult {
   std::string reason;  // of a failure, for people
   Motion motion = Motion::cells;
   std::uint64_t states = 0;  // Planner::state_count()
-  std::optional<RefinedPath>
-      refined{};  // what became of the path, where it was smoothed or the like
+  // What became of the path, where it was smoothed or the like.
+  std::optional<RefinedPath> refined{};
+  int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
 };
 
 }  // namespace wend
