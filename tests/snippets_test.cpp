@@ -24,6 +24,7 @@
 #include "wend/control/pid_term.hpp"
 #include "wend/control/remaining.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/control/speed_profile.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/geometry/car_move.hpp"
@@ -35,6 +36,7 @@
 #include "wend/map/free_space.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/map/point_sweep.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
@@ -482,6 +484,18 @@ TEST(Snippets, OfPolylineAndNearestAhead) {
   EXPECT_EQ(there.along, 4);
 }
 
+TEST(Snippets, OfCornerRoundingAndSpeedProfile) {
+  const wend::Corner corner({0, 0}, {1, 0}, {1, 1});
+  const double radius = corner.radius(0.1);  // 0.24: 0.1 / (sqrt(2) - 1)
+  EXPECT_NEAR(radius, 0.24, 0.002);
+
+  const wend::Polyline line({{0, 0}, {3, 0}, {3, 4}});
+  const double along = 1;
+  const wend::SpeedProfile profile(line, {.lateral_acceleration = 1, .window = 0.2});
+  const double fastest = profile.at(along);
+  EXPECT_EQ(fastest, wend::VelocityLimits{}.speed);
+}
+
 TEST(Snippets, OfMotionModelAndPidTerm) {
   wend::RobotState robot{{0, 0, 0}};
   const wend::Step step = wend::drive(wend::MotionModel{}, robot, {0.3, 0.1}, 0.05);
@@ -598,6 +612,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "path/polyline.hpp",
                                         "path/path_collision.hpp",
                                         "path/simplification.hpp",
+                                        "path/corner_rounding.hpp",
                                         "path/smoother.hpp",
                                         "path/gradient_smoother.hpp",
                                         "path/curvature_smoother.hpp",
@@ -612,6 +627,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "control/follower.hpp",
                                         "control/remaining.hpp",
                                         "control/simulation.hpp",
+                                        "control/speed_profile.hpp",
                                         "io/load_map.hpp",
                                         "planner/planner.hpp",
                                         "planner/cost_to_go.hpp",

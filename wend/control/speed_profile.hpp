@@ -7,9 +7,9 @@
 //   const double fastest = profile.at(along);
 //
 // Where the line bends with a curvature c, the speed v is at most
-//   the turn rate / |c|,
-//   the root of the lateral acceleration / |c|,
-//   the root of the turn acceleration / |dc/ds|, for that is how fast a robot, a bicycle too, steers;
+// - the turn rate / |c|,
+// - the root of the lateral acceleration / |c|,
+// - the root of the turn acceleration / |dc/ds|, for that is how fast a robot, a bicycle too, steers;
 // already the lookahead before it, where a pursuit begins to turn. Then, from the end of the line, at
 // which the robot stands, to its beginning: v^2 <= v_next^2 + 2 a ds, what it can brake. The curvature
 // is the change of the mean heading (Polyline::heading_at), so that a corner is a bend as long as the

@@ -28,14 +28,14 @@ RefinedPath refined_by(const Refinement& refinement) {
 TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
   const MeasuredPath path = measured("path", Path::along({{0, 0}, {3, 4}}), open_space());
   EXPECT_EQ(metrics_table(std::vector{path}, metres_of(kFrame)),
-            "points                         2\n"
-            "length, m                   2.50\n"
-            "turning, degrees               0\n"
-            "smallest turning radius, m     -\n"
-            "  corners rounded by 0.05 m    -\n"
-            "smallest clearance, m          -\n"
-            "mean clearance, m              -\n"
-            "reversals                      0\n");
+            "points                          2\n"
+            "length, m                    2.50\n"
+            "turning, degrees                0\n"
+            "smallest turning radius, m      -\n"
+            "  corners rounded by 0.05 m     -\n"
+            "smallest clearance, m           -\n"
+            "mean clearance, m               -\n"
+            "reversals                       0\n");
   EXPECT_THAT(metrics_table(std::vector{path}, {}),
               HasSubstr("length, cells                   5.00"));
 }
