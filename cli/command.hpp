@@ -20,6 +20,10 @@ Command add_index(Parser& app);
 Command add_planners(Parser& app);
 Command add_info(Parser& app);
 Command add_generate(Parser& app);
+
+/// `wend generate scenario`, a subcommand of generate.
+Command add_generate_scenario(Parser& generate);
+
 Command add_compare(Parser& app);
 Command add_explain(Parser& app);
 Command add_view(Parser& app);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <memory>
+#include <utility>
 
 #include "command.hpp"
 #include "completion_scripts.hpp"
@@ -125,16 +126,18 @@ void add_arguments(Subcommand& subcommand, const CLI::App& app) {
   }
 }
 
-/// What subcommands of their own choose between is their first argument; their flags are those of
-/// all.
+/// What subcommands of their own choose between is their first argument, beside the words that it
+/// can be without them; their flags are those of all.
 void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
+  if (app.get_subcommands({}).empty()) return;
   CompletedArgument choice;
   choice.help = "what to do";
+  for (const CompletedArgument& own : std::exchange(subcommand.positionals, {}))
+    choice.words = own.words;
   for (const CLI::App* each : app.get_subcommands({})) {
     choice.words.push_back(each->get_name());
     add_arguments(subcommand, *each);
   }
-  if (choice.words.empty()) return;
   subcommand.positionals.resize(std::min<std::size_t>(1, subcommand.positionals.size()));
   subcommand.positionals.insert(subcommand.positionals.begin(), std::move(choice));
 }

@@ -37,6 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
   wend generate car --size 20x20 --obstacles 25 --rough 25 --seed 3 -o yard.txt
   wend generate parking --size 60x40 --occupied 0.8 -o parking.yaml
+  wend generate scenario random.map --buckets 10 --seed 1 -o random.map.scen
 
 The same kind, size, options and seed give the same map everywhere.)";
 
@@ -59,6 +60,16 @@ Size parse_size(const std::string& text) {
     throw InputError(fmt::format("--size: {} is not WIDTHxHEIGHT, as in 160x100", quote(text)));
   }
   return {*width, *height};
+}
+
+/// The parser cannot ask for these, because `wend generate scenario` has neither.
+void check_given(const GenerateArguments& arguments) {
+  if (arguments.kind.empty()) {
+    throw InputError(
+        "generate: name a KIND of map, or `scenario`; `wend generate --help` lists them");
+  }
+  if (arguments.size.empty())
+    throw InputError("generate: --size is required, as in --size 160x100");
 }
 
 GridMap generate(const GenerateArguments& arguments) {
@@ -95,6 +106,7 @@ std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
 }
 
 int run(const GenerateArguments& arguments) {
+  check_given(arguments);
   arguments.output.check();
   const GridMap map = generate(arguments);
   arguments.output.write_all([&map](const std::string& file) {
@@ -109,7 +121,7 @@ int run(const GenerateArguments& arguments) {
 }  // namespace
 
 Command add_generate(Parser& app) {
-  Parser generate = app.add_subcommand("generate", "Make a map from a seed");
+  Parser generate = app.add_subcommand("generate", "Make a map from a seed, or a scenario for one");
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {
@@ -117,9 +129,8 @@ Command add_generate(Parser& app) {
     kinds += wrapped(kind.name + ": " + kind.summary);
     arguments->options.collect(kind.name, kind.options);
   }
-  generate.add_option("KIND", arguments->kind, kinds).required().type_name(kGeneratorType);
+  generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, "Columns and rows, as in 160x100")
-      .required()
       .type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
   add_format(generate, arguments->format);
@@ -130,7 +141,10 @@ Command add_generate(Parser& app) {
       "text grid");
   arguments->options.add_to(generate);
   generate.footer(kExamples);
-  return {generate, [arguments] { return run(*arguments); }};
+  const Command scenario = add_generate_scenario(generate);
+  return {generate, [arguments, scenario] {
+            return scenario.parser.parsed() ? scenario.run() : run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -38,8 +38,7 @@ LoadedMap MapFileArguments::load() const {
   return *std::move(loaded);
 }
 
-void MapArguments::add_to(Parser& app) {
-  MapFileArguments::add_to(app, "MAP");
+void RobotArguments::add_to(Parser& app) {
   add_number(app, "--robot-radius", robot_radius, kDistances,
              "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
              "for others and with --cells (default 0, a point)");
@@ -56,12 +55,17 @@ void MapArguments::add_to(Parser& app) {
   app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
-FreeSpace MapArguments::free_space(const GridMap& map) const {
+FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   const Coordinates units = coordinates(map);
-  return FreeSpace(map, {.robot_radius = units.in_metres(robot_radius),
-                         .unknown = unknown,
-                         .keep_away = units.in_metres(keep_away),
-                         .keep_away_cost = keep_away_cost});
+  return {.robot_radius = units.in_metres(robot_radius),
+          .unknown = unknown,
+          .keep_away = units.in_metres(keep_away),
+          .keep_away_cost = keep_away_cost};
+}
+
+void MapArguments::add_to(Parser& app) {
+  MapFileArguments::add_to(app, "MAP");
+  RobotArguments::add_to(app);
 }
 
 }  // namespace wend::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-// The map file, as convert takes it too, and the robot on the map, as plan, field and info do.
+// The map file, as convert takes it too, and the robot on the map, as plan, field, info and bench do.
 
 #include <optional>
 #include <string>
@@ -23,7 +23,8 @@ struct MapFileArguments {
   LoadedMap load() const;
 };
 
-struct MapArguments : MapFileArguments {
+/// The robot that is to be on a map.
+struct RobotArguments {
   double robot_radius = 0;  // in the user's units
   UnknownPolicy unknown = UnknownPolicy::blocked;
   double keep_away = 0;  // in the user's units
@@ -33,7 +34,12 @@ struct MapArguments : MapFileArguments {
   void add_to(Parser& app);
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
-  FreeSpace free_space(const GridMap& map) const;
+  FreeSpaceOptions options(const GridMap& map) const;
+  FreeSpace free_space(const GridMap& map) const { return FreeSpace(map, options(map)); }
+};
+
+struct MapArguments : MapFileArguments, RobotArguments {
+  void add_to(Parser& app);
 };
 
 }  // namespace wend::cli

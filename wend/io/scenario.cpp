@@ -153,6 +153,16 @@ Expected<Scenario, IoError> load_scenario(const fs::path& file) {
   return parse_scenario(*text, file.string());
 }
 
+std::string format_scenario(const std::vector<ScenarioQuery>& queries) {
+  std::string text = "version 1\n";
+  for (const ScenarioQuery& query : queries) {
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.{}f}\n", query.bucket, query.map,
+                        query.map_width, query.map_height, query.start.x, query.start.y,
+                        query.goal.x, query.goal.y, query.length, query.decimals);
+  }
+  return text;
+}
+
 Expected<std::vector<fs::path>, IoError> scenarios_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
@@ -179,7 +189,7 @@ Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int 
 Expected<fs::path, IoError> scenario_map_path(const Scenario& scenario) {
   const fs::path file = scenario.file;
   fs::path twin = file.parent_path() / file.stem();
-  if (file.extension() == ".scen" && twin.extension() == ".map" && is_file(twin)) return twin;
+  if (file.extension() == ".scen" && twin.has_extension() && is_file(twin)) return twin;
   const auto name = common_map_name(scenario);
   if (!name) return io_failure(scenario.file, 0, "the lines name no map, or more than one");
   fs::path named = file.parent_path() / *name;

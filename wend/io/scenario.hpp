@@ -11,6 +11,7 @@
 //
 // The map column is a label with a stale folder: scenario_map_path() says which file is meant.
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -34,8 +35,8 @@ struct ScenarioQuery {
   double length;  // of a shortest path
   int decimals;   // how many the file prints of the length
 
-  /// Length 0 between different cells: the file says that there is no path.
-  bool says_no_path() const { return length == 0 && start != goal; }
+  /// Length 0 between different cells, as files have it, or an infinite one: there is no path.
+  bool says_no_path() const { return std::isinf(length) || (length == 0 && start != goal); }
 };
 
 struct Scenario {
@@ -49,6 +50,9 @@ Expected<Scenario, IoError> load_scenario(const std::filesystem::path& file);
 /// The same from a text. `file` is the name for errors.
 Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file);
 
+/// The file for queries; lengths get as many decimals as `decimals` says.
+std::string format_scenario(const std::vector<ScenarioQuery>& queries);
+
 /// The `.scen` files that lie in a folder itself, by name. An error if there is none.
 Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
     const std::filesystem::path& folder);
@@ -57,8 +61,8 @@ Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
 /// map then; no set that we know needs it, and we refuse.)
 Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height);
 
-/// The map that a scenario is for. `X.map.scen` means `X.map` where that file exists; else it is
-/// the last part of the map column. Either way a file in the scenario's own folder, else an error.
+/// The map that a scenario is for. `X.map.scen` means `X.map` where that file exists, and
+/// `X.yaml.scen` means `X.yaml`; else it is the last part of the map column. Either way a file in the scenario's own folder, else an error.
 Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
 
 /// So many of them, evenly spread and in their order; all where there are no more.
