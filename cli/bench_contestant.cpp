@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "exit_code.hpp"
-#include "limit_arguments.hpp"
+#include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
 
 #ifdef WEND_HAS_BOOST_ASTAR
 #include "bench/boost/boost_planner.hpp"
@@ -28,16 +30,42 @@ const Registry<PlannerInfo>& entrants() {
   return registry;
 }
 
-/// Scenarios say how to move; lengths of other moves would all be wrong.
-void refuse_moves(const PlannerSpec& spec, const PlannerInfo& info) {
+template <class Value>
+std::string name_of(Value value) {
+  for (const auto& choice : choice_names(Value{})) {
+    if (choice.value == value) return std::string(choice.name);
+  }
+  return {};
+}
+
+bool has_option(const PlannerInfo& info, const std::string& name) {
+  return std::any_of(info.options.begin(), info.options.end(),
+                     [&](const OptionInfo& option) { return option.name == name; });
+}
+
+/// Makes a planner move as all do: otherwise lengths would not be the same.
+void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
   if (info.motion != Motion::cells) {
     throw InputError(fmt::format(
         "{}: scenarios are for planners that move from cell to cell, and this one drives a car",
         spec.text));
   }
-  if (moves_of(spec) == GridMoves{}) return;
-  throw InputError(fmt::format(
-      "{}: scenarios are always run on 8 neighbours without corner cutting", spec.text));
+  const GridMoves own = moves_of(spec);
+  if (own != GridMoves{} && own != moves) {
+    throw InputError(fmt::format(
+        "{}: all planners move alike: give bench --connectivity and --corner-rule instead",
+        spec.text));
+  }
+  if (moves == GridMoves{} || own == moves) return;
+  if (!has_option(info, "connectivity") || !has_option(info, "corner_rule")) {
+    throw InputError(
+        fmt::format("{}: it moves to 8 neighbours without corner cutting only", spec.text));
+  }
+  std::erase_if(spec.options, [](const auto& option) {
+    return option.first == "connectivity" || option.first == "corner_rule";
+  });
+  spec.options.emplace_back("connectivity", name_of(moves.connectivity));
+  spec.options.emplace_back("corner_rule", name_of(moves.corner_rule));
 }
 
 }  // namespace
@@ -60,42 +88,56 @@ bool is_for(const GivenIndex& index, const FreeSpace& space) {
 Contestant::Contestant(PlannerSpec spec, const PlannerInfo& info)
     : spec_(std::move(spec)), info_(info) {}
 
+void Contestant::check(const FreeSpace& space) const {
+  const GridMap one_cell(Grid<CellState>(1, 1, CellState::free));
+  const auto tried = info_.make(FreeSpace(one_cell), spec_.options);
+  if (!tried) throw InputError(fmt::format("{}: {}", name(), tried.error().message()));
+  if (space.uniform_terrain() || terrain_in_words(info_) != "refused") return;
+  throw InputError(refused_terrain(name(), space)->message());
+}
+
 bool Contestant::takes(const GivenIndex& index) const {
   return info_.make_on_index && index.header.planner_name() == info_.name;
 }
 
-Preparation Contestant::prepare(const FreeSpace& space, const std::vector<GivenIndex>& given,
-                                Workers& workers) const {
+Preparation Contestant::prepare(const FreeSpace& space,
+                                const std::vector<GivenIndex>& given) const {
   if (!info_.build_index) return {};
   const auto fits = [&](const GivenIndex& index) { return takes(index) && is_for(index, space); };
   const auto found = std::find_if(given.begin(), given.end(), fits);
-  if (found == given.end()) return build(space, workers);
+  if (found == given.end()) return build(space);
   return {found->bytes, {0, found->bytes.size()}};
 }
 
-Preparation Contestant::build(const FreeSpace& space, Workers& workers) const {
-  const double begin = steady_seconds();
-  auto index = build_index(info_, space, workers);
+Preparation Contestant::build(const FreeSpace& space) const {
+  ThreadWorkers one(1);
+  Expected<IndexBytes, PlannerError> index;
+  const double seconds =
+      seconds_of(thread_cpu_seconds, [&] { index = build_index(info_, space, one); });
   if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message()));
   const std::uint64_t bytes = index->size();
-  return {*std::move(index), {steady_seconds() - begin, bytes}};
+  return {*std::move(index), {seconds, bytes}};
+}
+
+PlannerResult Contestant::try_make(const FreeSpace& space, const Preparation& preparation) const {
+  return info_.make_on_index ? info_.make_on_index(space, spec_.options, preparation.index)
+                             : info_.make(space, spec_.options);
 }
 
 std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space,
                                                   const Preparation& preparation) const {
-  auto planner = info_.make_on_index ? info_.make_on_index(space, spec_.options, preparation.index)
-                                     : info_.make(space, spec_.options);
+  auto planner = try_make(space, preparation);
   if (!planner) throw InputError(fmt::format("{}: {}", name(), planner.error().message()));
   return *std::move(planner);
 }
 
-std::vector<Contestant> parse_contestants(const std::string& list) {
+std::vector<Contestant> parse_contestants(const std::string& list, GridMoves moves) {
   auto specs = parse_option_specs(list, "planner", entrants());
   if (!specs) throw InputError(specs.error());
   std::vector<Contestant> contestants;
   for (PlannerSpec& spec : *specs) {
     const PlannerInfo& info = *entrants().find(spec.name);
-    refuse_moves(spec, info);
+    set_moves(spec, info, moves);
     contestants.emplace_back(std::move(spec), info);
   }
   return contestants;

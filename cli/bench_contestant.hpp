@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "index_argument.hpp"
-#include "wend/base/workers.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
@@ -35,28 +34,33 @@ class Contestant {
   /// As it was typed: "astar:weight=2".
   const std::string& name() const { return spec_.text; }
 
+  /// Throws InputError if the planner does not take its options, or terrain where there is some. O(1).
+  void check(const FreeSpace& space) const;
+
   /// Is there an index that this one plans on?
   bool takes(const GivenIndex& index) const;
 
   /// What is needed before planners are made: one of the given indexes, or one that is built now.
-  /// Throws InputError if it cannot be built.
-  Preparation prepare(const FreeSpace& space, const std::vector<GivenIndex>& given,
-                      Workers& workers) const;
+  /// One thread builds, so that its CPU time is that of the build. Throws InputError if it cannot be
+  /// built.
+  Preparation prepare(const FreeSpace& space, const std::vector<GivenIndex>& given) const;
 
-  /// A planner for one thread. Throws InputError if it does not take its options, the map or the
-  /// index.
+  /// A planner for one thread. Fails if it does not take its options, the map or the index.
+  PlannerResult try_make(const FreeSpace& space, const Preparation& preparation) const;
+
+  /// The same; throws InputError.
   std::unique_ptr<Planner> make_planner(const FreeSpace& space,
                                         const Preparation& preparation) const;
 
  private:
-  Preparation build(const FreeSpace& space, Workers& workers) const;
+  Preparation build(const FreeSpace& space) const;
 
   PlannerSpec spec_;
   const PlannerInfo& info_;
 };
 
-/// Those of a --planner list: our planners and, where the build found Boost.Graph, "boost-astar". Throws InputError for one that is not there, and for one that does not
-/// move as scenarios ask for: on 8 neighbours, without corner cutting.
-std::vector<Contestant> parse_contestants(const std::string& list);
+/// Those of a --planner list: our planners and, where the build found Boost.Graph, "boost-astar". All
+/// move as is said. Throws InputError for one that is not there, and for one that cannot move so.
+std::vector<Contestant> parse_contestants(const std::string& list, GridMoves moves);
 
 }  // namespace wend::cli

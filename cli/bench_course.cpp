@@ -61,14 +61,16 @@ std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
 
 Course load_course(const fs::path& file, const std::string& map_file, std::size_t sample) {
   Scenario scenario = value_or_throw(load_scenario(file));
+  if (scenario.queries.empty()) throw InputError(scenario.file + ": the scenario has no queries");
   const fs::path map_path =
       map_file.empty() ? value_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
   LoadedMap loaded = value_or_throw(load_map(map_path));
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
   if (!fits) throw InputError(fits.error().message());
   const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);
-  if (sample > 0) scenario.queries = evenly_sampled(scenario.queries, sample);
-  return {std::move(scenario), map_path.stem().string(), std::move(loaded.map), fingerprint};
+  scenario.queries = evenly_sampled(scenario.queries, sample);
+  return {std::move(scenario), map_path.stem().string(), std::move(loaded.map),
+          std::move(loaded.files), fingerprint};
 }
 
 }  // namespace

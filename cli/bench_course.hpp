@@ -3,6 +3,7 @@
 // What `wend bench` runs planners on: scenarios, each with its map.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,12 @@ struct Course {
   Scenario scenario;
   std::string map_name;  // of its file, without folder and extension
   GridMap map;
-  std::uint64_t fingerprint = 0;  // of map and queries, whether sampled or not
+  std::vector<std::filesystem::path> map_files;  // read for it
+  std::uint64_t fingerprint = 0;                 // of map and queries, whether sampled or not
 };
 
 /// Those of scenario files and of folders with such; `map_file` is the map of all, unless it is
-/// empty. At most `sample` queries of each, evenly spread; 0: all. Throws InputError.
+/// empty. At most `sample` queries of each, evenly spread. Throws InputError.
 std::vector<Course> load_courses(const std::vector<std::string>& files_and_folders,
                                  const std::string& map_file, std::size_t sample);
 

@@ -1,55 +1,60 @@
 #pragma once
 
-// BenchLane: a planner that answers the queries of a scenario in one thread, timed and checked.
+// BenchLane: asks the queries of a scenario in one thread, times and checks the answers. Times are CPU
+// time of that thread.
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "wend/io/scenario.hpp"
 #include "wend/planner/planner.hpp"
+#include "wend/planner/planner_spec.hpp"
 #include "wend/report/bench_answer.hpp"
 
 namespace wend::cli {
 
+/// What queries of a lane have in common.
+struct LaneRules {
+  GridMoves moves;
+  double limit_s = 0;  // that a query may take; 0: no limit
+};
+
 class BenchLane {
  public:
+  using Make = std::function<PlannerResult()>;
+
   /// Told what is wrong with the answer to a query, once for each that is. From this lane's thread.
   using Complain = std::function<void(const ScenarioQuery& query, const std::string& wrong)>;
 
-  BenchLane(std::unique_ptr<Planner> planner, Complain complain);
+  /// `make` is called for every first query. `space` must outlive the lane.
+  BenchLane(const FreeSpace& space, Make make, LaneRules rules, Complain complain);
 
-  /// Asks a query that is not to be measured: fresh memory costs time.
-  void warm_up(const ScenarioQuery& query);
+  /// The planner that later queries are asked; the query is not timed: fresh memory costs time.
+  void keep(std::unique_ptr<Planner> planner, const ScenarioQuery& query);
 
-  /// One more pass of a query: adds its seconds. Only the first pass of an answer sets what else
-  /// there is to say, when it is settled. False, and nothing was done, if Ctrl-C came.
-  bool time(const ScenarioQuery& query, BenchAnswer& answer);
+  /// Asks a new planner, one run. False, and nothing was done, if Ctrl-C came; as all that follow.
+  bool time_first(const ScenarioQuery& query, BenchAnswer& answer);
 
-  /// Settles the answers that were too quick to be checked in between: that would push out of the
-  /// caches what the next query needs. They are asked again. False if Ctrl-C came: their seconds
-  /// are taken back.
-  bool settle();
+  /// One more pass of a query that the kept planner is asked: the least of as many runs as fill 5 ms.
+  bool time_later(const ScenarioQuery& query, BenchAnswer& answer);
+
+  /// One more pass of a query that a new planner is asked.
+  bool time_fresh(const ScenarioQuery& query, BenchAnswer& answer);
 
  private:
-  struct Unsettled {
-    const ScenarioQuery* query;
-    BenchAnswer* answer;
-  };
-
-  bool ask(const ScenarioQuery& query);
-  void settle(const ScenarioQuery& query, BenchAnswer& answer);
-  void compare(const ScenarioQuery& query, BenchAnswer& answer);
+  Query asked(const ScenarioQuery& query) const;
+  void take(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
+  void settle(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
+  void compare(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
   void judge(const ScenarioQuery& query, BenchAnswer& answer, const std::string& wrong);
 
-  std::unique_ptr<Planner> planner_;
+  const FreeSpace& space_;
+  Make make_;
+  LaneRules rules_;
   Complain complain_;
-  Status status_ = Status::found;
+  std::unique_ptr<Planner> planner_;
   Plan plan_;
-  double seconds_ = 0;
-  std::vector<Unsettled> unsettled_;
 };
 
 }  // namespace wend::cli

@@ -20,9 +20,14 @@ constexpr double kSlice = 1;                  // seconds until there is a moment
 }  // namespace
 
 BenchRace::BenchRace(const Course& course, const std::vector<Contestant>& contestants,
-                     unsigned threads, BenchStore& store, BenchShare share)
-    : course_(course), space_(course.map), workers_(threads), store_(store), share_(share) {
-  store_.begin(course_, space_, workers_.count());
+                     const BenchSettings& settings, BenchStore& store, BenchShare share)
+    : course_(course),
+      settings_(settings),
+      space_(settings.robot.free_space(course.map)),
+      workers_(static_cast<unsigned>(settings.threads)),
+      store_(store),
+      share_(share) {
+  store_.begin(course_, space_, settings_);
   for (const Contestant& contestant : contestants) {
     runners_.push_back({contestant});
     recall(runners_.back());
@@ -31,7 +36,7 @@ BenchRace::BenchRace(const Course& course, const std::vector<Contestant>& contes
 
 void BenchRace::recall(Runner& runner) {
   BenchRecord known = store_.known(runner.contestant.name());
-  runner.index = known.index;
+  runner.preparation.cost = known.index;
   auto at = known.answers.begin();
   for (const ScenarioQuery& query : course_.scenario.queries) {
     while (at != known.answers.end() && at->line < query.line) ++at;
@@ -40,8 +45,8 @@ void BenchRace::recall(Runner& runner) {
   }
 }
 
-void BenchRace::run(std::uint64_t passes, const std::vector<GivenIndex>& indexes,
-                    BenchProgress& progress) {
+void BenchRace::run(const std::vector<GivenIndex>& indexes, BenchProgress& progress) {
+  const std::uint64_t passes = settings_.passes;
   for (Runner& runner : runners_) {
     std::uint64_t known = 0;
     bool all_known = true;
@@ -66,8 +71,8 @@ std::vector<BenchRow> BenchRace::rows() const {
     BenchRow row{.scen = course_.scenario.file,
                  .planner = runner.contestant.name(),
                  .threads = workers_.count(),
-                 .build_s = runner.index.build_s,
-                 .index_bytes = runner.index.bytes};
+                 .build_s = runner.preparation.cost.build_s,
+                 .index_bytes = runner.preparation.cost.bytes};
     row.set_answers(runner.answers);
     rows.push_back(std::move(row));
   }
@@ -78,7 +83,8 @@ std::vector<BenchedMap> BenchRace::benched() const {
   std::vector<BenchedMap> maps;
   maps.reserve(runners_.size());
   for (const Runner& runner : runners_) {
-    maps.push_back({runner.contestant.name(), space_.passable().count(), runner.answers});
+    maps.push_back({runner.contestant.name(), space_.passable().count(), runner.answers,
+                    course_.scenario.file});
   }
   return maps;
 }
@@ -87,12 +93,21 @@ void BenchRace::make_lanes(Runner& runner, const std::vector<GivenIndex>& indexe
   const auto complain = [this, &runner](const ScenarioQuery& query, const std::string& wrong) {
     complain_of(runner, query, wrong);
   };
-  const Preparation preparation = runner.contestant.prepare(space_, indexes, workers_);
-  runner.index = preparation.cost;
+  runner.preparation = runner.contestant.prepare(space_, indexes);
+  const auto make = [this, &runner] {
+    return runner.contestant.try_make(space_, runner.preparation);
+  };
+  const LaneRules rules{settings_.moves.moves, settings_.limit_s.value_or(0)};
   for (unsigned thread = 0; thread < workers_.count(); ++thread) {
-    runner.lanes.emplace_back(runner.contestant.make_planner(space_, preparation), complain);
+    runner.lanes.emplace_back(space_, make, rules, complain);
   }
-  for (BenchLane& lane : runner.lanes) lane.warm_up(course_.scenario.queries.front());
+  // New planners cannot fail when this one did not.
+  auto planner = runner.contestant.make_planner(space_, runner.preparation);
+  if (settings_.fresh) return;
+  for (BenchLane& lane : runner.lanes) {
+    if (!planner) planner = runner.contestant.make_planner(space_, runner.preparation);
+    lane.keep(std::move(planner), course_.scenario.queries.front());
+  }
 }
 
 void BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress) {
@@ -109,7 +124,7 @@ void BenchRace::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& prog
       if (is_done) done.push_back(runner.answers[i]);
       return is_done;
     });
-    store_.keep(runner.contestant.name(), done, runner.index);
+    store_.keep(runner.contestant.name(), done, runner.preparation.cost);
     if (cancelled) throw Cancelled();
   }
 }
@@ -135,11 +150,23 @@ bool BenchRace::answer_some(Runner& runner, std::span<const std::size_t> queries
 
 /// In a worker's thread. False if Ctrl-C came.
 bool BenchRace::answer(Runner& runner, unsigned worker, std::span<const std::size_t> queries) {
-  BenchLane& lane = runner.lanes[worker];
-  const bool timed = std::all_of(queries.begin(), queries.end(), [&](std::size_t i) {
-    return lane.time(course_.scenario.queries[i], runner.answers[i]);
+  return std::all_of(queries.begin(), queries.end(), [&](std::size_t i) {
+    BenchLane& lane = runner.lanes[worker];
+    const ScenarioQuery& query = course_.scenario.queries[i];
+    BenchAnswer& answer = runner.answers[i];
+    if (settings_.fresh) return lane.time_fresh(query, answer);
+    const bool first = is_asked_first(i) && answer.seconds.empty();
+    return (!first || lane.time_first(query, answer)) && lane.time_later(query, answer);
   });
-  return lane.settle() && timed;
+}
+
+/// A few queries, evenly spread, show what a first query takes.
+bool BenchRace::is_asked_first(std::size_t query) const {
+  constexpr std::size_t kAskedFirst = 10;
+  const std::size_t all = course_.scenario.queries.size();
+  if (all <= kAskedFirst) return true;
+  const std::size_t nth = query * kAskedFirst / all;
+  return query == (2 * nth + 1) * all / (2 * kAskedFirst);
 }
 
 void BenchRace::complain_of(Runner& runner, const ScenarioQuery& query, const std::string& wrong) {

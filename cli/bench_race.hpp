@@ -11,6 +11,7 @@
 #include "bench_contestant.hpp"
 #include "bench_course.hpp"
 #include "bench_lane.hpp"
+#include "bench_settings.hpp"
 #include "bench_store.hpp"
 #include "progress_bar.hpp"
 #include "wend/map/free_space.hpp"
@@ -40,14 +41,14 @@ struct BenchProgress {
 
 class BenchRace {
  public:
-  /// Takes what the store knows for answered; the store must outlive this.
-  BenchRace(const Course& course, const std::vector<Contestant>& contestants, unsigned threads,
-            BenchStore& store, BenchShare share = {});
+  /// Takes what the store knows for answered; all that it is given must outlive this.
+  BenchRace(const Course& course, const std::vector<Contestant>& contestants,
+            const BenchSettings& settings, BenchStore& store, BenchShare share = {});
 
-  /// Asks every contestant every query of the share until it has so many passes. Throws Cancelled if Ctrl-C
+  /// Asks every contestant every query of the share until it has all passes. Throws Cancelled if Ctrl-C
   /// came: what was answered until then is stored. Throws InputError if a contestant does not take
   /// its options or the map.
-  void run(std::uint64_t passes, const std::vector<GivenIndex>& indexes, BenchProgress& progress);
+  void run(const std::vector<GivenIndex>& indexes, BenchProgress& progress);
 
   /// What came of it, a row a contestant: of the whole course only.
   std::vector<BenchRow> rows() const;
@@ -60,7 +61,7 @@ class BenchRace {
     const Contestant& contestant;
     std::vector<BenchAnswer> answers{};  // one a query of the course
     std::vector<BenchLane> lanes{};      // one a thread
-    BenchIndex index{};
+    Preparation preparation{};
     std::uint64_t complaints = 0;
   };
   using Queries = std::vector<std::size_t>;  // by their place in the scenario
@@ -70,9 +71,11 @@ class BenchRace {
   void run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progress);
   bool answer_some(Runner& runner, std::span<const std::size_t> queries, BenchProgress& progress);
   bool answer(Runner& runner, unsigned worker, std::span<const std::size_t> queries);
+  bool is_asked_first(std::size_t query) const;
   void complain_of(Runner& runner, const ScenarioQuery& query, const std::string& wrong);
 
   const Course& course_;
+  const BenchSettings& settings_;
   FreeSpace space_;
   ThreadWorkers workers_;
   BenchStore& store_;

@@ -50,8 +50,10 @@ std::string shard_file(const std::string& database, int rank) {
 }
 
 void merge_shards(const std::string& database) {
+  const std::vector<fs::path> shards = shards_of(database);
+  if (shards.empty()) return;
   BenchDatabase whole = open(database);
-  for (const fs::path& shard : shards_of(database)) {
+  for (const fs::path& shard : shards) {
     const auto merged = whole.merge(open(shard));
     if (!merged) throw InputError("--database " + merged.error().message());
     fs::remove(shard);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "exit_code.hpp"
-#include "wend/report/machine.hpp"
 
 namespace wend::cli {
 namespace {
@@ -23,27 +22,36 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
+std::optional<BenchDatabase> open_if_there(const std::string& file) {
+  std::error_code error;  // what cannot be looked at cannot be opened either, and says why
+  if (!std::filesystem::exists(file, error) && !error) return std::nullopt;
+  return value_or_throw(BenchDatabase::open(file));
+}
+
 }  // namespace
 
-BenchStore::BenchStore(const std::string& file)
-    : known_(value_or_throw(BenchDatabase::open(file))) {}
+BenchStore::BenchStore(const std::string& file) : file_(file), known_(open_if_there(file)) {}
 
 BenchStore::BenchStore(const std::string& file, const std::string& shard)
-    : known_(value_or_throw(BenchDatabase::open(file))),
-      shard_(value_or_throw(BenchDatabase::open(shard))) {}
+    : file_(shard), known_(open_if_there(file)), shard_(open_if_there(shard)), is_shard_(true) {}
 
-void BenchStore::begin(const Course& course, const FreeSpace& space, unsigned threads) {
-  if (!known_) return;
-  experiment_ = {.map = course.map_name,
-                 .width = course.map.width(),
-                 .height = course.map.height(),
-                 .free_cells = space.passable().count(),
-                 .scenario = std::filesystem::path(course.scenario.file).filename().string(),
-                 .fingerprint = course.fingerprint,
-                 .threads = threads,
-                 .version = "wend " WEND_VERSION,
-                 .host = host_name(),
-                 .machine = describe_machine()};
+void BenchStore::begin(const Course& course, const FreeSpace& space,
+                       const BenchSettings& settings) {
+  const BenchConditions conditions = settings.conditions();
+  experiment_ = {
+      .map = course.map_name,
+      .width = course.map.width(),
+      .height = course.map.height(),
+      .free_cells = space.passable().count(),
+      .scenario = std::filesystem::path(course.scenario.file).filename().string(),
+      .fingerprint = course.fingerprint,
+      .threads = static_cast<unsigned>(settings.threads),
+      .version = "wend " + conditions.version,
+      .commit = conditions.commit,
+      .conditions = conditions.robot + (settings.fresh ? "\na new planner for every query" : ""),
+      .limit_s = conditions.limit_s,
+      .host = host_name(),
+      .machine = conditions.machine};
 }
 
 BenchRecord BenchStore::known(const std::string& contestant) {
@@ -54,11 +62,17 @@ BenchRecord BenchStore::known(const std::string& contestant) {
 
 void BenchStore::keep(const std::string& contestant, std::span<const BenchAnswer> answers,
                       const BenchIndex& index) {
-  if (!known_) return;
-  BenchDatabase& database = shard_ ? *shard_ : *known_;
+  if (file_.empty() || answers.empty()) return;
+  BenchDatabase& database = written();
   const std::int64_t experiment = value_or_throw(database.experiment(experiment_));
   const std::int64_t planner = value_or_throw(database.planner(contestant));
   value_or_throw(database.store(experiment, planner, answers, index));
+}
+
+BenchDatabase& BenchStore::written() {
+  std::optional<BenchDatabase>& database = is_shard_ ? shard_ : known_;
+  if (!database) database = value_or_throw(BenchDatabase::open(file_));
+  return *database;
 }
 
 }  // namespace wend::cli

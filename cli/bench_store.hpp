@@ -1,13 +1,15 @@
 #pragma once
 
 // BenchStore: where `wend bench` keeps answers while it runs, so that a run that was interrupted goes
-// on where it was. Without --database: nowhere.
+// on where it was. Without --database: nowhere. A file is made when the first answer is kept, so a
+// command that is refused leaves none behind.
 
 #include <optional>
 #include <span>
 #include <string>
 
 #include "bench_course.hpp"
+#include "bench_settings.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/report/bench_database.hpp"
 
@@ -25,7 +27,7 @@ class BenchStore {
   BenchStore(const std::string& file, const std::string& shard);
 
   /// From now on answers are those on this course.
-  void begin(const Course& course, const FreeSpace& space, unsigned threads);
+  void begin(const Course& course, const FreeSpace& space, const BenchSettings& settings);
 
   /// What is known of a contestant on the course.
   BenchRecord known(const std::string& contestant);
@@ -34,8 +36,12 @@ class BenchStore {
             const BenchIndex& index);
 
  private:
-  std::optional<BenchDatabase> known_;
-  std::optional<BenchDatabase> shard_;  // none: new answers go to the known ones
+  BenchDatabase& written();
+
+  std::string file_;                    // where new answers go; empty: nowhere
+  std::optional<BenchDatabase> known_;  // none until the file exists
+  std::optional<BenchDatabase> shard_;  // the same
+  bool is_shard_ = false;               // do new answers go to the shard?
   BenchExperiment experiment_;
 };
 

@@ -66,6 +66,10 @@ void check_range(const std::string& flag, std::uint64_t value, std::uint64_t lea
   throw InputError(fmt::format("{} {}: from {} to {}", flag, value, least, most));
 }
 
+void check_positive(const std::string& flag, std::uint64_t count) {
+  if (count == 0) throw InputError(flag + " 0: must be at least 1");
+}
+
 Argument add_texts(Parser& app, const std::string& flags, std::vector<std::string>& values,
                    const std::string& help) {
   return app.add_option(flags, values, wrapped(help)).one_at_a_time();

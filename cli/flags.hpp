@@ -53,6 +53,9 @@ Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
 void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
                  std::uint64_t most);
 
+/// Throws InputError for a count of 0.
+void check_positive(const std::string& flag, std::uint64_t count);
+
 /// Texts, each after a flag of its own: `-o a.png -o b.csv`.
 Argument add_texts(Parser& app, const std::string& flags, std::vector<std::string>& values,
                    const std::string& help);

@@ -25,7 +25,7 @@ constexpr double kMegabyte = 1e6;
 struct BuildArguments {
   MapArguments map;
   std::string planner = "hub_labels";
-  std::uint64_t threads = 0;
+  std::uint64_t threads = ThreadWorkers().count();
   Format format = Format::text;
   std::string output;
 };
@@ -64,7 +64,7 @@ void print_json(const Json& json) {
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
-  check_range("--threads", arguments.threads, 0, kMostThreads);
+  check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
   if (!planner.build_index) {
@@ -151,7 +151,7 @@ Command add_index(Parser& app) {
                   wrapped("For which planner (default hub_labels): " + planners_with_index()))
       .type_name(kPlannerType);
   add_count(build_command, "--threads", to_build->threads,
-            "How many threads build (default 0: as many as the machine runs at once)");
+            "Number of threads that build (default: all cores)");
   add_format(build_command, to_build->format);
   build_command.add_option("-o,--output", to_build->output, "The index to write")
       .required()

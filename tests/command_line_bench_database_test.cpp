@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "command_line/bench_folder.hpp"
@@ -30,6 +31,12 @@ TEST_F(BenchDatabaseCommand, KeepsEveryAnswer) {
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM plannerConfigs"), 2);
   EXPECT_EQ(number_in(database_, "SELECT sum(solved) FROM runs"), 4);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs WHERE time > 0 AND time < 1"), 4);
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs WHERE first_s > 0 AND prepare_s > 0"),
+            4);
+  EXPECT_EQ(number_in(database_,
+                      "SELECT count(*) FROM experiments WHERE version LIKE 'wend %' AND "
+                      "length(commit_hash) > 6"),
+            1);
 }
 
 TEST_F(BenchDatabaseCommand, DoesNothingTwice) {
@@ -57,6 +64,19 @@ TEST_F(BenchDatabaseCommand, AddsWhatIsMissing) {
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments"), 2);
 }
 
+TEST_F(BenchDatabaseCommand, NeverMixesWhatWasMeasuredUnderOtherConditions) {
+  const std::string file = scenario(kRight);
+  const std::vector<std::vector<std::string>> conditions{
+      {}, {"--fresh"}, {"--limit-time", "5"}, {"--robot-radius", "0.1"}, {"--connectivity", "4"}};
+  int experiments = 0;
+  for (std::vector<std::string> words : conditions) {
+    words.insert(words.begin(), {file, "--database", database_});
+    EXPECT_EQ(rows(words).at(0).at("wrong"), 0);
+    EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments"), ++experiments);
+  }
+  EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments WHERE timelimit = 5"), 1);
+}
+
 TEST_F(BenchDatabaseCommand, RemembersWhatWasWrong) {
   const std::string file = scenario("0 ok.map 5 4 0 0 4 3 7\n");
   EXPECT_EQ(wend({"bench", file, "--database", database_}).code, 1);
@@ -73,6 +93,32 @@ TEST_F(BenchDatabaseCommand, RefusesAForeignFileAndLeavesItAlone) {
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_EQ(bytes_of(folder_ / "ok.map"), kBenchMap);
   EXPECT_EQ(wend({"bench", file, "--database", folder_ / "none/x.db"}).code, 2);
+}
+
+TEST_F(BenchDatabaseCommand, LeavesNothingBehindWhenItIsRefused) {
+  const std::string file = scenario(kRight);
+  scenario("version\n", "bad.scen");
+  folder_.write("rough.txt", ".2\n..\n");
+  folder_.write("rough.scen", "version 1\n0 rough.txt 2 2 0 0 1 0 1.5\n");
+  const std::vector<std::vector<std::string>> refused{
+      {file, "--planner", "astr"},
+      {file, "--planner", "astar:weight=x"},
+      {file, "--planner", "hub_labels:weight=2"},
+      {file, "--threads", "0"},
+      {file, "--index", folder_ / "none.idx"},
+      {folder_ / "none.scen"},
+      {folder_ / "bad.scen"},
+      {scenario("", "empty.scen"), "--map", folder_ / "ok.map"},
+      {file, folder_ / "rough.scen", "--planner", "jps"},
+      {file, "--plot", folder_ / "plot.txt"}};
+  for (std::vector<std::string> words : refused) {
+    words.insert(words.begin(), "bench");
+    words.insert(words.end(), {"--database", database_});
+    const Outcome outcome = wend(words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err << outcome.out;
+    EXPECT_FALSE(std::filesystem::exists(database_)) << outcome.err;
+    std::filesystem::remove(database_);
+  }
 }
 
 /// A run that is longer than any test waits for, on a map of its own, and can be stopped.

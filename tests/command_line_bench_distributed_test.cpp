@@ -74,7 +74,7 @@ class RanksOfBench : public DistributedBench, public testing::WithParamInterface
 TEST_P(RanksOfBench, ShareTheQueriesAndMergeTheirAnswers) {
   const Outcome outcome = run_program(ranks(GetParam(), command("--passes 2 --format json")));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json rows = json::parse(outcome.out);
+  const json rows = json::parse(outcome.out).at("rows");
   ASSERT_EQ(rows.size(), 2U);
   for (const json& row : rows) {
     EXPECT_EQ(row.at("queries"), kQueries);
@@ -88,7 +88,7 @@ TEST_P(RanksOfBench, ShareTheQueriesAndMergeTheirAnswers) {
   EXPECT_FALSE(std::filesystem::exists(database_ + ".rank1"));
   const Outcome alone = wend({"bench", file_, "--planner", "astar,dijkstra", "--passes", "2",
                               "--database", database_, "--format", "json"});
-  EXPECT_EQ(json::parse(alone.out), rows);
+  EXPECT_EQ(json::parse(alone.out).at("rows"), rows);
 }
 
 INSTANTIATE_TEST_SUITE_P(Two, RanksOfBench, testing::Values(2));
@@ -120,7 +120,7 @@ TEST_F(DistributedBench, ARankThatDiesLosesNothingThatItFinished) {
 
   const Outcome resumed = run_program(ranks(4, command("--format json")));
   EXPECT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_EQ(json::parse(resumed.out).at(1).at("queries"), kQueries);
+  EXPECT_EQ(json::parse(resumed.out).at("rows").at(1).at("queries"), kQueries);
   EXPECT_EQ(number("SELECT count(*) FROM runs"), 2 * kQueries);
   EXPECT_EQ(number("SELECT count(*) FROM passes"), times + 2 * kQueries - finished);
   EXPECT_EQ(stored(0), -1);

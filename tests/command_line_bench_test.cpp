@@ -35,20 +35,21 @@ TEST_F(BenchCommand, HasARowForEachFileAndPlanner) {
   EXPECT_EQ(row.at("spread"), 0);
   EXPECT_EQ(row.at("build_s"), 0);
   EXPECT_EQ(row.at("index_bytes"), 0);
-  for (const char* key : {"mean_us", "median_us", "p99_us", "expanded_per_query",
-                          "expansions_per_second", "fastest_pass_us", "slowest_pass_us"}) {
+  for (const char* key :
+       {"prepare_us", "first_us", "mean_us", "median_us", "p99_us", "expanded_per_query",
+        "expansions_per_second", "fastest_pass_us", "slowest_pass_us"}) {
     EXPECT_GT(row.at(key).get<double>(), 0) << key;
   }
   EXPECT_EQ(wend({"bench", file}).code, 0);
-  EXPECT_THAT(wend({"bench", file}).out, StartsWith("scenario"));
+  EXPECT_THAT(wend({"bench", file}).out, StartsWith("CPU time of the thread"));
 }
 
 TEST_F(BenchCommand, WritesCsv) {
   const std::string file = scenario(kRight);
   const Outcome outcome = wend({"bench", file, "--format", "csv"});
-  EXPECT_THAT(outcome.out, StartsWith("scen,planner,queries,solved,wrong,"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n" + file + ",astar,2,2,0,"));
-  EXPECT_THAT(outcome.out, EndsWith(",0,0\n"));
+  EXPECT_THAT(outcome.out, StartsWith("scen,planner,queries,solved,timed_out,wrong,"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n" + file + ",astar,2,2,0,0,"));
+  EXPECT_THAT(outcome.out, HasSubstr(",fresh,version,commit\n"));
 }
 
 TEST_F(BenchCommand, TakesTheScenariosOfFolders) {
@@ -223,9 +224,111 @@ TEST_F(BenchCommand, RefusesBadInput) {
   EXPECT_THAT(wend({"bench", scenario(kRight), "--threads", "0"}).err,
               HasSubstr("--threads 0: from 1 to 1024"));
   EXPECT_EQ(wend({"bench", scenario(kRight), "--passes", "0"}).code, 2);
+  EXPECT_THAT(wend({"bench", scenario(kRight), "--sample", "0"}).err,
+              HasSubstr("--sample 0: must be at least 1"));
   const Outcome moves = wend({"bench", scenario(kRight), "--planner", "astar:connectivity=4"});
   EXPECT_EQ(moves.code, 2);
-  EXPECT_THAT(moves.err, HasSubstr("without corner cutting"));
+  EXPECT_THAT(moves.err, HasSubstr("give bench --connectivity"));
+  const Outcome jps = wend({"bench", scenario(kRight), "--planner", "jps", "--connectivity", "4"});
+  EXPECT_EQ(jps.code, 2);
+  EXPECT_THAT(jps.err, HasSubstr("moves to 8 neighbours without corner cutting only"));
+  EXPECT_THAT(wend({"bench", scenario(kRight), "--per-query", folder_ / "none/q.csv"}).err,
+              HasSubstr("--per-query"));
+  const std::string kept = scenario(kRight);
+  EXPECT_EQ(wend({"bench", kept, "--per-query", kept}).code, 2);
+  EXPECT_THAT(bytes_of(kept), HasSubstr("ok.map"));
+}
+
+TEST_F(BenchCommand, SaysWhatWasRun) {
+  const json result = results({scenario(kRight)});
+  EXPECT_TRUE(result.at("schema").is_number_integer());
+  EXPECT_EQ(result.at("times"), "CPU time");
+  EXPECT_THAT(result.at("version").get<std::string>(), testing::MatchesRegex("[0-9.]+"));
+  EXPECT_FALSE(result.at("commit").get<std::string>().empty());
+  EXPECT_EQ(result.at("robot"), "a point, 8 neighbours, no corner cutting");
+}
+
+TEST_F(BenchCommand, AsksANewPlannerEveryQuery) {
+  std::string queries;
+  for (int i = 0; i < 30; ++i) queries += kRight;
+  const std::string file = scenario(queries);
+  const json kept = rows({file, "--planner", "jps"}).at(0);
+  EXPECT_EQ(kept.at("first_queries"), 10);
+  const json fresh = results({file, "--planner", "jps", "--fresh"});
+  EXPECT_EQ(fresh.at("fresh"), true);
+  EXPECT_EQ(fresh.at("rows").at(0).at("first_queries"), 60);
+  EXPECT_EQ(fresh.at("rows").at(0).at("wrong"), 0);
+  const double first = fresh.at("rows").at(0).at("first_us");
+  EXPECT_NEAR(fresh.at("rows").at(0).at("mean_us"), first, 1e-6 * first);
+}
+
+TEST_F(BenchCommand, PlansForOtherRobotsAndMovesWithLengthsOfTheirOwn) {
+  const std::string file = scenario(kRight);
+  const json four = results({file, "--planner", "astar,dijkstra", "--connectivity", "4"});
+  EXPECT_EQ(four.at("robot"), "a point, 4 neighbours");
+  for (const json& row : four.at("rows")) {
+    EXPECT_EQ(row.at("solved"), 2);
+    EXPECT_EQ(row.at("wrong"), 0) << "4 + 3 steps, not the 6.41 that the file has";
+  }
+  const json wide = rows({file, "--planner", "astar,jps", "--robot-radius", "1"});
+  for (const json& row : wide) {
+    EXPECT_EQ(row.at("solved"), 0) << "both corners are too near to the wall";
+    EXPECT_EQ(row.at("wrong"), 0);
+  }
+  EXPECT_THAT(wend({"bench", file, "--robot-radius", "0.5", "--corner-rule", "one"}).out,
+              HasSubstr("Robot: radius 0.5, 8 neighbours, one corner may be cut."));
+}
+
+TEST_F(BenchCommand, TakesTerrainAsCosts) {
+  folder_.write("rough.txt", ".3.\n#~#\n...\n");
+  const auto wrong = [&](const std::string& length) {
+    folder_.write("rough.txt.scen", "version 1\n0 rough.txt 3 3 0 0 2 0 " + length + "\n");
+    return rows({folder_ / "rough.txt.scen", "--planner", "astar,dijkstra"}).at(0).at("wrong");
+  };
+  EXPECT_EQ(wrong("4.00000000"), 0);
+  EXPECT_EQ(wrong("2.00000000"), 1);
+}
+
+TEST_F(BenchCommand, TakesRosMapsWithQueriesInCells) {
+  ASSERT_EQ(
+      wend({"generate", "office", "--size", "90x80", "--seed", "3", "-o", folder_ / "office.yaml"})
+          .code,
+      0);
+  const std::string file = folder_ / "office.yaml.scen";
+  ASSERT_EQ(wend({"generate", "scenario", folder_ / "office.yaml", "--buckets", "5", "--per-bucket",
+                  "2", "-o", file})
+                .code,
+            0);
+  for (const std::string radius : {"0", "0.2"}) {
+    const json found = rows({file, "--planner", "astar,jps", "--robot-radius", radius});
+    for (const json& row : found) {
+      EXPECT_EQ(row.at("queries"), 10);
+      EXPECT_EQ(row.at("wrong"), 0) << radius;
+    }
+  }
+}
+
+TEST_F(BenchCommand, GivesUpAfterATimeAndDoesNotCountThatAsWrong) {
+  wend({"generate", "random", "--size", "300x300", "--seed", "3", "-o", folder_ / "long.map"});
+  const std::string file =
+      folder_.write("long.map.scen",
+                    "version 1\n0 long.map 300 300 0 0 299 299 1\n0 long.map 300 300 0 0 0 0 0\n");
+  const json row = rows({file, "--planner", "dijkstra", "--limit-time", "0.00001"}).at(0);
+  EXPECT_EQ(row.at("timed_out"), 1);
+  EXPECT_EQ(row.at("solved"), 1);
+  EXPECT_EQ(row.at("wrong"), 0);
+  EXPECT_EQ(results({file, "--limit-time", "2"}).at("limit_s"), 2);
+  EXPECT_EQ(wend({"bench", file, "--limit-time", "0"}).code, 2);
+}
+
+TEST_F(BenchCommand, WritesEveryQuery) {
+  const std::string csv = folder_ / "queries.csv";
+  ASSERT_EQ(wend({"bench", scenario(kRight), "--planner", "astar,bfs", "--per-query", csv}).code,
+            0);
+  const std::string text = bytes_of(csv);
+  EXPECT_THAT(text, StartsWith("scen,line,planner,status,length,"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+  EXPECT_THAT(text, HasSubstr(",3,bfs,found,6.41"));
 }
 
 }  // namespace

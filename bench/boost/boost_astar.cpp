@@ -69,21 +69,40 @@ class Octile : public boost::astar_heuristic<Graph, double> {
   Cell goal_;
 };
 
-struct GoalFound {};
+constexpr double kNoPath = std::numeric_limits<double>::infinity();
 
-/// Counts expansions and ends the search at the goal, as Boost's own example does.
+struct Ended {
+  Status status;
+};
+
+/// Counts expansions and ends the search at the goal, as Boost's own example does, or at a limit.
 class UntilGoal : public boost::default_astar_visitor {
  public:
-  UntilGoal(Vertex goal, std::uint64_t& expanded) : goal_(goal), expanded_(&expanded) {}
+  UntilGoal(Vertex goal, std::uint64_t& expanded, const Limits& limits)
+      : goal_(goal),
+        expanded_(&expanded),
+        limits_(&limits),
+        deadline_(limits.clock ? limits.clock() + limits.seconds : 0) {}
 
   void examine_vertex(Vertex vertex, const Graph& /*graph*/) {
+    if (*expanded_ % Limits::kExpansionsBetweenClockReads == 0) look();
+    if (*expanded_ >= limits_->expansions) throw Ended{Status::expansion_limit};
     ++*expanded_;
-    if (vertex == goal_) throw GoalFound{};
+    if (vertex == goal_) throw Ended{Status::found};
   }
 
  private:
+  void look() const {
+    if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
+      throw Ended{Status::cancelled};
+    }
+    if (limits_->clock && limits_->clock() > deadline_) throw Ended{Status::time_limit};
+  }
+
   Vertex goal_;
   std::uint64_t* expanded_;
+  const Limits* limits_;
+  double deadline_;
 };
 
 }  // namespace
@@ -110,7 +129,7 @@ BoostAStar::~BoostAStar() = default;
 BoostAStar::BoostAStar(BoostAStar&&) noexcept = default;
 BoostAStar& BoostAStar::operator=(BoostAStar&&) noexcept = default;
 
-BoostAStar::Answer BoostAStar::plan(Cell start, Cell goal, Path& path) {
+BoostAStar::Answer BoostAStar::plan(Cell start, Cell goal, Path& path, const Limits& limits) {
   Search& search = *search_;
   const auto vertex = [&](Cell cell) {
     return static_cast<Vertex>(cell.y) * static_cast<Vertex>(search.width) +
@@ -122,21 +141,22 @@ BoostAStar::Answer BoostAStar::plan(Cell start, Cell goal, Path& path) {
   try {
     boost::astar_search(
         search.graph, vertex(start), Octile(search.width, vertex(goal)),
-        boost::visitor(UntilGoal(vertex(goal), expanded))
+        boost::visitor(UntilGoal(vertex(goal), expanded, limits))
             .weight_map(get(&Step::length, search.graph))
             .predecessor_map(boost::make_iterator_property_map(search.predecessors.begin(), index))
             .distance_map(boost::make_iterator_property_map(search.costs.begin(), index))
             .rank_map(boost::make_iterator_property_map(search.estimates.begin(), index))
             .color_map(boost::make_iterator_property_map(search.colours.begin(), index)));
-  } catch (const GoalFound&) {
+  } catch (const Ended& ended) {
+    if (ended.status != Status::found) return {ended.status, kNoPath, expanded};
     for (Vertex at = vertex(goal);; at = search.predecessors[at]) {
       path.append({static_cast<int>(at) % search.width, static_cast<int>(at) / search.width});
       if (at == vertex(start)) break;
     }
     path.reverse();
-    return {path.length(), expanded};
+    return {Status::found, path.length(), expanded};
   }
-  return {std::numeric_limits<double>::infinity(), expanded};
+  return {Status::unreachable, kNoPath, expanded};
 }
 
 }  // namespace wend::bench

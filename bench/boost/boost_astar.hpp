@@ -5,8 +5,11 @@
 // The grid is a compressed sparse row graph with one vertex a cell and no corner cutting, the
 // heuristic is octile, the search ends at the goal. Boost initialises every vertex at every query.
 
+#include <cstdint>
 #include <memory>
 
+#include "wend/base/limits.hpp"
+#include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 
@@ -22,12 +25,13 @@ class BoostAStar {
   BoostAStar& operator=(BoostAStar&&) noexcept;
 
   struct Answer {
-    double cost;  // infinite if there is no path
+    Status status;  // found, unreachable or the limit that was reached
+    double cost;    // infinite without a path
     std::uint64_t expanded;
   };
 
   /// Writes the path, if there is one.
-  Answer plan(Cell start, Cell goal, Path& path);
+  Answer plan(Cell start, Cell goal, Path& path, const Limits& limits = {});
 
  private:
   struct Search;

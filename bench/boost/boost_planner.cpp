@@ -17,6 +17,7 @@ class BoostPlanner final : public Planner {
     if (query.goals.size() > 1) return Status::unsupported_query;
     start_ = cell_at(query.start.point());
     goal_ = cell_at(query.goals.front().point);
+    limits_ = query.limits;
     if (!free_space().map().contains(start_)) return Status::start_outside;
     if (!free_space().map().contains(goal_)) return Status::goal_outside;
     if (!free_space().passable(start_)) return Status::start_blocked;
@@ -25,12 +26,11 @@ class BoostPlanner final : public Planner {
   }
 
   Status do_plan(const Query& /*query*/, Plan& out) override {
-    const BoostAStar::Answer answer = astar_.plan(start_, goal_, out.path);
+    const BoostAStar::Answer answer = astar_.plan(start_, goal_, out.path, limits_);
     out.cost = answer.cost;
     out.metrics.expanded = answer.expanded;
-    if (out.path.empty()) return Status::unreachable;
-    out.bound = 1;
-    return Status::found;
+    if (answer.status == Status::found) out.bound = 1;
+    return answer.status;
   }
 
   void do_update(std::span<const Cell> /*changed*/) override { astar_ = BoostAStar(free_space()); }
@@ -38,12 +38,15 @@ class BoostPlanner final : public Planner {
   BoostAStar astar_;
   Cell start_;
   Cell goal_;
+  Limits limits_;
 };
 
 PlannerResult make_boost(const FreeSpace& space, const OptionValues& options) {
   if (!options.empty()) {
     return Unexpected<PlannerError>({Status::invalid_option, "it has no options"});
   }
+  auto refused = refused_terrain("boost-astar", space);
+  if (refused) return Unexpected<PlannerError>(*std::move(refused));
   return std::make_unique<BoostPlanner>(space);
 }
 

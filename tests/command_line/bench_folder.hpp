@@ -26,10 +26,15 @@ class BenchFolder {
   }
 
   /// What `wend bench` writes with --format json.
-  static nlohmann::json rows(std::vector<std::string> arguments) {
+  static nlohmann::json results(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "bench");
     arguments.insert(arguments.end(), {"--format", "json"});
     return nlohmann::json::parse(wend(std::move(arguments)).out);
+  }
+
+  /// The rows of that.
+  static nlohmann::json rows(std::vector<std::string> arguments) {
+    return results(std::move(arguments)).at("rows");
   }
 
   TemporaryFolder folder_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "wend/base/status.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 /// What Planner Arena shows as an experiment's setup; with the other columns it tells it apart.
 std::string setup_of(const BenchExperiment& experiment) {
-  return fmt::format("scenario {}\nfingerprint {:016x}\n8 neighbours, no corner cutting\n",
-                     experiment.scenario, experiment.fingerprint);
+  return fmt::format("scenario {}\nfingerprint {:016x}\n{}\ncommit {}\n", experiment.scenario,
+                     experiment.fingerprint, experiment.conditions, experiment.commit);
 }
 
 /// "astar:weight=2" as OMPL's scripts write settings: a line each, and a semicolon.
@@ -47,6 +48,10 @@ void forget_known(std::vector<BenchAnswer>& answers, std::span<const BenchAnswer
   });
 }
 
+std::optional<double> first_of(const BenchAnswer& answer, double FirstQuery::* time) {
+  return answer.first ? std::optional((*answer.first).*time) : std::nullopt;
+}
+
 }  // namespace
 
 BenchDatabase::BenchDatabase(std::filesystem::path file,
@@ -68,22 +73,23 @@ Expected<std::int64_t, IoError> BenchDatabase::experiment(const BenchExperiment&
   const auto threads = static_cast<std::int64_t>(experiment.threads);
   SqliteStatement find(*connection_,
                        "SELECT id FROM experiments WHERE name = ? AND version = ? AND threads = ? "
-                       "AND cpuinfo = ? AND setup = ?");
+                       "AND cpuinfo = ? AND setup = ? AND timelimit = ?");
   if (find.run(experiment.map, experiment.version, threads, experiment.machine,
-               setup_of(experiment))) {
+               setup_of(experiment), experiment.limit_s)) {
     return find.integer(0);
   }
   SqliteStatement add(
       *connection_,
       "INSERT INTO experiments (name, totaltime, timelimit, memorylimit, runcount, version, "
       "hostname, cpuinfo, date, seed, setup, map_width, map_height, free_cells, threads, scenario, "
-      "fingerprint) VALUES (?, 0, 0, 0, 0, ?, ?, ?, datetime('now'), '0', ?, ?, ?, ?, ?, ?, ?) "
+      "fingerprint, commit_hash, conditions) "
+      "VALUES (?, 0, ?, 0, 0, ?, ?, ?, datetime('now'), '0', ?, ?, ?, ?, ?, ?, ?, ?, ?) "
       "RETURNING id");
-  const bool added =
-      add.run(experiment.map, experiment.version, experiment.host, experiment.machine,
-              setup_of(experiment), std::int64_t{experiment.width}, std::int64_t{experiment.height},
-              static_cast<std::int64_t>(experiment.free_cells), threads, experiment.scenario,
-              static_cast<std::int64_t>(experiment.fingerprint));
+  const bool added = add.run(
+      experiment.map, experiment.limit_s, experiment.version, experiment.host, experiment.machine,
+      setup_of(experiment), std::int64_t{experiment.width}, std::int64_t{experiment.height},
+      static_cast<std::int64_t>(experiment.free_cells), threads, experiment.scenario,
+      static_cast<std::int64_t>(experiment.fingerprint), experiment.commit, experiment.conditions);
   const std::int64_t id = added ? add.integer(0) : 0;
   add.next();  // to its end
   transaction.commit();
@@ -110,7 +116,8 @@ Expected<BenchRecord, IoError> BenchDatabase::record(std::int64_t experiment,
   SqliteStatement runs(
       *connection_,
       "SELECT runs.id, line, status, solution_length, expanded, correct_solution, build_s, "
-      "index_bytes, passes.time FROM runs INNER JOIN passes ON passes.runid = runs.id "
+      "index_bytes, passes.time, prepare_s, first_s FROM runs INNER JOIN passes ON passes.runid = "
+      "runs.id "
       "WHERE experimentid = ? AND plannerid = ? ORDER BY line, passes.pass");
   std::int64_t last = -1;
   for (runs.start(experiment, planner); runs.next();) {
@@ -122,6 +129,7 @@ Expected<BenchRecord, IoError> BenchDatabase::record(std::int64_t experiment,
                                 .length = runs.number(3),
                                 .expanded = static_cast<std::uint64_t>(runs.integer(4)),
                                 .wrong = runs.integer(5) == 0});
+      if (runs.has(10)) record.answers.back().first = {runs.number(9), runs.number(10)};
       record.index = {runs.number(6), static_cast<std::uint64_t>(runs.integer(7))};
     }
     record.answers.back().seconds.push_back(runs.number(8));
@@ -139,8 +147,8 @@ Expected<void, IoError> BenchDatabase::store(std::int64_t experiment, std::int64
   SqliteStatement add(
       *connection_,
       "INSERT INTO runs (experimentid, plannerid, time, solved, status, solution_length, "
-      "correct_solution, expanded, build_s, index_bytes, line) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
+      "correct_solution, expanded, build_s, index_bytes, prepare_s, first_s, line) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
   SqliteStatement add_pass(*connection_, "INSERT INTO passes (runid, pass, time) VALUES (?, ?, ?)");
   for (const BenchAnswer& answer : answers) {
     const auto line = static_cast<std::int64_t>(answer.line);
@@ -148,7 +156,8 @@ Expected<void, IoError> BenchDatabase::store(std::int64_t experiment, std::int64
     add.run(experiment, planner, answer.fastest(), std::int64_t{answer.found()},
             static_cast<std::int64_t>(answer.status), answer.length, std::int64_t{!answer.wrong},
             static_cast<std::int64_t>(answer.expanded), index.build_s,
-            static_cast<std::int64_t>(index.bytes), line);
+            static_cast<std::int64_t>(index.bytes), first_of(answer, &FirstQuery::prepare_s),
+            first_of(answer, &FirstQuery::seconds), line);
     const std::int64_t run = ok() ? add.integer(0) : 0;
     add.next();
     std::int64_t pass = 0;
@@ -186,7 +195,8 @@ std::vector<std::pair<std::int64_t, BenchExperiment>> BenchDatabase::experiments
   std::vector<std::pair<std::int64_t, BenchExperiment>> all;
   SqliteStatement rows(*connection_,
                        "SELECT id, name, map_width, map_height, free_cells, scenario, fingerprint, "
-                       "threads, version, hostname, cpuinfo FROM experiments ORDER BY id");
+                       "threads, version, hostname, cpuinfo, commit_hash, conditions, timelimit "
+                       "FROM experiments ORDER BY id");
   for (rows.start(); rows.next();) {
     all.emplace_back(rows.integer(0),
                      BenchExperiment{.map = rows.text(1),
@@ -197,6 +207,9 @@ std::vector<std::pair<std::int64_t, BenchExperiment>> BenchDatabase::experiments
                                      .fingerprint = static_cast<std::uint64_t>(rows.integer(6)),
                                      .threads = static_cast<unsigned>(rows.integer(7)),
                                      .version = rows.text(8),
+                                     .commit = rows.text(11),
+                                     .conditions = rows.text(12),
+                                     .limit_s = rows.number(13),
                                      .host = rows.text(9),
                                      .machine = rows.text(10)});
   }

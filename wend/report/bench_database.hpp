@@ -5,7 +5,8 @@
 //
 //   experiments     a scenario on its map, under the same conditions
 //   plannerConfigs  planners with their options
-//   runs            a planner's answer to a query: `time` in seconds (of its fastest pass), `solved`
+//   runs            a planner's answer to a query: `time` in seconds of CPU time (of its fastest
+//                   pass), `solved`; `prepare_s` and `first_s` where a new planner was asked it first
 //   enums           the words for `status` of a run
 //   progress        empty: our planners have no first answer that they better later
 //   bestPlannerConfigsPerExperiment, bestPlannerConfigs
@@ -50,9 +51,12 @@ struct BenchExperiment {
   std::string scenario = {};      // the name of its file
   std::uint64_t fingerprint = 0;  // of the map's cells and the scenario's queries
   unsigned threads = 1;
-  std::string version = {};  // of the program: "wend 0.1.0"
-  std::string host = {};     // the machine's name
-  std::string machine = {};  // its processor and the compiler
+  std::string version = {};     // of the program: "wend 0.1.0"
+  std::string commit = {};      // that it was built from
+  std::string conditions = {};  // the robot, its moves and what else changes times, in words
+  double limit_s = 0;           // that a query may take; 0: no limit
+  std::string host = {};        // the machine's name
+  std::string machine = {};     // its processor and the compiler
 
   friend bool operator==(const BenchExperiment&, const BenchExperiment&) = default;
 };

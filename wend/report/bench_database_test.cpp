@@ -52,6 +52,9 @@ const BenchExperiment kArena{.map = "arena",
                              .fingerprint = 0xFEDCBA9876543210,
                              .threads = 2,
                              .version = "wend 0.1.0",
+                             .commit = "0123abc",
+                             .conditions = "a point",
+                             .limit_s = 1.5,
                              .host = "here",
                              .machine = "a processor"};
 

@@ -14,13 +14,6 @@
 
 namespace wend {
 
-/// What a planner answered on one map.
-struct BenchedMap {
-  std::string planner;
-  std::uint64_t free_cells = 0;
-  std::vector<BenchAnswer> answers{};  // each with a pass at least
-};
-
 /// The text of the script. Queries that a planner did not solve are in no plot of it, and its share
 /// of solved ones stays below 100 %. Of more than 2000 points of a planner some are left out, evenly;
 /// the distribution has all. O(n log n) in the answers.

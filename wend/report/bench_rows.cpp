@@ -1,7 +1,5 @@
 #include "wend/report/bench_rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -10,11 +8,12 @@
 #include "wend/report/csv.hpp"
 #include "wend/report/json.hpp"
 #include "wend/report/statistics.hpp"
-#include "wend/report/text_table.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend {
 namespace {
 
+constexpr int kSchema = 1;             // of the JSON
 constexpr double kMicroseconds = 1e6;  // in a second
 
 /// Microseconds a query, of every pass that all queries have.
@@ -33,7 +32,11 @@ Json json_of(const BenchRow& row) {
           {"planner", row.planner},
           {"queries", row.queries},
           {"solved", row.solved},
+          {"timed_out", row.timed_out},
           {"wrong", row.wrong},
+          {"prepare_us", row.prepare_us},
+          {"first_queries", row.first_queries},
+          {"first_us", row.first_us},
           {"mean_us", row.mean_us},
           {"median_us", row.median_us},
           {"p99_us", row.p99_us},
@@ -53,10 +56,19 @@ std::string csv_text(const Json& value) {
   return value.is_number_float() ? format_number(value.get<double>()) : value.dump();
 }
 
-/// Microseconds for people: four digits of what is quick.
-std::string microseconds(double value) {
-  constexpr double kQuick = 10;
-  return value < kQuick ? fmt::format("{:.3f}", value) : fmt::format("{:.1f}", value);
+/// Sets what new planners took: the means over the queries that they were asked first.
+void set_first(BenchRow& row, std::span<const BenchAnswer> answers) {
+  double prepare = 0;
+  double first = 0;
+  for (const BenchAnswer& answer : answers) {
+    if (!answer.first) continue;
+    ++row.first_queries;
+    prepare += answer.first->prepare_s;
+    first += answer.first->seconds;
+  }
+  if (row.first_queries == 0) return;
+  row.prepare_us = kMicroseconds * prepare / static_cast<double>(row.first_queries);
+  row.first_us = kMicroseconds * first / static_cast<double>(row.first_queries);
 }
 
 }  // namespace
@@ -69,6 +81,7 @@ void BenchRow::set_answers(std::span<const BenchAnswer> answers) {
   queries = answers.size();
   for (const BenchAnswer& answer : answers) {
     solved += answer.found() ? 1 : 0;
+    timed_out += answer.status == Status::time_limit ? 1 : 0;
     wrong += answer.wrong ? 1 : 0;
     expanded += answer.expanded;
     fastest.push_back(kMicroseconds * answer.fastest());
@@ -85,72 +98,48 @@ void BenchRow::set_answers(std::span<const BenchAnswer> answers) {
   const std::vector<double> means = pass_means(answers, least_passes);
   fastest_pass_us = *std::min_element(means.begin(), means.end());
   slowest_pass_us = *std::max_element(means.begin(), means.end());
+  set_first(*this, answers);
 }
 
 double BenchRow::spread() const {
   return fastest_pass_us > 0 ? slowest_pass_us / fastest_pass_us - 1 : 0;
 }
 
-std::string bench_json(std::span<const BenchRow> rows) {
-  Json json = Json::array();
-  for (const BenchRow& row : rows) json.push_back(json_of(row));
+std::string bench_json(const BenchConditions& conditions, std::span<const BenchRow> rows) {
+  Json json{{"schema", kSchema},
+            {"version", conditions.version},
+            {"commit", conditions.commit},
+            {"machine", conditions.machine},
+            {"times", thread_time_name()},
+            {"robot", conditions.robot},
+            {"fresh", conditions.fresh},
+            {"limit_s", conditions.limit_s > 0 ? Json(conditions.limit_s) : Json()},
+            {"rows", Json::array()}};
+  for (const BenchRow& row : rows) json["rows"].push_back(json_of(row));
   return text_of(json);
 }
 
-std::string bench_csv(std::span<const BenchRow> rows) {
+std::string bench_csv(const BenchConditions& conditions, std::span<const BenchRow> rows) {
+  const auto fields_of = [&](const BenchRow& row) {
+    Json fields = json_of(row);
+    fields["fresh"] = conditions.fresh;
+    fields["version"] = conditions.version;
+    fields["commit"] = conditions.commit;
+    return fields;
+  };
   std::string csv;
-  const Json names = json_of(BenchRow());
+  const Json names = fields_of(BenchRow());
   for (const auto& [name, value] : names.items()) {
     csv += (csv.empty() ? "" : ",") + name;
   }
   for (const BenchRow& row : rows) {
     char separator = '\n';
-    for (const Json& value : json_of(row)) {
+    for (const Json& value : fields_of(row)) {
       csv += separator + csv_text(value);
       separator = ',';
     }
   }
   return csv + '\n';
-}
-
-std::string bench_table(std::span<const BenchRow> rows) {
-  const bool several_passes =
-      std::any_of(rows.begin(), rows.end(), [](const BenchRow& row) { return row.passes > 1; });
-  const bool indexes = std::any_of(rows.begin(), rows.end(),
-                                   [](const BenchRow& row) { return row.index_bytes > 0; });
-  std::vector<TextTable::Column> columns{{"scenario"},
-                                         {"planner"},
-                                         {"queries", Align::right},
-                                         {"solved", Align::right},
-                                         {"wrong", Align::right},
-                                         {"mean us", Align::right},
-                                         {"median us", Align::right},
-                                         {"99 % us", Align::right},
-                                         {"expanded/query", Align::right},
-                                         {"million/s", Align::right}};
-  if (several_passes) columns.push_back({"spread", Align::right});
-  if (indexes) columns.push_back({"build s", Align::right});
-  if (indexes) columns.push_back({"index MB", Align::right});
-  TextTable table(std::move(columns));
-  for (const BenchRow& row : rows) {
-    std::vector<std::string> fields{row.scen,
-                                    row.planner,
-                                    fmt::to_string(row.queries),
-                                    fmt::to_string(row.solved),
-                                    fmt::to_string(row.wrong),
-                                    microseconds(row.mean_us),
-                                    microseconds(row.median_us),
-                                    microseconds(row.p99_us),
-                                    fmt::format("{:.0f}", row.expanded_per_query),
-                                    fmt::format("{:.2f}", row.expansions_per_second * 1e-6)};
-    if (several_passes) fields.push_back(fmt::format("{:.1f} %", 100 * row.spread()));
-    if (indexes) fields.push_back(fmt::format("{:.2f}", row.build_s));
-    if (indexes) {
-      fields.push_back(fmt::format("{:.2f}", static_cast<double>(row.index_bytes) * 1e-6));
-    }
-    table.add(std::move(fields));
-  }
-  return table.text();
 }
 
 }  // namespace wend

@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 constexpr std::int64_t kApplication = 0x77656E64;  // "wend"
-constexpr std::int64_t kSchema = 1;                // of this file
+constexpr std::int64_t kSchema = 2;                // of this file
 constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
 
 // The columns up to `setup` are the twelve that Planner Arena knows. It takes those behind them for
@@ -32,7 +32,9 @@ CREATE TABLE experiments (
   free_cells INTEGER,
   threads INTEGER,
   scenario TEXT,
-  fingerprint INTEGER
+  fingerprint INTEGER,
+  commit_hash TEXT,
+  conditions TEXT
 );
 CREATE TABLE plannerConfigs (
   id INTEGER PRIMARY KEY AUTOINCREMENT,
@@ -57,6 +59,8 @@ CREATE TABLE runs (
   expanded INTEGER,
   build_s REAL,
   index_bytes INTEGER,
+  prepare_s REAL,
+  first_s REAL,
   line INTEGER,
   FOREIGN KEY (experimentid) REFERENCES experiments(id) ON DELETE CASCADE,
   FOREIGN KEY (plannerid) REFERENCES plannerConfigs(id) ON DELETE CASCADE
@@ -130,7 +134,7 @@ std::string fault_of(SqliteConnection& connection) {
     return "it is the database of something else, not of `wend bench`";
   }
   if (number_of(connection, "PRAGMA user_version") != kSchema) {
-    return "it was written by another version of wend";
+    return "it was written by another version of wend; start a new file";
   }
   SqliteStatement check(connection, "PRAGMA quick_check");
   const bool whole = check.run() && check.text(0) == "ok";

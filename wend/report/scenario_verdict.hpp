@@ -8,15 +8,15 @@
 #include "wend/io/scenario.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/space/grid_moves.hpp"
 
 namespace wend {
 
-/// What is wrong with an answer, empty if nothing is: none where the file gives a length, one where
-/// it says that there is none, or a path of another length.
-std::string wrong_answer(const ScenarioQuery& query, Status status, const Plan& plan);
-
-/// What is wrong with a path cell by cell, empty if nothing is: it does not join start and goal, or
-/// it is not one for 8 neighbours without corner cutting. O(length).
-std::string wrong_path(const FreeSpace& space, const ScenarioQuery& query, const Path& path);
+/// What is wrong with an answer, empty if nothing is: none where the query has a length, one where it
+/// says that there is none, a path that does not join start and goal or is not valid cell by cell, or
+/// one of another length. On terrain the length is a cost. An answer that ran out of time is not
+/// wrong. O(length).
+std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
+                         Status status, const Plan& plan);
 
 }  // namespace wend

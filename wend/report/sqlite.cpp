@@ -46,6 +46,10 @@ bool SqliteStatement::next() {
   return code == SQLITE_ROW;
 }
 
+bool SqliteStatement::has(int column) const {
+  return sqlite3_column_type(statement_.get(), column) != SQLITE_NULL;
+}
+
 std::int64_t SqliteStatement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
@@ -69,6 +73,11 @@ void SqliteStatement::bind(int parameter, std::int64_t value) {
 
 void SqliteStatement::bind(int parameter, double value) {
   if (connection_.ok()) connection_.check(sqlite3_bind_double(statement_.get(), parameter, value));
+}
+
+void SqliteStatement::bind(int parameter, const std::optional<double>& value) {
+  if (value) return bind(parameter, *value);
+  if (connection_.ok()) connection_.check(sqlite3_bind_null(statement_.get(), parameter));
 }
 
 void SqliteStatement::bind(int parameter, const std::string& value) {

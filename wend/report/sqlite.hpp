@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -71,6 +72,7 @@ class SqliteStatement {
   }
 
   /// Of the row, by column from 0.
+  bool has(int column) const;  // false of NULL
   std::int64_t integer(int column) const;
   double number(int column) const;
   std::string text(int column) const;
@@ -88,6 +90,7 @@ class SqliteStatement {
   void reset();
   void bind(int parameter, std::int64_t value);
   void bind(int parameter, double value);
+  void bind(int parameter, const std::optional<double>& value);  // nothing: NULL
   void bind(int parameter, const std::string& value);
 
   SqliteConnection& connection_;

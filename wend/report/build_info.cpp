@@ -1,0 +1,7 @@
+#include "wend/report/build_info.hpp"
+
+namespace wend {
+
+std::string_view wend_version() { return WEND_VERSION; }
+
+}  // namespace wend

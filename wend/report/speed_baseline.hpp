@@ -1,0 +1,50 @@
+#pragma once
+
+// SpeedBaseline: how many times as fast as Boost's A* our planners were, kept in a file, and what became of
+// it. Ratios of one run are compared with ratios of another, never times.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+
+namespace wend {
+
+/// How many times as fast as Boost a planner is: the geometric mean over maps.
+struct SpeedRatios {
+  double later = 0;  // later queries
+  double fresh = 0;  // a new planner and its first query
+};
+
+struct BaselineRow {
+  std::string planner;  // as typed
+  SpeedRatios ratios;
+};
+
+struct SpeedBaseline {
+  std::string machine;
+  std::string commit;
+  double tolerance = 0.25;  // a planner may lose this share of a ratio before that counts
+  std::size_t sample = 0;   // queries a map
+  std::vector<BaselineRow> rows;
+};
+
+/// An error names the file and what is wrong with it.
+Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& file);
+
+/// The text of the file.
+std::string baseline_json(const SpeedBaseline& baseline);
+
+/// A table of now, baseline and change for people, and whether a planner got slower than the
+/// tolerance allows.
+struct BaselineVerdict {
+  std::string table;
+  bool slower = false;
+};
+
+/// `now` has the planners of the baseline, in their order.
+BaselineVerdict compared(const SpeedBaseline& baseline, const std::vector<BaselineRow>& now);
+
+}  // namespace wend
