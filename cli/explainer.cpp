@@ -50,6 +50,12 @@ std::string Explainer::why(const Place& place, BlockReason reason) const {
       return fmt::format("the nearest obstacle is {} away, the robot's radius is {}",
                          coordinates_.length(space_.clearance(place.cell)),
                          coordinates_.length(space_.radius_in_cells()));
+    case BlockReason::over_edge:
+      return fmt::format(
+          "the robot would leave the map: the edge is {} away, the robot's radius is {} (--outside "
+          "free lets it hang over)",
+          coordinates_.length(space_.clearance(place.cell)),
+          coordinates_.length(space_.radius_in_cells()));
     case BlockReason::outside:
       break;
   }

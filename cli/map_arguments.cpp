@@ -52,6 +52,11 @@ void RobotArguments::add_to(Parser& app) {
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
                             "What unknown cells are (default blocked)");
+  add_choice<std::optional<OutsidePolicy>>(
+      app, "--outside", outside,
+      {{"blocked", OutsidePolicy::blocked}, {"free", OutsidePolicy::free}},
+      "What lies outside the map: whether the robot's disc may hang over the map's edge (default "
+      "blocked for maps in metres, free for maps in cells)");
   app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
@@ -59,6 +64,7 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),
           .unknown = unknown,
+          .outside = outside,
           .keep_away = units.in_metres(keep_away),
           .keep_away_cost = keep_away_cost};
 }

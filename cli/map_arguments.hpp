@@ -27,6 +27,7 @@ struct MapFileArguments {
 struct RobotArguments {
   double robot_radius = 0;  // in the user's units
   UnknownPolicy unknown = UnknownPolicy::blocked;
+  std::optional<OutsidePolicy> outside;
   double keep_away = 0;  // in the user's units
   double keep_away_cost = FreeSpaceOptions{}.keep_away_cost;
   bool cells = false;

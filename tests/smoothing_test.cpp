@@ -75,7 +75,8 @@ void on_random_plans(std::uint64_t trials, Check&& check) {
 /// one of the two cells beside must be free too, unless it may squeeze.
 void expect_sampled_free(const Path& path, const Trial& trial) {
   constexpr double kStep = 0.02;
-  const test::SampledRobot robot(trial.map, trial.radius);
+  const test::SampledRobot robot(trial.map, trial.radius,
+                                 trial.space.outside() == OutsidePolicy::blocked);
   const bool may_squeeze = trial.adjacency == Adjacency::edges_and_corners || trial.radius > 0;
   std::optional<Cell> last;
   const auto points = path.points();

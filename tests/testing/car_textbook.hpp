@@ -130,14 +130,16 @@ class CarTextbook {
     return state == CellState::occupied || (state == CellState::unknown && !robot_.enters_unknown);
   }
 
-  /// Does every obstacle near a point keep the robot's radius from what `distance` measures?
+  /// Does every obstacle near a point, and the outside, keep the robot's radius from what `distance`
+  /// measures?
   template <class Distance>
   bool kept_clear(Cell point, Distance&& distance) const {
     if (robot_.radius == 0) return true;
     const int reach = static_cast<int>(std::ceil(robot_.radius)) + rules_.unit + 1;
     for (int y = point.y - reach; y <= point.y + reach; ++y) {
       for (int x = point.x - reach; x <= point.x + reach; ++x) {
-        if (is_obstacle({x, y}) && distance(Cell{x, y}) < robot_.radius - 1e-7) return false;
+        const bool counts = map_.contains({x, y}) ? is_obstacle({x, y}) : robot_.stays_on_map;
+        if (counts && distance(Cell{x, y}) < robot_.radius - 1e-7) return false;
       }
     }
     return true;

@@ -43,7 +43,7 @@ inline bool has_room(const Trial& trial, const CarRules& rules) {
 }
 
 inline CarTextbook car_textbook_for(const Trial& trial, const PlannerInfo& info) {
-  return CarTextbook(trial.map, robot_in_cells(trial.robot, trial.map.frame().resolution),
+  return CarTextbook(trial.map, robot_in_cells(trial.robot, trial.map.frame()),
                      rules_of(trial, info));
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -74,6 +75,7 @@ inline GridMap random_map(Random& random, int width, int height) {
   Frame frame;
   frame.resolution = one_of<double>(random, std::array{1.0, 1.0, 0.1, 0.05});
   frame.y_up = random.chance(0.5);
+  frame.metric = random.chance(0.3);
   frame.origin = {random.uniform(), random.uniform(), 0};
   const Grid<CellState> states = random_states(random, width, height);
   return GridMap(states, frame, random_terrain(random, width, height));
@@ -88,6 +90,12 @@ inline GridMap random_map(Random& random) {
   return random.chance(0.5) ? random_map(random, width, height) : random_map(random, height, width);
 }
 
+inline std::optional<OutsidePolicy> random_outside(Random& random) {
+  return one_of<std::optional<OutsidePolicy>>(
+      random, std::array<std::optional<OutsidePolicy>, 3>{std::nullopt, OutsidePolicy::blocked,
+                                                          OutsidePolicy::free});
+}
+
 /// Mostly a point, else a disc; radii that touch squares exactly are among them. Some keep away.
 inline FreeSpaceOptions random_robot(Random& random, double resolution) {
   const double radius = one_of<double>(
@@ -96,6 +104,7 @@ inline FreeSpaceOptions random_robot(Random& random, double resolution) {
       one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.4, 0.5, 1.0, 2.5, 7.0});
   return {.robot_radius = radius * resolution,
           .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
+          .outside = random_outside(random),
           .keep_away = keep_away * resolution,
           .keep_away_cost = one_of<double>(random, std::array{0.0, 0.5, 4.0, 4.0, 100.0})};
 }

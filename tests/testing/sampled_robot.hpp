@@ -14,7 +14,8 @@ namespace wend::test {
 class SampledRobot {
  public:
   /// Unknown cells are obstacles. The radius is in cells. The map outlives the robot.
-  SampledRobot(const GridMap& map, double radius) : map_(map), radius_(radius) {}
+  SampledRobot(const GridMap& map, double radius, bool stays_on_map)
+      : map_(map), radius_(radius), margin_(stays_on_map ? radius : 0) {}
 
   bool is_obstacle(int x, int y) const {
     return map_.contains({x, y}) && map_.state({x, y}) != CellState::free;
@@ -23,7 +24,7 @@ class SampledRobot {
   /// Is it, by more than rounding, off the map, inside of the obstacles, or too close to one?
   bool collides_at(Point point) const {
     constexpr double kRounding = 1e-7;
-    if (inside_border(point) < -kRounding) return true;
+    if (inside_border(point) < margin_ - kRounding) return true;
     return radius_ == 0 ? is_inside(point, kRounding)
                         : nearest_obstacle(point) < radius_ - kRounding;
   }
@@ -68,6 +69,7 @@ class SampledRobot {
 
   const GridMap& map_;
   double radius_;
+  double margin_;  // of the centre, from the map's border
 };
 
 }  // namespace wend::test

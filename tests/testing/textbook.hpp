@@ -22,14 +22,17 @@ namespace wend::test {
 struct Robot {
   double radius = 0;  // cells
   bool enters_unknown = false;
-  double keep_away = 0;  // cells
+  bool stays_on_map = false;  // the whole disc, not just its centre
+  double keep_away = 0;       // cells
   double keep_away_cost = 0;
 };
 
-inline Robot robot_in_cells(const FreeSpaceOptions& options, double resolution) {
-  return {.radius = options.robot_radius / resolution,
+inline Robot robot_in_cells(const FreeSpaceOptions& options, const Frame& frame) {
+  const auto in_metres = frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
+  return {.radius = options.robot_radius / frame.resolution,
           .enters_unknown = options.unknown == UnknownPolicy::free,
-          .keep_away = options.keep_away / resolution,
+          .stays_on_map = options.outside.value_or(in_metres) == OutsidePolicy::blocked,
+          .keep_away = options.keep_away / frame.resolution,
           .keep_away_cost = options.keep_away_cost};
 }
 
@@ -150,20 +153,21 @@ class Textbook {
   }
 
   bool is_obstacle(Cell cell) const {
-    if (!map_.contains(cell)) return false;  // the outside keeps nobody away
+    if (!map_.contains(cell)) return robot_.stays_on_map;
     const CellState state = map_.state(cell);
     return state == CellState::occupied || (state == CellState::unknown && !robot_.enters_unknown);
   }
 
-  /// The least that `distance` says of the obstacles that can be so near to `around`.
+  /// The least that `distance` says of the obstacles that can be so near to `around`. Of the cells
+  /// outside the map those along its edge are nearest.
   template <class Distance>
   double least_distance(Cell around, double near, Distance&& distance) const {
     const int reach = static_cast<int>(std::ceil(near)) + 2;
-    const Cell last{std::min(around.x + reach, map_.width() - 1),
-                    std::min(around.y + reach, map_.height() - 1)};
+    const Cell last{std::min(around.x + reach, map_.width()),
+                    std::min(around.y + reach, map_.height())};
     double least = kInfinite;
-    for (int y = std::max(around.y - reach, 0); y <= last.y; ++y) {
-      for (int x = std::max(around.x - reach, 0); x <= last.x; ++x) {
+    for (int y = std::max(around.y - reach, -1); y <= last.y; ++y) {
+      for (int x = std::max(around.x - reach, -1); x <= last.x; ++x) {
         if (is_obstacle({x, y})) least = std::min(least, distance(Cell{x, y}));
       }
     }

@@ -34,8 +34,9 @@ inline std::string text_of(const Trial& trial, std::uint64_t seed) {
   std::ostringstream text;
   text << "seed " << seed << ", radius " << trial.robot.robot_radius << " m, resolution "
        << trial.map.frame().resolution << (trial.map.uniform_terrain() ? "" : ", terrain")
-       << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "") << ", keeps away "
-       << trial.robot.keep_away << " m at " << trial.robot.keep_away_cost
+       << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "")
+       << (robot_in_cells(trial.robot, trial.map.frame()).stays_on_map ? ", stays on the map" : "")
+       << ", keeps away " << trial.robot.keep_away << " m at " << trial.robot.keep_away_cost
        << ", options: " << test::text_of(trial.options) << '\n'
        << drawing_of(trial.map);
   return text.str();
@@ -48,7 +49,7 @@ inline Textbook textbook_for(const Trial& trial, const PlannerInfo& info) {
                     .corners_cut = corners == "both"  ? 2
                                    : corners == "one" ? 1
                                                       : 0};
-  return Textbook(trial.map, robot_in_cells(trial.robot, trial.map.frame().resolution), rules);
+  return Textbook(trial.map, robot_in_cells(trial.robot, trial.map.frame()), rules);
 }
 
 /// Where a planner goes from and to in a test: cells that are mostly passable.

@@ -114,7 +114,7 @@ std::string index_fault(const IndexHeader& header, std::string_view planner, std
   }
   if (header.map_hash != map_hash(passable)) {
     return "it was built for another map, or for a robot that fits elsewhere (its radius, unknown "
-           "cells): build it again";
+           "cells, the map's outside): build it again";
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/map/map_edge.hpp"
 #include "wend/map/obstacles_near.hpp"
 #include "wend/map/point_sweep.hpp"
 #include "wend/map/swept_piece.hpp"
@@ -26,6 +27,7 @@ class Sweep {
     const double from_centre = distance(point, centre_of(cell));
     if (far_enough(clearance - from_centre)) return true;
     if (!far_enough(clearance + from_centre)) return false;
+    if (!far_enough(edge_clearance(space_, point))) return false;
     return !any_obstacle(space_, Box(point).grown_by(radius_),
                          [&](Cell square) { return !far_enough(distance(point, square)); });
   }
@@ -43,6 +45,7 @@ class Sweep {
     if (!far_enough(clearance + nearer_end)) return false;
     constexpr double kShort = 2;
     if (length_of(way) > std::max(kShort, radius_)) return halves_fit(way);
+    if (!far_enough(edge_clearance(space_, way))) return false;
     return !any_obstacle(space_, piece.box().grown_by(radius_), [&](Cell square) {
       if (far_enough(distance(piece.middle, square) - piece.half_chord)) return false;
       return !far_enough(distance(piece.to, square)) || !far_enough(distance(way, square));
@@ -81,6 +84,7 @@ double arc_clearance(const FreeSpace& space, const Arc& arc) {
     box.include(point);
   }
   if (std::isinf(least)) return least;
+  least = std::min(least, edge_clearance(space, arc));
   const Point middle = point_on(arc, arc.length / 2);
   any_obstacle(space, box.grown_by(least + length / pieces / 2), [&](Cell square) {
     if (distance(middle, square) - length / 2 < least) {

@@ -7,34 +7,26 @@
 #include <cmath>
 #include <string>
 
+#include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/random_bits_test.hpp"
 
 namespace wend {
 namespace {
 
-/// The least over all obstacles there are.
+/// The least over all squares that count.
 double brute_force(const FreeSpace& space, const Arc& arc) {
-  double least = test::kInfinite;
-  for (const Cell cell : test::all_cells(space.width(), space.height())) {
-    if (space.obstacles()[cell]) least = std::min(least, distance(arc, cell));
-  }
-  return least;
+  return test::least_distance_to_blocked(space, arc.from.point(),
+                                         [&](Cell cell) { return distance(arc, cell); });
 }
 
 /// From the nearest of so many points to the nearest obstacle; shares no code with what it checks.
 double sampled(const FreeSpace& space, const Arc& arc, int samples) {
   double least = test::kInfinite;
   for (int i = 0; i <= samples; ++i) {
-    const Pose pose = pose_on(arc, arc.length * i / samples);
-    for (const Cell cell : test::all_cells(space.width(), space.height())) {
-      if (!space.obstacles()[cell]) continue;
-      least = std::min(least, test::distance_to_square(pose.x, pose.y, cell));
-    }
+    least = std::min(least, test::clearance_at(space, point_on(arc, arc.length * i / samples)));
   }
   return least;
 }
@@ -122,8 +114,9 @@ TEST(FitsAlong, LetsDiscsTouch) {
     if (clearance < 1e-3 || clearance == test::kInfinite) return;
     const double metres = clearance * space.map().frame().resolution;
     for (const double larger : {-1e-3, -1e-6, -1e-11, 0.0, 1e-11, 1e-6, 1e-3}) {
-      const FreeSpace just(
-          space.map(), {.robot_radius = metres * (1 + larger), .unknown = space.options().unknown});
+      const FreeSpace just(space.map(), {.robot_radius = metres * (1 + larger),
+                                         .unknown = space.options().unknown,
+                                         .outside = space.outside()});
       ASSERT_EQ(fits_along(just, arc), larger < 1e-9) << clearance << ", larger by " << larger;
     }
   });

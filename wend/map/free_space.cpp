@@ -24,6 +24,26 @@ BitGrid obstacles_of(const GridMap& map, UnknownPolicy unknown) {
   return obstacles;
 }
 
+/// From a cell's centre to the map's edge, squared, in half-cells.
+std::uint32_t squared_half_cells_to_edge(const BitGrid& map, Cell cell) {
+  const std::int64_t cells =
+      std::min({cell.x, map.width() - 1 - cell.x, cell.y, map.height() - 1 - cell.y});
+  return static_cast<std::uint32_t>((2 * cells + 1) * (2 * cells + 1));
+}
+
+/// From the centre of every cell to what is nearest: an obstacle or, if it counts, the map's edge.
+Grid<std::uint32_t> clearance_of(const BitGrid& obstacles, OutsidePolicy outside) {
+  Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
+  if (outside == OutsidePolicy::free) return clearance;
+  for (int y = 0; y < clearance.height(); ++y) {
+    for (int x = 0; x < clearance.width(); ++x) {
+      std::uint32_t& here = clearance[{x, y}];
+      here = std::min(here, squared_half_cells_to_edge(obstacles, {x, y}));
+    }
+  }
+  return clearance;
+}
+
 /// The cells whose clearance is large enough.
 BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
   BitGrid passable(clearance.width(), clearance.height());
@@ -102,17 +122,24 @@ std::string_view describe(BlockReason reason) {
       return "unknown";
     case BlockReason::too_close:
       return "closer to an obstacle than the robot's radius";
+    case BlockReason::over_edge:
+      return "so close to the map's edge that the robot would leave the map";
   }
   return {};
+}
+
+OutsidePolicy default_outside_policy(const Frame& frame) {
+  return frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
 }
 
 FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
   assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
   assert(options.keep_away >= 0 && std::isfinite(options.keep_away));
   assert(options.keep_away_cost >= 0 && std::isfinite(options.keep_away_cost));
+  if (!options.outside) options.outside = default_outside_policy(map.frame());
   const double least = least_squared_half_cells(options.robot_radius / map.frame().resolution);
   BitGrid obstacles = obstacles_of(map, options.unknown);
-  Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
+  Grid<std::uint32_t> clearance = clearance_of(obstacles, *options.outside);
   BitGrid passable = cells_with_clearance(clearance, least);
   ConnectedRegions regions(passable);
   Grid<double> terrain = terrain_away_from_obstacles(map, passable, clearance,
@@ -125,7 +152,12 @@ FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
 std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
   if (!contains(cell)) return BlockReason::outside;
   if (data_->passable[cell]) return std::nullopt;
-  if (!data_->obstacles[cell]) return BlockReason::too_close;
+  if (!data_->obstacles[cell]) {
+    const bool edge_is_nearest =
+        outside() == OutsidePolicy::blocked &&
+        data_->clearance[cell] == squared_half_cells_to_edge(data_->obstacles, cell);
+    return edge_is_nearest ? BlockReason::over_edge : BlockReason::too_close;
+  }
   return data_->map.state(cell) == CellState::unknown ? BlockReason::unknown
                                                       : BlockReason::obstacle;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
-// FreeSpace: where one robot may be on a map. Map + radius + what to make of unknown cells give
-// passable cells, exact clearance, connected regions, and the reason why a cell is blocked.
+// FreeSpace: where one robot may be on a map. Map + radius + what to make of unknown cells and of
+// what lies outside the map give passable cells, exact clearance, connected regions, and the reason
+// why a cell is blocked.
 //
 // The robot is a disc of radius r that stands on cell centres; it may stand where its centre is at
-// least r away from every closed blocked square (touching is allowed; r = 0 is a point). Cells
-// outside the map are blocked, but walls do not grow from the map's edge.
+// least r away from every closed blocked square (touching is allowed; r = 0 is a point). Its centre
+// stays on the map. Its disc may hang over the map's edge or not, as OutsidePolicy says; if not, the
+// map's edge counts in clearance like an obstacle's.
 //
 // A robot can be told to keep away from obstacles: cells near them then cost more, smoothly, out to
 // a distance, so that paths swing wide where there is room and still pass where there is none. With
@@ -37,11 +39,21 @@ namespace wend {
 /// What unknown cells are to a robot.
 enum class UnknownPolicy { blocked, free };
 
+/// What the outside of the map is to a robot's disc. The centre never goes there.
+enum class OutsidePolicy { blocked, free };
+
+/// What maps are taken for where nobody says: a map in metres (Frame::metric) shows a part of the
+/// world, a map in cells all of it.
+OutsidePolicy default_outside_policy(const Frame& frame);
+
 struct FreeSpaceOptions {
   double robot_radius = 0;  // metres (cells, where the map's resolution is 1), finite, >= 0
   UnknownPolicy unknown = UnknownPolicy::blocked;
+  std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
   double keep_away = 0;       // from the disc's edge, units as robot_radius, finite; 0 = off
   double keep_away_cost = 4;  // how much more a cell costs where the disc touches, finite, >= 0
+
+  friend bool operator==(const FreeSpaceOptions&, const FreeSpaceOptions&) = default;
 };
 
 enum class BlockReason {
@@ -49,9 +61,11 @@ enum class BlockReason {
   obstacle,   // occupied
   unknown,    // unknown, and unknown cells are blocked
   too_close,  // free, but nearer to a blocked cell than the robot's radius
+  over_edge,  // the same of the map's edge, which is nearer than any blocked cell
 };
 
-/// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius".
+/// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius", "so
+/// close to the map's edge that the robot would leave the map".
 std::string_view describe(BlockReason reason);
 
 class FreeSpace {
@@ -59,7 +73,10 @@ class FreeSpace {
   explicit FreeSpace(GridMap map, FreeSpaceOptions options = {});
 
   const GridMap& map() const { return data_->map; }
+
+  /// As given, but `outside` is set.
   const FreeSpaceOptions& options() const { return data_->options; }
+  OutsidePolicy outside() const { return *data_->options.outside; }
   int width() const { return data_->passable.width(); }
   int height() const { return data_->passable.height(); }
   bool contains(Cell cell) const { return data_->passable.contains(cell); }
@@ -74,8 +91,8 @@ class FreeSpace {
   /// Why the robot may not stand there; nothing if it may.
   std::optional<BlockReason> why_blocked(Cell cell) const;
 
-  /// From the cell's centre to the nearest obstacle square, in cells; infinite without obstacles
-  /// (or where none is within 32768 cells).
+  /// From the cell's centre to the nearest obstacle square, or to the map's edge if the outside is
+  /// blocked, in cells; infinite where there is neither (or none within 32768 cells).
   double clearance(Cell cell) const;
 
   /// The same for all cells, squared and in half-cells, exact (see distance_field.hpp).

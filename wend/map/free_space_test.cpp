@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "wend/map/distance_field.hpp"
 #include "wend/map/random_bits_test.hpp"
@@ -20,9 +21,16 @@ struct Sample {
   int resolution_mm;
   int radius_mm;
   UnknownPolicy unknown;
+  std::optional<OutsidePolicy> outside;
 
   FreeSpace space() const {
-    return FreeSpace(map, {.robot_radius = radius_mm / 1000.0, .unknown = unknown});
+    return FreeSpace(map,
+                     {.robot_radius = radius_mm / 1000.0, .unknown = unknown, .outside = outside});
+  }
+
+  bool edge_counts() const {
+    if (outside) return *outside == OutsidePolicy::blocked;
+    return map.frame().metric;
   }
 
   bool is_obstacle(Cell cell) const {
@@ -30,21 +38,41 @@ struct Sample {
            (map.state(cell) == CellState::unknown && unknown == UnknownPolicy::blocked);
   }
 
-  /// Squared, in half-cells, from a cell's centre to the nearest closed obstacle square; -1: none.
-  std::int64_t nearest_obstacle(Cell from) const {
+  /// Squared, in half-cells, from a cell's centre to the nearest of these closed squares; -1: none.
+  template <class Counts>
+  std::int64_t nearest(Cell from, Counts&& counts) const {
     std::int64_t least = -1;
-    for (const Cell cell : test::all_cells(map.width(), map.height())) {
-      if (!is_obstacle(cell)) continue;
-      const std::int64_t dx = std::max(0, 2 * std::abs(cell.x - from.x) - 1);
-      const std::int64_t dy = std::max(0, 2 * std::abs(cell.y - from.y) - 1);
-      if (least < 0 || dx * dx + dy * dy < least) least = dx * dx + dy * dy;
+    for (int y = -1; y <= map.height(); ++y) {
+      for (int x = -1; x <= map.width(); ++x) {
+        if (!counts(Cell{x, y})) continue;
+        const std::int64_t dx = std::max(0, 2 * std::abs(x - from.x) - 1);
+        const std::int64_t dy = std::max(0, 2 * std::abs(y - from.y) - 1);
+        if (least < 0 || dx * dx + dy * dy < least) least = dx * dx + dy * dy;
+      }
     }
     return least;
   }
 
+  /// To the nearest obstacle.
+  std::int64_t nearest_obstacle(Cell from) const {
+    return nearest(from, [&](Cell cell) { return map.contains(cell) && is_obstacle(cell); });
+  }
+
+  /// To the nearest cell around the map.
+  std::int64_t map_edge(Cell from) const {
+    return nearest(from, [&](Cell cell) { return !map.contains(cell); });
+  }
+
+  /// To whatever counts.
+  std::int64_t nearest_blocked(Cell from) const {
+    const std::int64_t obstacle = nearest_obstacle(from);
+    if (!edge_counts()) return obstacle;
+    return obstacle < 0 ? map_edge(from) : std::min(obstacle, map_edge(from));
+  }
+
   /// distance >= radius, both squared and in half millimetres.
   bool may_stand_on(Cell cell) const {
-    const std::int64_t squared = nearest_obstacle(cell);
+    const std::int64_t squared = nearest_blocked(cell);
     if (squared < 0) return true;
     return squared > 0 &&
            squared * resolution_mm * resolution_mm >= std::int64_t{4} * radius_mm * radius_mm;
@@ -66,8 +94,12 @@ Sample random_sample(Random& random) {
   const int resolution_mm = kResolutions[random.below(kResolutions.size())];
   Frame frame;
   frame.resolution = resolution_mm / 1000.0;
+  frame.metric = random.chance(0.5);
+  constexpr std::array<std::optional<OutsidePolicy>, 3> kOutside{
+      std::nullopt, OutsidePolicy::blocked, OutsidePolicy::free};
   return {GridMap(states, frame), resolution_mm, kRadii[random.below(kRadii.size())],
-          random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free};
+          random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
+          kOutside[random.below(kOutside.size())]};
 }
 
 template <class Check>
@@ -79,7 +111,8 @@ void for_random_samples(int count, Check&& check) {
                  << "seed " << seed << ", " << sample.map.width() << " x " << sample.map.height()
                  << " cells of " << sample.resolution_mm << " mm, radius " << sample.radius_mm
                  << " mm, unknown cells "
-                 << (sample.unknown == UnknownPolicy::blocked ? "blocked" : "free"));
+                 << (sample.unknown == UnknownPolicy::blocked ? "blocked" : "free") << ", outside "
+                 << (sample.edge_counts() ? "blocked" : "free"));
     check(sample, sample.space());
     if (testing::Test::HasFatalFailure()) return;
   }
@@ -97,7 +130,7 @@ TEST(FreeSpace, IsWhereTheRobotsDiscTouchesNoObstacleInside) {
 TEST(FreeSpace, KnowsTheExactClearance) {
   for_random_samples(200, [](const Sample& sample, const FreeSpace& space) {
     for (const Cell cell : test::all_cells(space.width(), space.height())) {
-      const std::int64_t squared = sample.nearest_obstacle(cell);
+      const std::int64_t squared = sample.nearest_blocked(cell);
       if (squared < 0) {
         ASSERT_EQ(space.clearance(cell), std::numeric_limits<double>::infinity());
       } else {
@@ -121,7 +154,9 @@ TEST(FreeSpace, SaysWhyACellIsBlocked) {
           expected = sample.map.state(cell) == CellState::unknown ? BlockReason::unknown
                                                                   : BlockReason::obstacle;
         } else if (!sample.may_stand_on(cell)) {
-          expected = BlockReason::too_close;
+          const bool at_edge =
+              sample.edge_counts() && sample.nearest_blocked(cell) == sample.map_edge(cell);
+          expected = at_edge ? BlockReason::over_edge : BlockReason::too_close;
         }
         ASSERT_EQ(space.why_blocked(cell), expected) << x << "," << y;
         ASSERT_EQ(space.passable(cell), !expected.has_value());
@@ -183,14 +218,30 @@ TEST(FreeSpace, OfAPointIsEveryCellThatIsNoObstacle) {
   EXPECT_EQ(space.why_blocked({1, 0}), std::nullopt);
 }
 
-TEST(FreeSpace, IsNotNarrowedByTheMapsEdge) {
+TEST(FreeSpace, OfAMapInCellsIsNotNarrowedByTheMapsEdge) {
   const FreeSpace space(GridMap(Grid<CellState>(3, 3, CellState::free)), {.robot_radius = 100});
+  EXPECT_EQ(space.outside(), OutsidePolicy::free);
   for (const Cell cell : test::all_cells(3, 3)) {
     EXPECT_TRUE(space.passable(cell));
     EXPECT_EQ(space.clearance(cell), std::numeric_limits<double>::infinity());
   }
   EXPECT_FALSE(space.passable({-1, 0}));
   EXPECT_EQ(space.why_blocked({3, 0}), BlockReason::outside);
+}
+
+TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
+  const GridMap map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1, .metric = true});
+  const FreeSpace space(map, {.robot_radius = 0.15});
+  EXPECT_EQ(space.outside(), OutsidePolicy::blocked);
+  EXPECT_EQ(space.options().outside, OutsidePolicy::blocked);
+  EXPECT_EQ(space.passable().count(), 3U) << "the middle row, without its ends";
+  EXPECT_EQ(space.clearance({2, 1}), 1.5);
+  EXPECT_EQ(space.why_blocked({0, 1}), BlockReason::over_edge);
+  EXPECT_EQ(describe(BlockReason::over_edge),
+            "so close to the map's edge that the robot would leave the map");
+  const FreeSpace hanging(map, {.robot_radius = 0.15, .outside = OutsidePolicy::free});
+  EXPECT_EQ(hanging.passable().count(), map.size());
+  EXPECT_EQ(FreeSpace(map).passable().count(), map.size()) << "a point fits in every cell";
 }
 
 TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {

@@ -47,16 +47,16 @@ TEST(KeepAway, NeverMakesACellCostLess) {
 
 TEST(KeepAway, CostsWhatItsFormulaSays) {
   int raised = 0;
-  on_random_spaces([&](const GridMap& map, const FreeSpaceOptions& options,
-                       const FreeSpace& space) {
-    const test::Textbook textbook(map, test::robot_in_cells(options, map.frame().resolution), {});
-    for (const Cell cell : test::all_cells(map.width(), map.height())) {
-      if (!space.passable(cell)) continue;
-      const double expected = textbook.terrain(cell);
-      raised += expected > map.terrain(cell) ? 1 : 0;
-      ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
-    }
-  });
+  on_random_spaces(
+      [&](const GridMap& map, const FreeSpaceOptions& options, const FreeSpace& space) {
+        const test::Textbook textbook(map, test::robot_in_cells(options, map.frame()), {});
+        for (const Cell cell : test::all_cells(map.width(), map.height())) {
+          if (!space.passable(cell)) continue;
+          const double expected = textbook.terrain(cell);
+          raised += expected > map.terrain(cell) ? 1 : 0;
+          ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
+        }
+      });
   EXPECT_GT(raised, 5000);
 }
 
@@ -91,7 +91,9 @@ TEST(KeepAway, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
 TEST(KeepAway, IsMeasuredFromTheRobotsEdgeInMetres) {
   // Cells of half a metre, an obstacle on the left: cell x is (x - 0.5) / 2 m from it.
   const GridMap map = test::drawn_map("#.........", {.resolution = 0.5, .metric = true});
-  const FreeSpace space(map, {.robot_radius = 0.75, .keep_away = 2, .keep_away_cost = 8});
+  const FreeSpace space(
+      map,
+      {.robot_radius = 0.75, .outside = OutsidePolicy::free, .keep_away = 2, .keep_away_cost = 8});
   EXPECT_EQ(space.terrain({1, 0}), 1) << "the robot cannot stand there";
   EXPECT_DOUBLE_EQ(space.terrain({2, 0}), 9) << "it touches";
   EXPECT_DOUBLE_EQ(space.terrain({4, 0}), 3) << "1 m away";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wend/map/arc_clearance.hpp"
+#include "wend/map/map_edge.hpp"
 #include "wend/map/obstacles_near.hpp"
 #include "wend/map/point_sweep.hpp"
 
@@ -38,7 +39,7 @@ double swept_clearance(const FreeSpace& space, const Line& line, double reach, d
     if (first == 0) return 0;
     return std::min(first, swept_clearance(space, {middle, line.to}, reach, enough));
   }
-  double least = reach;
+  double least = std::min(reach, edge_clearance(space, line));
   Box box(line.from);
   box.include(line.to);
   any_obstacle(space, box.grown_by(reach), [&](Cell square) {

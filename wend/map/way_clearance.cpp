@@ -26,6 +26,10 @@ namespace {
 //
 // So the middle can only be nearer than the ends if the nearer end has a clearance of 8 k^2 + 1 or
 // 8 k^2 + 2 for some k: then two squares are to be looked at.
+//
+// To the map's edge, a straight line, an end is always nearest. Where the edge is nearer to that end
+// than every obstacle is, its squared distance, (2n+1)^2, is one of these numbers or less than 8 k^2
+// for the k of the obstacles, so that the ends tell as before.
 
 /// The k for which a square may be nearer to the middle than an end that has this clearance.
 int cells_from_middle(std::uint32_t nearer_end) {

@@ -1,7 +1,8 @@
 #pragma once
 
 // Clearance of the straight way between the centres of two cells: the distance from the nearest of
-// its points to the nearest closed obstacle square, exact.
+// its points to the nearest closed obstacle square, or to the map's edge if the outside is blocked,
+// exact.
 
 #include <cstdint>
 
@@ -14,7 +15,7 @@ namespace wend {
 /// Both cells are on the map. O(1).
 std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to);
 
-/// Of the way between any two cells of the map, in cells; infinite without obstacles. O(1) for
+/// Of the way between any two cells of the map, in cells; infinite where nothing is near. O(1) for
 /// neighbours, else as arc_clearance().
 double way_clearance(const FreeSpace& space, Cell from, Cell to);
 

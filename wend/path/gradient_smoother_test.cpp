@@ -170,7 +170,7 @@ TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {
     ASSERT_TRUE(smoothed);
     ASSERT_FALSE(first_collision(smoothed->path, space)) << test::text_of(smoothed->path);
     ASSERT_LE(smoothed->path.length(), path.length() + 1e-9);
-    const test::SampledRobot robot(map, radius);
+    const test::SampledRobot robot(map, radius, space.outside() == OutsidePolicy::blocked);
     for (const Arc& arc : smoothed->path.arcs()) {
       const int steps = 1 + static_cast<int>(arc.length / 0.02);
       for (int i = 0; i <= steps; ++i) {

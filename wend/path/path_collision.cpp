@@ -3,9 +3,9 @@
 #include <cassert>
 #include <cmath>
 
-#include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/arc_clearance.hpp"
+#include "wend/map/map_edge.hpp"
 #include "wend/map/obstacles_near.hpp"
 #include "wend/map/point_sweep.hpp"
 #include "wend/map/swept_piece.hpp"
@@ -23,28 +23,10 @@ Arc beginning_of(const Arc& arc, double share) {
 Point end_point(const Line& line) { return line.to; }
 Point end_point(const Arc& arc) { return point_on(arc, arc.length); }
 
-bool on_map(const FreeSpace& space, Point point) {
-  return point.x >= -kPointTolerance && point.x <= space.width() + kPointTolerance &&
-         point.y >= -kPointTolerance && point.y <= space.height() + kPointTolerance;
-}
-
-bool on_map(const FreeSpace& space, const Line& line) {
-  return on_map(space, line.from) && on_map(space, line.to);
-}
-
-/// It lies farthest out at its ends or where it heads along an axis.
-bool on_map(const FreeSpace& space, const Arc& arc) {
-  if (!on_map(space, arc.from.point()) || !on_map(space, end_point(arc))) return false;
-  if (arc.curvature == 0) return true;
-  constexpr double kQuarter = kPi / 2;
-  const double first = arc.from.heading / kQuarter;
-  const double last = first + arc.turn() / kQuarter;
-  const auto end = static_cast<int>(std::floor(std::max(first, last)));
-  for (auto i = static_cast<int>(std::ceil(std::min(first, last))); i <= end; ++i) {
-    const double along = (i * kQuarter - arc.from.heading) / arc.curvature;
-    if (!on_map(space, point_on(arc, along))) return false;
-  }
-  return true;
+/// Does the robot's centre stay on the map?
+template <class Way>
+bool on_map(const FreeSpace& space, const Way& way) {
+  return distance_inside(space, way) >= -kPointTolerance;
 }
 
 /// The obstacle nearest to a point, of several the one whose centre is.
@@ -122,13 +104,14 @@ class PathSweep {
   /// What the robot collides with at the end of a way that is just too long.
   template <class Way>
   void tell(const Way& way, PathCollision& collision) const {
-    if (!on_map(space_, way) && fits_from_here(way)) {
+    const Point end = end_point(way);
+    constexpr double kReach = 4 * kBisected;
+    const auto obstacle = nearest_obstacle(space_, end, space_.radius_in_cells() + kReach);
+    if (leaves_map(way, obstacle)) {
       collision.kind = CollisionKind::outside;
       return;
     }
-    const Point end = end_point(way);
-    constexpr double kReach = 4 * kBisected;
-    collision.obstacle = nearest_obstacle(space_, end, space_.radius_in_cells() + kReach);
+    collision.obstacle = obstacle;
     if (space_.radius_in_cells() > 0) {
       const bool entered = collision.obstacle && distance(end, *collision.obstacle) == 0;
       collision.kind = entered ? CollisionKind::obstacle : CollisionKind::too_close;
@@ -139,6 +122,18 @@ class PathSweep {
       collision.kind = CollisionKind::obstacle;
     }
   }
+
+  /// Is it the map's edge that ends the way, and not the obstacle nearest to its end?
+  template <class Way>
+  bool leaves_map(const Way& way, const std::optional<Cell>& obstacle) const {
+    if (space_.radius_in_cells() == 0 || space_.outside() == OutsidePolicy::free) {
+      return !on_map(space_, way) && fits_from_here(way);
+    }
+    if (far_enough(edge_clearance(space_, way))) return false;
+    return !obstacle || far_enough(distance(end_point(way), *obstacle));
+  }
+
+  bool far_enough(double cells) const { return cells > 0 && space_.far_enough(4 * cells * cells); }
 
   const FreeSpace& space_;
   Adjacency adjacency_;

@@ -10,7 +10,7 @@
 // A disc keeps its radius from every closed obstacle square; touching is allowed. A point does not
 // enter the union of the obstacles (edges and corners may be touched), and does not pass between
 // two obstacles that touch at a corner, unless `adjacency` is edges_and_corners. The centre stays
-// on the map.
+// on the map, and the disc too if the outside is blocked.
 
 #include <cstddef>
 #include <optional>
@@ -23,7 +23,7 @@
 namespace wend {
 
 enum class CollisionKind {
-  outside,    // the robot's centre leaves the map
+  outside,    // the robot's centre leaves the map; its disc does, and the outside is blocked
   obstacle,   // its centre enters an obstacle
   too_close,  // its disc does
   squeezed,   // a point passes between two obstacles that touch at a corner

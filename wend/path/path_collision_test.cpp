@@ -43,12 +43,14 @@ Point contact(const Path& path, const PathCollision& collision) {
   return point_on(arc, arc.length < 0 ? -along : along);
 }
 
-void expect_contact(const PathCollision& collision, const test::SampledRobot& robot,
-                    double radius) {
+/// `margin` is how far from the border the centre has to stay.
+void expect_contact(const PathCollision& collision, const test::SampledRobot& robot, double radius,
+                    double margin) {
   constexpr double kNear = 2e-6;
   const Point at = collision.point;
   if (collision.kind == CollisionKind::outside) {
-    EXPECT_LT(robot.inside_border(at), kNear);
+    EXPECT_LT(robot.inside_border(at), margin + kNear);
+    EXPECT_TRUE(collision.along == 0 || robot.inside_border(at) > margin - kNear);
     EXPECT_FALSE(collision.obstacle);
     return;
   }
@@ -79,11 +81,13 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
-    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution,
+                                .outside = test::random_outside(random)});
+    const bool stays_on_map = space.outside() == OutsidePolicy::blocked;
     const Path path = test::random_path(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " + std::to_string(radius) + "\n" +
                  test::drawing_of(map) + test::text_of(path));
-    const test::SampledRobot robot(map, radius);
+    const test::SampledRobot robot(map, radius, stays_on_map);
     const double first = first_sample(path, robot);
     const auto collision = first_collision(path, space);
     if (!collision) {
@@ -94,7 +98,7 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
     ++kinds.at(static_cast<std::size_t>(collision->kind));
     ASSERT_LE(collision->along, first);
     ASSERT_LT(distance(contact(path, *collision), collision->point), 1e-9);
-    expect_contact(*collision, robot, radius);
+    expect_contact(*collision, robot, radius, stays_on_map ? radius : 0);
   }
   EXPECT_GT(free, 300);
   EXPECT_GT(kinds[0], 300) << "outside";
@@ -124,6 +128,29 @@ TEST(PathCollision, TellsWhatItRunsInto) {
   ASSERT_TRUE(off);
   EXPECT_EQ(off->kind, CollisionKind::outside);
   EXPECT_NEAR(off->along, 0.5, 1e-6);
+}
+
+TEST(PathCollision, OfADiscThatHasToStayOnTheMapIsWithItsEdge) {
+  FreeSpaceOptions robot{.robot_radius = 1, .outside = OutsidePolicy::blocked};
+  const Path along = Path::along({{1.5, 1.5}, {6.5, 1.5}});
+  const FreeSpace space = test::drawn_space(".......\n.......\n.......", robot);
+  const auto off = first_collision(along, space);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off->kind, CollisionKind::outside);
+  EXPECT_NEAR(off->along, 4.5, 1e-6) << "where the disc touches the edge";
+  EXPECT_FALSE(off->obstacle);
+  // Along a wall, which it touches all the way and which is not to blame.
+  const FreeSpace wall = test::drawn_space(".......\n.......\n.......\n#######", robot);
+  const auto past = first_collision(Path::along({{1.5, 2}, {6.5, 2}}), wall);
+  ASSERT_TRUE(past);
+  EXPECT_EQ(past->kind, CollisionKind::outside);
+  EXPECT_NEAR(past->along, 4.5, 1e-6);
+  robot.outside = OutsidePolicy::free;
+  EXPECT_FALSE(first_collision(along, test::drawn_space(".......\n.......\n.......", robot)));
+  robot = {.robot_radius = 0, .outside = OutsidePolicy::blocked};
+  EXPECT_FALSE(first_collision(Path::along({{0, 0}, {7, 0}, {7, 3}}),
+                               test::drawn_space(".......\n.......\n.......", robot)))
+      << "a point may go along the edge itself";
 }
 
 TEST(PathCollision, SeesWherePiecesOfAPathMeetInAGap) {

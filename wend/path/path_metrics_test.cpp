@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
@@ -78,18 +79,6 @@ TEST(PathMetrics, HasNoClearanceWhereItCutsACorner) {
   EXPECT_EQ(measure(Path({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), space).smallest_clearance, 0.5);
 }
 
-/// From a point to the nearest obstacle, over all there are.
-double clearance_at(const FreeSpace& space, double x, double y) {
-  double least = test::kInfinite;
-  for (int row = 0; row < space.height(); ++row) {
-    for (int column = 0; column < space.width(); ++column) {
-      if (!space.obstacles()[{column, row}]) continue;
-      least = std::min(least, test::distance_to_square(x, y, {column, row}));
-    }
-  }
-  return least;
-}
-
 /// Densely sampled: never less than what is claimed, and down to it.
 TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
   constexpr int kSamples = 24;  // of a step; the middle is among them
@@ -100,7 +89,7 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
     const Path path = test::random_cell_path(random, map.width(), map.height());
     const auto cells = path.cells();
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
-    double least = clearance_at(space, cells[0].x + 0.5, cells[0].y + 0.5);
+    double least = test::clearance_at(space, centre_of(cells[0]));
     double longest = 0;
     for (std::size_t i = 1; i < cells.size(); ++i) {
       const double dx = cells[i].x - cells[i - 1].x;
@@ -108,8 +97,8 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
       longest = std::max(longest, std::hypot(dx, dy));
       for (int k = 0; k <= kSamples; ++k) {
         const double share = k / static_cast<double>(kSamples);
-        least = std::min(least, clearance_at(space, cells[i - 1].x + 0.5 + share * dx,
-                                             cells[i - 1].y + 0.5 + share * dy));
+        least = std::min(least, test::clearance_at(space, {cells[i - 1].x + 0.5 + share * dx,
+                                                           cells[i - 1].y + 0.5 + share * dy}));
       }
     }
     const double smallest = measure(path, space).smallest_clearance;
@@ -186,7 +175,7 @@ TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
                                     : test::random_waypoint_path(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
     const Point start = path.points().front();
-    double least = clearance_at(space, start.x, start.y);
+    double least = test::clearance_at(space, start);
     double longest = 0;
     double length = 0;
     double sum = 0;  // of clearance over length, by the midpoint rule
@@ -194,7 +183,7 @@ TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
       const double step = std::abs(arc.length) / kSamples;
       for (int i = 0; i <= 2 * kSamples; ++i) {
         const Pose pose = pose_on(arc, arc.length * i / (2 * kSamples));
-        const double clearance = clearance_at(space, pose.x, pose.y);
+        const double clearance = test::clearance_at(space, pose.point());
         least = std::min(least, clearance);
         if (i % 2 == 1 && step > 0) sum += step * clearance;
       }

@@ -25,7 +25,7 @@ struct FreeWalk {
       : random(seed),
         map(test::random_map(random, random.between(2, 20), random.between(2, 20))),
         robot(test::random_robot(random, map.frame().resolution)),
-        space(map, {.robot_radius = robot.robot_radius}),
+        space(map, {.robot_radius = robot.robot_radius, .outside = robot.outside}),
         adjacency(random.chance(0.5) ? Adjacency::edges : Adjacency::edges_and_corners),
         path(walk()) {}
 
@@ -82,7 +82,8 @@ void for_walks(const Check& check) {
 }
 
 void expect_free(const FreeWalk& walk, const Path& path) {
-  const test::SampledRobot robot(walk.map, walk.space.radius_in_cells());
+  const test::SampledRobot robot(walk.map, walk.space.radius_in_cells(),
+                                 walk.space.outside() == OutsidePolicy::blocked);
   for (const Arc& arc : path.arcs()) {
     const int steps = 1 + static_cast<int>(arc.length / 0.02);
     for (int i = 0; i <= steps; ++i) {

@@ -84,6 +84,10 @@ std::string blocked(const CarLattice& lattice, const End& end) {
       return text + "the nearest obstacle is " + format_number(fault->distance) +
              " cells away, the robot's radius is " +
              format_number(lattice.free_space().radius_in_cells());
+    case BlockReason::over_edge:
+      return text + "the robot would leave the map: its edge is " + format_number(fault->distance) +
+             " cells away, the robot's radius is " +
+             format_number(lattice.free_space().radius_in_cells());
     case BlockReason::outside:
       break;
   }

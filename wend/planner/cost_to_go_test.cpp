@@ -44,7 +44,7 @@ void on_random_fields(Check&& check) {
     const bool diagonals = random.chance(0.7);
     const GridMoves moves{diagonals ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(corners)};
-    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame().resolution),
+    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame()),
                                   {diagonals, corners});
     std::vector<Cell> goals;
     for (int i = random.between(1, 3); i > 0; --i) {

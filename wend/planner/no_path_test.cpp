@@ -181,7 +181,7 @@ TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
     const FreeSpace space(map, options);
     const GridMoves moves{random.chance(0.8) ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(random.between(0, 2))};
-    const test::Robot robot = test::robot_in_cells(options, map.frame().resolution);
+    const test::Robot robot = test::robot_in_cells(options, map.frame());
     const Cell start = test::random_cell(random, map.width(), map.height());
     const Cell goal = test::random_cell(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
@@ -234,8 +234,7 @@ TEST(NoPath, KnowsTheCellsThatEachEndReaches) {
     const int corners = random.chance(0.6) ? 2 : random.between(0, 1);
     const GridMoves moves{eight ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(corners)};
-    const test::Textbook book(map, test::robot_in_cells(options, map.frame().resolution),
-                              {eight, corners});
+    const test::Textbook book(map, test::robot_in_cells(options, map.frame()), {eight, corners});
     const FreeSpace space(map, options);
     const Cell start = test::random_cell(random, map.width(), map.height());
     const Cell goal = test::random_cell(random, map.width(), map.height());

@@ -167,9 +167,10 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   if (!width) return std::nullopt;
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
-  const FreeSpace widest(
-      with_narrow_cells_dear(space, *width),
-      {.robot_radius = cells * space.map().frame().resolution, .unknown = space.options().unknown});
+  const FreeSpace widest(with_narrow_cells_dear(space, *width),
+                         {.robot_radius = cells * space.map().frame().resolution,
+                          .unknown = space.options().unknown,
+                          .outside = space.outside()});
   Path path = cheapest_path(widest, start, goal, moves);
   const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/textbook.hpp"
@@ -19,18 +20,6 @@ namespace wend {
 namespace {
 
 constexpr double kExact = 1e-7;
-
-/// From a point to the nearest obstacle square, over all there are.
-double clearance_at(const FreeSpace& space, Point point) {
-  double least = test::kInfinite;
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) {
-      if (!space.obstacles()[{x, y}]) continue;
-      least = std::min(least, test::distance_to_square(point.x, point.y, {x, y}));
-    }
-  }
-  return least;
-}
 
 /// The same cells with other terrain.
 template <class Terrain>
@@ -52,7 +41,7 @@ std::vector<double> radii_that_matter(const FreeSpace& space) {
   std::vector<double> radii{0};
   for (int y = 0; y < space.height(); ++y) {
     for (int x = 0; x < space.width(); ++x) {
-      radii.push_back(clearance_at(space, centre_of(Cell{x, y})));
+      radii.push_back(test::clearance_at(space, centre_of(Cell{x, y})));
     }
   }
   for (int k = 1; k < std::max(space.width(), space.height()); ++k) {
@@ -74,7 +63,9 @@ struct Truth {
   test::Textbook textbook(double radius) const {
     const int corners = static_cast<int>(moves.corner_rule);
     return {map,
-            {.radius = radius, .enters_unknown = space.options().unknown == UnknownPolicy::free},
+            {.radius = radius,
+             .enters_unknown = space.options().unknown == UnknownPolicy::free,
+             .stays_on_map = space.outside() == OutsidePolicy::blocked},
             {moves.connectivity == Connectivity::eight, corners}};
   }
 
@@ -139,7 +130,7 @@ TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
     const auto cells = widest->path.cells();
     ASSERT_EQ(truth.textbook(widest->radius).fault(cells, truth.start, truth.goal), "");
     const auto is_narrow = [&](Cell cell) {
-      return clearance_at(truth.space, centre_of(cell)) <= widest->radius + kExact;
+      return test::clearance_at(truth.space, centre_of(cell)) <= widest->radius + kExact;
     };
     // A robot that pays for nothing but narrow cells, by the textbook.
     const GridMap dear =
@@ -158,7 +149,7 @@ TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
 TEST(WidestPath, IsNarrowestWhereAnObstacleIsAsFarAsTheRadius) {
   on_random_errands(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     if (!widest) return;
-    const double clearance = clearance_at(truth.space, widest->narrowest);
+    const double clearance = test::clearance_at(truth.space, widest->narrowest);
     if (widest->radius == test::kInfinite) {
       ASSERT_EQ(clearance, test::kInfinite);
     } else {
@@ -212,7 +203,8 @@ TEST(WidestPath, AgreesWithAPlannerOnAFreeSpaceOfThatRadius) {
   on_random_errands(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     const auto status = [&](double radius) {
       const FreeSpace space(truth.map, {.robot_radius = radius * truth.map.frame().resolution,
-                                        .unknown = truth.space.options().unknown});
+                                        .unknown = truth.space.options().unknown,
+                                        .outside = truth.space.outside()});
       const auto planner =
           make_planner("astar", space,
                        {{"connectivity", std::string(choice_name(truth.moves.connectivity))},

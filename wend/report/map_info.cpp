@@ -83,6 +83,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpace& spa
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
   info.robot_radius = space.options().robot_radius;
+  info.outside = space.outside();
   info.keep_away = space.options().keep_away;
   info.passable = space.passable().count();
   const auto components = space.regions().sizes(Adjacency::edges);
@@ -108,6 +109,7 @@ std::string map_info_json(const MapInfo& info) {
                     {"mean", info.mean_terrain},
                     {"greatest", info.greatest_terrain}}},
                   {"robot_radius", info.robot_radius},
+                  {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
                   {"passable", info.passable},
                   {"keep_away", {{"distance", info.keep_away}, {"cells", info.near_obstacles}}},
                   {"components", {{"count", info.components}, {"largest", info.largest_component}}},
@@ -134,7 +136,10 @@ std::string map_info_text(const MapInfo& info) {
   line("terrain", terrain_text(info));
   if (info.robot_radius > 0) {
     line("passable", share(info.passable, all) +
-                         fmt::format(" for a robot of radius {:.4g}{}", info.robot_radius, unit));
+                         fmt::format(" for a robot of radius {:.4g}{}{}", info.robot_radius, unit,
+                                     info.outside == OutsidePolicy::blocked
+                                         ? " that stays on the map"
+                                         : " that may hang over the map's edge"));
   }
   if (info.keep_away > 0) {
     line("keep away", share(info.near_obstacles, info.passable) +

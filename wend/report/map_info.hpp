@@ -22,7 +22,8 @@ struct MapInfo {
   double least_terrain = 1;  // as the file says, of the cells where the robot may be
   double mean_terrain = 1;
   double greatest_terrain = 1;
-  double robot_radius = 0;            // metres (cells, where the map has no resolution)
+  double robot_radius = 0;  // metres (cells, where the map has no resolution)
+  OutsidePolicy outside = OutsidePolicy::free;
   double keep_away = 0;               // units as robot_radius
   std::size_t passable = 0;           // cells where the robot may be
   std::size_t near_obstacles = 0;     // of them: those that keep-away makes cost more

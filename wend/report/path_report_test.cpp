@@ -16,7 +16,10 @@ using testing::Not;
 
 constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
-FreeSpace open_space() { return FreeSpace(GridMap(Grid<CellState>(8, 6), kFrame)); }
+/// Without anything that clearance could be to.
+FreeSpace open_space() {
+  return FreeSpace(GridMap(Grid<CellState>(8, 6), kFrame), {.outside = OutsidePolicy::free});
+}
 
 const Path kPlanned({{0, 0}, {1, 0}, {2, 0}, {2, 1}});
 

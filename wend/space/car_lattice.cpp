@@ -8,6 +8,7 @@
 
 #include "wend/geometry/arc.hpp"
 #include "wend/map/arc_clearance.hpp"
+#include "wend/map/map_edge.hpp"
 
 namespace wend {
 namespace {
@@ -19,7 +20,8 @@ constexpr unsigned kLineAlongX = 4;
 constexpr unsigned kLineAlongY = 5;
 
 // No obstacle is nearer to a move between corners that blocked cells do not touch: a cell can lie at
-// the corner of the square that an arc bulges towards, sqrt(2) from its centre. In units.
+// the corner of the square that an arc bulges towards, sqrt(2) from its centre. In units. (The map's
+// edge is nearest to one of a move's ends.)
 constexpr double kNearestObstacle = std::numbers::sqrt2 - 1;
 
 bool may_touch_obstacles(const FreeSpace& space, int unit) {
@@ -184,8 +186,11 @@ std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
       return CornerFault{unknown ? BlockReason::unknown : BlockReason::obstacle, cell};
     }
   }
-  return CornerFault{BlockReason::too_close, std::nullopt,
-                     arc_clearance(space, {corner_point(corner, unit()), 0, 0})};
+  const Arc here{corner_point(corner, unit()), 0, 0};
+  const double clearance = arc_clearance(space, here);
+  const bool edge_is_nearest = edge_clearance(space, here) <= clearance;
+  return CornerFault{edge_is_nearest ? BlockReason::over_edge : BlockReason::too_close,
+                     std::nullopt, clearance};
 }
 
 double CarLattice::ground(const CornerPose& from, CarMove move) const {

@@ -87,7 +87,7 @@ void on_random_spaces(int count, Check&& check) {
     const FreeSpaceOptions robot = test::random_robot(random, map.frame().resolution);
     const int corners = random.between(0, 2);
     const bool diagonals = random.chance(0.8);
-    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame().resolution),
+    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame()),
                                   {diagonals, corners});
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " +
                  std::to_string(robot.robot_radius / map.frame().resolution) + ", corners cut " +

@@ -23,10 +23,7 @@ void MapHolder::set_wrong(std::string why) {
 
 void MapHolder::set_robot(const wend::FreeSpaceOptions& options) {
   const std::lock_guard lock(mutex_);
-  const bool same = options.robot_radius == robot_.robot_radius &&
-                    options.unknown == robot_.unknown && options.keep_away == robot_.keep_away &&
-                    options.keep_away_cost == robot_.keep_away_cost;
-  if (same) return;
+  if (options == robot_) return;
   robot_ = options;
   snapshot_.reset();
   ++version_;

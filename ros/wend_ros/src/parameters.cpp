@@ -1,6 +1,7 @@
 #include "wend_ros/parameters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 
@@ -14,10 +15,18 @@ namespace {
 using wend::OptionInfo;
 using wend::OptionKind;
 
+/// wend::OutsidePolicy, by name.
+enum class Outside { blocked, free };
+
+constexpr std::array<wend::Choice<Outside>, 2> choice_names(Outside) {
+  return {{{"blocked", Outside::blocked}, {"free", Outside::free}}};
+}
+
 /// What concerns all planners.
 struct NodeOptions {
   double robot_radius = 0;
   bool unknown_free = false;
+  Outside outside = Outside::blocked;
   double keep_away = 0;
   bool rough = false;
   double time_limit = 0;
@@ -29,6 +38,8 @@ struct NodeOptions {
   static void fields(Self& self, Field&& field) {
     field({"robot_radius", "the robot is a disc of this radius, m"}, self.robot_radius, {0, 100});
     field({"unknown_free", "the robot may drive where nothing is known"}, self.unknown_free);
+    field({"outside", "outside of the map: free lets the robot's disc hang over the map's edge"},
+          self.outside);
     field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"}, self.keep_away,
           {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);

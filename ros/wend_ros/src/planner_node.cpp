@@ -21,6 +21,8 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
   return {.robot_radius = parameters.number("robot_radius"),
           .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
                                                      : wend::UnknownPolicy::blocked,
+          .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
+                                                          : wend::OutsidePolicy::blocked,
           .keep_away = parameters.number("keep_away")};
 }
 

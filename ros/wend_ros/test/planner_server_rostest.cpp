@@ -54,6 +54,15 @@ class PlannerServer : public testing::Test {
     EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
   }
 
+  void set_text(const std::string& name, const std::string& value) {
+    dynamic_reconfigure::Reconfigure call;
+    dynamic_reconfigure::StrParameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    call.request.config.strs = {parameter};
+    EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
+  }
+
   ros::NodeHandle node_;
   ros::ServiceClient client_;
 };
@@ -203,7 +212,10 @@ TEST_F(PlannerServer, ParametersChangeWhileItRuns) {
 
 TEST_F(PlannerServer, RadiusOfTheRobotChangesWhileItRuns) {
   set_number("robot_radius", 3);
+  EXPECT_EQ(plan(request(38.5, 1.5)).status, 205) << "the robot would leave the map";
+  set_text("outside", "free");
   EXPECT_GT(plan(request(38.5, 1.5)).path_metrics.smallest_clearance, 2.99);
+  set_text("outside", "blocked");
   set_number("robot_radius", 0);
 }
 
