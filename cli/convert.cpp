@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "output_files.hpp"
 #include "wend/io/losses.hpp"
 #include "wend/io/save_map.hpp"
+#include "wend/report/json.hpp"
 
 namespace wend::cli {
 namespace {
@@ -73,14 +73,13 @@ std::string json_of(const ConvertArguments& arguments, const Conversion& convers
     for (const fs::path& file : saved_files(arguments.output)) files.push_back(file.string());
   }
   const GridMap& map = conversion.loaded.map;
-  const nlohmann::ordered_json json{{"from", to_string(conversion.loaded.format)},
-                                    {"to", to_string(conversion.format)},
-                                    {"width", map.width()},
-                                    {"height", map.height()},
-                                    {"losses", conversion.losses},
-                                    {"notes", conversion.loaded.notes},
-                                    {"files", files}};
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return wend::text_of({{"from", to_string(conversion.loaded.format)},
+                        {"to", to_string(conversion.format)},
+                        {"width", map.width()},
+                        {"height", map.height()},
+                        {"losses", conversion.losses},
+                        {"notes", conversion.loaded.notes},
+                        {"files", files}});
 }
 
 std::string text_of(const ConvertArguments& arguments, const Conversion& conversion) {

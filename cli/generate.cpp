@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -18,6 +17,7 @@
 #include "wend/io/save_map.hpp"
 #include "wend/io/text_grid.hpp"
 #include "wend/map/generators.hpp"
+#include "wend/report/json.hpp"
 
 namespace wend::cli {
 namespace {
@@ -88,11 +88,12 @@ double free_share(const GridMap& map) {
 }
 
 std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
-  const nlohmann::ordered_json json{
-      {"kind", arguments.kind},        {"width", map.width()},
-      {"height", map.height()},        {"seed", arguments.seed},
-      {"free_share", free_share(map)}, {"files", arguments.output.files()}};
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return wend::text_of({{"kind", arguments.kind},
+                        {"width", map.width()},
+                        {"height", map.height()},
+                        {"seed", arguments.seed},
+                        {"free_share", free_share(map)},
+                        {"files", arguments.output.files()}});
 }
 
 std::string text_of(const GenerateArguments& arguments, const GridMap& map) {

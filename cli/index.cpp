@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "exit_code.hpp"
@@ -15,6 +14,7 @@
 #include "output_files.hpp"
 #include "planner_argument.hpp"
 #include "wend/parallel/thread_workers.hpp"
+#include "wend/report/json.hpp"
 
 namespace wend::cli {
 namespace {
@@ -56,12 +56,6 @@ constexpr const char* kInfoExamples = R"(Examples:
 
 Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)";
 
-using Json = nlohmann::ordered_json;
-
-void print_json(const Json& json) {
-  print(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
-
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
   check_range("--threads", arguments.threads, 1, kMostThreads);
@@ -88,14 +82,14 @@ int build(const BuildArguments& arguments) {
   const auto written = write_index(arguments.output, *index);
   if (!written) throw InputError(written.error().message());
   if (arguments.format == Format::json) {
-    print_json({{"file", arguments.output},
-                {"planner", planner.name},
-                {"width", space.width()},
-                {"height", space.height()},
-                {"passable_cells", space.passable().count()},
-                {"index_bytes", index->size()},
-                {"build_s", seconds},
-                {"threads", workers.count()}});
+    print(text_of({{"file", arguments.output},
+                   {"planner", planner.name},
+                   {"width", space.width()},
+                   {"height", space.height()},
+                   {"passable_cells", space.passable().count()},
+                   {"index_bytes", index->size()},
+                   {"build_s", seconds},
+                   {"threads", workers.count()}}));
   } else {
     print(fmt::format(
         "{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s of wall time with {} thread{}\n",
@@ -113,15 +107,15 @@ int info(const InfoArguments& arguments) {
   if (arguments.format == Format::json) {
     Json sections = Json::array();
     for (std::size_t i = 0; i < header.sections; ++i) sections.push_back(header.table[i].bytes);
-    print_json({{"file", arguments.file},
-                {"planner", header.planner_name()},
-                {"version", header.version},
-                {"width", header.width},
-                {"height", header.height},
-                {"passable_cells", header.passable_cells},
-                {"map_hash", fmt::format("{:016x}", header.map_hash)},
-                {"index_bytes", header.bytes},
-                {"section_bytes", sections}});
+    print(text_of({{"file", arguments.file},
+                   {"planner", header.planner_name()},
+                   {"version", header.version},
+                   {"width", header.width},
+                   {"height", header.height},
+                   {"passable_cells", header.passable_cells},
+                   {"map_hash", fmt::format("{:016x}", header.map_hash)},
+                   {"index_bytes", header.bytes},
+                   {"section_bytes", sections}}));
     return success;
   }
   const double cells = static_cast<double>(std::max<std::uint64_t>(1, header.passable_cells));

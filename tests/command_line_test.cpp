@@ -52,6 +52,16 @@ TEST(Usage, VersionIsAResult) {
   EXPECT_THAT(version.out, testing::MatchesRegex("wend [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
+TEST(Usage, VersionIsTheSameWhereverItIsWritten) {
+  std::string version = wend({"--version"}).out.substr(std::string("wend ").size());
+  version.pop_back();  // the line's end
+  const std::string source = WEND_SOURCE_DIR;
+  EXPECT_THAT(bytes_of(source + "/CITATION.cff"), HasSubstr("\nversion: " + version + "\n"));
+  EXPECT_THAT(bytes_of(source + "/CHANGELOG.md"), StartsWith("# Changelog\n\n## " + version));
+  EXPECT_THAT(bytes_of(source + "/ros/wend_ros/package.xml"),
+              HasSubstr("<version>" + version + "</version>"));
+}
+
 TEST(Usage, BadUsageSaysWhatToDo) {
   struct Case {
     std::vector<std::string> arguments;
@@ -115,7 +125,7 @@ TEST(Planners, AreListedForPeople) {
 }
 
 TEST(Planners, AreListedForPrograms) {
-  const json listing = json::parse(wend({"planners", "--format", "json"}).out);
+  const json listing = json::parse(wend({"planners", "--format", "json"}).out).at("planners");
   ASSERT_EQ(listing.size(), planners().size());
   for (const json& planner : listing) {
     for (const char* key : {"name", "summary", "idea", "guarantee", "promise", "time", "memory",
@@ -301,6 +311,21 @@ std::vector<std::string> commands_in(const std::string& text, const std::string&
   return commands;
 }
 
+/// The same of a page's shell blocks.
+std::vector<std::string> commands_in_blocks(const std::string& page) {
+  std::string blocks;
+  std::istringstream lines(page);
+  bool in_block = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      in_block = line == "```sh";
+    } else if (in_block) {
+      blocks += line + '\n';
+    }
+  }
+  return commands_in(blocks, "");
+}
+
 /// A folder with the files that examples take for granted.
 class Examples : public testing::Test {
  protected:
@@ -340,9 +365,18 @@ TEST_F(Examples, OfTheHelpWork) {
 }
 
 TEST_F(Examples, OfTheDocumentationWork) {
-  const auto commands = commands_in(bytes_of(WEND_SOURCE_DIR "/docs/command_line.md"), "");
+  const auto commands = commands_in_blocks(bytes_of(WEND_SOURCE_DIR "/docs/command_line.md"));
   EXPECT_GE(commands.size(), 10U);
   for (const std::string& command : commands) expect_to_work(command);
+}
+
+TEST_F(Examples, OfTheReadmeWorkInTheirOrder) {
+  const std::string readme = bytes_of(WEND_SOURCE_DIR "/README.md");
+  const auto commands = commands_in_blocks(readme);
+  EXPECT_GE(commands.size(), 15U);
+  for (const std::string& command : commands) expect_to_work(command);
+  EXPECT_LT(readme.find("\nexport PATH="), readme.find("\nwend generate"))
+      << "wend is on the PATH before it is called";
 }
 
 }  // namespace

@@ -69,8 +69,7 @@ std::string comparison_json(const Comparison& comparison) {
   for (std::size_t i = 0; i < planners.size(); ++i) {
     statistics.push_back(statistics_json(comparison, planners[i], i));
   }
-  return text_of({{"schema", kJsonSchema},
-                  {"queries", queries},
+  return text_of({{"queries", queries},
                   {"solved_by_all", solved_by_all(comparison)},
                   {"statistics", statistics}});
 }

@@ -30,9 +30,7 @@ Json json_of_grid(const CostToGo& field) {
 }  // namespace
 
 std::string field_json(const FieldReport& report, const Frame& frame, const CostToGo* grid) {
-  Json json{{"schema", kJsonSchema},
-            {"goals", json_of(report.goals)},
-            {"status", to_string(report.status)}};
+  Json json{{"goals", json_of(report.goals)}, {"status", to_string(report.status)}};
   if (report.status != Status::found) json["reason"] = report.reason;
   json["metrics"] = json_of(report.metrics);
   json["times"] = json_of(report.times);

@@ -126,8 +126,11 @@ void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion) {
   }
 }
 
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string text_of(const Json& report) {
+  Json json{{"schema", kJsonSchema}};
+  if (report.is_object()) json.update(report);
+  return (report.is_object() ? json : report).dump(-1, ' ', false, Json::error_handler_t::replace) +
+         "\n";
 }
 
 }  // namespace wend

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the JSON reports have in common. Only for the sources of this module: the headers of the
-// reports themselves need no JSON library.
+// What the JSON reports have in common. Only for sources: the headers of the reports themselves need
+// no JSON library.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -44,9 +44,6 @@ Json json_of(const Grid<std::optional<Direction>>& directions);
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);
 
-/// The first key of every output, "schema": it grows when a key changes its name or its meaning.
-inline constexpr int kJsonSchema = 1;
-
 /// {"expanded", "generated", "max_frontier"}
 Json json_of(const SearchMetrics& metrics);
 
@@ -60,7 +57,12 @@ Json json_of(const WorkTimes& times);
 /// "steps", "headings", "moves" and "yaw" too, as plan_json.hpp has them.
 void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion = Motion::cells);
 
-/// One line. Numbers that JSON has no words for are null, bytes that are no UTF-8 are replaced.
-std::string text_of(const Json& json);
+/// The number of the schema that every report has as its first key, "schema". It grows when a key is
+/// renamed, removed or changes its meaning; not when one is added (docs/compatibility.md).
+inline constexpr int kJsonSchema = 1;
+
+/// A report: one line that begins with its "schema", unless the report is a list. Numbers that JSON
+/// has no words for are null, invalid UTF-8 is replaced.
+std::string text_of(const Json& report);
 
 }  // namespace wend

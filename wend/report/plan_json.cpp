@@ -16,8 +16,7 @@ Json json_of(const Shift& shift, const Frame& frame) {
 }  // namespace
 
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
-  Json json{
-      {"schema", kJsonSchema}, {"planner", result.planner}, {"status", to_string(result.status)}};
+  Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
   put_path(json, result.plan, frame, result.motion);
   if (result.refined) put_refined(json, *result.refined, frame);

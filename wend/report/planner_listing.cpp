@@ -79,24 +79,25 @@ std::string planner_listing_text(const Registry<PlannerInfo>& planners) {
 }
 
 std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
-  Json json = Json::array();
+  Json json;
+  Json& listing = json["planners"] = Json::array();
   for (const PlannerInfo& planner : planners) {
     Json options = Json::array();
     for (const OptionInfo& option : planner.options) options.push_back(json_of(option));
-    json.push_back({{"name", planner.name},
-                    {"summary", planner.summary},
-                    {"idea", planner.idea},
-                    {"guarantee", planner.guarantee},
-                    {"promise", to_string(planner.promise)},
-                    {"time", planner.time},
-                    {"memory", planner.memory},
-                    {"when", planner.when},
-                    {"motion", to_string(planner.motion)},
-                    {"plans_on_terrain", planner.plans_on_terrain},
-                    {"preprocessing", to_string(planner.preprocessing)},
-                    {"can_step", planner.can_step},
-                    {"citation", planner.citation},
-                    {"options", options}});
+    listing.push_back({{"name", planner.name},
+                       {"summary", planner.summary},
+                       {"idea", planner.idea},
+                       {"guarantee", planner.guarantee},
+                       {"promise", to_string(planner.promise)},
+                       {"time", planner.time},
+                       {"memory", planner.memory},
+                       {"when", planner.when},
+                       {"motion", to_string(planner.motion)},
+                       {"plans_on_terrain", planner.plans_on_terrain},
+                       {"preprocessing", to_string(planner.preprocessing)},
+                       {"can_step", planner.can_step},
+                       {"citation", planner.citation},
+                       {"options", options}});
   }
   return text_of(json);
 }
