@@ -10,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/io/line_reader.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {
@@ -18,12 +19,12 @@ namespace {
 // Places so far away that no cell has their number are as much outside as this cell.
 constexpr Cell kFarOutside{-1, -1};
 
-/// The two finite numbers of "X,Y".
+/// The two finite numbers of "X,Y" or "X, Y".
 std::optional<Point> two_numbers(std::string_view typed) {
   const std::size_t comma = typed.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
-  const auto x = parse_number(typed.substr(0, comma));
-  const auto y = parse_number(typed.substr(comma + 1));
+  const auto x = parse_number(trimmed(typed.substr(0, comma)));
+  const auto y = parse_number(trimmed(typed.substr(comma + 1)));
   if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
   return Point{*x, *y};
 }

@@ -9,6 +9,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/heading.hpp"
+#include "wend/io/line_reader.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {
@@ -52,7 +53,8 @@ Parts parts_of(const std::string& typed) {
   const auto first = typed.find(',');
   const auto second = first == std::string::npos ? first : typed.find(',', first + 1);
   if (second == std::string::npos) return {typed, std::nullopt};
-  return {typed.substr(0, second), typed.substr(second + 1)};
+  return {typed.substr(0, second),
+          std::string(trimmed(std::string_view(typed).substr(second + 1)))};
 }
 
 TypedPose parse(const Coordinates& coordinates, const std::string& name, const std::string& typed,

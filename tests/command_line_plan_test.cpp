@@ -158,7 +158,7 @@ TEST_F(PlanCommand, PlansNothingForBadInput) {
       {"--start", "inf,0", "--goal", "1,0"},
       {"--start", "0", "--goal", "1,0"},
       {"--start", "0,0,0", "--goal", "1,0"},
-      {"--start", "0, 0", "--goal", "1,0"},
+      {"--start", "0 0", "--goal", "1,0"},
       {"--start", "a,b", "--goal", "1,0"},
       {"--start", "0,0", "--goal", "1,0", "--robot-radius", "-1"},
       {"--start", "0,0", "--goal", "1,0", "--robot-radius", "nan"},
@@ -182,6 +182,27 @@ TEST_F(PlanCommand, PlansNothingForBadInput) {
     EXPECT_THAT(outcome.out, IsEmpty()) << testing::PrintToString(arguments);
     EXPECT_THAT(outcome.err, StartsWith("wend: "));
   }
+}
+
+TEST_F(PlanCommand, TakesBlanksAroundTheNumbersOfAPlace) {
+  EXPECT_EQ(plan({"--start", "0, 0", "--goal", " 1 ,0 "}).code, 0);
+  EXPECT_EQ(plan({"--planner", "car", "--start", "0, 0, E", "--goal", "1, 0, any"}).code, 0);
+}
+
+TEST_F(PlanCommand, SaysWhatNumberWasMeantAndInWhichRange) {
+  EXPECT_THAT(
+      plan("0,0", "1,0", {"--robot-radius", "0,2"}).err,
+      HasSubstr("--robot-radius: '0,2' is not a number: the decimal point is a dot, did you "
+                "mean 0.2?"));
+  for (const std::string number : {"1e308", "1e999", "-1"}) {
+    EXPECT_THAT(plan("0,0", "1,0", {"--robot-radius", number}).err,
+                HasSubstr("--robot-radius: '" + number +
+                          "' is not between 0 and 1e+09 (metres; cells on maps in cells)"));
+  }
+  EXPECT_THAT(plan("0,0", "1,0", {"--limit-time", "-1"}).err,
+              HasSubstr("--limit-time: '-1' is not between 0 and 1e+09 s"));
+  EXPECT_THAT(plan("0,0", "1,0", {"--planner", "astar", "--weight", "1e308"}).err,
+              HasSubstr("--weight: '1e308' is not between 0 and 1e+06"));
 }
 
 TEST_F(PlanCommand, SaysWhichPlannersHaveAnOption) {

@@ -1,8 +1,8 @@
 #include "wend/base/options.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "wend/base/parse_in_range.hpp"
 #include "wend/base/suggestion.hpp"
 
 namespace wend {
@@ -59,11 +59,7 @@ std::string parse(std::string_view text, std::int64_t& value, OptionRange range)
 }
 
 std::string parse(std::string_view text, double& value, OptionRange range) {
-  const auto parsed = parse_number(text);
-  if (!parsed || std::isnan(*parsed)) return quoted(text) + " is not a number";
-  if (*parsed < range.least || *parsed > range.greatest) return out_of_range(text, range);
-  value = *parsed;
-  return {};
+  return parse_in_range(text, value, range.least, range.greatest);
 }
 
 std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices) {

@@ -144,6 +144,13 @@ TEST(ParseOptions, SaysWhatIsWrongWithAValue) {
   EXPECT_EQ(error_of({{"oars", ""}}), "option 'oars': '' is not a whole number");
   EXPECT_EQ(error_of({{"length", "long"}}), "option 'length': 'long' is not a number");
   EXPECT_EQ(error_of({{"length", "nan"}}), "option 'length': 'nan' is not a number");
+  EXPECT_EQ(
+      error_of({{"length", "5,5"}}),
+      "option 'length': '5,5' is not a number: the decimal point is a dot, did you mean 5.5?");
+  EXPECT_EQ(error_of({{"length", "1,2,3"}}), "option 'length': '1,2,3' is not a number");
+  EXPECT_EQ(error_of({{"length", "1e308"}}), "option 'length': '1e308' is not between 1 and 60");
+  EXPECT_EQ(error_of({{"length", "-1e999"}}), "option 'length': '-1e999' is not between 1 and 60");
+  EXPECT_EQ(error_of({{"length", "1e-999"}}), "option 'length': '1e-999' is not a number");
   EXPECT_EQ(error_of({{"length", "inf"}}), "option 'length': 'inf' is not between 1 and 60");
   EXPECT_EQ(error_of({{"length", "0.5"}}), "option 'length': '0.5' is not between 1 and 60");
   EXPECT_EQ(error_of({{"colour", "blue"}}),
