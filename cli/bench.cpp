@@ -53,24 +53,26 @@ constexpr const char* kExamples = R"(Examples:
   wend bench rooms.map.scen --planner astar,jps,hub_labels
   wend bench rooms.map.scen --planner astar,jps --fresh --sample 20
   wend bench . --planner astar,dijkstra --passes 2 --per-query queries.csv
-  wend bench rooms.map.scen --planner astar,dijkstra --robot-radius 1.5 --connectivity 4
+  wend bench rooms.map.scen --robot-radius 1.5 --connectivity 4
   wend bench . --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
   mpirun -n 4 wend bench . --planner astar --database results.db --distributed
 
-Times are CPU time of the thread. A first query is one run of a new planner; of ten queries it
-is measured, of all with --fresh. Later queries take the least of as many runs as fill 5 ms.
-What a planner prepares is shown beside them: its index, and what it makes of the map.
+Times are CPU time of the thread. A first query is one run of a new planner; of
+ten queries it is measured, of all with --fresh. Later queries take the least of
+as many runs as fill 5 ms. What a planner prepares is shown beside them: its
+index, and what it makes of the map.
 
-The map of X.map.scen is X.map, of X.yaml.scen X.yaml, of other scenarios the name in their
-map column; it lies in the scenario's folder. Cells are those of --cells: from the upper left
-one, of a ROS map from the lower left one. On terrain lengths are costs. Lengths in scenarios
-hold for a point on 8 neighbours without corner cutting: for other robots Dijkstra's algorithm
-finds them first. Wrong is: no path though there is a length; a path though there is none;
-another length; a path that is not valid cell by cell; another answer than in a pass before.
-A run with --database that was interrupted goes on where it was when it is started again;
-Planner Arena opens the file. Exit codes: 0 all right, 1 something is wrong, 2 bad usage or
-input.)";
+The map of X.map.scen is X.map, of X.yaml.scen X.yaml, of other scenarios the
+name in their map column; it lies in the scenario's folder. Cells are those of
+--cells: from the upper left one, of a ROS map from the lower left one. On
+terrain lengths are costs. Lengths in scenarios hold for a point on 8 neighbours
+without corner cutting: for other robots Dijkstra's algorithm finds them first.
+Wrong is: no path though there is a length; a path though there is none; another
+length; a path that is not valid cell by cell; another answer than in a pass
+before. A run with --database that was interrupted goes on where it was when it
+is started again; Planner Arena opens the file. Exit codes: 0 all right, 1
+something is wrong, 2 bad usage or input.)";
 
 struct BenchResults {
   std::vector<BenchRow> rows{};
@@ -302,7 +304,12 @@ Command add_bench(Parser& app) {
       .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
   bench.footer(kExamples);
-  return {bench, [arguments] { return run(*arguments); }};
+  return {bench, [bench, arguments] {
+            if (arguments->plot.empty()) {
+              refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");
+            }
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

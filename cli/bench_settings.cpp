@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kMostThreads = 1024;
 constexpr std::uint64_t kMostPasses = 1'000'000;
-constexpr OptionRange kSeconds{1e-6, 1e9};
+constexpr NumberRange kSeconds{1e-6, 1e9, "s"};
 
 std::string_view corner_text(CornerRule rule) {
   switch (rule) {
@@ -31,6 +31,7 @@ std::string_view corner_text(CornerRule rule) {
 
 void BenchSettings::add_to(Parser& app) {
   robot.add_to(app);
+  robot.add_keep_away_to(app);
   moves.add_to(app);
   add_count(
       app, "--threads", threads,
@@ -53,7 +54,7 @@ void BenchSettings::check() const {
 }
 
 bool BenchSettings::as_in_scenarios() const {
-  return robot.robot_radius == 0 && robot.keep_away == 0 &&
+  return robot.robot_radius == 0 && robot.keep_away.value_or(0) == 0 &&
          robot.unknown == UnknownPolicy::blocked && moves.moves == GridMoves{};
 }
 
@@ -63,8 +64,11 @@ std::string BenchSettings::robot_text() const {
                                              : fmt::format("radius {}{}", robot.robot_radius,
                                                            robot.cells ? " cells" : "");
   if (robot.unknown == UnknownPolicy::free) text += ", enters unknown cells";
-  if (robot.keep_away > 0) {
-    text += fmt::format(", keeps {} away (cost {})", robot.keep_away, robot.keep_away_cost);
+  if (robot.outside == OutsidePolicy::blocked) text += ", stays on the map";
+  if (robot.outside == OutsidePolicy::free) text += ", may hang over the map's edge";
+  if (const double distance = robot.keep_away.value_or(0); distance > 0) {
+    text += fmt::format(", keeps {} away (cost {})", distance,
+                        robot.keep_away_cost.value_or(FreeSpaceOptions{}.keep_away_cost));
   }
   if (grid.connectivity == Connectivity::four) return text + ", 4 neighbours";
   return fmt::format("{}, 8 neighbours, {}", text, corner_text(grid.corner_rule));

@@ -39,10 +39,10 @@ constexpr const char* kExamples = R"(Examples:
   wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
   wend check track.yaml centerline.csv --robot-radius 0.3 --format json
 
-Paths are those that `wend plan -o` and `wend smooth -o` write (.csv, .json; of a plan with
---smooth the smoothed one), or centrelines in metres. The robot's disc is swept along the path,
-exactly. Exit codes: 0 free, 1 not free (standard error says where the first collision is),
-2 bad usage or input.)";
+Paths are those that `wend plan -o` and `wend smooth -o` write (.csv, .json; of
+a plan with --smooth the smoothed one), or centrelines in metres. The robot's
+disc is swept along the path, exactly. Exit codes: 0 free, 1 not free (standard
+error says where the first collision is), 2 bad usage or input.)";
 
 /// Paths that leave the map are shown as far as they are on it.
 Scene scene_of(const FreeSpace& space, const Path& path,
@@ -107,7 +107,11 @@ Command add_check(Parser& app) {
       "Also write a picture (.png, .svg, .pdf) in which the first collision is "
       "marked, or the JSON; may be given several times");
   check.footer(kExamples);
-  return {check, [arguments] { return run(*arguments); }};
+  return {check, [check, arguments] {
+            arguments->pictures.check(check, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

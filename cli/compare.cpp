@@ -51,13 +51,14 @@ constexpr std::uint64_t kMostQueries = 1'000'000;
 constexpr const char* kExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
-  wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,heuristic=euclidean,bfs
-  wend compare office.yaml --random 200 --seed 7 --planner astar,dijkstra --plot plots.png
-  wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:heuristic=diagonal,car:w=2
+  wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
+  wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
+  wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
 
-All planners, or those named, on the same query or on N random connected pairs; cars are
-compared with cars. The picture has a panel for each planner, with what it expanded. Plots need
-gnuplot. Exit codes: 0 a path was found, 1 none was, 2 bad usage or input.)";
+All planners, or those named, on the same query or on N random connected pairs;
+cars are compared with cars. The picture has a panel for each planner, with what
+it expanded. Plots need gnuplot. Exit codes: 0 a path was found, 1 none was, 2
+bad usage or input.)";
 
 /// All that move as the typed start asks for (cars have a heading), need no index and take the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
@@ -265,6 +266,7 @@ Command add_compare(Parser& app) {
   Parser compare = app.add_subcommand("compare", "Compare planners on the same query, or on many");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
+  arguments->map.add_keep_away_to(compare);
   compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
   compare.add_option("--goal", arguments->goal, "To where").type_name("X,Y[,HEADING]");
@@ -289,7 +291,15 @@ Command add_compare(Parser& app) {
                           "distributions, as .png, .svg or .pdf"))
       .type_name(kFileType);
   compare.footer(kExamples);
-  return {compare, [arguments] { return run(*arguments); }};
+  return {compare, [compare, arguments] {
+            if (arguments->random == 0) {
+              refuse_idle(compare, {"--seed"}, "it chooses the queries of --random N");
+            }
+            if (!arguments->output.any_picture() && arguments->plot.empty()) {
+              refuse_idle(compare, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+            }
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -35,8 +35,8 @@ constexpr const char* kExamples = R"(Examples:
 
 What the new format cannot hold, standard error says, a line each.
 
-Exit codes: 0 the map is saved, 1 it is not, as --strict asks where something would be lost, 2 bad
-usage or input.)";
+Exit codes: 0 the map is saved, 1 it is not, as --strict asks where something
+would be lost, 2 bad usage or input.)";
 
 struct Conversion {
   LoadedMap loaded;

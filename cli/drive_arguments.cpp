@@ -12,7 +12,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr OptionRange kNoise{0, 10};
+constexpr NumberRange kNoise{0, 10};
 
 /// --loop says it.
 bool is_closed(const OptionInfo& option) { return option.name == "closed"; }
@@ -67,7 +67,7 @@ void DriveArguments::add_to(Parser& app) {
   app.add_option(
          "--compare", compare,
          wrapped("Drive with each of these controllers instead, or with all; options may follow "
-                 "each"))
+                 "each, as in --compare=p,pid:heading_gain=3"))
       .optional_value()
       .type_name("[" + std::string(kControllerType) + ",...]");
   add_number(app, "--noise", noise_, kNoise,

@@ -37,9 +37,9 @@ constexpr const char* kExamples = R"(Examples:
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
 
-The picture shows what can be reached from the start, from where the goal can be reached, and
-the widest way between them with its narrowest place. Exit codes: 0 there is a path after all,
-1 there is none, 2 bad usage or input.)";
+The picture shows what can be reached from the start, from where the goal can be
+reached, and the widest way between them with its narrowest place. Exit codes: 0
+there is a path after all, 1 there is none, 2 bad usage or input.)";
 
 /// One question, from its arguments to its answer.
 class ExplainRun {
@@ -202,7 +202,11 @@ Command add_explain(Parser& app) {
   arguments->options.collect("explain", option_schema<GridMoves>());
   arguments->options.add_to(explain);
   explain.footer(kExamples);
-  return {explain, [arguments] { return run(*arguments); }};
+  return {explain, [explain, arguments] {
+            arguments->pictures.check(explain, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -40,13 +40,13 @@ struct FieldArguments {
 constexpr const char* kExamples = R"(Examples:
   wend field grid.txt --goal 9,9
   wend field grid.txt --goal 9,9 --start 0,0 --start 0,9
-  wend field office.yaml --goal 15,9 --robot-radius 0.2 --start 1,1 --format json
+  wend field office.yaml --goal 15,9 --start 1,1 --format json
   wend field grid.txt --goal 0,0 --goal 9,9 -o field.csv
 
-One search from the goal gives every cell's cost to it, the best path from each start without
-searching again, and the policy: which way to move in every cell. Small maps show both.
-Exit codes: 0 a path from every start, 1 not so (standard error says why), 2 bad usage or
-input.)";
+One search from the goal gives every cell's cost to it, the best path from each
+start without searching again, and the policy: which way to move in every cell.
+Small maps show both. Exit codes: 0 a path from every start, 1 not so (standard
+error says why), 2 bad usage or input.)";
 
 /// One field, from the arguments to its report.
 class FieldRun {
@@ -189,6 +189,7 @@ Command add_field(Parser& app) {
   Parser field = app.add_subcommand("field", "Find cost and way to a goal from every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
+  arguments->map.add_keep_away_to(field);
   add_texts(field, "--goal", arguments->goals,
             "Where to go: metres or cells as in `wend plan`; the nearest of several counts")
       .required()
@@ -207,7 +208,12 @@ Command add_field(Parser& app) {
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
   field.footer(kExamples);
-  return {field, [arguments] { return run(*arguments); }};
+  return {field, [field, arguments] {
+            if (arguments->format != Format::json && !arguments->output.any(".json")) {
+              refuse_idle(field, {"--grid"}, "it is for --format json and -o FILE.json");
+            }
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

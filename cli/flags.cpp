@@ -7,6 +7,7 @@
 
 #include "exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/base/parse_in_range.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {
@@ -15,11 +16,11 @@ namespace {
 constexpr std::size_t kHelpWidth = 46;  // beside the names, in 80 columns
 
 template <class Value>
-Argument add_number_to(Parser& app, const std::string& flags, Value& value, OptionRange range,
-                       const std::string& help) {
+Argument add_number_to(Parser& app, const std::string& flags, Value& value,
+                       const NumberRange& range, const std::string& help) {
   const auto assign = [flags, range, &value](const std::string& text) {
     double number = 0;
-    const std::string wrong = option_text::parse(text, number, range);
+    const std::string wrong = parse_in_range(text, number, range.least, range.greatest, range.unit);
     if (!wrong.empty()) refuse_value(flags, wrong);
     value = number;
   };
@@ -40,13 +41,13 @@ void add_table_format(Parser& app, TableFormat& format) {
       "A table for people (the default), or one for programs");
 }
 
-Argument add_number(Parser& app, const std::string& flags, double& value, OptionRange range,
+Argument add_number(Parser& app, const std::string& flags, double& value, const NumberRange& range,
                     const std::string& help) {
   return add_number_to(app, flags, value, range, help);
 }
 
 Argument add_number(Parser& app, const std::string& flags, std::optional<double>& value,
-                    OptionRange range, const std::string& help) {
+                    const NumberRange& range, const std::string& help) {
   return add_number_to(app, flags, value, range, help);
 }
 
@@ -84,6 +85,13 @@ Argument add_word(Parser& app, const std::string& flags, const std::vector<std::
   };
   return app.add_option(flags, find, wrapped(help))
       .type_name(fmt::format("{}", fmt::join(words, "|")));
+}
+
+void refuse_idle(const Parser& command, const std::vector<std::string>& flags,
+                 std::string_view why) {
+  for (const std::string& flag : flags) {
+    if (command.given(flag)) throw InputError(fmt::format("{} changes nothing: {}", flag, why));
+  }
 }
 
 std::string wrapped(std::string_view text) {

@@ -39,11 +39,21 @@ enum class TableFormat { text, json, csv };
 /// --format text|json|csv
 void add_table_format(Parser& app, TableFormat& format);
 
+/// The closed range of a number, and the unit that messages name with it.
+struct NumberRange {
+  double least;
+  double greatest;
+  std::string_view unit = {};
+};
+
+/// The unit of lengths that are typed in the map's units.
+inline constexpr std::string_view kMapUnit = "metres (cells on maps in cells and with --cells)";
+
 /// A finite number in a range.
-Argument add_number(Parser& app, const std::string& flags, double& value, OptionRange range,
+Argument add_number(Parser& app, const std::string& flags, double& value, const NumberRange& range,
                     const std::string& help);
 Argument add_number(Parser& app, const std::string& flags, std::optional<double>& value,
-                    OptionRange range, const std::string& help);
+                    const NumberRange& range, const std::string& help);
 
 /// A whole number from 0 on.
 Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
@@ -55,6 +65,11 @@ void check_range(const std::string& flag, std::uint64_t value, std::uint64_t lea
 
 /// Throws InputError for a count of 0.
 void check_positive(const std::string& flag, std::uint64_t count);
+
+/// Throws InputError if one of these flags was given: it would change nothing. `why` says what to do
+/// instead.
+void refuse_idle(const Parser& command, const std::vector<std::string>& flags,
+                 std::string_view why);
 
 /// Texts, each after a flag of its own: `-o a.png -o b.csv`.
 Argument add_texts(Parser& app, const std::string& flags, std::vector<std::string>& values,

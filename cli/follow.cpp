@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "follow_run.hpp"
@@ -13,21 +16,22 @@ namespace wend::cli {
 namespace {
 
 constexpr double kMargin = 0.1;  // m
-constexpr OptionRange kMargins{0, 1e6};
-constexpr OptionRange kSpeeds{1e-3, 1e6};
+constexpr NumberRange kMargins{0, 1e6, kMapUnit};
+constexpr NumberRange kSpeeds{1e-3, 1e6, "times the robot's speed"};
 
 constexpr const char* kExamples = R"(Examples:
-  wend follow office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 --smooth -o drive.png
-  wend follow office.yaml --start 1,1 --goal 15,9 --controller pid --rate 10 --noise 0.02
-  wend follow office.yaml --start 1,1 --goal 15,9 --smooth --compare --plot drive.svg
-  wend follow office.yaml --path smooth.csv --robot-radius 0.2 --compare p_moving,pure_pursuit
+  wend follow office.yaml --start 1,1 --goal 15,9 --smooth -o drive.png
+  wend follow office.yaml --start 1,1 --goal 15,9 --controller pid --noise 0.02
+  wend follow office.yaml --start 1,1 --goal 15,9 --compare --plot drive.svg
+  wend follow office.yaml --path smooth.csv --compare=p_moving,pure_pursuit
   wend follow track.yaml --path centerline.csv --loop --speed 3 -o lap.gif
 
-The path is planned with the radius and the margin, then simplified, smoothed and resampled as
-asked; the robot drives with its true radius. Metres, radians and seconds, except for what
---robot-radius and the like count in cells on maps without a resolution, where a cell is a metre.
-Red is planned, green smoothed, blue driven. Exit codes: 0 reached the goal (one of several
-controllers did), 1 not (standard error says why), 2 bad usage or input.)";
+The path is planned with the radius and the margin, then simplified, smoothed
+and resampled as asked; the robot drives with its true radius. Metres, radians
+and seconds, except for what --robot-radius and the like count in cells on maps
+without a resolution, where a cell is a metre. Red is planned, green smoothed,
+blue driven. Exit codes: 0 reached the goal (one of several controllers did), 1
+not (standard error says why), 2 bad usage or input.)";
 
 void check(const FollowArguments& arguments) {
   arguments.output.check();
@@ -49,6 +53,33 @@ void check(const FollowArguments& arguments) {
   plot_kind_of(arguments.plot);
   check_folder(arguments.plot, "--plot " + arguments.plot);
   require_gnuplot();
+}
+
+/// Throws InputError for flags that were given and change nothing.
+void check_idle(const Parser& follow, const FollowArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  arguments.pictures.check(follow, output.any_picture() || !arguments.plot.empty(),
+                           arguments.format != Format::json);
+  if (arguments.format != Format::json) {
+    refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has them");
+  }
+  if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it is that of -o FILE.gif");
+  if (arguments.drive.compares()) {
+    refuse_idle(follow, {"--controller"}, "--compare says what drives");
+  }
+  const std::vector<std::string> noises{"--noise", "--actuation-noise", "--position-noise",
+                                        "--heading-noise"};
+  if (std::ranges::none_of(noises, [&](const auto& noise) { return follow.given(noise); })) {
+    refuse_idle(follow, {"--seed"}, "it is that of the noise; add --noise S");
+  }
+  if (arguments.path.empty()) return;
+  refuse_idle(
+      follow,
+      {"--nearest", "--limit-expansions", "--limit-time", "--keep-away", "--keep-away-cost"},
+      "with --path nothing is planned");
+  if (!arguments.refine.any()) {
+    refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is driven as it is");
+  }
 }
 
 /// The map for a robot that is larger by the margin.
@@ -104,6 +135,7 @@ Command add_follow(Parser& app) {
   Parser follow = app.add_subcommand("follow", "Let a simulated robot follow a path");
   const auto arguments = std::make_shared<FollowArguments>();
   arguments->map.add_to(follow);
+  arguments->map.add_keep_away_to(follow);
   add_path(follow, *arguments);
   add_format(follow, arguments->format);
   follow.add_flag("--samples", arguments->samples,
@@ -124,7 +156,10 @@ Command add_follow(Parser& app) {
       "given several times");
   arguments->drive.add_to(follow);
   follow.footer(kExamples);
-  return {follow, [arguments] { return run(*arguments); }};
+  return {follow, [follow, arguments] {
+            check_idle(follow, *arguments);
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -39,11 +39,12 @@ constexpr const char* kExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps
 
-Queries in MovingAI's format: pairs of cells that a path joins, and the cost of a cheapest
-path, found by Dijkstra's algorithm. Bucket 0 has lengths below 4 cells, bucket 1 those below
-8, and so on. Cells are those of --cells: from the upper left one, of a ROS map from the lower
-left one. The last buckets may hold fewer queries than asked for, and a small map fewer buckets.
-Exit codes: 0 written, 2 bad usage or input.)";
+Queries in MovingAI's format: pairs of cells that a path joins, and the cost of
+a cheapest path, found by Dijkstra's algorithm. Bucket 0 has lengths below 4
+cells, bucket 1 those below 8, and so on. Cells are those of --cells: from the
+upper left one, of a ROS map from the lower left one. The last buckets may hold
+fewer queries than asked for, and a small map fewer buckets. Exit codes: 0
+written, 2 bad usage or input.)";
 
 std::vector<ScenarioQuery> make_queries(const ScenarioArguments& arguments, const GridMap& map) {
   const FreeSpace space = arguments.map.free_space(map);
@@ -95,7 +96,7 @@ int run(const ScenarioArguments& arguments) {
 
 Command add_generate_scenario(Parser& generate) {
   Parser scenario =
-      generate.add_subcommand("scenario", "Make queries for a map, as MovingAI's scenarios");
+      generate.add_subcommand("scenario", "Make queries for a map, a MovingAI scenario");
   const auto arguments = std::make_shared<ScenarioArguments>();
   arguments->map.add_to(scenario);
   arguments->moves.add_to(scenario);

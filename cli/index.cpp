@@ -37,18 +37,18 @@ struct InfoArguments {
 
 constexpr const char* kExamples = R"(Examples:
   wend index build arena.map -o arena.idx
-  wend index build office.yaml --robot-radius 0.2 --planner corner_hierarchy -o office.idx
+  wend index build office.yaml --planner corner_hierarchy -o office.idx
   wend index info arena.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30)";
 
 constexpr const char* kBuildExamples = R"(Examples:
   wend index build arena.map -o arena.idx
-  wend index build office.yaml --robot-radius 0.2 --planner corner_hierarchy -o office.idx
+  wend index build office.yaml --planner corner_hierarchy -o office.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
 
-An index holds for the cells where the robot fits: plan with the same map, radius and
---unknown. Ctrl-C ends it, and no file is written. Exit codes: 0 built, 1 not built
-(standard error says why), 2 bad usage or input.)";
+An index holds for the cells where the robot fits: plan with the same map,
+radius and --unknown. Ctrl-C ends it, and no file is written. Exit codes: 0
+built, 1 not built (standard error says why), 2 bad usage or input.)";
 
 constexpr const char* kInfoExamples = R"(Examples:
   wend index info arena.idx

@@ -8,7 +8,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr OptionRange kSeconds{0, 1e9};
+constexpr NumberRange kSeconds{0, 1e9, "s"};
 
 }  // namespace
 

@@ -8,12 +8,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "exit_code.hpp"
+#include "help_formatter.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "usage_error.hpp"
@@ -34,6 +36,7 @@ constexpr const char* kExamples = R"(Examples:
 std::vector<Command> add_commands(CLI::App& app) {
   app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(kNameColumn);
   app.require_subcommand(1);
   app.footer(kExamples);

@@ -10,9 +10,9 @@
 namespace wend::cli {
 namespace {
 
-constexpr OptionRange kResolutions{1e-6, 1e6};
-constexpr OptionRange kDistances{0, 1e9};
-constexpr OptionRange kCosts{0, 1e6};
+constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
+constexpr NumberRange kDistances{0, 1e9, kMapUnit};
+constexpr NumberRange kCosts{0, 1e6};
 
 }  // namespace
 
@@ -42,13 +42,6 @@ void RobotArguments::add_to(Parser& app) {
   add_number(app, "--robot-radius", robot_radius, kDistances,
              "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
              "for others and with --cells (default 0, a point)");
-  add_number(app, "--keep-away", keep_away, kDistances,
-             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
-             "more (units as --robot-radius; default 0, off)");
-  add_number(app, "--keep-away-cost", keep_away_cost, kCosts,
-             "How many times more a cell costs where the robot would touch an obstacle, fading to "
-             "nothing at --keep-away (default " +
-                 format_number(keep_away_cost) + ")");
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
                             "What unknown cells are (default blocked)");
@@ -60,13 +53,26 @@ void RobotArguments::add_to(Parser& app) {
   app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
+void RobotArguments::add_keep_away_to(Parser& app) {
+  add_number(app, "--keep-away", keep_away, kDistances,
+             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
+             "more (units as --robot-radius; default 0, off)");
+  add_number(app, "--keep-away-cost", keep_away_cost, kCosts,
+             "How many times more a cell costs where the robot would touch an obstacle, fading to "
+             "nothing at --keep-away (default " +
+                 format_number(FreeSpaceOptions{}.keep_away_cost) + ")");
+}
+
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
+  if (keep_away_cost && !keep_away) {
+    throw InputError("--keep-away-cost changes nothing: say from how far on with --keep-away");
+  }
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),
           .unknown = unknown,
           .outside = outside,
-          .keep_away = units.in_metres(keep_away),
-          .keep_away_cost = keep_away_cost};
+          .keep_away = units.in_metres(keep_away.value_or(0)),
+          .keep_away_cost = keep_away_cost.value_or(FreeSpaceOptions{}.keep_away_cost)};
 }
 
 void MapArguments::add_to(Parser& app) {

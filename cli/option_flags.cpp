@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "exit_code.hpp"
 #include "flags.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/base/parse_in_range.hpp"
 
 namespace wend::cli {
 namespace {
@@ -75,6 +77,27 @@ std::string words_of(const OptionInfo& option) {
                      format_number(option.greatest));
 }
 
+/// The unit of a number, which its help names after a comma: "m/s" of "the greatest speed, m/s".
+std::string_view unit_in(std::string_view help) {
+  constexpr std::array<std::string_view, 10> kUnits{"m",       "m/s", "m/s^2", "rad",   "rad/s",
+                                                    "rad/s^2", "s",   "1/s",   "1/s^2", "cells"};
+  for (std::size_t comma = help.find(", "); comma != std::string_view::npos;
+       comma = help.find(", ", comma + 1)) {
+    std::string_view rest = help.substr(comma + 2);
+    if (rest.starts_with("in ")) rest.remove_prefix(3);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" ,;"));
+    if (std::ranges::find(kUnits, word) != kUnits.end()) return word;
+  }
+  return {};
+}
+
+/// What is wrong with a value; empty if nothing is, or the option's owner has to say it.
+std::string fault_of(const OptionInfo& option, const std::string& value) {
+  double number = 0;
+  if (option.kind != OptionKind::number) return {};
+  return parse_in_range(value, number, option.least, option.greatest, unit_in(option.help));
+}
+
 /// What the option does, and, unless its type says so, its choices.
 std::string help_of(const OptionInfo& option, bool with_choices) {
   const bool listed = with_choices && !option.choices.empty();
@@ -133,8 +156,15 @@ std::string OptionFlags::group() const {
 
 OptionValues OptionFlags::values_for(const std::string& owner) const {
   for (const auto& [name, value] : given_) {
-    const std::vector<std::string>& owners = find(name)->owners;
-    if (std::find(owners.begin(), owners.end(), owner) != owners.end()) continue;
+    const Flag& flag = *find(name);
+    const std::vector<std::string>& owners = flag.owners;
+    const auto own = std::ranges::find(owners, owner);
+    if (own != owners.end()) {
+      const OptionInfo& option = flag.options[static_cast<std::size_t>(own - owners.begin())];
+      const std::string fault = fault_of(option, value);
+      if (fault.empty()) continue;
+      throw InputError(fmt::format("--{}: {}", dashed(name), fault));
+    }
     throw InputError(fmt::format("the {} '{}' has no option --{}; {} {} it", kind_, owner,
                                  dashed(name), joined(owners),
                                  owners.size() == 1 ? "has" : "have"));

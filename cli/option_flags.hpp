@@ -27,7 +27,8 @@ class OptionFlags {
   /// Adds a flag for every option collected.
   void add_to(Parser& app);
 
-  /// The options given, by their names. Throws InputError for one that the owner does not have.
+  /// The options given, by their names. Throws InputError for one that the owner does not have and for
+  /// a number that is out of its range.
   OptionValues values_for(const std::string& owner) const;
 
  private:

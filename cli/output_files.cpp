@@ -74,6 +74,10 @@ bool OutputFiles::any(const std::string& extension) const {
   });
 }
 
+bool OutputFiles::any_picture() const {
+  return any(".png") || any(".svg") || any(".pdf") || any(".gif");
+}
+
 void OutputFiles::check_not_among(const std::vector<std::filesystem::path>& inputs) const {
   for (const std::string& file : files_) cli::check_not_among(inputs, file, "-o " + file);
 }

@@ -49,6 +49,9 @@ class OutputFiles {
   /// Is there a file with that extension?
   bool any(const std::string& extension) const;
 
+  /// Is there a picture or a film?
+  bool any_picture() const;
+
  private:
   std::vector<std::string> extensions_;
   std::vector<std::string> files_;

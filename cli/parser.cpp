@@ -21,7 +21,7 @@ Argument Argument::group(const std::string& name) const {
 }
 
 Argument Argument::optional_value() const {
-  option_->expected(0, 1);
+  option_->expected(0, 0);  // and not expected(0), which is a flag that is "true"
   return *this;
 }
 
@@ -72,6 +72,11 @@ Argument Parser::add_flag(const std::string& flags, const AssignCount& assign,
 void Parser::footer(const std::string& text) { app_->footer(text); }
 
 bool Parser::parsed() const { return app_->parsed(); }
+
+bool Parser::given(const std::string& flag) const {
+  const CLI::Option* option = app_->get_option_no_throw(flag);
+  return option != nullptr && option->count() > 0;
+}
 
 void refuse_value(const std::string& flags, const std::string& what) {
   throw CLI::ValidationError(flags, what);

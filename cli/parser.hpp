@@ -26,7 +26,8 @@ class Argument {
   Argument type_name(const std::string& name) const;
   /// The heading in help under which it stands.
   Argument group(const std::string& name) const;
-  /// Its value may be left out and is empty then.
+  /// Its value may be left out and is empty then; it is joined by an equals sign, `--smooth=0.1,0.3`,
+  /// so that no argument that follows is ever taken for it.
   Argument optional_value() const;
   /// Takes one value each time that it is given.
   Argument one_at_a_time() const;
@@ -67,6 +68,9 @@ class Parser {
 
   /// Whether the command line named this subcommand.
   bool parsed() const;
+
+  /// Whether the command line has this flag of it: "--style". False for flags that it does not take.
+  bool given(const std::string& flag) const;
 
   /// For the sources that walk over all that was added: completion and usage errors.
   const CLI::App& app() const { return *app_; }

@@ -34,6 +34,13 @@ void PictureArguments::add_to(Parser& app) {
             "a black-and-white printer");
 }
 
+void PictureArguments::check(const Parser& command, bool drawn, bool shown) const {
+  if (!shown) refuse_idle(command, {"--picture"}, "leave out --format json to see the map");
+  if (!drawn && (!shown || when == PictureWhen::never)) {
+    refuse_idle(command, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+  }
+}
+
 void add_style(Parser& app, StyleName& style, const std::string& help) {
   NamedValues<StyleName> styles;
   for (const auto& choice : choice_names(StyleName{})) {

@@ -22,6 +22,10 @@ struct PictureArguments {
 
   /// --picture auto|always|never and --style light|dark|print
   void add_to(Parser& app);
+
+  /// Throws InputError if one of the two was given and changes nothing: no picture is drawn into a
+  /// file, or none is shown, because the results are for programs, say.
+  void check(const Parser& command, bool drawn, bool shown) const;
 };
 
 /// --style light|dark|print

@@ -20,15 +20,15 @@ constexpr const char* kExamples = R"(Examples:
   wend plan office.yaml --cells --start 10,10 --goal 145,85 --nearest
   wend plan grid.txt --start 0,0 --goal 9,9 --show expansion,heuristic,policy
   wend plan grid.txt --start 0,0 --goal 9,9 --step --show g
-  wend plan office.yaml --start 1,1 --goal 15,9 -o search.gif --trace office.trace.yaml
+  wend plan office.yaml --start 1,1 --goal 15,9 --trace office.trace.yaml
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
-  wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 --smooth -o smooth.csv
+  wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
 
-Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map with
-arrows; large ones a summary and, on a terminal, a picture. A car stands on the corners of
-cells; its steps are told as commands. Exit codes: 0 found, 1 no plan (standard error says
-why), 2 bad usage or input.)";
+Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
+with arrows; large ones a summary and, on a terminal, a picture. A car stands on
+the corners of cells; its steps are told as commands. Exit codes: 0 found, 1 no
+plan (standard error says why), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
 std::string planner_text(const PlanArguments& arguments,
@@ -42,6 +42,18 @@ std::string planner_text(const PlanArguments& arguments,
 
 /// What the flags of the command say otherwise: a smoother has one, too.
 bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
+
+/// Throws InputError for flags that were given and change nothing.
+void check_idle(const Parser& plan, const PlanArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  arguments.pictures.check(plan, output.any_picture(), arguments.format != Format::json);
+  if (!arguments.watch.animate && !output.any(".gif")) {
+    refuse_idle(plan, {"--speed"}, "it is that of --animate and of -o FILE.gif");
+  }
+  if (arguments.watch.trace.empty()) {
+    refuse_idle(plan, {"--trace-limit"}, "name the trace with --trace FILE");
+  }
+}
 
 int run(const PlanArguments& arguments) {
   arguments.output.check();
@@ -76,6 +88,7 @@ Command add_plan(Parser& app) {
   Parser plan = app.add_subcommand("plan", "Plan a path from a start to a goal");
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->map.add_to(plan);
+  arguments->map.add_keep_away_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
                           "resolution, a cell for others and with --cells; of a car a corner, and "
@@ -116,7 +129,10 @@ Command add_plan(Parser& app) {
   }
   arguments->options.add_to(plan);
   plan.footer(kExamples);
-  return {plan, [arguments] { return run(*arguments); }};
+  return {plan, [plan, arguments] {
+            check_idle(plan, *arguments);
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -16,9 +16,9 @@
 namespace wend::cli {
 namespace {
 
-constexpr OptionRange kSpacings{1e-6, 1e9};
-constexpr OptionRange kRadii{1e-6, 1e6};
-constexpr OptionRange kRoundings{0, 1e6};
+constexpr NumberRange kSpacings{1e-6, 1e9, kMapUnit};
+constexpr NumberRange kRadii{1e-6, 1e6, kMapUnit};
+constexpr NumberRange kRoundings{0, 1e6, kMapUnit};
 constexpr std::string_view kTurningRadius = "turning_radius";
 
 Argument add_optional_text(Parser& app, const std::string& flag, std::optional<std::string>& value,

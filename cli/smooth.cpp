@@ -26,7 +26,7 @@ namespace wend::cli {
 namespace {
 
 constexpr std::string_view kNoSmoother = "none";
-constexpr OptionRange kRadii{0, 1e6};
+constexpr NumberRange kRadii{0, 1e6, kMapUnit};
 
 struct SmoothArguments {
   MapArguments map;
@@ -42,17 +42,17 @@ struct SmoothArguments {
 };
 
 constexpr const char* kExamples = R"(Examples:
-  wend smooth office.yaml plan.csv --robot-radius 0.2 -o smooth.csv -o smooth.png
-  wend smooth office.yaml plan.json --alpha 0.02 --beta 0.4 --simplify collinear --resample 0.1
+  wend smooth office.yaml plan.csv --robot-radius 0.2 -o smooth.csv -o both.png
+  wend smooth office.yaml plan.json --alpha 0.02 --simplify=sight --resample 0.1
   wend smooth office.yaml plan.csv --smoother curvature --turning-radius 0.5
-  wend smooth office.yaml plan.csv --smoother none --simplify sight -o taut.csv
+  wend smooth office.yaml plan.csv --smoother none --simplify=sight -o taut.csv
   wend smooth office.yaml plan.csv --unsafe --format json
 
-Paths are those that `wend plan -o` writes (.csv, .json; of a plan the path as planned), or
-centrelines in metres. First points are left out (--simplify), then the path is smoothed, then
-resampled. Unless --unsafe is given, no part of the result touches an obstacle. Exit codes:
-0 done, 1 the path is not free to begin with (standard error says where), 2 bad usage or
-input.)";
+Paths are those that `wend plan -o` writes (.csv, .json; of a plan the path as
+planned), or centrelines in metres. First points are left out (--simplify), then
+the path is smoothed, then resampled. Unless --unsafe is given, no part of the
+result touches an obstacle. Exit codes: 0 done, 1 the path is not free to begin
+with (standard error says where), 2 bad usage or input.)";
 
 /// What the flags of the command say otherwise.
 bool has_flag_of_its_own(const OptionInfo& option) {
@@ -162,7 +162,15 @@ Command add_smooth(Parser& app) {
                            ".pdf); may be given several times");
   add_smoothers(smooth, *arguments);
   smooth.footer(kExamples);
-  return {smooth, [arguments] { return run(*arguments); }};
+  return {smooth, [smooth, arguments] {
+            arguments->pictures.check(smooth, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            if (arguments->smoother == kNoSmoother && !arguments->points.any() &&
+                !smooth.given("--corner-rounding")) {
+              throw InputError("--smoother none changes nothing: add --simplify or --resample");
+            }
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

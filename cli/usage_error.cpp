@@ -41,6 +41,19 @@ std::string surplus(const std::vector<std::string>& arguments) {
   return arguments.front();
 }
 
+/// Where a flag whose value is optional was given without one, how it takes one: what was meant as its
+/// value is an argument of its own.
+std::string equals_sign_text(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const bool value_is_optional =
+        !option->get_type_name().empty() && option->get_items_expected_max() == 0;
+    if (!value_is_optional || option->count() == 0 || !option->results().front().empty()) continue;
+    return fmt::format("; a value of --{0} is joined by an equals sign, --{0}=VALUE",
+                       option->get_lnames().front());
+  }
+  return {};
+}
+
 std::string surplus_text(const CLI::App& app, const std::string& argument) {
   if (is_flag(argument)) {
     const std::string name = name_of(argument);
@@ -48,7 +61,7 @@ std::string surplus_text(const CLI::App& app, const std::string& argument) {
     return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
   }
   const std::vector<std::string> commands = subcommand_names(app);
-  if (commands.empty()) return "unexpected argument " + quote(argument);
+  if (commands.empty()) return "unexpected argument " + quote(argument) + equals_sign_text(app);
   const std::string text = "there is no subcommand " + quote(argument);
   const auto closest = closest_name(argument, commands);
   return text + (closest ? ": did you mean " + *closest + "?" : ": choose " + or_list(commands));

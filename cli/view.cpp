@@ -40,8 +40,9 @@ constexpr const char* kExamples = R"(Examples:
   wend view office.yaml --show clearance -o clearance.png
   wend view a.map --beside b.map -o both.png
 
-Paths are those that `wend plan -o` writes (.csv, .json; of a plan with --smooth the smoothed one),
-or centrelines in metres. Several paths, maps, layers or styles come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
+Paths are those that `wend plan -o` writes (.csv, .json; of a plan with --smooth
+the smoothed one), or centrelines in metres. Several paths, maps, layers or
+styles come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
 
 /// The title of a panel that shows a file.
 std::string name_of(const std::string& file) {
@@ -127,6 +128,18 @@ void check(const ViewArguments& arguments) {
   }
 }
 
+/// Throws InputError for flags that were given and change nothing.
+void check_idle(const Parser& view, const ViewArguments& arguments) {
+  if (arguments.when == PictureWhen::never && arguments.output.files().empty()) {
+    throw InputError("--picture never shows nothing: add -o FILE.png, or leave it out");
+  }
+  const auto& layers = arguments.layers.kinds();
+  if (std::ranges::find(layers, LayerKind::terrain) == layers.end()) {
+    refuse_idle(view, {"--keep-away", "--keep-away-cost"},
+                "it is about what cells cost, which --show terrain shows");
+  }
+}
+
 int run(const ViewArguments& arguments) {
   check(arguments);
   std::vector<LoadedMap> maps{arguments.map.load()};
@@ -158,6 +171,7 @@ Command add_view(Parser& app) {
   Parser view = app.add_subcommand("view", "Show a map, and paths on it");
   const auto arguments = std::make_shared<ViewArguments>();
   arguments->map.add_to(view);
+  arguments->map.add_keep_away_to(view);
   view.add_option("PATH", arguments->paths,
                   wrapped("Paths on it, as `wend plan -o` writes them (.csv, .json)"))
       .type_name(kFileType);
@@ -177,7 +191,10 @@ Command add_view(Parser& app) {
                            "Write the picture, as .png, .svg or .pdf; "
                            "may be given several times");
   view.footer(kExamples);
-  return {view, [arguments] { return run(*arguments); }};
+  return {view, [view, arguments] {
+            check_idle(view, *arguments);
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -11,7 +11,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr OptionRange kSpeeds{0.1, 1e9};
+constexpr NumberRange kSpeeds{0.1, 1e9, "expansions a second"};
 constexpr const char* kGroup = "Watching the search";
 
 bool ends_in(std::string_view text, std::string_view end) {

@@ -55,7 +55,7 @@ TEST_F(FollowCommand, ComparesAllControllersThatFitTheRobot) {
     EXPECT_EQ(driven.at("outcome"), "reached") << driven.at("controller");
     EXPECT_EQ(driven.at("collisions"), 0) << driven.at("controller");
   }
-  EXPECT_THAT(follow({"--compare", "p,pid:heading_gain=3"}).out,
+  EXPECT_THAT(follow({"--compare=p,pid:heading_gain=3"}).out,
               AllOf(HasSubstr("controller          outcome"), HasSubstr("\npid:heading_gain=3  ")));
   EXPECT_LT(drives({"--compare", "--drivetrain", "bicycle"}).size(), all.size());
 }
@@ -66,7 +66,7 @@ TEST_F(FollowCommand, SaysWhyTheGoalWasNotReached) {
   EXPECT_THAT(outcome.err, HasSubstr("wend: p: it got stuck after "));
   EXPECT_THAT(outcome.out, HasSubstr("outcome              got stuck\n"));
   EXPECT_EQ(follow({"--time-limit", "1"}).code, 1);
-  EXPECT_EQ(follow({"--compare", "p:heading_gain=0,pure_pursuit"}).code, 0) << "one of them did";
+  EXPECT_EQ(follow({"--compare=p:heading_gain=0,pure_pursuit"}).code, 0) << "one of them did";
 }
 
 TEST_F(FollowCommand, SaysWhyThereIsNoPathWithTheMargin) {
@@ -139,7 +139,7 @@ TEST_F(FollowCommand, RefusesWhatMeansNothing) {
       {{"--controller", "pidd"}, "did you mean 'pid'?"},
       {{"--controller", "p,pid"}, "name one, or use --compare"},
       {{"--controller", "p", "--lookahead", "1"}, "has no option --lookahead"},
-      {{"--compare", "p", "--heading-gain", "1"}, "options follow each controller"},
+      {{"--compare=p", "--heading-gain", "1"}, "options follow each controller"},
       {{"--drivetrain", "bicycle", "--controller", "p"}, "turns in place"},
       {{"--rate", "0"}, "rate"},
       {{"--noise", "-1"}, "--noise"},

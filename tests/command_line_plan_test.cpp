@@ -197,7 +197,7 @@ TEST_F(PlanCommand, SaysWhatNumberWasMeantAndInWhichRange) {
   for (const std::string number : {"1e308", "1e999", "-1"}) {
     EXPECT_THAT(plan("0,0", "1,0", {"--robot-radius", number}).err,
                 HasSubstr("--robot-radius: '" + number +
-                          "' is not between 0 and 1e+09 (metres; cells on maps in cells)"));
+                          "' is not between 0 and 1e+09 metres (cells on maps in cells"));
   }
   EXPECT_THAT(plan("0,0", "1,0", {"--limit-time", "-1"}).err,
               HasSubstr("--limit-time: '-1' is not between 0 and 1e+09 s"));
@@ -342,6 +342,10 @@ TEST_F(MetricPlan, CountsInCellsWhenAsked) {
   EXPECT_EQ(plan_json("0,0", "2,0", {"--cells"}).at("path").size(), 5U);
   EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.4"}).at("status"), "found");
   EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.6"}).at("status"),
+            "start_blocked")
+      << "it would leave the map";
+  EXPECT_EQ(plan_json("0,1", "3,1", {"--cells", "--robot-radius", "0.6", "--outside", "free"})
+                .at("status"),
             "unreachable");
   EXPECT_EQ(plan_json("-0.4,-0.6", "0.3,-0.6", {"--robot-radius", "0.1"}).at("status"), "found");
 }

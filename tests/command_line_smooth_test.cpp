@@ -111,14 +111,14 @@ TEST_F(SmoothCommand, SimplifiesAndResamplesWithoutSmoothing) {
       json::parse(smooth({"--smoother", "none", "--simplify", "--format", "json"}).out);
   EXPECT_TRUE(taut.at("smoothing").is_null());
   EXPECT_LT(taut.at("path_smoothed").size(), 6U);
-  const json collinear = json::parse(
-      smooth({"--smoother", "none", "--simplify", "collinear", "--format", "json"}).out);
+  const json collinear =
+      json::parse(smooth({"--smoother", "none", "--simplify=collinear", "--format", "json"}).out);
   EXPECT_EQ(collinear.at("path_smoothed").size(), 6U);
   const json spaced =
       json::parse(smooth({"--smoother", "none", "--resample", "0.5", "--format", "json"}).out);
   EXPECT_GT(spaced.at("path_smoothed").size(), 21U);
   const json near =
-      json::parse(smooth({"--smoother", "none", "--simplify", "0.8", "--format", "json"}).out);
+      json::parse(smooth({"--smoother", "none", "--simplify=0.8", "--format", "json"}).out);
   EXPECT_LT(near.at("path_smoothed").size(), 6U);
 }
 
@@ -133,7 +133,7 @@ TEST_F(SmoothCommand, OnlySmoothsWhatIsFreeUnlessAskedTo) {
 
 TEST_F(SmoothCommand, SaysWhatIsNoSmootherOrSimplification) {
   EXPECT_THAT(smooth({"--smoother", "gradiant"}).err, HasSubstr("did you mean 'gradient'?"));
-  EXPECT_THAT(smooth({"--simplify", "sigt"}).err,
+  EXPECT_THAT(smooth({"--simplify=sigt"}).err,
               HasSubstr("'sigt' is not collinear, sight, or a tolerance from 0 on"));
   EXPECT_EQ(smooth({"--smoother", "none", "--alpha", "0.1"}).code, 2);
   EXPECT_EQ(smooth({"--turning-radius", "3"}).code, 2);
@@ -146,7 +146,7 @@ TEST_F(SmoothCommand, PlansAndSmoothsInOne) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("○ planned   ● smoothed"),
                                  HasSubstr("no path is cheaper"), HasSubstr("held      ")));
   EXPECT_THAT(bytes_of(csv), StartsWith("x_grid,y_grid,"));
-  const json found = json::parse(plan({"--smooth", "0.2,0.2", "--format", "json"}).out);
+  const json found = json::parse(plan({"--smooth=0.2,0.2", "--format", "json"}).out);
   EXPECT_EQ(found.at("path").front(), json::parse("[0,0]"));
   EXPECT_EQ(found.at("path_smoothed").front(), json::parse("[0.5,0.5]"));
   EXPECT_EQ(found.at("path_smoothed").size(), found.at("path").size());
@@ -160,7 +160,7 @@ TEST_F(SmoothCommand, PlansAsBeforeWithoutIt) {
 }
 
 TEST_F(SmoothCommand, RefusesToPlanWhatCannotBeSmoothed) {
-  EXPECT_THAT(plan({"--smooth", "x"}).err, HasSubstr("--smooth: 'x' is not ALPHA,BETA"));
+  EXPECT_THAT(plan({"--smooth=x"}).err, HasSubstr("--smooth: 'x' is not ALPHA,BETA"));
   EXPECT_THAT(plan({"--unsafe"}).err, HasSubstr("add --smooth"));
   EXPECT_THAT(
       wend({"plan", map_, "--planner", "car", "--start", "0,0,E", "--goal", "9,0", "--smooth"}).err,

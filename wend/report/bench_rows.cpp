@@ -13,7 +13,6 @@
 namespace wend {
 namespace {
 
-constexpr int kSchema = 1;             // of the JSON
 constexpr double kMicroseconds = 1e6;  // in a second
 
 /// Microseconds a query, of every pass that all queries have.
@@ -106,8 +105,7 @@ double BenchRow::spread() const {
 }
 
 std::string bench_json(const BenchConditions& conditions, std::span<const BenchRow> rows) {
-  Json json{{"schema", kSchema},
-            {"version", conditions.version},
+  Json json{{"version", conditions.version},
             {"commit", conditions.commit},
             {"machine", conditions.machine},
             {"times", thread_time_name()},

@@ -55,7 +55,7 @@ Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples sam
 
 std::string drive_json(const RefinedPath& path, std::span<const ControlledDrive> drives,
                        const Frame& frame, DriveSamples samples) {
-  Json json{{"schema", kJsonSchema}};
+  Json json;
   put_paths(json, path, frame);
   json["drives"] = Json::array();
   for (const ControlledDrive& driven : drives) {

@@ -106,7 +106,7 @@ std::string_view to_string(CollisionKind kind) {
 
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
                        const Frame& frame) {
-  Json json{{"schema", kJsonSchema}, {"free", !collision.has_value()}, {"collision", Json()}};
+  Json json{{"free", !collision.has_value()}, {"collision", Json()}};
   if (collision) {
     const Point metres = frame.to_metres(collision->point);
     json["collision"] = {
@@ -143,7 +143,7 @@ std::string smoothing_text(const RefinedPath& path) {
 }
 
 std::string smoothing_json(const RefinedPath& path, const Frame& frame) {
-  Json json{{"schema", kJsonSchema}};
+  Json json;
   put_paths(json, path, frame);
   return text_of(json);
 }

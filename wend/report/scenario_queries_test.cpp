@@ -25,7 +25,7 @@ void check_queries(const GridMap& map, const FreeSpaceOptions& options, GridMove
   const int corners = moves.corner_rule == CornerRule::none  ? 0
                       : moves.corner_rule == CornerRule::one ? 1
                                                              : 2;
-  const Textbook textbook(map, test::robot_in_cells(options, map.frame().resolution),
+  const Textbook textbook(map, test::robot_in_cells(options, map.frame()),
                           {moves.connectivity == Connectivity::eight, corners});
   int last = 0;
   for (const ScenarioQuery& query : queries) {

@@ -1,0 +1,147 @@
+// What the command line makes of its arguments, from outside: optional values, flags that change
+// nothing, and how --help shows them.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command_line/run_program.hpp"
+
+namespace wend::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Arguments : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(in_folder("generate random --size 12x9 --density 0 -o grid.txt").code, 0);
+    ASSERT_EQ(in_folder("plan grid.txt --start 1,1 --goal 10,7 -o path.csv").code, 0);
+  }
+
+  Outcome in_folder(const std::string& command) const {
+    return shell("cd " + (folder_ / "").string() + " && $WEND " + command);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Arguments, WithAnOptionalValueLeaveTheNextOneAlone) {
+  for (const std::string command :
+       {"plan --smooth grid.txt --start 1,1 --goal 10,7",
+        "plan --simplify grid.txt --start 1,1 --goal 10,7",
+        "plan --smooth=0.2,0.2 grid.txt --start 1,1 --goal 10,7",
+        "smooth --simplify grid.txt path.csv", "smooth --simplify=0.5 grid.txt path.csv",
+        "follow --compare grid.txt --path path.csv",
+        "follow --compare=p,pid grid.txt --path path.csv"}) {
+    const Outcome outcome = in_folder(command);
+    EXPECT_EQ(outcome.code, 0) << command << '\n' << outcome.err;
+  }
+}
+
+TEST_F(Arguments, WithAnOptionalValueSayHowItIsTyped) {
+  struct Case {
+    std::string command;
+    std::string message;
+  };
+  for (const Case& wrong : {
+           Case{"plan grid.txt --start 1,1 --goal 10,7 --smooth 0.2,0.2",
+                "unexpected argument '0.2,0.2'; a value of --smooth is joined by an equals sign, "
+                "--smooth=VALUE"},
+           Case{"plan --smooth 0.2,0.2 grid.txt --start 1,1 --goal 10,7", "--smooth=VALUE"},
+           Case{"smooth grid.txt path.csv --simplify 0.5", "--simplify=VALUE"},
+           Case{"follow grid.txt --path path.csv --compare p,pid", "--compare=VALUE"},
+       }) {
+    const Outcome outcome = in_folder(wrong.command);
+    EXPECT_EQ(outcome.code, 2) << wrong.command;
+    EXPECT_THAT(outcome.err, HasSubstr(wrong.message));
+  }
+  EXPECT_THAT(in_folder("info grid.txt again.txt").err, Not(HasSubstr("equals sign")));
+}
+
+TEST_F(Arguments, ThatChangeNothingAreRefused) {
+  const std::string plan = "plan grid.txt --start 1,1 --goal 10,7 ";
+  const std::string follow = "follow grid.txt --path path.csv ";
+  struct Case {
+    std::string command;
+    std::string message;
+  };
+  for (const Case& idle : {
+           Case{plan + "--keep-away-cost 5", "--keep-away-cost changes nothing"},
+           Case{plan + "--speed 5", "--speed changes nothing"},
+           Case{plan + "--trace-limit 5", "--trace-limit changes nothing"},
+           Case{plan + "--unsafe", "add --smooth"},
+           Case{plan + "--picture never --style dark", "--style changes nothing"},
+           Case{plan + "--format json --style dark", "--style changes nothing"},
+           Case{plan + "--format json --picture always", "--picture changes nothing"},
+           Case{"check grid.txt path.csv --keep-away 1", "there is no flag --keep-away"},
+           Case{"smooth grid.txt path.csv --keep-away 1", "there is no flag --keep-away"},
+           Case{"explain grid.txt --start 1,1 --goal 9,7 --keep-away 1",
+                "there is no flag --keep-away"},
+           Case{"smooth grid.txt path.csv --smoother none", "--smoother none changes nothing"},
+           Case{"check grid.txt path.csv --format json --style dark", "--style changes nothing"},
+           Case{"field grid.txt --goal 9,7 --grid", "--grid changes nothing"},
+           Case{"compare grid.txt --start 1,1 --goal 9,7 --seed 2", "--seed changes nothing"},
+           Case{"compare grid.txt --start 1,1 --goal 9,7 --style dark", "--style changes nothing"},
+           Case{"view grid.txt --picture never", "--picture never shows nothing"},
+           Case{"view grid.txt --keep-away 2", "--keep-away changes nothing"},
+           Case{follow + "--samples", "--samples changes nothing"},
+           Case{follow + "--film-speed 2", "--film-speed changes nothing"},
+           Case{follow + "--seed 2", "--seed changes nothing"},
+           Case{follow + "--compare --controller pid", "--controller changes nothing"},
+           Case{follow + "--margin 1", "--margin changes nothing"},
+           Case{follow + "--nearest", "--nearest changes nothing"},
+           Case{follow + "--keep-away 1", "--keep-away changes nothing"},
+       }) {
+    const Outcome outcome = in_folder(idle.command);
+    EXPECT_EQ(outcome.code, 2) << idle.command;
+    EXPECT_THAT(outcome.err, HasSubstr(idle.message)) << idle.command;
+    EXPECT_THAT(outcome.out, IsEmpty()) << idle.command;
+  }
+}
+
+TEST_F(Arguments, ThatChangeSomethingAreTaken) {
+  const std::string plan = "plan grid.txt --start 1,1 --goal 10,7 ";
+  for (const std::string& command :
+       {plan + "--keep-away 1 --keep-away-cost 5", plan + "--speed 5 -o search.gif",
+        plan + "--trace search.trace.json --trace-limit 5", plan + "--style dark",
+        plan + "--format json --style dark -o plan.png", plan + "--smoother gradient",
+        std::string("view grid.txt --show terrain --keep-away 2"),
+        std::string("field grid.txt --goal 9,7 --grid --format json"),
+        std::string("compare grid.txt --random 3 --seed 2"),
+        std::string("follow grid.txt --path path.csv --noise 0.001 --seed 2"),
+        std::string("follow grid.txt --path path.csv --smooth --margin 0.1")}) {
+    const Outcome outcome = in_folder(command);
+    EXPECT_EQ(outcome.code, 0) << command << '\n' << outcome.err;
+  }
+}
+
+TEST_F(Arguments, InHelpAreShownAsTheyAreTyped) {
+  const std::string help = wend({"smooth", "--help"}).out;
+  EXPECT_THAT(help, HasSubstr("\n  --in-place, --no-in-place"));
+  EXPECT_THAT(help, HasSubstr("\n  --simplify[=collinear|sight|TOLERANCE]"));
+  EXPECT_THAT(help, HasSubstr("\n  -o, --output FILE"));
+  EXPECT_THAT(help, AllOf(Not(HasSubstr("{false}")), Not(HasSubstr("in_place"))));
+  EXPECT_EQ(in_folder("smooth grid.txt path.csv --in_place --max_sweeps 3").code, 0)
+      << "underscores are taken all the same";
+}
+
+TEST_F(Arguments, InHelpFitAnOrdinaryTerminal) {
+  constexpr std::size_t kColumns = 80;
+  for (const std::string command :
+       {"", "plan", "smooth", "follow", "check", "field", "compare", "explain", "view", "info",
+        "generate", "convert", "index", "index build", "index info", "generate scenario", "bench",
+        "planners", "completion"}) {
+    std::istringstream lines(in_folder(command + " --help").out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), kColumns) << command << ": " << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wend::test
