@@ -22,7 +22,9 @@ inline Trial random_car_trial(std::uint64_t seed, const PlannerInfo& info) {
   OptionValues options = random_options(random, info.options);
   const int unit = one_of<int>(random, std::array{1, 1, 1, 2, 3});
   options.erase(std::remove_if(options.begin(), options.end(),
-                               [](const auto& option) { return option.first == "unit"; }),
+                               [](const auto& option) {
+                                 return option.first == "unit" || option.first == "turning_radius";
+                               }),
                 options.end());
   if (unit > 1) options.emplace_back("unit", std::to_string(unit));
   const FreeSpaceOptions robot = random_car(random, map.frame().resolution, unit);
