@@ -47,7 +47,7 @@ struct BenchArguments {
   TableFormat format = TableFormat::text;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kBenchExamples = R"(Examples:
   wend generate rooms --size 128x128 --seed 3 -o rooms.map
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps,hub_labels
@@ -303,7 +303,7 @@ Command add_bench(Parser& app) {
                           "size, as .png, .svg or .pdf; needs gnuplot"))
       .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
-  bench.footer(kExamples);
+  bench.footer(kBenchExamples);
   return {bench, [bench, arguments] {
             if (arguments->plot.empty()) {
               refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 template <class T>
-T value_or_throw(Expected<T, IoError> result) {
+T loaded_or_throw(Expected<T, IoError> result) {
   if (!result) throw InputError(result.error().message());
   return *std::move(result);
 }
@@ -29,7 +29,7 @@ std::vector<fs::path> scenario_files(const std::vector<std::string>& files_and_f
       files.emplace_back(name);
       continue;
     }
-    const std::vector<fs::path> inside = value_or_throw(scenarios_in(name));
+    const std::vector<fs::path> inside = loaded_or_throw(scenarios_in(name));
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
@@ -60,11 +60,11 @@ std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
 }
 
 Course load_course(const fs::path& file, const std::string& map_file, std::size_t sample) {
-  Scenario scenario = value_or_throw(load_scenario(file));
+  Scenario scenario = loaded_or_throw(load_scenario(file));
   if (scenario.queries.empty()) throw InputError(scenario.file + ": the scenario has no queries");
   const fs::path map_path =
-      map_file.empty() ? value_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
-  LoadedMap loaded = value_or_throw(load_map(map_path));
+      map_file.empty() ? loaded_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
+  LoadedMap loaded = loaded_or_throw(load_map(map_path));
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
   if (!fits) throw InputError(fits.error().message());
   const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);

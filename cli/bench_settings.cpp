@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kMostThreads = 1024;
 constexpr std::uint64_t kMostPasses = 1'000'000;
-constexpr NumberRange kSeconds{1e-6, 1e9, "s"};
+constexpr NumberRange kBenchSeconds{1e-6, 1e9, "s"};
 
 std::string_view corner_text(CornerRule rule) {
   switch (rule) {
@@ -43,7 +43,7 @@ void BenchSettings::add_to(Parser& app) {
                wrapped("Make a new planner for every query, and time its first query, one run; the "
                        "preparation is shown beside it"));
   add_number(
-      app, "--limit-time", limit_s, kSeconds,
+      app, "--limit-time", limit_s, kBenchSeconds,
       "Give up a query after so many seconds of CPU time: it then counts as timed out, not as "
       "wrong");
 }

@@ -12,7 +12,7 @@ namespace wend::cli {
 namespace {
 
 template <class T>
-T value_or_throw(Expected<T, IoError> result) {
+T stored(Expected<T, IoError> result) {
   if (!result) throw InputError("--database " + result.error().message());
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
@@ -25,7 +25,7 @@ std::string host_name() {
 std::optional<BenchDatabase> open_if_there(const std::string& file) {
   std::error_code error;  // what cannot be looked at cannot be opened either, and says why
   if (!std::filesystem::exists(file, error) && !error) return std::nullopt;
-  return value_or_throw(BenchDatabase::open(file));
+  return stored(BenchDatabase::open(file));
 }
 
 }  // namespace
@@ -56,22 +56,22 @@ void BenchStore::begin(const Course& course, const FreeSpace& space,
 
 BenchRecord BenchStore::known(const std::string& contestant) {
   if (!known_) return {};
-  return value_or_throw(known_->record(value_or_throw(known_->experiment(experiment_)),
-                                       value_or_throw(known_->planner(contestant))));
+  return stored(
+      known_->record(stored(known_->experiment(experiment_)), stored(known_->planner(contestant))));
 }
 
 void BenchStore::keep(const std::string& contestant, std::span<const BenchAnswer> answers,
                       const BenchIndex& index) {
   if (file_.empty() || answers.empty()) return;
   BenchDatabase& database = written();
-  const std::int64_t experiment = value_or_throw(database.experiment(experiment_));
-  const std::int64_t planner = value_or_throw(database.planner(contestant));
-  value_or_throw(database.store(experiment, planner, answers, index));
+  const std::int64_t experiment = stored(database.experiment(experiment_));
+  const std::int64_t planner = stored(database.planner(contestant));
+  stored(database.store(experiment, planner, answers, index));
 }
 
 BenchDatabase& BenchStore::written() {
   std::optional<BenchDatabase>& database = is_shard_ ? shard_ : known_;
-  if (!database) database = value_or_throw(BenchDatabase::open(file_));
+  if (!database) database = stored(BenchDatabase::open(file_));
   return *database;
 }
 

@@ -34,7 +34,7 @@ struct CheckArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCheckExamples = R"(Examples:
   wend check office.yaml plan.csv --robot-radius 0.2
   wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
   wend check track.yaml centerline.csv --robot-radius 0.3 --format json
@@ -106,7 +106,7 @@ Command add_check(Parser& app) {
       check, std::move(extensions),
       "Also write a picture (.png, .svg, .pdf) in which the first collision is "
       "marked, or the JSON; may be given several times");
-  check.footer(kExamples);
+  check.footer(kCheckExamples);
   return {check, [check, arguments] {
             arguments->pictures.check(check, arguments->output.any_picture(),
                                       arguments->format != Format::json);

@@ -48,7 +48,7 @@ struct CompareArguments {
 
 constexpr std::uint64_t kMostQueries = 1'000'000;
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --start 1,1 --goal 15,9
   wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
   wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
@@ -290,7 +290,7 @@ Command add_compare(Parser& app) {
                   wrapped("Of many queries: time and expansions against length, and their "
                           "distributions, as .png, .svg or .pdf"))
       .type_name(kFileType);
-  compare.footer(kExamples);
+  compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
             if (arguments->random == 0) {
               refuse_idle(compare, {"--seed"}, "it chooses the queries of --random N");

@@ -23,7 +23,7 @@ namespace {
 
 enum class Shell { bash, zsh, fish };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCompletionExamples = R"(Examples:
   wend completion bash > ~/.local/share/bash-completion/completions/wend
   wend completion zsh > "${fpath[1]}/_wend"
   wend completion fish > ~/.config/fish/completions/wend.fish
@@ -179,7 +179,7 @@ Command add_completion(Parser& app) {
                     {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}},
                     "The shell")
       .required();
-  completion.footer(kExamples);
+  completion.footer(kCompletionExamples);
   return {completion, [app, shell] { return run(app.app(), *shell); }};
 }
 

@@ -28,7 +28,7 @@ struct ConvertArguments {
   Format format = Format::text;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kConvertExamples = R"(Examples:
   wend convert arena.map arena.yaml
   wend convert grid.txt grid.png
   wend convert grid.txt grid.map --strict
@@ -124,7 +124,7 @@ Command add_convert(Parser& app) {
   convert.add_flag("--strict", arguments->strict,
                    wrapped("Save nothing if the new format cannot hold the whole map"));
   add_format(convert, arguments->format);
-  convert.footer(kExamples);
+  convert.footer(kConvertExamples);
   return {convert, [arguments] { return run(*arguments); }};
 }
 

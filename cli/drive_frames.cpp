@@ -10,19 +10,19 @@
 namespace wend::cli {
 namespace {
 
-constexpr double kSeconds = 8;  // that a film takes unless somebody wants another speed
-constexpr double kFramesPerSecond = 20;
+constexpr double kDriveSeconds = 8;  // that a film takes unless somebody wants another speed
+constexpr double kDriveFramesPerSecond = 20;
 constexpr std::size_t kMostFrames = 400;
-constexpr int kWidth = 800;  // pixels at most
+constexpr int kFrameWidth = 800;  // pixels at most
 constexpr int kHeight = 680;
-constexpr int kFrameHundredths = 5;
-constexpr int kOutcomeHundredths = 250;
+constexpr int kDriveFrameHundredths = 5;
+constexpr int kDriveOutcomeHundredths = 250;
 
 /// The samples that are shown, one a frame, the last one not among them.
 std::vector<std::size_t> frames_of(const Drive& drive, std::optional<double> speed) {
-  const double faster = speed.value_or(std::max(1.0, drive.time / kSeconds));
+  const double faster = speed.value_or(std::max(1.0, drive.time / kDriveSeconds));
   const double step =
-      std::max(faster / kFramesPerSecond, drive.time / static_cast<double>(kMostFrames - 1));
+      std::max(faster / kDriveFramesPerSecond, drive.time / static_cast<double>(kMostFrames - 1));
   std::vector<std::size_t> frames;
   double next = 0;
   for (std::size_t i = 0; i + 1 < drive.samples.size(); ++i) {
@@ -47,7 +47,8 @@ Scene scene_at(Scene scene, const Drive& drive, std::size_t sample) {
 Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive& drive,
                                                 std::optional<double> speed, const Style& style) {
   const auto pixels_at = [&](const Scene& base, std::size_t sample) {
-    return draw_pixels(scene_at(base, drive, sample), kWidth, kHeight, style, PixelLegend::below);
+    return draw_pixels(scene_at(base, drive, sample), kFrameWidth, kHeight, style,
+                       PixelLegend::below);
   };
   const std::size_t last = drive.samples.size() - 1;
   Scene outcome = scene;
@@ -58,9 +59,9 @@ Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive&
                                                  pixels_at(outcome, last / 2)};
   GifAnimation animation(end.width(), end.height(), palette_of(samples));
   for (const std::size_t sample : frames_of(drive, speed)) {
-    animation.add(pixels_at(outcome, sample), kFrameHundredths);
+    animation.add(pixels_at(outcome, sample), kDriveFrameHundredths);
   }
-  animation.add(end, kOutcomeHundredths);
+  animation.add(end, kDriveOutcomeHundredths);
   return animation.finish();
 }
 

@@ -32,7 +32,7 @@ struct ExplainArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kExplainExamples = R"(Examples:
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
@@ -201,7 +201,7 @@ Command add_explain(Parser& app) {
                            "several times");
   arguments->options.collect("explain", option_schema<GridMoves>());
   arguments->options.add_to(explain);
-  explain.footer(kExamples);
+  explain.footer(kExplainExamples);
   return {explain, [explain, arguments] {
             arguments->pictures.check(explain, arguments->output.any_picture(),
                                       arguments->format != Format::json);

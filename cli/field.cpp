@@ -37,7 +37,7 @@ struct FieldArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFieldExamples = R"(Examples:
   wend field grid.txt --goal 9,9
   wend field grid.txt --goal 9,9 --start 0,0 --start 0,9
   wend field office.yaml --goal 15,9 --start 1,1 --format json
@@ -207,7 +207,7 @@ Command add_field(Parser& app) {
       "several times");
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
-  field.footer(kExamples);
+  field.footer(kFieldExamples);
   return {field, [field, arguments] {
             if (arguments->format != Format::json && !arguments->output.any(".json")) {
               refuse_idle(field, {"--grid"}, "it is for --format json and -o FILE.json");

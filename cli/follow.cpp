@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kMargin = 0.1;  // m
 constexpr NumberRange kMargins{0, 1e6, kMapUnit};
-constexpr NumberRange kSpeeds{1e-3, 1e6, "times the robot's speed"};
+constexpr NumberRange kDriveSpeeds{1e-3, 1e6, "times the robot's speed"};
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFollowExamples = R"(Examples:
   wend follow office.yaml --start 1,1 --goal 15,9 --smooth -o drive.png
   wend follow office.yaml --start 1,1 --goal 15,9 --controller pid --noise 0.02
   wend follow office.yaml --start 1,1 --goal 15,9 --compare --plot drive.svg
@@ -141,7 +141,7 @@ Command add_follow(Parser& app) {
   follow.add_flag("--samples", arguments->samples,
                   wrapped("With --format json: where the robot was at every command, too"));
   arguments->pictures.add_to(follow);
-  add_number(follow, "--film-speed", arguments->speed, kSpeeds,
+  add_number(follow, "--film-speed", arguments->speed, kDriveSpeeds,
              "How many times as fast as the robot a .gif is (default: as fast as makes it take up "
              "to 8 s)");
   follow
@@ -155,7 +155,7 @@ Command add_follow(Parser& app) {
       "(.gif), or where the robot was at every command (.json, .csv); may be "
       "given several times");
   arguments->drive.add_to(follow);
-  follow.footer(kExamples);
+  follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {
             check_idle(follow, *arguments);
             return run(*arguments);

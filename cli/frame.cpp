@@ -10,7 +10,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr int kFewestRows = 6;  // of a picture that still shows something
+constexpr int kFewestFrameRows = 6;  // of a picture that still shows something
 constexpr int kTitleRows = 1;
 
 int rows_of(const std::string& text) {
@@ -52,7 +52,7 @@ std::optional<std::string> as_text(const Scene& scene, const std::vector<Layer>&
 std::string as_pictures(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
                         StyleName style, int rows) {
   const PictureArguments always{PictureWhen::always, style};
-  const auto room = static_cast<std::size_t>(std::max(1, rows / kFewestRows));
+  const auto room = static_cast<std::size_t>(std::max(1, rows / kFewestFrameRows));
   const std::size_t shown = std::min(layers.size(), room - 1);
   const std::string note = left_out(layers, shown);
   const int each = (rows - rows_of(note)) / (static_cast<int>(shown) + 1);

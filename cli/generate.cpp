@@ -31,7 +31,7 @@ struct GenerateArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kGenerateExamples = R"(Examples:
   wend generate office --size 160x100 --seed 7 -o office.yaml
   wend generate maze --size 41x21 --seed 3
   wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
@@ -141,7 +141,7 @@ Command add_generate(Parser& app) {
       "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
       "text grid");
   arguments->options.add_to(generate);
-  generate.footer(kExamples);
+  generate.footer(kGenerateExamples);
   const Command scenario = add_generate_scenario(generate);
   return {generate, [arguments, scenario] {
             return scenario.parser.parsed() ? scenario.run() : run(*arguments);

@@ -19,7 +19,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::uint64_t kMostThreads = 1024;
+constexpr std::uint64_t kMostBuilders = 1024;
 constexpr double kMegabyte = 1e6;
 
 struct BuildArguments {
@@ -30,12 +30,12 @@ struct BuildArguments {
   std::string output;
 };
 
-struct InfoArguments {
+struct IndexInfoArguments {
   std::string file;
   Format format = Format::text;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kIndexExamples = R"(Examples:
   wend index build arena.map -o arena.idx
   wend index build office.yaml --planner corner_hierarchy -o office.idx
   wend index info arena.idx
@@ -50,7 +50,7 @@ An index holds for the cells where the robot fits: plan with the same map,
 radius and --unknown. Ctrl-C ends it, and no file is written. Exit codes: 0
 built, 1 not built (standard error says why), 2 bad usage or input.)";
 
-constexpr const char* kInfoExamples = R"(Examples:
+constexpr const char* kIndexInfoExamples = R"(Examples:
   wend index info arena.idx
   wend index info arena.idx --format json
 
@@ -58,7 +58,7 @@ Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)"
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
-  check_range("--threads", arguments.threads, 1, kMostThreads);
+  check_range("--threads", arguments.threads, 1, kMostBuilders);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
   if (!planner.build_index) {
@@ -100,7 +100,7 @@ int build(const BuildArguments& arguments) {
   return success;
 }
 
-int info(const InfoArguments& arguments) {
+int info(const IndexInfoArguments& arguments) {
   const auto index = read_given_index(arguments.file);
   if (!index) throw InputError(index.error());
   const IndexHeader& header = index->header;
@@ -135,7 +135,7 @@ int info(const InfoArguments& arguments) {
 Command add_index(Parser& app) {
   Parser index = app.add_subcommand("index", "Build an index of a map, to plan at once");
   index.require_subcommand();
-  index.footer(kExamples);
+  index.footer(kIndexExamples);
 
   Parser build_command = index.add_subcommand("build", "Build the index of a map");
   const auto to_build = std::make_shared<BuildArguments>();
@@ -153,10 +153,10 @@ Command add_index(Parser& app) {
   build_command.footer(kBuildExamples);
 
   Parser info_command = index.add_subcommand("info", "Say what an index holds");
-  const auto to_tell = std::make_shared<InfoArguments>();
+  const auto to_tell = std::make_shared<IndexInfoArguments>();
   info_command.add_option("FILE", to_tell->file, "An index").required().type_name(kFileType);
   add_format(info_command, to_tell->format);
-  info_command.footer(kInfoExamples);
+  info_command.footer(kIndexInfoExamples);
 
   return {index, [build_command, to_build, to_tell] {
             return build_command.parsed() ? build(*to_build) : info(*to_tell);

@@ -17,7 +17,7 @@ struct InfoArguments {
   Format format = Format::text;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kInfoExamples = R"(Examples:
   wend info office.yaml
   wend info office.yaml --robot-radius 0.25
   wend info arena.map --format json
@@ -39,7 +39,7 @@ Command add_info(Parser& app) {
   arguments->map.add_to(info);
   arguments->map.add_keep_away_to(info);
   add_format(info, arguments->format);
-  info.footer(kExamples);
+  info.footer(kInfoExamples);
   return {info, [arguments] { return run(*arguments); }};
 }
 

@@ -8,13 +8,13 @@
 namespace wend::cli {
 namespace {
 
-constexpr NumberRange kSeconds{0, 1e9, "s"};
+constexpr NumberRange kLimitSeconds{0, 1e9, "s"};
 
 }  // namespace
 
 void LimitArguments::add_to(Parser& app) {
   add_count(app, "--limit-expansions", expansions, "Give up after so many expansions");
-  add_number(app, "--limit-time", seconds, kSeconds,
+  add_number(app, "--limit-time", seconds, kLimitSeconds,
              "Give up after so many seconds of search (wall time); reading the map and making "
              "the planner do not count");
 }

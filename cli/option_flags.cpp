@@ -32,7 +32,7 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-bool is_number(const OptionInfo& option) {
+bool is_numeric(const OptionInfo& option) {
   return option.kind == OptionKind::integer || option.kind == OptionKind::number;
 }
 
@@ -46,7 +46,7 @@ std::string type_of(const std::vector<OptionInfo>& options) {
     return upper_case(first.name);
   }
   if (all_are([](const OptionInfo& own) { return own.kind == OptionKind::integer; })) return "N";
-  if (all_are(is_number)) return "NUMBER";
+  if (all_are(is_numeric)) return "NUMBER";
   return fmt::format("{}", fmt::join(first.choices, "|"));
 }
 
@@ -72,7 +72,7 @@ std::string defaults_of(const std::vector<std::string>& owners,
 
 /// "what it does; 0 to 10"
 std::string words_of(const OptionInfo& option) {
-  if (!is_number(option)) return option.help;
+  if (!is_numeric(option)) return option.help;
   return fmt::format("{}; {} to {}", option.help, format_number(option.least),
                      format_number(option.greatest));
 }

@@ -13,7 +13,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kPlanExamples = R"(Examples:
   wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
   wend plan arena.map --start 1,11 --goal 40,30 --planner astar --weight 2
   wend plan grid.txt --start 0,0 --goal 9,9 --connectivity 4 --format json
@@ -128,7 +128,7 @@ Command add_plan(Parser& app) {
     arguments->options.collect(planner.name, options);
   }
   arguments->options.add_to(plan);
-  plan.footer(kExamples);
+  plan.footer(kPlanExamples);
   return {plan, [plan, arguments] {
             check_idle(plan, *arguments);
             return run(*arguments);

@@ -14,7 +14,7 @@
 namespace wend::cli {
 namespace {
 
-std::string line(std::string_view name, const std::string& what) {
+std::string named_line(std::string_view name, const std::string& what) {
   return fmt::format("{:<10}{}\n", name, what);
 }
 
@@ -73,8 +73,8 @@ std::string end_line(std::string_view name, const Pose& pose, const Shift& shift
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
-  return line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame().y_up),
-                                fmt::join(remarks, ", ")));
+  return named_line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame().y_up),
+                                      fmt::join(remarks, ", ")));
 }
 
 /// "map 1.20 ms, free space 540.0 us, planner 3.2 us"
@@ -104,14 +104,15 @@ std::string path_line(const Path& path) {
 }
 
 std::string goal_line(const std::string& goal, std::size_t goals) {
-  return line("goal", fmt::format("{}, {}", goal, one_of(goals)));
+  return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
 }
 
 std::string plan_summary(const PlanResult& result, const Frame& frame) {
   const Plan& plan = result.plan;
-  return line("planner", result.planner) + line("cost", fmt::format("{:.6g}", plan.cost)) +
-         line("length", length_text(plan.path.length(), frame)) +
-         line("quality", bound_text(plan)) + work_lines(plan.metrics, result.times);
+  return named_line("planner", result.planner) +
+         named_line("cost", fmt::format("{:.6g}", plan.cost)) +
+         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("quality", bound_text(plan)) + work_lines(plan.metrics, result.times);
 }
 
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
@@ -121,22 +122,23 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
   const Frame& frame = coordinates.frame();
   return end_line("start", poses.front(), plan.start_shift, 1, coordinates) +
          end_line("goal", poses.back(), plan.goal_shift, goals, coordinates) +
-         line("planner", result.planner) + line("steps", steps_text(plan)) +
-         line("turns in", radius_text(result.unit, coordinates)) +
-         line("fuel", fmt::format("{:.6g}", plan.cost)) +
-         line("length", length_text(plan.path.length(), frame)) +
-         line("quality", bound_text(plan)) +
+         named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
+         named_line("turns in", radius_text(result.unit, coordinates)) +
+         named_line("fuel", fmt::format("{:.6g}", plan.cost)) +
+         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("quality", bound_text(plan)) +
          work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));
 }
 
 std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
                        const std::string& states) {
-  return line("expanded", fmt::format("{} {} ({} generated, frontier up to {})", metrics.expanded,
-                                      states, metrics.generated, metrics.max_frontier)) +
-         line("time",
-              fmt::format("{} to search, {} in all ({})", time_text(times.search),
-                          time_text(times.preparation() + times.search), thread_time_name())) +
-         line("before", preparation_text(times));
+  return named_line("expanded",
+                    fmt::format("{} {} ({} generated, frontier up to {})", metrics.expanded, states,
+                                metrics.generated, metrics.max_frontier)) +
+         named_line("time", fmt::format("{} to search, {} in all ({})", time_text(times.search),
+                                        time_text(times.preparation() + times.search),
+                                        thread_time_name())) +
+         named_line("before", preparation_text(times));
 }
 
 }  // namespace wend::cli

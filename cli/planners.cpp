@@ -13,7 +13,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kPlannersExamples = R"(Examples:
   wend planners
   wend planners --format json)";
 
@@ -29,7 +29,7 @@ Command add_planners(Parser& app) {
   Parser planners = app.add_subcommand("planners", "List planners: guarantees, options and papers");
   const auto format = std::make_shared<Format>(Format::text);
   add_format(planners, *format);
-  planners.footer(kExamples);
+  planners.footer(kPlannersExamples);
   return {planners, [format] { return run(*format); }};
 }
 

@@ -45,7 +45,7 @@ BitGrid cells_that_are_one(const Grid<double>& numbers) {
   return cells;
 }
 
-int columns_of(const Layer& layer) {
+int columns_needed(const Layer& layer) {
   if (layer.numbers.empty()) return layer.arrows.width() * kColumnsAnArrow;
   return layer.numbers.width() * columns_a_number(layer.numbers);
 }
@@ -91,7 +91,7 @@ Scene with_layer(Scene scene, const Layer& layer) {
 
 std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, const Screen& screen,
                                       StyleName style) {
-  const bool too_wide = screen.is_terminal && columns_of(layer) > screen.columns;
+  const bool too_wide = screen.is_terminal && columns_needed(layer) > screen.columns;
   if (!is_small(scene.space.map(), screen) || too_wide) return std::nullopt;
   return std::string(title_of(layer.kind)) + "\n" +
          grid_text(scene, layer, screen.terminal.colours, style_of(style));

@@ -26,7 +26,7 @@ namespace wend::cli {
 namespace {
 
 constexpr std::string_view kNoSmoother = "none";
-constexpr NumberRange kRadii{0, 1e6, kMapUnit};
+constexpr NumberRange kSmoothedRadii{0, 1e6, kMapUnit};
 
 struct SmoothArguments {
   MapArguments map;
@@ -41,7 +41,7 @@ struct SmoothArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kSmoothExamples = R"(Examples:
   wend smooth office.yaml plan.csv --robot-radius 0.2 -o smooth.csv -o both.png
   wend smooth office.yaml plan.json --alpha 0.02 --simplify=sight --resample 0.1
   wend smooth office.yaml plan.csv --smoother curvature --turning-radius 0.5
@@ -55,7 +55,7 @@ result touches an obstacle. Exit codes: 0 done, 1 the path is not free to begin
 with (standard error says where), 2 bad usage or input.)";
 
 /// What the flags of the command say otherwise.
-bool has_flag_of_its_own(const OptionInfo& option) {
+bool is_said_by_a_flag(const OptionInfo& option) {
   return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius";
 }
 
@@ -135,13 +135,13 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
   for (const SmootherInfo& smoother : smoothers()) {
     names += fmt::format("{}: {}; ", smoother.name, smoother.summary);
     std::vector<OptionInfo> options = smoother.options;
-    std::erase_if(options, has_flag_of_its_own);
+    std::erase_if(options, is_said_by_a_flag);
     arguments.options.collect(smoother.name, options);
   }
   app.add_option("--smoother", arguments.smoother,
                  wrapped("How to smooth (default gradient). " + names + "none"))
       .type_name(kSmootherType);
-  add_number(app, "--turning-radius", arguments.turning_radius, kRadii,
+  add_number(app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
              "No bend is to be tighter than this (units as --robot-radius; curvature)");
   arguments.points.add_points_to(app);
   arguments.options.add_to(app);
@@ -161,7 +161,7 @@ Command add_smooth(Parser& app) {
                            "Also write the path (.csv, .json) or a picture of both (.png, .svg, "
                            ".pdf); may be given several times");
   add_smoothers(smooth, *arguments);
-  smooth.footer(kExamples);
+  smooth.footer(kSmoothExamples);
   return {smooth, [smooth, arguments] {
             arguments->pictures.check(smooth, arguments->output.any_picture(),
                                       arguments->format != Format::json);

@@ -17,7 +17,7 @@ namespace {
 bool is_flag(const std::string& argument) { return argument.size() > 1 && argument[0] == '-'; }
 
 /// "--start" from "--start=1,2"
-std::string name_of(const std::string& flag) { return flag.substr(0, flag.find('=')); }
+std::string flag_name_of(const std::string& flag) { return flag.substr(0, flag.find('=')); }
 
 std::vector<std::string> subcommand_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -56,7 +56,7 @@ std::string equals_sign_text(const CLI::App& app) {
 
 std::string surplus_text(const CLI::App& app, const std::string& argument) {
   if (is_flag(argument)) {
-    const std::string name = name_of(argument);
+    const std::string name = flag_name_of(argument);
     const auto closest = closest_name(name, flag_names(app));
     return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
   }

@@ -32,7 +32,7 @@ struct ViewArguments {
   OutputFiles output;
 };
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kViewExamples = R"(Examples:
   wend view office.yaml
   wend view office.yaml plan.csv -o plan.pdf
   wend view office.yaml a.json b.json -o side_by_side.png
@@ -190,7 +190,7 @@ Command add_view(Parser& app) {
   arguments->output.add_to(view, picture_extensions(),
                            "Write the picture, as .png, .svg or .pdf; "
                            "may be given several times");
-  view.footer(kExamples);
+  view.footer(kViewExamples);
   return {view, [view, arguments] {
             check_idle(view, *arguments);
             return run(*arguments);

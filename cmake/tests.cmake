@@ -1,38 +1,40 @@
-# Every GoogleTest case is a ctest test. Those that take long, by name All/... or ...LongRun..., have the
-# label "long"; ./run test leaves them out.
+# Tests are a few GoogleTest programs, and each runs in shards: ctest starts a process per shard, not
+# per case. Cases that take long, by name All/... or ...LongRun..., have ctest tests of their own with
+# the label "long"; ./run test leaves them out.
 
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
-include(GoogleTest)
 
 # RapidCheck with its macros for GoogleTest and gmock.
 add_library(wend_rapidcheck INTERFACE)
 target_link_libraries(wend_rapidcheck INTERFACE rapidcheck rapidcheck_gtest rapidcheck_gmock
                                                 GTest::gtest fmt::fmt)
 
-# wend_add_test(<target> <prefix> SOURCES <file>... LIBRARIES <target>...): ctest names are
-# <prefix>.<suite>.<case>.
-function(wend_add_test target prefix)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LIBRARIES")
-  add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_rapidcheck GTest::gmock_main)
-  wend_precompile(${target} test)
-  target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
-                                               WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+set(wend_long_cases "All/*:*LongRun*")
 
-  set(common TEST_PREFIX ${prefix}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
-  set(long "All/*:*LongRun*")
-  gtest_discover_tests(${target} ${common} TEST_FILTER "-${long}" PROPERTIES TIMEOUT 300)
-  gtest_discover_tests(${target} ${common} TEST_FILTER "${long}" PROPERTIES TIMEOUT 3600 LABELS long)
+# wend_add_shards(<target> <name> <shards> <filter> <timeout> [<label>]): <name>.<shard> for each shard.
+function(wend_add_shards target name shards filter timeout)
+  math(EXPR last "${shards} - 1")
+  foreach(shard RANGE ${last})
+    add_test(NAME ${name}.${shard} COMMAND ${target} "--gtest_filter=${filter}")
+    set_tests_properties(
+      ${name}.${shard}
+      PROPERTIES TIMEOUT ${timeout}
+                 ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}"
+                 LABELS "${ARGN}")
+  endforeach()
 endfunction()
 
-# wend_add_module_tests(<module>...): wend/<module>/*_test.cpp become the program
-# wend_<module>_test, which links that module.
-function(wend_add_module_tests)
-  foreach(module IN LISTS ARGN)
-    file(GLOB sources CONFIGURE_DEPENDS ${module}/*_test.cpp)
-    if(sources)
-      wend_add_test(wend_${module}_test ${module} SOURCES ${sources} LIBRARIES wend::${module})
-    endif()
-  endforeach()
+# wend_add_test_program(<target> <name> SHARDS <n> SOURCES <file>... LIBRARIES <target>...): ctest names
+# are <name>.<shard> and <name>.long.<shard>.
+function(wend_add_test_program target name)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "SHARDS" "SOURCES;LIBRARIES")
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_rapidcheck GTest::gmock_main)
+  target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
+                                               WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  wend_precompile(${target} test)
+  wend_unite(${target})
+  wend_add_shards(${target} ${name} ${arg_SHARDS} "-${wend_long_cases}" 900)
+  wend_add_shards(${target} ${name}.long ${arg_SHARDS} "${wend_long_cases}" 3600 long)
 endfunction()

@@ -14,7 +14,7 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRelative = 1e-9;
+constexpr double kFarRelative = 1e-9;
 constexpr double kOutgrown = 65'000;  // fuel
 constexpr double kRough = 5;
 
@@ -58,7 +58,7 @@ TEST_P(FarCar, DrivesThroughASerpentine) {
   const Query query{textbook.pose(start), {textbook.pose(goal)}};
   const Answer answer = answer_of(*planner, query);
   ASSERT_EQ(to_string(answer.status), "found");
-  EXPECT_NEAR(answer.plan.cost, fuel, kRelative * fuel);
+  EXPECT_NEAR(answer.plan.cost, fuel, kFarRelative * fuel);
   EXPECT_EQ(fault_of(answer.plan, textbook), "");
 
   // What is known of the map by now, a step at a time or watched from the start: all the same.
@@ -81,7 +81,7 @@ TEST_P(FarCar, DrivesDownALongLane) {
   const auto planner = make(rough_map(Grid<CellState>(kLength, 1, CellState::free)));
   const auto plan = planner->plan({{0, 0, 0}, {Pose{kLength, 0, 0}}});
   ASSERT_TRUE(plan);
-  EXPECT_NEAR(plan->cost, kRough * kLength, kRelative * kRough * kLength);
+  EXPECT_NEAR(plan->cost, kRough * kLength, kFarRelative * kRough * kLength);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heuristics, FarCar,

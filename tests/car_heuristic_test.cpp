@@ -14,8 +14,8 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRelative = 1e-9;
-constexpr int kYards = 1500;
+constexpr double kHeuristicRelative = 1e-9;
+constexpr int kHeuristicYards = 1500;
 
 /// The estimate of every stand, of a query begun last.
 std::vector<double> estimates(const Planner& planner, const CarTextbook& textbook) {
@@ -26,7 +26,7 @@ std::vector<double> estimates(const Planner& planner, const CarTextbook& textboo
   return h;
 }
 
-std::string text_of(const Stand& stand) {
+std::string place_of(const Stand& stand) {
   return "(" + std::to_string(stand.corner.x) + "," + std::to_string(stand.corner.y) + "," +
          std::to_string(stand.quarter) + ")";
 }
@@ -47,8 +47,8 @@ void expect_consistent(const std::vector<double>& h, const CarTextbook& textbook
   for (std::size_t from = 0; from < h.size(); ++from) {
     EXPECT_GE(h[from], 0);
     for (const CarTextbook::Edge& edge : textbook.edges(from)) {
-      ASSERT_LE(h[from], edge.fuel + h[edge.to] + kRelative * (1 + h[from]))
-          << kManeuvers[edge.maneuver].name << " from " << text_of(textbook.stand(from));
+      ASSERT_LE(h[from], edge.fuel + h[edge.to] + kHeuristicRelative * (1 + h[from]))
+          << kManeuvers[edge.maneuver].name << " from " << place_of(textbook.stand(from));
     }
   }
 }
@@ -57,7 +57,7 @@ void expect_admissible(const std::vector<double>& h, const std::vector<Stand>& g
                        const CarTextbook& textbook) {
   const std::vector<double> fuel = textbook.fuel_to(goals);
   for (std::size_t i = 0; i < h.size(); ++i) {
-    ASSERT_LE(h[i], fuel[i] * (1 + kRelative)) << text_of(textbook.stand(i));
+    ASSERT_LE(h[i], fuel[i] * (1 + kHeuristicRelative)) << place_of(textbook.stand(i));
   }
   for (const Stand& goal : goals) EXPECT_EQ(h[textbook.number(goal)], 0);
 }
@@ -73,7 +73,7 @@ class CarHeuristics : public ::testing::TestWithParam<std::string> {
 
 TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
   int informed = 0;
-  for (std::uint64_t seed = 1; seed <= kYards && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kHeuristicYards && !HasFailure(); ++seed) {
     const Trial trial = random_car_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     if (!has_room(trial, rules_of(trial, info()))) continue;
@@ -81,7 +81,7 @@ TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
     const CarTextbook textbook = car_textbook_for(trial, info());
     Random random(seed);
     const Query query = random_drive(random, textbook);
-    SCOPED_TRACE(test::text_of(query));
+    SCOPED_TRACE(text_of(query));
     Plan plan;
     if (planner->begin(query, plan)) continue;  // an outcome, without a search
     const std::vector<double> h = estimates(*planner, textbook);
@@ -89,7 +89,7 @@ TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
     expect_admissible(h, reachable_goals(query, textbook), textbook);
     informed += h[textbook.number(textbook.nearest(query.start).value())] > 0 ? 1 : 0;
   }
-  EXPECT_GT(informed, kYards / 4) << "too few estimates to say anything";
+  EXPECT_GT(informed, kHeuristicYards / 4) << "too few estimates to say anything";
 }
 
 constexpr int kFar = 9;                    // units around a goal
@@ -117,7 +117,7 @@ void on_empty_yards(const std::string& heuristic, const std::string& name, Check
         const Stand stand = textbook.stand(i);
         if (std::abs(stand.corner.x - kMiddle.x) > kFar) continue;
         if (std::abs(stand.corner.y - kMiddle.y) > kFar) continue;
-        SCOPED_TRACE(text_of(stand));
+        SCOPED_TRACE(place_of(stand));
         check(h[i], fuel[i]);
       }
     }
@@ -127,7 +127,7 @@ void on_empty_yards(const std::string& heuristic, const std::string& name, Check
 TEST_P(CarHeuristics, ThatKnowHeadingsAreExactOnAnEmptyYard) {
   for (const std::string heuristic : {"headings", "obstacles"}) {
     on_empty_yards(heuristic, GetParam(), [](double h, double fuel) {
-      EXPECT_NEAR(h, fuel, kRelative * std::max(1.0, fuel));
+      EXPECT_NEAR(h, fuel, kHeuristicRelative * std::max(1.0, fuel));
     });
   }
 }
@@ -138,7 +138,7 @@ TEST_P(CarHeuristics, ThatDoNotAreExactForSomePosesOnly) {
   int exact = 0;
   int below = 0;
   on_empty_yards("diagonal", GetParam(), [&](double h, double fuel) {
-    (h > fuel - kRelative * std::max(1.0, fuel) ? exact : below) += 1;
+    (h > fuel - kHeuristicRelative * std::max(1.0, fuel) ? exact : below) += 1;
     EXPECT_LE(fuel - h, 2 * std::numbers::pi);
   });
   EXPECT_GT(exact, 1000);

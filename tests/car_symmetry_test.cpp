@@ -18,9 +18,9 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRelative = 1e-9;
+constexpr double kSymmetryRelative = 1e-9;
 constexpr double kPi = std::numbers::pi;
-constexpr int kYards = 400;
+constexpr int kSymmetryYards = 400;
 
 /// A symmetry of the square: first mirrored at the diagonal, then along x and y.
 struct Symmetry {
@@ -101,7 +101,7 @@ class CarSymmetry : public ::testing::TestWithParam<std::string> {
   template <class Check>
   void on_random_yards(Check&& check) {
     int checked = 0;
-    for (std::uint64_t seed = 1; seed <= kYards && !HasFailure(); ++seed) {
+    for (std::uint64_t seed = 1; seed <= kSymmetryYards && !HasFailure(); ++seed) {
       const Trial trial = random_car_trial(seed, info());
       const int unit = rules_of(trial, info()).unit;
       if (trial.map.width() % unit != 0 || trial.map.height() % unit != 0) continue;
@@ -113,7 +113,7 @@ class CarSymmetry : public ::testing::TestWithParam<std::string> {
       check(trial, textbook, query);
       ++checked;
     }
-    EXPECT_GT(checked, kYards / 2) << "too few to say anything";
+    EXPECT_GT(checked, kSymmetryYards / 2) << "too few to say anything";
   }
 };
 
@@ -125,7 +125,7 @@ TEST_P(CarSymmetry, YardsThatAreTurnedOrMirroredCostTheSame) {
       const Answer mirrored = answer_of(*make(other), symmetry.of(query, trial.map));
       ASSERT_EQ(to_string(mirrored.status), to_string(answer.status));
       if (answer.status != Status::found || !answer.plan.optimal()) continue;
-      ASSERT_NEAR(mirrored.plan.cost, answer.plan.cost, kRelative * answer.plan.cost)
+      ASSERT_NEAR(mirrored.plan.cost, answer.plan.cost, kSymmetryRelative * answer.plan.cost)
           << symmetry.transposed << symmetry.x_mirrored << symmetry.y_mirrored;
     }
   });
@@ -187,11 +187,11 @@ TEST_P(CarSymmetry, ADriveReversedInTimeIsADriveOfTheSameCost) {
     const Answer back = answer_of(*planner, {poses.back(), {poses.front()}});
     ASSERT_EQ(to_string(back.status), to_string(Status::found));
     if (answer.plan.optimal()) {
-      EXPECT_NEAR(back.plan.cost, answer.plan.cost, kRelative * answer.plan.cost);
+      EXPECT_NEAR(back.plan.cost, answer.plan.cost, kSymmetryRelative * answer.plan.cost);
     }
     driven += poses.size() > 2 ? 1 : 0;
   });
-  EXPECT_GT(driven, kYards / 20) << "too few drives to say anything";
+  EXPECT_GT(driven, kSymmetryYards / 20) << "too few drives to say anything";
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, CarSymmetry, ::testing::ValuesIn(planner_names(Motion::car)),

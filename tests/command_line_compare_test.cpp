@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr const char* kGrid =
+constexpr const char* kComparedGrid =
     "........\n"
     ".####.#.\n"
     ".....3#.\n"
@@ -40,7 +40,7 @@ class CompareCommand : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kComparedGrid);
 };
 
 TEST_F(CompareCommand, RunsAllPlannersOnTheSameQuery) {

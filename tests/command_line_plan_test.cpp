@@ -19,7 +19,7 @@ using testing::Not;
 using testing::StartsWith;
 
 // Two regions: the right column is walled off.
-constexpr const char* kGrid =
+constexpr const char* kPlannedGrid =
     ".....#.\n"
     ".###.#.\n"
     "....##.\n"
@@ -46,7 +46,7 @@ class PlanCommand : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kPlannedGrid);
 };
 
 TEST_F(PlanCommand, ShowsThePathAndTheMapWithArrows) {

@@ -22,14 +22,14 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr const char* kGrid =
+constexpr const char* kWatchedGrid =
     ".....\n"
     ".##..\n"
     "...#.\n";
 constexpr Cell kStart{0, 1};
 constexpr Cell kGoal{4, 2};
 
-std::size_t count_of(std::string_view text, std::string_view what) {
+std::size_t times_in(std::string_view text, std::string_view what) {
   std::size_t count = 0;
   for (auto at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1)) {
     ++count;
@@ -54,7 +54,7 @@ class Watching : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kWatchedGrid);
 };
 
 TEST_F(Watching, ShowsLayersAsAlignedGrids) {
@@ -100,7 +100,7 @@ TEST_F(Watching, GivesLayersToPrograms) {
   const Outcome outcome =
       plan({"--show", "expansion,heuristic,frontier,policy", "--format", "json"});
   const json layers = json::parse(outcome.out).at("layers");
-  const FreeSpace space = drawn_space(kGrid);
+  const FreeSpace space = drawn_space(kWatchedGrid);
   const auto planner = make_planner("astar", space);
   SearchRecorder recorder(space);
   Query query = Query::between(kStart, kGoal);
@@ -141,8 +141,8 @@ TEST_F(Watching, TellsEveryEventOnStandardError) {
   EXPECT_THAT(outcome.err, StartsWith("  generate (0,1) f="));
   EXPECT_THAT(outcome.err, HasSubstr("\nexpand (0,1) f="));
   EXPECT_THAT(outcome.err, HasSubstr(" g=0 h="));
-  EXPECT_EQ(count_of(outcome.err, "expand ("), metrics.at("expanded").get<std::size_t>());
-  EXPECT_EQ(count_of(outcome.err, "generate ("), metrics.at("generated").get<std::size_t>());
+  EXPECT_EQ(times_in(outcome.err, "expand ("), metrics.at("expanded").get<std::size_t>());
+  EXPECT_EQ(times_in(outcome.err, "generate ("), metrics.at("generated").get<std::size_t>());
 }
 
 TEST_F(Watching, WaitsForAKeyAfterEachExpansion) {
@@ -172,7 +172,7 @@ TEST_F(Watching, StepsThroughEveryPlanner) {
     if (info.motion != Motion::cells) continue;
     const Outcome outcome = step("nnq", "--planner " + info.name);
     EXPECT_EQ(outcome.code, info.can_step ? 1 : 2) << info.name << ": " << outcome.err;
-    EXPECT_EQ(count_of(outcome.out, "expansion 3:"), info.can_step ? 1U : 0U);
+    EXPECT_EQ(times_in(outcome.out, "expansion 3:"), info.can_step ? 1U : 0U);
   }
 }
 
@@ -231,7 +231,7 @@ TEST_F(OnATerminal, StepsNeverScroll) {
       for (const std::string& frame : seen) {
         const auto end = frame.find("q: quit");
         if (end == std::string::npos) continue;
-        EXPECT_LT(count_of(frame.substr(0, end), "\n"), 23U) << query << layers << "\n" << frame;
+        EXPECT_LT(times_in(frame.substr(0, end), "\n"), 23U) << query << layers << "\n" << frame;
       }
     }
   }
@@ -241,7 +241,7 @@ TEST_F(OnATerminal, StepsShowLayersBesideTheMap) {
   const auto seen = frames(low_query() + " --step --show g --planner bfs --connectivity 4", "q");
   ASSERT_FALSE(seen.empty());
   EXPECT_THAT(seen.front(), HasSubstr("   g, cost from the start"));
-  EXPECT_EQ(count_of(seen.back(), "S start"), 1U) << "quitting leaves the last frame alone";
+  EXPECT_EQ(times_in(seen.back(), "S start"), 1U) << "quitting leaves the last frame alone";
 }
 
 TEST_F(OnATerminal, StepsEndWithTheOutcomeAlone) {
@@ -253,15 +253,15 @@ TEST_F(OnATerminal, FilmsFitAndAreNotFollowedByTheSamePicture) {
   for (const std::string& query : {high_query(), low_query()}) {
     const auto seen = frames(query + " --animate --speed 1e6", "");
     ASSERT_GE(seen.size(), 2U);
-    EXPECT_LT(count_of(seen.front(), "\n"), 24U);
+    EXPECT_LT(times_in(seen.front(), "\n"), 24U);
     EXPECT_THAT(seen.back(), AllOf(HasSubstr("quality"), HasSubstr("\x1b[?25h")));
-    EXPECT_EQ(count_of(seen.back(), " goal"), 1U) << seen.back();
+    EXPECT_EQ(times_in(seen.back(), " goal"), 1U) << seen.back();
   }
 }
 
 /// What the last frame of a film shows.
 Scene outcome_scene() {
-  const FreeSpace space = drawn_space(kGrid);
+  const FreeSpace space = drawn_space(kWatchedGrid);
   const auto planner = make_planner("astar", space);
   SearchRecorder recorder(space);
   Query query = Query::between(kStart, kGoal);

@@ -17,7 +17,7 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRelative = 1e-9;
+constexpr double kOptimalRelative = 1e-9;
 constexpr int kMaps = 3000;  // for each planner and test that walks random maps
 
 /// Checks a path by itself: valid step by step, with the cost that it claims.
@@ -27,7 +27,7 @@ void expect_honest(const Plan& plan, const PlannerInfo& info, const Textbook& te
   ASSERT_FALSE(cells.empty());
   EXPECT_THAT(errand.goals, ::testing::Contains(cells.back()));
   EXPECT_EQ(textbook.fault(cells, errand.start, cells.back()), "");
-  EXPECT_NEAR(plan.cost, textbook.cost_of(cells), kRelative * std::max(1.0, plan.cost));
+  EXPECT_NEAR(plan.cost, textbook.cost_of(cells), kOptimalRelative * std::max(1.0, plan.cost));
   EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
   if (info.jumps) return;
   EXPECT_GE(plan.metrics.expanded, cells.size()) << "every cell of a path was expanded";
@@ -35,10 +35,11 @@ void expect_honest(const Plan& plan, const PlannerInfo& info, const Textbook& te
 
 /// Checks a plan against what its planner promises.
 void expect_as_promised(const Plan& plan, const PlannerInfo& info, const Truth& truth) {
-  EXPECT_GE(plan.cost, truth.cost * (1 - kRelative)) << "cheaper than possible";
+  EXPECT_GE(plan.cost, truth.cost * (1 - kOptimalRelative)) << "cheaper than possible";
   EXPECT_GE(plan.bound, 1);
   if (plan.bound < Plan::kNoBound) {
-    EXPECT_LE(plan.cost, plan.bound * truth.cost * (1 + kRelative)) << "bound " << plan.bound;
+    EXPECT_LE(plan.cost, plan.bound * truth.cost * (1 + kOptimalRelative))
+        << "bound " << plan.bound;
   }
   if (info.promise == Promise::fewest_steps) {
     EXPECT_EQ(static_cast<double>(plan.path.size() - 1), truth.steps);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kRadius = 0.25;  // m; a cell is 1 m wide, and a car turns with a radius of 1 m
 constexpr double kPlannedRadius = 0.35;
-constexpr int kYards = 30;
+constexpr int kDrivenYards = 30;
 
 struct Parking {
   std::string name;
@@ -37,7 +37,7 @@ Pose random_stand(Random& random, const GridMap& map) {
 /// Drives with reversals through random yards.
 std::vector<Parking> parkings() {
   std::vector<Parking> parkings;
-  for (int seed = 1; seed <= kYards; ++seed) {
+  for (int seed = 1; seed <= kDrivenYards; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = generators().find("parking")->make(40, 25, seed, {}).value();
     const FreeSpace cautious(map, {.robot_radius = kPlannedRadius});

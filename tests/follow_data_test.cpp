@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRadius = 0.2;  // m
-constexpr double kMargin = 0.1;  // m
+constexpr double kDataRadius = 0.2;  // m
+constexpr double kMargin = 0.1;      // m
 
 GridMap real_map(const fs::path& file) { return load_map(fs::path(WEND_DATA) / file)->map; }
 
@@ -37,7 +37,7 @@ class LapOf : public FollowData, public ::testing::WithParamInterface<std::strin
 
 TEST_P(LapOf, StaysOnTheTrack) {
   const GridMap map = real_map("tracks/" + GetParam() + "_map.yaml");
-  const FreeSpace space(map, {.robot_radius = kRadius});
+  const FreeSpace space(map, {.robot_radius = kDataRadius});
   const fs::path file = fs::path(WEND_DATA) / "tracks" / (GetParam() + "_centerline.csv");
   const Path line = load_path(file, map.frame()).value();
   const auto controller = controllers().find("pure_pursuit")->make({}).value();
@@ -62,8 +62,8 @@ class PlansOn : public FollowData, public ::testing::WithParamInterface<std::str
 
 TEST_P(PlansOn, AreDriven) {
   const GridMap map = real_map("ros/" + GetParam() + ".yaml");
-  const FreeSpace cautious(map, {.robot_radius = kRadius + kMargin});
-  const FreeSpace space(map, {.robot_radius = kRadius});
+  const FreeSpace cautious(map, {.robot_radius = kDataRadius + kMargin});
+  const FreeSpace space(map, {.robot_radius = kDataRadius});
   const auto planner = make_planner("astar", cautious).value();
   Random random(1);
   const auto any_cell = [&] {

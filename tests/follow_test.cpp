@@ -20,8 +20,8 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRadius = 0.2;  // m
-constexpr double kMargin = 0.1;  // m, between the disc that is planned for and the robot
+constexpr double kRobotRadius = 0.2;  // m
+constexpr double kRobotMargin = 0.1;  // m, between the disc that is planned for and the robot
 constexpr int kMapsOfAKind = 100;
 constexpr double kLeastWay = 20;  // cells
 
@@ -57,9 +57,10 @@ std::vector<PlannedDrive> planned_drives() {
     for (int seed = 1; seed <= kMapsOfAKind; ++seed) {
       const GridMap map = generators().find(kind)->make(width, height, seed, {}).value();
       Random random(static_cast<std::uint64_t>(seed));
-      const FreeSpace cautious(map, {.robot_radius = kRadius + kMargin});
+      const FreeSpace cautious(map, {.robot_radius = kRobotRadius + kRobotMargin});
       drives.push_back({std::string(kind) + " " + std::to_string(seed), cautious,
-                        FreeSpace(map, {.robot_radius = kRadius}), random_plan(cautious, random)});
+                        FreeSpace(map, {.robot_radius = kRobotRadius}),
+                        random_plan(cautious, random)});
     }
   }
   return drives;
@@ -92,9 +93,9 @@ TEST_P(Follow, ReachesTheGoalOfEveryPlan) {
   }
   std::cout << GetParam() << ": worst cross-track error " << as_planned << " m as planned, "
             << smoothed << " m smoothed, " << pulled << " m pulled straight\n";
-  EXPECT_LT(as_planned, kMargin);
-  EXPECT_LT(smoothed, kMargin);
-  EXPECT_LT(pulled, kMargin);
+  EXPECT_LT(as_planned, kRobotMargin);
+  EXPECT_LT(smoothed, kRobotMargin);
+  EXPECT_LT(pulled, kRobotMargin);
 }
 
 INSTANTIATE_TEST_SUITE_P(Controllers, Follow, ::testing::ValuesIn(controllers().names()),

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kFuzzFolder = fs::path(WEND_SOURCE_DIR) / "tests" / "fuzz";
 
-std::string bytes_of(const fs::path& file) {
+std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -41,7 +41,7 @@ std::vector<fs::path> files_under(const fs::path& folder) {
 class FuzzedLoader : public testing::TestWithParam<Loader> {
  protected:
   static void replay(const fs::path& file) {
-    EXPECT_EQ(GetParam().fuzz(bytes_of(file)), "") << GetParam().name << " on " << file;
+    EXPECT_EQ(GetParam().fuzz(content_of(file)), "") << GetParam().name << " on " << file;
   }
 };
 

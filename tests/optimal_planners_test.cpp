@@ -16,7 +16,7 @@
 namespace wend::test {
 namespace {
 
-constexpr double kRelative = 1e-9;
+constexpr double kEqualRelative = 1e-9;
 
 /// Noise, walls with gaps, stripes of diagonal squeezes, or corridors that go round in circles.
 GridMap nasty_map(Random& random, int width, int height) {
@@ -57,10 +57,10 @@ void expect_optimal_everywhere(const std::string& name, const GridMap& map, Rand
         const Status status = (*planner)->plan(Query::between(start, {x, y}), plan);
         ASSERT_EQ(status == Status::found, cost < kInfinite);
         if (status != Status::found) continue;
-        ASSERT_NEAR(plan.cost, cost, kRelative * (1 + cost))
+        ASSERT_NEAR(plan.cost, cost, kEqualRelative * (1 + cost))
             << start.x << ',' << start.y << " to " << x << ',' << y;
         ASSERT_EQ(textbook.fault(plan.path.cells(), start, {x, y}), "");
-        ASSERT_NEAR(textbook.cost_of(plan.path.cells()), cost, kRelative * (1 + cost));
+        ASSERT_NEAR(textbook.cost_of(plan.path.cells()), cost, kEqualRelative * (1 + cost));
       }
     }
   }

@@ -52,10 +52,10 @@ inline Pose nudged(const Pose& from, double length, double curvature) {
 }
 
 /// A maneuver in map cells: its poses, kSteps + 1 of them, in equal steps.
-struct Drive {
+struct SampledDrive {
   static constexpr int kSteps = 32;
 
-  Drive(const Pose& from, const Maneuver& maneuver, const Scale& scale)
+  SampledDrive(const Pose& from, const Maneuver& maneuver, const Scale& scale)
       : step(maneuver.gear * maneuver.length() * scale.unit / kSteps),
         curvature((scale.y_up ? -1.0 : 1.0) * maneuver.wheel / scale.unit),
         poses{from} {
@@ -68,7 +68,7 @@ struct Drive {
 };
 
 /// From the nearest point of a drive to a square: around the best of its poses by ternary search.
-inline double distance_to_square(const Drive& drive, Cell square) {
+inline double distance_to_square(const SampledDrive& drive, Cell square) {
   const auto at = [&](double steps) {
     const auto before = std::min(static_cast<std::size_t>(steps), drive.poses.size() - 1);
     const double rest = (steps - static_cast<double>(before)) * drive.step;
@@ -77,9 +77,9 @@ inline double distance_to_square(const Drive& drive, Cell square) {
   };
   constexpr double kPrecision = 1e-6;  // steps: of distances, near their least, it is the square
   double least = kInfinite;
-  for (int i = 0; i <= Drive::kSteps; ++i) {
+  for (int i = 0; i <= SampledDrive::kSteps; ++i) {
     double low = std::max(i - 1, 0);
-    double high = std::min(i + 1, Drive::kSteps);
+    double high = std::min(i + 1, SampledDrive::kSteps);
     const double here = at(i);
     least = std::min(least, here);
     if (here > at(low) || here > at(high)) continue;
@@ -118,9 +118,9 @@ inline int nearest_quarter(double heading) {
 }
 
 inline Effect effect_of(int quarter, const Maneuver& maneuver, bool y_up) {
-  const Drive drive({0, 0, quarter * std::numbers::pi / 2}, maneuver, {1, y_up});
+  const SampledDrive drive({0, 0, quarter * std::numbers::pi / 2}, maneuver, {1, y_up});
   const Pose& end = drive.poses.back();
-  const Pose& middle = drive.poses[Drive::kSteps / 2];
+  const Pose& middle = drive.poses[SampledDrive::kSteps / 2];
   const auto beside = [&](double by) {  // a hair to the right, or to the left
     const double side = middle.heading + (y_up ? -1 : 1) * std::numbers::pi / 2;
     return Cell{static_cast<int>(std::floor(middle.x + by * std::cos(side))),
@@ -138,7 +138,7 @@ inline double distance_to_square(int quarter, const Maneuver& maneuver, const Sc
   static std::map<std::tuple<int, std::string_view, Scale, Cell>, double> known;
   const auto [entry, is_new] = known.try_emplace({quarter, maneuver.name, scale, square}, 0);
   if (is_new) {
-    const Drive drive({0, 0, quarter * std::numbers::pi / 2}, maneuver, scale);
+    const SampledDrive drive({0, 0, quarter * std::numbers::pi / 2}, maneuver, scale);
     entry->second = distance_to_square(drive, square);
   }
   return entry->second;

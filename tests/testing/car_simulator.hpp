@@ -47,7 +47,7 @@ class CarSimulator {
       what_ << "; there is no move " << name;
       return;
     }
-    const Drive way(car_, *maneuver, textbook_.scale());
+    const SampledDrive way(car_, *maneuver, textbook_.scale());
     for (const Pose& pose : way.poses) expect_room(pose);
     for (const Pose& pose : way.poses) {
       if (&pose == &way.poses.back()) break;

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-std::string quoted(std::string_view text) { return '\'' + std::string(text) + '\''; }
+std::string in_apostrophes(std::string_view text) { return '\'' + std::string(text) + '\''; }
 
 /// A number that a double cannot hold because it is too large: "1e999".
 bool is_too_large(std::string_view text) {
@@ -26,7 +26,7 @@ std::string not_a_number(std::string_view text) {
   std::string with_point(text);
   std::replace(with_point.begin(), with_point.end(), ',', '.');
   const bool decimal_comma = with_point != text && parse_number(with_point);
-  return quoted(text) + " is not a number" +
+  return in_apostrophes(text) + " is not a number" +
          (decimal_comma ? ": the decimal point is a dot, did you mean " + with_point + "?" : "");
 }
 
@@ -39,7 +39,7 @@ std::string parse_in_range(std::string_view text, double& value, double least, d
     return not_a_number(text);
   }
   if (!parsed || *parsed < least || *parsed > greatest) {
-    return quoted(text) + " is not between " + format_number(least) + " and " +
+    return in_apostrophes(text) + " is not between " + format_number(least) + " and " +
            format_number(greatest) + (unit.empty() ? "" : " " + std::string(unit));
   }
   value = *parsed;

@@ -62,7 +62,8 @@ struct Robot {
   }
 };
 
-std::unique_ptr<Controller> make(std::string_view name, const OptionValues& options = {}) {
+std::unique_ptr<Controller> made_controller(std::string_view name,
+                                            const OptionValues& options = {}) {
   return controllers().find(name)->make(options).value();
 }
 
@@ -77,7 +78,7 @@ TEST(Follower, HasNothingToDoBeforeItFollows) {
 TEST(Follower, ArrivesWithEveryController) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = made_controller(name);
     Robot robot{Follower(*controller)};
     robot.follower.follow(route_through({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
     EXPECT_EQ(robot.run(), FollowerState::reached);
@@ -151,7 +152,7 @@ TEST(Follower, GoesOnFromTheNearestPointOfANewRoute) {
 TEST(Follower, ThereAndBackDrivesBothWays) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = made_controller(name);
     Robot robot{Follower(*controller)};
     robot.follower.follow(route_through({{0, 0}, {3, 0}, {0, 0}}));
     double farthest = 0;
@@ -172,7 +173,7 @@ TEST(Follower, DrivesAFigureOfEightWithoutLeavingOutALoop) {
   }
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = made_controller(name);
     Robot robot{Follower(*controller)};
     const Route route = route_through(eight);
     robot.state.pose = route.start();
@@ -194,7 +195,7 @@ TEST(Follower, DrivesALapOfAClosedRoute) {
   }
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = made_controller(name);
     Robot robot{Follower(*controller)};
     const Route lap = route_through(circle, true);
     robot.state.pose = lap.start();
@@ -227,7 +228,7 @@ TEST(Follower, ShowsARobotInReverseAsIfItFacedBackwards) {
 TEST(Follower, DrivesLegsInReverse) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = made_controller(name);
     Robot robot{Follower(*controller)};
     const Route route = forth_and_back();
     robot.follower.follow(route);
@@ -246,7 +247,7 @@ TEST(Follower, DrivesLegsInReverse) {
 TEST(Follower, TurnsToTheGoalsHeading) {
   for (const double heading : {0.0, kPi / 2, kPi, -kPi / 2}) {
     SCOPED_TRACE(heading);
-    const auto controller = make("p_moving");
+    const auto controller = made_controller("p_moving");
     Robot robot{Follower(*controller, {}, {.heading_tolerance = 0.05})};
     // The last pose's arc has no length to speak of, but a heading.
     robot.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, heading}}), {}));
@@ -257,7 +258,7 @@ TEST(Follower, TurnsToTheGoalsHeading) {
 }
 
 TEST(Follower, TellsARobotThatCannotTurnToTheGoalsHeading) {
-  const auto controller = make("pure_pursuit");
+  const auto controller = made_controller("pure_pursuit");
   Robot robot{Follower(*controller, {}, {.heading_tolerance = 0.05, .turns_in_place = false})};
   robot.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, 1}}), {}));
   EXPECT_EQ(robot.run(), FollowerState::stuck);
@@ -305,7 +306,7 @@ TEST(Follower, TellsAControllerThatOscillates) {
 }
 
 TEST(Follower, IsNotStuckBecauseTheRobotIsSlow) {
-  const auto controller = make("p");
+  const auto controller = made_controller("p");
   const MotionModel snail{.limits = {.speed = 1e-3, .turn_rate = 0.01}};
   Robot robot{Follower(*controller, snail.limits, {.goal_tolerance = 0.01}), snail};
   robot.state.pose = {0, 0, 1};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kResolution = 0.05;  // m
 
-FreeSpace open_ground() {
+FreeSpace race_ground() {
   return FreeSpace(
       GridMap(Grid<CellState>(1200, 1200),
               Frame{.resolution = kResolution, .origin = {0, 0, 0}, .y_up = true, .metric = true}));
@@ -59,7 +59,7 @@ Path wild_track(std::uint64_t seed) {
 
 Drive lap(const Path& path, const MotionModel& model) {
   const auto controller = controllers().find("pure_pursuit")->make({}).value();
-  return simulate(open_ground(), path, *controller, model, {.closed = true});
+  return simulate(race_ground(), path, *controller, model, {.closed = true});
 }
 
 std::vector<MotionModel> robots() {

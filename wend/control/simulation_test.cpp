@@ -15,7 +15,7 @@
 namespace wend {
 namespace {
 
-std::unique_ptr<Controller> make(std::string_view name, const OptionValues& options = {}) {
+std::unique_ptr<Controller> driver(std::string_view name, const OptionValues& options = {}) {
   return controllers().find(name)->make(options).value();
 }
 
@@ -50,11 +50,11 @@ TEST(Simulate, TellsGainsThatMakeARobotOscillate) {
   const Path path = Path::along(kTour);
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    EXPECT_FALSE(simulate(open_ground(), path, *make(name)).oscillates());
+    EXPECT_FALSE(simulate(open_ground(), path, *driver(name)).oscillates());
   }
   for (const char* name : {"p", "p_moving", "pid"}) {
     SCOPED_TRACE(name);
-    const auto wild = make(name, {{"heading_gain", "100"}});
+    const auto wild = driver(name, {{"heading_gain", "100"}});
     const Drive drive = simulate(open_ground(), path, *wild);
     EXPECT_TRUE(drive.oscillates()) << drive.swings << " swings in " << drive.time << " s";
   }
@@ -63,7 +63,7 @@ TEST(Simulate, TellsGainsThatMakeARobotOscillate) {
 TEST(Simulate, DrivesToTheGoal) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = driver(name);
     const Path path = Path::along(kTour);
     const Drive drive = simulate(open_ground(), path, *controller);
     EXPECT_EQ(drive.outcome, DriveOutcome::reached);
@@ -78,7 +78,7 @@ TEST(Simulate, DrivesToTheGoal) {
 TEST(Simulate, DrivesStraightOnALine) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = driver(name);
     const Drive drive = simulate(open_ground(), Path::along({{20, 20}, {60, 50}}), *controller);
     EXPECT_EQ(drive.outcome, DriveOutcome::reached);
     EXPECT_LT(drive.turned, 1e-9);
@@ -91,7 +91,7 @@ TEST(Simulate, DrivesStraightOnALine) {
 TEST(Simulate, DrivesALapAroundAClosedCircle) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = driver(name);
     const Drive drive = simulate(open_ground(), circle(30), *controller, {}, {.closed = true});
     EXPECT_EQ(drive.outcome, DriveOutcome::reached);
     EXPECT_NEAR(drive.distance, 2 * kPi * 3, 0.5);
@@ -123,7 +123,7 @@ TEST(Simulate, TellsTheSidesOfTheRoute) {
 TEST(Simulate, InReverseTheBackLeads) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
-    const auto controller = make(name);
+    const auto controller = driver(name);
     const Path back = Path::through({{90, 60, 0}, {30, 60, 0}});
     const Drive drive = simulate(open_ground(), back, *controller);
     EXPECT_EQ(drive.outcome, DriveOutcome::reached);
@@ -160,7 +160,7 @@ double distance_to_path(const std::vector<Point>& points, Point point) {
 }
 
 TEST(Simulate, SamplesEveryCommand) {
-  const auto controller = make("pure_pursuit");
+  const auto controller = driver("pure_pursuit");
   const Path path = Path::along(kTour);
   const Drive drive = simulate(open_ground(), path, *controller, {}, {.rate = 10});
   EXPECT_EQ(drive.samples.front().time, 0);
@@ -192,28 +192,28 @@ RC_GTEST_PROP(Simulate, NeverExceedsTheLimits, (std::uint64_t seed)) {
   std::vector<Point> points{{60, 60}};
   for (int i = 0; i < 4; ++i)
     points.push_back({20 + 80 * random.uniform(), 20 + 80 * random.uniform()});
-  const auto controller = make(name);
+  const auto controller = driver(name);
   const Drive drive = simulate(open_ground(), Path::along(points), *controller, model, options);
   // Within a period commands change once where there is latency.
   const double period = 1 / options.rate;
-  constexpr double kRounding = 1e-9;
+  constexpr double kTolerated = 1e-9;
   for (std::size_t i = 1; i < drive.samples.size(); ++i) {
     const Velocity& before = drive.samples[i - 1].velocity;
     const Velocity& now = drive.samples[i].velocity;
-    RC_ASSERT(std::abs(now.linear) <= model.limits.speed + kRounding);
-    RC_ASSERT(std::abs(now.angular) <= model.limits.turn_rate + kRounding);
+    RC_ASSERT(std::abs(now.linear) <= model.limits.speed + kTolerated);
+    RC_ASSERT(std::abs(now.angular) <= model.limits.turn_rate + kTolerated);
     RC_ASSERT(std::abs(now.linear - before.linear) <=
-              model.limits.acceleration * period + kRounding);
+              model.limits.acceleration * period + kTolerated);
     RC_ASSERT(std::abs(now.angular - before.angular) <=
-              model.limits.turn_acceleration * period + kRounding);
+              model.limits.turn_acceleration * period + kTolerated);
     if (const double radius = model.turning_radius(); radius > 0) {
-      RC_ASSERT(std::abs(now.angular) * radius <= std::abs(now.linear) + kRounding);
+      RC_ASSERT(std::abs(now.angular) * radius <= std::abs(now.linear) + kTolerated);
     }
   }
 }
 
 TEST(Simulate, EndsAtTheFirstCollision) {
-  const auto controller = make("p");
+  const auto controller = driver("p");
   const Drive drive = simulate(walled(0), Path::along({{40, 60}, {110, 60}}), *controller);
   EXPECT_EQ(drive.outcome, DriveOutcome::collision);
   EXPECT_EQ(drive.collisions, 1U);
@@ -226,7 +226,7 @@ TEST(Simulate, EndsAtTheFirstCollision) {
 }
 
 TEST(Simulate, PassesAGapThatIsWideEnough) {
-  const auto controller = make("p");
+  const auto controller = driver("p");
   const Path path = Path::along({{40, 62}, {110, 62}});
   EXPECT_EQ(simulate(walled(4), path, *controller).outcome, DriveOutcome::reached);
   EXPECT_EQ(simulate(walled(3), path, *controller).outcome, DriveOutcome::collision);
@@ -236,7 +236,7 @@ TEST(Simulate, CountsCollisionsWhereItDrivesOn) {
   Grid<CellState> cells(120, 120, CellState::free);
   for (const int x : {50, 70, 73, 90}) cells[{x, 61}] = CellState::occupied;
   const FreeSpace space(GridMap(cells, {.resolution = 0.1}), {.robot_radius = 0.2});
-  const auto controller = make("pure_pursuit");
+  const auto controller = driver("pure_pursuit");
   const Drive drive = simulate(space, Path::along({{30, 60}, {110, 60}}), *controller, {},
                                {.stop_at_collision = false});
   EXPECT_EQ(drive.outcome, DriveOutcome::reached);
@@ -245,7 +245,7 @@ TEST(Simulate, CountsCollisionsWhereItDrivesOn) {
 }
 
 TEST(Simulate, OfARobotThatStandsInAnObstacleEndsAtOnce) {
-  const auto controller = make("p_moving");
+  const auto controller = driver("p_moving");
   const Drive drive = simulate(walled(0), Path::along({{80.5, 60}, {110, 60}}), *controller);
   EXPECT_EQ(drive.outcome, DriveOutcome::collision);
   EXPECT_EQ(drive.time, 0);
@@ -267,7 +267,7 @@ TEST(Simulate, HasNoiseFromItsSeed) {
         SimulationOptions{.heading_noise = 0.02}}) {
     for (const std::string& name : controllers().names()) {
       SCOPED_TRACE(name);
-      const auto controller = make(name);
+      const auto controller = driver(name);
       const Path path = Path::along(kTour);
       SimulationOptions options = noise;
       const Drive drive = simulate(open_ground(), path, *controller, {}, options);
@@ -281,7 +281,7 @@ TEST(Simulate, HasNoiseFromItsSeed) {
 }
 
 TEST(Simulate, ScattersVelocitiesAsMuchAsTold) {
-  const auto controller = make("pure_pursuit");
+  const auto controller = driver("pure_pursuit");
   const Drive drive = simulate(open_ground(), Path::along({{10, 60}, {110, 60}}), *controller, {},
                                {.rate = 200, .actuation_noise = 0.2});
   double sum = 0;
@@ -324,7 +324,7 @@ TEST(Simulate, TellsWrongGains) {
   const Path path = Path::along(kTour);
   const auto outcome = [&](std::string_view name, const OptionValues& gains,
                            const SimulationOptions& options = {}) {
-    return simulate(open_ground(), path, *make(name, gains), {}, options).outcome;
+    return simulate(open_ground(), path, *driver(name, gains), {}, options).outcome;
   };
   EXPECT_EQ(outcome("p", {{"heading_gain", "0"}}), DriveOutcome::stuck) << "it never turns";
   EXPECT_EQ(outcome("p", {{"distance_gain", "0"}}), DriveOutcome::stuck) << "it never drives";
@@ -369,14 +369,14 @@ RC_GTEST_PROP(Simulate, EndsWhateverTheGains, (std::uint64_t seed)) {
 }
 
 TEST(Simulate, AControllerThatTurnsInPlaceGetsABicycleStuck) {
-  const auto controller = make("p");
+  const auto controller = driver("p");
   const Drive drive =
       simulate(open_ground(), Path::along(kTour), *controller, {.drivetrain = Drivetrain::bicycle});
   EXPECT_EQ(drive.outcome, DriveOutcome::stuck);
 }
 
 TEST(Simulate, StandsWhereAPathOfOnePointIs) {
-  const auto controller = make("pid");
+  const auto controller = driver("pid");
   const Drive drive = simulate(open_ground(), Path({{5, 5}}), *controller);
   EXPECT_EQ(drive.outcome, DriveOutcome::reached);
   EXPECT_EQ(drive.time, 0);

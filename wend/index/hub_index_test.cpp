@@ -33,41 +33,43 @@ BitGrid random_board(std::uint64_t seed, int width, int height, double density) 
   return bits;
 }
 
-IndexBytes built(const BitGrid& bits, const IndexBuilding& building = {}) {
+IndexBytes built_labels(const BitGrid& bits, const IndexBuilding& building = {}) {
   auto index = build_hub_index(bits, building);
   if (!index) ADD_FAILURE() << index.error().what;
   return index ? *std::move(index) : IndexBytes();
 }
 
-std::unique_ptr<IndexEngine> opened(const IndexBytes& index, const BitGrid& bits) {
+std::unique_ptr<IndexEngine> opened_labels(const IndexBytes& index, const BitGrid& bits) {
   auto engine = open_hub_index(index, bits);
   if (!engine) ADD_FAILURE() << engine.error();
   return engine ? *std::move(engine) : nullptr;
 }
 
-std::string error_of(const IndexBytes& index, const BitGrid& bits) {
+std::string opening_error(const IndexBytes& index, const BitGrid& bits) {
   const auto engine = open_hub_index(index, bits);
   return engine ? "" : engine.error();
 }
 
 TEST(HubIndex, AnswersAllPairsOfSmallBoardsLikeDijkstra) {
   for_small_boards(600, [](const BitGrid& bits) {
-    if (!testing::Test::HasFatalFailure()) expect_all_pairs(bits, *opened(built(bits), bits));
+    if (!testing::Test::HasFatalFailure())
+      expect_all_pairs(bits, *opened_labels(built_labels(bits), bits));
   });
 }
 
 TEST(HubIndex, AnswersAllPairsOfTensOfThousandsOfSmallBoardsInALongRun) {
   for_small_boards(40000, [](const BitGrid& bits) {
-    if (!testing::Test::HasFatalFailure()) expect_all_pairs(bits, *opened(built(bits), bits));
+    if (!testing::Test::HasFatalFailure())
+      expect_all_pairs(bits, *opened_labels(built_labels(bits), bits));
   });
 }
 
 TEST(HubIndex, AnswersThreadsThatShareIt) {
   const BitGrid bits = random_board(5, 30, 14, 0.7);
-  const IndexBytes index = built(bits);
+  const IndexBytes index = built_labels(bits);
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] { expect_all_pairs(bits, *opened(index, bits)); });
+    threads.emplace_back([&] { expect_all_pairs(bits, *opened_labels(index, bits)); });
   }
   for (std::thread& thread : threads) thread.join();
 }
@@ -84,15 +86,16 @@ class BackwardWorkers final : public Workers {
 TEST(HubIndex, IsTheSameWhoeverBuildsIt) {
   const BitGrid bits = random_board(6, 90, 60, 0.75);
   BackwardWorkers backwards;
-  const IndexBytes one = built(bits);
-  const IndexBytes other = built(bits, {.workers = &backwards, .progress = {}});
+  const IndexBytes one = built_labels(bits);
+  const IndexBytes other = built_labels(bits, {.workers = &backwards, .progress = {}});
   ASSERT_EQ(one.size(), other.size());
   EXPECT_EQ(std::memcmp(one.bytes().data(), other.bytes().data(), one.size()), 0);
 }
 
 TEST(HubIndex, TellsHowFarItIs) {
   std::vector<double> shares;
-  built(random_board(7, 60, 60, 0.7), {.progress = [&](double share) { shares.push_back(share); }});
+  built_labels(random_board(7, 60, 60, 0.7),
+               {.progress = [&](double share) { shares.push_back(share); }});
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.front(), 0);
   EXPECT_EQ(shares.back(), 1);
@@ -129,7 +132,7 @@ BitGrid serpentine(int width, int rows) {
 
 TEST(HubIndex, AnswersOnAWindingWayAndRefusesWhatOutgrowsItsNumbers) {
   const BitGrid bits = serpentine(300, 70);
-  const auto engine = opened(built(bits), bits);
+  const auto engine = opened_labels(built_labels(bits), bits);
   const OctileSteps steps = engine->find({0, 0}, {0, 138});
   EXPECT_EQ(steps, (OctileSteps{70 * 299 + 69 * 2, 0}));
   std::vector<Cell> path(steps.cells());
@@ -146,8 +149,8 @@ TEST(HubIndex, IsOfOneMap) {
   const BitGrid bits = random_board(9, 30, 30, 0.7);
   BitGrid other = bits;
   other.set({3, 3}, !other[{3, 3}]);
-  EXPECT_NE(error_of(built(bits), other), "");
-  EXPECT_EQ(error_of(built(bits), bits), "");
+  EXPECT_NE(opening_error(built_labels(bits), other), "");
+  EXPECT_EQ(opening_error(built_labels(bits), bits), "");
 }
 
 std::vector<std::byte> copied(const IndexBytes& index) {
@@ -156,15 +159,15 @@ std::vector<std::byte> copied(const IndexBytes& index) {
 
 TEST(HubIndex, RefusesDamagedFiles) {
   const BitGrid bits = random_board(10, 12, 9, 0.6);
-  const IndexBytes index = built(bits);
+  const IndexBytes index = built_labels(bits);
   for (std::size_t i = 0; i < index.size(); ++i) {
     std::vector<std::byte> damaged = copied(index);
     damaged[i] ^= std::byte{static_cast<unsigned char>(1U << (i % 8))};
-    ASSERT_NE(error_of(IndexBytes::copy_of(damaged), bits), "") << "byte " << i;
+    ASSERT_NE(opening_error(IndexBytes::copy_of(damaged), bits), "") << "byte " << i;
   }
   for (std::size_t size = 0; size < index.size(); size += 7) {
     const auto cut = index.bytes().first(size);
-    ASSERT_NE(error_of(IndexBytes::copy_of(cut), bits), "") << size << " bytes";
+    ASSERT_NE(opening_error(IndexBytes::copy_of(cut), bits), "") << size << " bytes";
   }
 }
 
@@ -178,7 +181,7 @@ void forge(std::vector<std::byte>& file) {
 TEST(HubIndex, NeverLeavesAForgedFile) {
   const BitGrid bits = random_board(11, 14, 10, 0.65);
   const std::vector<Cell> cells = passable_cells(bits);
-  const IndexBytes index = built(bits);
+  const IndexBytes index = built_labels(bits);
   const Grid<std::uint64_t> reached = brute_distances(bits, cells.front());
   std::vector<Cell> path;
   int passed = 0;

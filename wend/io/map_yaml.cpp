@@ -56,7 +56,7 @@ bool is_known_tag(const std::string& tag) {
 constexpr std::size_t kLongestComplaint = 200;
 
 // Errors repeat the name of the image.
-constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestImageName = 1000;
 
 /// Text without line ends and tabs, which would make a mess of messages.
 bool is_line(const std::string& text) {
@@ -148,9 +148,9 @@ class MapYamlReader {
     if (!node->IsScalar()) return failure(*node, "image must be a file name");
     if (node->Scalar().empty()) return failure(*node, "image is empty");
     if (!is_line(node->Scalar())) return failure(*node, "image is not a file name");
-    if (node->Scalar().size() > kLongestName) {
-      return failure(
-          *node, fmt::format("image is no file name: it is longer than {} bytes", kLongestName));
+    if (node->Scalar().size() > kLongestImageName) {
+      return failure(*node, fmt::format("image is no file name: it is longer than {} bytes",
+                                        kLongestImageName));
     }
     yaml.image = node->Scalar();
     return {};

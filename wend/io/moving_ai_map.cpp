@@ -18,22 +18,22 @@ namespace wend {
 namespace {
 
 constexpr std::string_view kFree = ".GSE";
-constexpr std::string_view kOccupied = "@OTW";
+constexpr std::string_view kOccupiedLetters = "@OTW";
 
 struct Letter {
   bool known = false;
   CellState state = CellState::free;
 };
 
-constexpr std::size_t code_of(char letter) { return static_cast<unsigned char>(letter); }
+constexpr std::size_t index_of(char letter) { return static_cast<unsigned char>(letter); }
 
 constexpr std::array<Letter, 256> make_letters() {
   std::array<Letter, 256> letters{};
   for (const char letter : kFree) {
-    letters[code_of(letter)] = letters[code_of(lower_case(letter))] = {true, CellState::free};
+    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = {true, CellState::free};
   }
-  for (const char letter : kOccupied) {
-    letters[code_of(letter)] = letters[code_of(lower_case(letter))] = {true, CellState::occupied};
+  for (const char letter : kOccupiedLetters) {
+    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = {true, CellState::occupied};
   }
   return letters;
 }
@@ -142,14 +142,14 @@ class MovingAiParser {
       const std::string_view letters = rows.next().value_or("");
       const auto row = cells.row(y);
       for (std::size_t x = 0; x < letters.size(); ++x) {
-        const Letter letter = kLetters[code_of(letters[x])];
+        const Letter letter = kLetters[index_of(letters[x])];
         if (!letter.known) {
           return io_failure(file_, rows.number(),
                             fmt::format("unknown terrain letter {} at row {} column {}",
                                         quote(letters[x]), y, x));
         }
         row[x] = letter.state;
-        seen_[code_of(letters[x])] = true;
+        seen_[index_of(letters[x])] = true;
       }
     }
     return cells;
@@ -157,11 +157,11 @@ class MovingAiParser {
 
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
-    if (seen_[code_of('E')] || seen_[code_of('e')]) {
+    if (seen_[index_of('E')] || seen_[index_of('e')]) {
       notes.emplace_back("terrain E (emitter) is read as free");
     }
     for (char letter = 'a'; letter <= 'z'; ++letter) {
-      if (seen_[code_of(letter)]) {
+      if (seen_[index_of(letter)]) {
         notes.emplace_back("lower-case letters are read as upper-case ones");
         break;
       }

@@ -14,7 +14,9 @@ using testing::IsEmpty;
 
 const std::string kHeader = "type octile\nheight 2\nwidth 3\nmap\n";
 
-std::string error_in(std::string_view text) { return error_of(parse_moving_ai_map(text, "m")); }
+std::string moving_ai_error(std::string_view text) {
+  return error_of(parse_moving_ai_map(text, "m"));
+}
 
 std::string cells_in(std::string_view text) {
   const auto loaded = parse_moving_ai_map(text, "m");
@@ -60,28 +62,32 @@ TEST(MovingAiMap, LowerCaseIsReadAsUpperCaseAndNoted) {
 
 TEST(MovingAiMap, OtherTypesAreRefusedByName) {
   for (const std::string type : {"tile", "patch", "octile-corner"}) {
-    EXPECT_EQ(error_in("type " + type + "\nheight 1\n"),
+    EXPECT_EQ(moving_ai_error("type " + type + "\nheight 1\n"),
               "m:1: map type '" + type + "' is not supported, only 'octile' is");
   }
 }
 
 TEST(MovingAiMap, TheTypeComesFirst) {
-  EXPECT_EQ(error_in(""), "m: the first line must be 'type octile', not ''");
-  EXPECT_EQ(error_in("height 2\n"), "m:1: the first line must be 'type octile', not 'height 2'");
+  EXPECT_EQ(moving_ai_error(""), "m: the first line must be 'type octile', not ''");
+  EXPECT_EQ(moving_ai_error("height 2\n"),
+            "m:1: the first line must be 'type octile', not 'height 2'");
 }
 
 TEST(MovingAiMap, TheHeaderNamesBothSizesOnce) {
-  EXPECT_EQ(error_in("type octile\nheight 2\nmap\n"), "m:3: 'width' is missing in the header");
-  EXPECT_EQ(error_in("type octile\nwidth 2\nmap\n"), "m:3: 'height' is missing in the header");
-  EXPECT_EQ(error_in("type octile\nheight 2\nwidth 3\n"), "m:3: the header has no line 'map'");
-  EXPECT_EQ(error_in("type octile\nheight 2\nheight 2\n"), "m:3: duplicate 'height'");
-  EXPECT_EQ(error_in("type octile\ndepth 2\n"),
+  EXPECT_EQ(moving_ai_error("type octile\nheight 2\nmap\n"),
+            "m:3: 'width' is missing in the header");
+  EXPECT_EQ(moving_ai_error("type octile\nwidth 2\nmap\n"),
+            "m:3: 'height' is missing in the header");
+  EXPECT_EQ(moving_ai_error("type octile\nheight 2\nwidth 3\n"),
+            "m:3: the header has no line 'map'");
+  EXPECT_EQ(moving_ai_error("type octile\nheight 2\nheight 2\n"), "m:3: duplicate 'height'");
+  EXPECT_EQ(moving_ai_error("type octile\ndepth 2\n"),
             "m:2: unexpected header line 'depth 2': 'height', 'width' or 'map' belongs here");
 }
 
 TEST(MovingAiMap, SizesArePositiveWholeNumbers) {
   const auto with_height = [](const std::string& height) {
-    return error_in("type octile\nheight " + height + "\nwidth 3\nmap\n");
+    return moving_ai_error("type octile\nheight " + height + "\nwidth 3\nmap\n");
   };
   EXPECT_EQ(with_height("0"), "m:2: height must be positive, not 0");
   EXPECT_EQ(with_height("-5"), "m:2: height must be positive, not -5");
@@ -90,25 +96,27 @@ TEST(MovingAiMap, SizesArePositiveWholeNumbers) {
 }
 
 TEST(MovingAiMap, SizesWhoseProductOverflowsAreRefused) {
-  EXPECT_EQ(error_in("type octile\nheight 65536\nwidth 65537\nmap\n...\n"),
+  EXPECT_EQ(moving_ai_error("type octile\nheight 65536\nwidth 65537\nmap\n...\n"),
             "m:4: 65537 x 65536 cells are too many");
 }
 
 TEST(MovingAiMap, RowsAreAsManyAndAsLongAsTheHeaderSays) {
-  EXPECT_EQ(error_in(kHeader + "...\n"), "m:5: 1 rows, the header says 2");
-  EXPECT_EQ(error_in(kHeader + "...\n..\n"), "m:6: row 1 has 2 columns, the header says 3");
-  EXPECT_EQ(error_in(kHeader + "...\n....\n"), "m:6: row 1 has 4 columns, the header says 3");
-  EXPECT_EQ(error_in(kHeader + "...\n...\n...\n"), "m:7: a row too many, the header says 2");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n"), "m:5: 1 rows, the header says 2");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n..\n"), "m:6: row 1 has 2 columns, the header says 3");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n....\n"),
+            "m:6: row 1 has 4 columns, the header says 3");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n...\n...\n"), "m:7: a row too many, the header says 2");
 }
 
 TEST(MovingAiMap, LargeSizesWithoutRowsTakeNoMemory) {
-  EXPECT_EQ(error_in("type octile\nheight 32768\nwidth 32768\nmap\n...\n"),
+  EXPECT_EQ(moving_ai_error("type octile\nheight 32768\nwidth 32768\nmap\n...\n"),
             "m:5: row 0 has 3 columns, the header says 32768");
 }
 
 TEST(MovingAiMap, UnknownLettersAreNamedWithTheirPlace) {
-  EXPECT_EQ(error_in(kHeader + "...\n.x.\n"), "m:6: unknown terrain letter 'x' at row 1 column 1");
-  EXPECT_EQ(error_in(kHeader + "..\0\n...\n"s),
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n.x.\n"),
+            "m:6: unknown terrain letter 'x' at row 1 column 1");
+  EXPECT_EQ(moving_ai_error(kHeader + "..\0\n...\n"s),
             "m:5: unknown terrain letter 0x00 at row 0 column 2");
 }
 

@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kLongestHeader = 60;  // in an error
-constexpr std::size_t kLongestName = 20;
+constexpr std::size_t kLongestColumnName = 20;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ Expected<void, std::string> PathColumns::check_numbers(std::size_t first) const 
     const auto number = parse_number(texts_[i]);
     if (number && std::isfinite(*number)) continue;
     return Unexpected<std::string>(fmt::format("{} must be a finite number, not {}",
-                                               printable(names_[i], kLongestName),
+                                               printable(names_[i], kLongestColumnName),
                                                quote(texts_[i])));
   }
   return {};

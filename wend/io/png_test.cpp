@@ -14,9 +14,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-std::string error_in(const std::string& bytes) { return error_of(decode_png(bytes)); }
+std::string png_error(const std::string& bytes) { return error_of(decode_png(bytes)); }
 
-GreyImage image_in(const std::string& bytes) {
+GreyImage png_image(const std::string& bytes) {
   auto image = decode_png(bytes);
   EXPECT_TRUE(image) << error_of(image);
   return image.value_or(GreyImage{});
@@ -28,7 +28,7 @@ std::string grey_2x2(const std::string& pixels = "\x00\x7F\xFE\xFF"s) {
 }
 
 TEST(Png, ReadsGreyRowByRowFromTheTop) {
-  const GreyImage image = image_in(grey_2x2());
+  const GreyImage image = png_image(grey_2x2());
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
   EXPECT_EQ(image.maximum, 255);
@@ -39,24 +39,24 @@ TEST(Png, ReadsGreyRowByRowFromTheTop) {
 
 TEST(Png, ReadsSixteenBitsInFull) {
   const GreyImage image =
-      image_in(png_file::file(png_file::header(2, 1, 16, png_file::grey) +
-                              png_file::image_data(png_file::scanlines("\x01\x02\xFF\xFF", 4))));
+      png_image(png_file::file(png_file::header(2, 1, 16, png_file::grey) +
+                               png_file::image_data(png_file::scanlines("\x01\x02\xFF\xFF", 4))));
   EXPECT_EQ(image.maximum, 65535);
   EXPECT_THAT(image.values, ElementsAre(0x0102, 65535));
 }
 
 TEST(Png, ReadsLessThanEightBitsOnTheirOwnScale) {
   const auto with_depth = [](char depth) {
-    return image_in(png_file::file(png_file::header(3, 1, depth, png_file::grey) +
-                                   png_file::image_data(png_file::scanlines("\xB1\xB0", 2))));
+    return png_image(png_file::file(png_file::header(3, 1, depth, png_file::grey) +
+                                    png_file::image_data(png_file::scanlines("\xB1\xB0", 2))));
   };
   EXPECT_EQ(with_depth(4).maximum, 15);
   EXPECT_THAT(with_depth(4).values, ElementsAre(11, 1, 11));
-  const GreyImage two = image_in(
+  const GreyImage two = png_image(
       png_file::file(png_file::header(3, 1, 2, png_file::grey) + png_file::image_data("\0\xB1"s)));
   EXPECT_EQ(two.maximum, 3);
   EXPECT_THAT(two.values, ElementsAre(2, 3, 0));
-  const GreyImage one = image_in(
+  const GreyImage one = png_image(
       png_file::file(png_file::header(3, 1, 1, png_file::grey) + png_file::image_data("\0\xB1"s)));
   EXPECT_EQ(one.maximum, 1);
   EXPECT_THAT(one.values, ElementsAre(1, 0, 1));
@@ -64,53 +64,53 @@ TEST(Png, ReadsLessThanEightBitsOnTheirOwnScale) {
 
 TEST(Png, ColoursBecomeGreyByTheirLuma) {
   const GreyImage image =
-      image_in(png_file::file(png_file::header(4, 1, 8, png_file::rgb) +
-                              png_file::image_data(png_file::scanlines(
-                                  "\xFF\x00\x00\x00\xFF\x00\x00\x00\xFF\x64\x64\x64"s, 12))));
+      png_image(png_file::file(png_file::header(4, 1, 8, png_file::rgb) +
+                               png_file::image_data(png_file::scanlines(
+                                   "\xFF\x00\x00\x00\xFF\x00\x00\x00\xFF\x64\x64\x64"s, 12))));
   EXPECT_THAT(image.values, ElementsAre(76, 150, 29, 100));
 }
 
 TEST(Png, EveryAlphaBelowFullIsTransparent) {
   const GreyImage grey =
-      image_in(png_file::file(png_file::header(3, 1, 8, png_file::grey_alpha) +
-                              png_file::image_data("\0\x0A\xFF\x14\xFE\x1E\x00"s)));
+      png_image(png_file::file(png_file::header(3, 1, 8, png_file::grey_alpha) +
+                               png_file::image_data("\0\x0A\xFF\x14\xFE\x1E\x00"s)));
   EXPECT_THAT(grey.values, ElementsAre(10, 20, 30));
   EXPECT_THAT(grey.transparent, ElementsAre(0, 1, 1));
-  const GreyImage colour =
-      image_in(png_file::file(png_file::header(2, 1, 16, png_file::rgb_alpha) +
-                              png_file::image_data("\0\1\1\1\1\1\1\xFF\xFF\1\1\1\1\1\1\xFF\xFE"s)));
+  const GreyImage colour = png_image(
+      png_file::file(png_file::header(2, 1, 16, png_file::rgb_alpha) +
+                     png_file::image_data("\0\1\1\1\1\1\1\xFF\xFF\1\1\1\1\1\1\xFF\xFE"s)));
   EXPECT_THAT(colour.values, ElementsAre(257, 257));
   EXPECT_THAT(colour.transparent, ElementsAre(0, 1));
 }
 
 TEST(Png, OneColourMayBeTransparent) {
-  const GreyImage grey = image_in(png_file::file(
+  const GreyImage grey = png_image(png_file::file(
       png_file::header(2, 2, 8, png_file::grey) + png_file::chunk("tRNS", "\0\x7F"s) +
       png_file::image_data(png_file::scanlines("\x00\x7F\xFE\xFF"s, 2))));
   EXPECT_THAT(grey.transparent, ElementsAre(0, 1, 0, 0));
-  const GreyImage colour = image_in(png_file::file(png_file::header(2, 1, 8, png_file::rgb) +
-                                                   png_file::chunk("tRNS", "\0\1\0\2\0\3"s) +
-                                                   png_file::image_data("\0\1\2\3\1\2\4"s)));
+  const GreyImage colour = png_image(png_file::file(png_file::header(2, 1, 8, png_file::rgb) +
+                                                    png_file::chunk("tRNS", "\0\1\0\2\0\3"s) +
+                                                    png_file::image_data("\0\1\2\3\1\2\4"s)));
   EXPECT_THAT(colour.transparent, ElementsAre(1, 0));
 }
 
 TEST(Png, PaletteIndicesStandForTheirColours) {
   const std::string palette = png_file::chunk("PLTE", "\0\0\0\xFE\xFE\xFE\xFF\0\0"s);
-  const GreyImage image = image_in(png_file::file(png_file::header(4, 1, 2, png_file::palette) +
-                                                  palette + png_file::image_data("\0\x18"s)));
+  const GreyImage image = png_image(png_file::file(png_file::header(4, 1, 2, png_file::palette) +
+                                                   palette + png_file::image_data("\0\x18"s)));
   EXPECT_EQ(image.maximum, 255);
   EXPECT_THAT(image.values, ElementsAre(0, 254, 76, 0));
   EXPECT_THAT(image.transparent, IsEmpty());
-  const GreyImage with_alpha = image_in(
+  const GreyImage with_alpha = png_image(
       png_file::file(png_file::header(4, 1, 2, png_file::palette) + palette +
                      png_file::chunk("tRNS", "\xFF\x80") + png_file::image_data("\0\x18"s)));
   EXPECT_THAT(with_alpha.transparent, ElementsAre(0, 1, 0, 0));
 }
 
 TEST(Png, APaletteIndexWithoutAnEntryIsAnError) {
-  EXPECT_EQ(error_in(png_file::file(png_file::header(2, 1, 8, png_file::palette) +
-                                    png_file::chunk("PLTE", "\0\0\0\1\1\1"s) +
-                                    png_file::image_data("\0\0\2"s))),
+  EXPECT_EQ(png_error(png_file::file(png_file::header(2, 1, 8, png_file::palette) +
+                                     png_file::chunk("PLTE", "\0\0\0\1\1\1"s) +
+                                     png_file::image_data("\0\0\2"s))),
             "PNG: palette index 2 out of range (2 entries)");
 }
 
@@ -140,22 +140,22 @@ TEST(Png, ChunksThatSayNothingAboutTheMapAreSkipped) {
 TEST(Png, WrongChecksumsAreErrors) {
   std::string in_the_chunk = grey_2x2();
   in_the_chunk[in_the_chunk.find("IEND") - 5] ^= 1;
-  EXPECT_EQ(error_in(in_the_chunk), "PNG: IDAT: CRC error");
+  EXPECT_EQ(png_error(in_the_chunk), "PNG: IDAT: CRC error");
   std::string data = "\x78\x01\x01\x06\x00\xF9\xFF"s + "\0\x00\x7F\0\xFE\xFF"s + "\0\0\0\0"s;
-  EXPECT_EQ(error_in(png_file::file(png_file::header(2, 2, 8, png_file::grey) +
-                                    png_file::chunk("IDAT", data))),
+  EXPECT_EQ(png_error(png_file::file(png_file::header(2, 2, 8, png_file::grey) +
+                                     png_file::chunk("IDAT", data))),
             "PNG: IDAT: incorrect data check");
 }
 
 TEST(Png, TooLittleOrTooMuchImageDataIsAnError) {
-  EXPECT_THAT(error_in(grey_2x2("\x00\x7F"s)), StartsWith("PNG: "));
-  EXPECT_EQ(error_in(grey_2x2("\x00\x7F\xFE\xFF\x01\x02"s)), "PNG: IDAT: Too much image data");
+  EXPECT_THAT(png_error(grey_2x2("\x00\x7F"s)), StartsWith("PNG: "));
+  EXPECT_EQ(png_error(grey_2x2("\x00\x7F\xFE\xFF\x01\x02"s)), "PNG: IDAT: Too much image data");
 }
 
 TEST(Png, SizesThatTheFileIsTooShortForAreRefused) {
   const auto with_size = [](std::uint32_t width, std::uint32_t height, char interlace) {
-    return error_in(png_file::file(png_file::header(width, height, 8, png_file::grey, interlace) +
-                                   png_file::image_data("\0\0"s)));
+    return png_error(png_file::file(png_file::header(width, height, 8, png_file::grey, interlace) +
+                                    png_file::image_data("\0\0"s)));
   };
   EXPECT_EQ(with_size(60000, 60000, 0),
             "PNG: 60000 x 60000 pixels are too large or truncated, the file has 70 bytes");
@@ -166,8 +166,8 @@ TEST(Png, SizesThatTheFileIsTooShortForAreRefused) {
 }
 
 TEST(Png, AnImageWithoutItsPaletteIsAnError) {
-  EXPECT_THAT(error_in(png_file::file(png_file::header(2, 1, 8, png_file::palette) +
-                                      png_file::image_data("\0\0\0"s))),
+  EXPECT_THAT(png_error(png_file::file(png_file::header(2, 1, 8, png_file::palette) +
+                                       png_file::image_data("\0\0\0"s))),
               StartsWith("PNG: "));
 }
 

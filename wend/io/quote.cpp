@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kLongest = 40;
 
 bool is_printable(char letter) { return letter >= ' ' && letter <= '~'; }
-unsigned code_of(char letter) { return static_cast<unsigned char>(letter); }
+unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
 
 }  // namespace
 
@@ -16,7 +16,7 @@ std::string printable(std::string_view text, std::size_t longest) {
   std::string shown;
   for (const char letter : text.substr(0, longest)) {
     shown +=
-        is_printable(letter) ? std::string(1, letter) : fmt::format("\\x{:02X}", code_of(letter));
+        is_printable(letter) ? std::string(1, letter) : fmt::format("\\x{:02X}", byte_of(letter));
   }
   return shown;
 }
@@ -27,7 +27,7 @@ std::string quote(std::string_view text) {
 
 std::string quote(char letter) {
   return is_printable(letter) ? fmt::format("'{}'", letter)
-                              : fmt::format("0x{:02X}", code_of(letter));
+                              : fmt::format("0x{:02X}", byte_of(letter));
 }
 
 }  // namespace wend

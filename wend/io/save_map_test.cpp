@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-constexpr Frame kRosFrame = {0.05, {-1, -2, 0.5}, true, true};
+constexpr Frame kSavedFrame = {0.05, {-1, -2, 0.5}, true, true};
 
 Grid<CellState> any_cells(std::initializer_list<CellState> states) {
   Grid<CellState> cells(*rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30));
@@ -27,7 +27,7 @@ Grid<CellState> any_cells(std::initializer_list<CellState> states) {
   return cells;
 }
 
-GridMap reloaded(const GridMap& map, const fs::path& file) {
+GridMap saved_and_loaded(const GridMap& map, const fs::path& file) {
   const auto saved = save_map(map, file);
   if (!saved) RC_FAIL(error_of(saved));
   const auto loaded = load_map(file);
@@ -39,7 +39,7 @@ RC_GTEST_PROP(SaveMap, EveryFormatGivesTheCellsBack, ()) {
   const GridMap map(any_cells({CellState::free, CellState::occupied}));
   const TemporaryFolder folder;
   for (const std::string name : {"m.map", "m.txt", "m.grid", "m.png", "m.pgm"}) {
-    RC_ASSERT(cells_of(reloaded(map, folder / name)) == cells_of(map));
+    RC_ASSERT(cells_of(saved_and_loaded(map, folder / name)) == cells_of(map));
   }
 }
 
@@ -47,17 +47,17 @@ RC_GTEST_PROP(SaveMap, GridsAndPicturesKeepUnknownCells, ()) {
   const GridMap map(any_cells({CellState::free, CellState::occupied, CellState::unknown}));
   const TemporaryFolder folder;
   for (const std::string name : {"m.txt", "m.png", "m.pgm"}) {
-    RC_ASSERT(cells_of(reloaded(map, folder / name)) == cells_of(map));
+    RC_ASSERT(cells_of(saved_and_loaded(map, folder / name)) == cells_of(map));
   }
 }
 
 RC_GTEST_PROP(SaveMap, AYamlKeepsTheFrameToo, ()) {
   const GridMap map(any_cells({CellState::free, CellState::occupied, CellState::unknown}),
-                    kRosFrame);
+                    kSavedFrame);
   const TemporaryFolder folder;
-  const GridMap again = reloaded(map, folder / "m.yaml");
+  const GridMap again = saved_and_loaded(map, folder / "m.yaml");
   RC_ASSERT(cells_of(again) == cells_of(map));
-  RC_ASSERT(again.frame() == kRosFrame);
+  RC_ASSERT(again.frame() == kSavedFrame);
 }
 
 RC_GTEST_PROP(SaveMap, AYamlKeepsScaledTerrain, ()) {
@@ -70,9 +70,9 @@ RC_GTEST_PROP(SaveMap, AYamlKeepsScaledTerrain, ()) {
       }
     }
   }
-  const GridMap map(cells, kRosFrame, terrain);
+  const GridMap map(cells, kSavedFrame, terrain);
   const TemporaryFolder folder;
-  const GridMap again = reloaded(map, folder / "m.yaml");
+  const GridMap again = saved_and_loaded(map, folder / "m.yaml");
   RC_ASSERT(cells_of(again) == cells_of(map));
   RC_ASSERT(again.terrain() == map.terrain());
 }
@@ -99,13 +99,13 @@ GridMap with_terrain(double terrain) {
 
 TEST_F(SaveMapFile, ComesOutAsTheMapIsDrawn) {
   EXPECT_EQ(saved(with_a_corner({}), "down.txt"), "#.\n..\n");
-  EXPECT_EQ(saved(with_a_corner(kRosFrame), "up.txt"), "..\n#.\n");
-  EXPECT_THAT(saved(with_a_corner(kRosFrame), "up.pgm"),
+  EXPECT_EQ(saved(with_a_corner(kSavedFrame), "up.txt"), "..\n#.\n");
+  EXPECT_THAT(saved(with_a_corner(kSavedFrame), "up.pgm"),
               EndsWith(std::string("\xFE\xFE\x00\xFE", 4)));
 }
 
 TEST_F(SaveMapFile, AYamlHasItsImageBesideIt) {
-  EXPECT_EQ(saved(with_a_corner(kRosFrame), "m.yaml"),
+  EXPECT_EQ(saved(with_a_corner(kSavedFrame), "m.yaml"),
             "image: \"m.png\"\nmode: trinary\nresolution: 0.05\norigin: [-1, -2, 0.5]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
   EXPECT_TRUE(fs::exists(folder_ / "m.png"));

@@ -9,7 +9,7 @@ namespace {
 
 using testing::EndsWith;
 
-std::string error_in(const std::string& line) {
+std::string scenario_error(const std::string& line) {
   return error_of(parse_scenario("version 1\n" + line + "\n", "s"));
 }
 
@@ -64,27 +64,30 @@ TEST(Scenario, BlankLinesAreSkippedAndCounted) {
 }
 
 TEST(Scenario, HasNineColumns) {
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t0\t0\t4\t3"), "s:2: 8 columns, expected 9");
-  EXPECT_EQ(error_in(with_length("5\t6")), "s:2: 10 columns, expected 9");
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t0\t0\t4\t3"), "s:2: 8 columns, expected 9");
+  EXPECT_EQ(scenario_error(with_length("5\t6")), "s:2: 10 columns, expected 9");
 }
 
 TEST(Scenario, CoordinatesAreWholeNumbers) {
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t0.5\t0\t4\t3\t5"),
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t0.5\t0\t4\t3\t5"),
             "s:2: start x '0.5' is not a whole number in range");
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t0\t99999999999\t4\t3\t5"),
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t0\t99999999999\t4\t3\t5"),
             "s:2: start y '99999999999' is not a whole number in range");
 }
 
 TEST(Scenario, StartAndGoalLieInTheMap) {
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t0\t4\t0\t0\t4"), "s:2: start (0,4) is outside the 5x4 map");
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t0\t0\t5\t0\t4"), "s:2: goal (5,0) is outside the 5x4 map");
-  EXPECT_EQ(error_in("0\tm.map\t5\t4\t-1\t0\t0\t0\t4"), "s:2: start (-1,0) is outside the 5x4 map");
-  EXPECT_EQ(error_in("0\tm.map\t0\t4\t0\t0\t0\t0\t4"), "s:2: the map size must be positive");
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t0\t4\t0\t0\t4"),
+            "s:2: start (0,4) is outside the 5x4 map");
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t0\t0\t5\t0\t4"),
+            "s:2: goal (5,0) is outside the 5x4 map");
+  EXPECT_EQ(scenario_error("0\tm.map\t5\t4\t-1\t0\t0\t0\t4"),
+            "s:2: start (-1,0) is outside the 5x4 map");
+  EXPECT_EQ(scenario_error("0\tm.map\t0\t4\t0\t0\t0\t0\t4"), "s:2: the map size must be positive");
 }
 
 TEST(Scenario, LengthsAreFiniteAndNotNegative) {
   for (const std::string length : {"-4", "inf", "nan", "five", "1e999", "4x"}) {
-    EXPECT_EQ(error_in(with_length(length)),
+    EXPECT_EQ(scenario_error(with_length(length)),
               "s:2: the length must be finite and at least 0, not '" + length + "'");
   }
 }

@@ -10,9 +10,9 @@ namespace {
 
 using namespace std::string_literals;
 
-std::string error_in(std::string_view text) { return error_of(parse_text_grid(text, "g")); }
+std::string text_grid_error(std::string_view text) { return error_of(parse_text_grid(text, "g")); }
 
-std::string cells_in(std::string_view text) {
+std::string text_grid_cells(std::string_view text) {
   const auto loaded = parse_text_grid(text, "g");
   return loaded ? cells_of(loaded->map) : loaded.error().message();
 }
@@ -32,35 +32,35 @@ TEST(TextGrid, AMapWithoutCostsIsUniform) {
 }
 
 TEST(TextGrid, BlanksBetweenCellsDoNotMatter) {
-  EXPECT_EQ(cells_in("0 1 0\n 0\t0 1 \n000\n"), ".#.\n..#\n...\n");
+  EXPECT_EQ(text_grid_cells("0 1 0\n 0\t0 1 \n000\n"), ".#.\n..#\n...\n");
 }
 
 TEST(TextGrid, LineEndsMayBeCrlfAndTheLastOneMissing) {
-  EXPECT_EQ(cells_in("01\r\n10\r\n"), ".#\n#.\n");
-  EXPECT_EQ(cells_in("01\n10"), ".#\n#.\n");
+  EXPECT_EQ(text_grid_cells("01\r\n10\r\n"), ".#\n#.\n");
+  EXPECT_EQ(text_grid_cells("01\n10"), ".#\n#.\n");
 }
 
-TEST(TextGrid, BlankLinesMayFollow) { EXPECT_EQ(cells_in("01\n10\n\n \t\n"), ".#\n#.\n"); }
+TEST(TextGrid, BlankLinesMayFollow) { EXPECT_EQ(text_grid_cells("01\n10\n\n \t\n"), ".#\n#.\n"); }
 
 TEST(TextGrid, BlankLinesMayNotStandBeforeOrBetweenRows) {
-  EXPECT_EQ(error_in("01\n\n10\n"), "g:2: a blank line before a row of cells");
-  EXPECT_EQ(error_in("\n01\n"), "g:1: a blank line before a row of cells");
+  EXPECT_EQ(text_grid_error("01\n\n10\n"), "g:2: a blank line before a row of cells");
+  EXPECT_EQ(text_grid_error("\n01\n"), "g:1: a blank line before a row of cells");
 }
 
 TEST(TextGrid, RowsAreEquallyLong) {
-  EXPECT_EQ(error_in("000\n0 0\n"), "g:2: this row has 2 cells, the first one has 3");
-  EXPECT_EQ(error_in("00\n000\n"), "g:2: this row has 3 cells, the first one has 2");
+  EXPECT_EQ(text_grid_error("000\n0 0\n"), "g:2: this row has 2 cells, the first one has 3");
+  EXPECT_EQ(text_grid_error("00\n000\n"), "g:2: this row has 3 cells, the first one has 2");
 }
 
 TEST(TextGrid, UnknownLettersAreNamedWithTheirPlace) {
-  EXPECT_EQ(error_in("00\n0x\n"), "g:2: unknown letter 'x' in column 2");
-  EXPECT_EQ(error_in("0\0\n"s), "g:1: unknown letter 0x00 in column 2");
-  EXPECT_EQ(error_in("0 \xE2\x96\x88\n"), "g:1: unknown letter 0xE2 in column 3");
+  EXPECT_EQ(text_grid_error("00\n0x\n"), "g:2: unknown letter 'x' in column 2");
+  EXPECT_EQ(text_grid_error("0\0\n"s), "g:1: unknown letter 0x00 in column 2");
+  EXPECT_EQ(text_grid_error("0 \xE2\x96\x88\n"), "g:1: unknown letter 0xE2 in column 3");
 }
 
 TEST(TextGrid, AnEmptyFileIsNoMap) {
-  EXPECT_EQ(error_in(""), "g: no cells");
-  EXPECT_EQ(error_in("\n \n"), "g: no cells");
+  EXPECT_EQ(text_grid_error(""), "g: no cells");
+  EXPECT_EQ(text_grid_error("\n \n"), "g: no cells");
 }
 
 TEST(TextGrid, WhatItCannotHoldIsAnError) {

@@ -80,9 +80,9 @@ void place_racks(FloorPlan& plan, const Block& area, const WarehouseOptions& opt
 
 /// Pallets that wait in front of a dock door, two abreast.
 void place_pallets(FloorPlan& plan, const Block& lane, double stock, Random& random) {
-  constexpr int kGap = 3;
-  for (int y = lane.y; y + kPalletLength <= lane.y_end(); y += kPalletLength + kGap) {
-    for (int x = lane.x; x + kPalletWidth <= lane.x_end(); x += kPalletWidth + kGap) {
+  constexpr int kPalletGap = 3;
+  for (int y = lane.y; y + kPalletLength <= lane.y_end(); y += kPalletLength + kPalletGap) {
+    for (int x = lane.x; x + kPalletWidth <= lane.x_end(); x += kPalletWidth + kPalletGap) {
       if (random.chance(stock)) plan.place({x, y, kPalletWidth, kPalletLength});
     }
   }

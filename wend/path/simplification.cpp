@@ -45,7 +45,7 @@ double distance_to_line(Point point, Point from, Point to) {
   if (squared == 0) return distance(point, from);
   const double share =
       std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / squared, 0.0, 1.0);
-  return distance(point, {from.x + share * dx, from.y + share * dy});
+  return distance(point, Point{from.x + share * dx, from.y + share * dy});
 }
 
 /// Does a line go straight on, from b to c, in the direction in which it left a for `second`? All

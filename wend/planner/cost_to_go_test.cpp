@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
 /// A field on a random map, its goals, and what the textbook says of the same map.
 struct Field {
@@ -56,7 +56,7 @@ void on_random_fields(Check&& check) {
                  "\n" + test::drawing_of(map));
     auto field = CostToGo::make(space, goals, moves);
     ASSERT_TRUE(field);
-    std::vector<double> least(map.size(), kInfinity);
+    std::vector<double> least(map.size(), kUnreachable);
     for (const Cell goal : goals) {
       const std::vector<double> costs = textbook.costs_from(goal);
       for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], costs[i]);
@@ -73,8 +73,8 @@ void for_all_cells(const FreeSpace& space, Visit&& visit) {
 }
 
 void expect_cost(double cost, double expected, Cell cell) {
-  if (expected == kInfinity) {
-    ASSERT_EQ(cost, kInfinity) << "at (" << cell.x << "," << cell.y << ")";
+  if (expected == kUnreachable) {
+    ASSERT_EQ(cost, kUnreachable) << "at (" << cell.x << "," << cell.y << ")";
   } else {
     ASSERT_NEAR(cost, expected, 1e-9 * (1 + expected)) << "at (" << cell.x << "," << cell.y << ")";
   }
@@ -98,7 +98,7 @@ TEST(CostToGo, LeadsToAGoalFromEveryCellForThatCost) {
         ASSERT_EQ(plan.error().status, Status::start_blocked);
         return;
       }
-      if (made.truth(cell) == kInfinity) {
+      if (made.truth(cell) == kUnreachable) {
         ASSERT_FALSE(plan);
         ASSERT_EQ(plan.error().status, Status::unreachable);
         return;
@@ -120,7 +120,7 @@ TEST(CostToGo, HasAPolicyThatGoesDownhill) {
     for_all_cells(made.space, [&](Cell cell) {
       const auto direction = made.field.policy(cell);
       const double cost = made.field.cost(cell);
-      ASSERT_EQ(direction.has_value(), cost > 0 && cost < kInfinity);
+      ASSERT_EQ(direction.has_value(), cost > 0 && cost < kUnreachable);
       if (!direction) return;
       const Cell next = step(cell, *direction, y_up);
       ASSERT_TRUE(made.textbook.is_step(cell, next));
@@ -133,15 +133,15 @@ TEST(CostToGo, ExpandsEveryCellThatCanReachAGoalOnce) {
   on_random_fields([](const Field& made) {
     std::uint64_t reachable = 0;
     for_all_cells(made.space,
-                  [&](Cell cell) { reachable += made.truth(cell) < kInfinity ? 1 : 0; });
+                  [&](Cell cell) { reachable += made.truth(cell) < kUnreachable ? 1 : 0; });
     EXPECT_EQ(made.field.metrics().expanded, reachable);
   });
 }
 
-constexpr std::string_view kRooms = "...#..\n...#..";
+constexpr std::string_view kTwoRooms = "...#..\n...#..";
 
 std::string failure_of(const std::vector<Cell>& goals, const Limits& limits = {}) {
-  const auto field = CostToGo::make(test::drawn_space(kRooms), goals, {}, limits);
+  const auto field = CostToGo::make(test::drawn_space(kTwoRooms), goals, {}, limits);
   return std::string(to_string(field ? Status::found : field.error().status));
 }
 
@@ -158,7 +158,8 @@ TEST(CostToGo, StopsAtItsLimitsAndKeepsTheMetrics) {
   Limits limits;
   limits.expansions = 4;
   EXPECT_EQ(failure_of({{0, 0}}, limits), "expansion_limit");
-  const auto field = CostToGo::make(test::drawn_space(kRooms), std::array{Cell{0, 0}}, {}, limits);
+  const auto field =
+      CostToGo::make(test::drawn_space(kTwoRooms), std::array{Cell{0, 0}}, {}, limits);
   EXPECT_EQ(field.error().metrics.expanded, 4U);
   limits.expansions = 6;
   EXPECT_EQ(failure_of({{0, 0}}, limits), "found") << "the room has six cells";
@@ -175,18 +176,18 @@ TEST(CostToGo, StopsAtItsLimitsAndKeepsTheMetrics) {
 }
 
 TEST(CostToGo, SaysWhyThereIsNoPath) {
-  const auto field = CostToGo::make(test::drawn_space(kRooms), std::array{Cell{0, 0}});
+  const auto field = CostToGo::make(test::drawn_space(kTwoRooms), std::array{Cell{0, 0}});
   ASSERT_TRUE(field);
   EXPECT_EQ(field->path_from({6, 0}).error().status, Status::start_outside);
   EXPECT_EQ(field->path_from({3, 0}).error().status, Status::start_blocked);
   EXPECT_EQ(field->path_from({4, 0}).error().status, Status::unreachable);
-  EXPECT_EQ(field->cost({4, 0}), kInfinity);
-  EXPECT_EQ(field->cost({3, 0}), kInfinity);
+  EXPECT_EQ(field->cost({4, 0}), kUnreachable);
+  EXPECT_EQ(field->cost({3, 0}), kUnreachable);
 }
 
 TEST(CostToGo, AGoalIsThere) {
   const std::array goals{Cell{0, 0}, Cell{0, 0}, Cell{5, 1}};
-  const auto field = CostToGo::make(test::drawn_space(kRooms), goals);
+  const auto field = CostToGo::make(test::drawn_space(kTwoRooms), goals);
   ASSERT_TRUE(field);
   for (const Cell goal : goals) {
     EXPECT_EQ(field->cost(goal), 0);

@@ -24,8 +24,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 class EveryPlanner : public ::testing::TestWithParam<std::string> {
  protected:
@@ -39,7 +39,7 @@ class EveryPlanner : public ::testing::TestWithParam<std::string> {
 
 constexpr const char* kLooksUp = "it looks answers up: there is no search to watch or to limit";
 
-constexpr std::string_view kRooms = R"(
+constexpr std::string_view kFourRooms = R"(
 ....#...
 ....#...
 ....#.##
@@ -52,12 +52,12 @@ std::string status_of(Planner& planner, const Query& query) {
 }
 
 TEST_P(EveryPlanner, SaysWhyAQueryCannotBeAnswered) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   const auto status = [&](Pose start, Pose goal) { return status_of(*planner, {start, {goal}}); };
   const Pose here{0.5, 0.5};
   for (const Pose& outside : {Pose{-0.001, 0.5}, Pose{8, 0.5}, Pose{0.5, -1}, Pose{0.5, 3},
-                              Pose{kNaN, 0.5}, Pose{0.5, kNaN}, Pose{kInfinity, 0},
-                              Pose{0, -kInfinity}, Pose{1e300, 0}, Pose{0, 4294967296.0}}) {
+                              Pose{kNotANumber, 0.5}, Pose{0.5, kNotANumber}, Pose{kInfinite, 0},
+                              Pose{0, -kInfinite}, Pose{1e300, 0}, Pose{0, 4294967296.0}}) {
     EXPECT_EQ(status(outside, here), "start_outside") << outside.x << "," << outside.y;
     EXPECT_EQ(status(here, outside), "goal_outside") << outside.x << "," << outside.y;
   }
@@ -70,7 +70,7 @@ TEST_P(EveryPlanner, SaysWhyAQueryCannotBeAnswered) {
 }
 
 TEST_P(EveryPlanner, TakesTheCellThatAPoseLiesIn) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   for (const Pose& pose : {Pose{1, 1}, Pose{1.999, 1.999}, Pose{1.5, 1.0, 3.0}}) {
     const auto plan = planner->plan({pose, {Goal(Point{1.5, 1.5})}});
     ASSERT_TRUE(plan);
@@ -79,7 +79,7 @@ TEST_P(EveryPlanner, TakesTheCellThatAPoseLiesIn) {
 }
 
 TEST_P(EveryPlanner, ForgetsTheLastAnswerWhenItFails) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   Plan plan;
   ASSERT_EQ(planner->plan(Query::between({0, 0}, {3, 2}), plan), Status::found);
   ASSERT_FALSE(plan.path.empty());
@@ -87,14 +87,14 @@ TEST_P(EveryPlanner, ForgetsTheLastAnswerWhenItFails) {
     plan.cost = 1;
     EXPECT_NE(planner->plan(Query::between({0, 0}, goal), plan), Status::found);
     EXPECT_TRUE(plan.path.empty());
-    EXPECT_EQ(plan.cost, kInfinity);
+    EXPECT_EQ(plan.cost, kInfinite);
     EXPECT_EQ(plan.bound, Plan::kNoBound);
     EXPECT_EQ(plan.metrics, SearchMetrics{}) << "nothing was searched";
   }
 }
 
 TEST_P(EveryPlanner, AnswersTheSameThroughBothDoors) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   const Query query = Query::between({0, 0}, {3, 2});
   Plan plan;
   ASSERT_EQ(planner->plan(query, plan), Status::found);
@@ -109,7 +109,7 @@ TEST_P(EveryPlanner, AnswersTheSameThroughBothDoors) {
 }
 
 TEST_P(EveryPlanner, GoesToOneOfSeveralGoalsAndPassesOverTheHopelessOnes) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   const Query query{pose_at({0, 0}),
                     {pose_at({9, 9}), pose_at({4, 0}), pose_at({5, 0}), pose_at({3, 2})}};
   const auto plan = planner->plan(query);
@@ -118,7 +118,7 @@ TEST_P(EveryPlanner, GoesToOneOfSeveralGoalsAndPassesOverTheHopelessOnes) {
 }
 
 TEST_P(EveryPlanner, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   const Pose outside = pose_at({9, 9});
   const Pose blocked = pose_at({4, 0});
   const Pose beyond = pose_at({5, 0});
@@ -250,7 +250,7 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
 }
 
 TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
-  const auto planner = make(test::drawn_space(kRooms));
+  const auto planner = make(test::drawn_space(kFourRooms));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unreachable");
   const std::array<Cell, 1> changed{Cell{4, 1}};
   planner->update(test::drawn_space(R"(

@@ -18,14 +18,14 @@ namespace {
 constexpr double kFontSize = 17;
 constexpr double kBaseline = 0.35 * kFontSize;  // below the middle of a line
 constexpr double kSwatch = 9;                   // half a swatch's side, pixels
-constexpr double kGap = 8;                      // between a swatch and its label
+constexpr double kSwatchGap = 8;                // between a swatch and its label
 constexpr double kItemGap = 26;                 // between items
 constexpr double kHeatBar = 130;                // long
 constexpr double kSlack = 4;  // a font is not exactly as wide on every kind of surface
 constexpr MarkSizes kMarkSizes{.line = 4, .halo = 1.5, .mark = 8};
 
 double heat_width(cairo_t* context, const LegendItem& item) {
-  return kHeatBar + 2 * kGap + text_width(context, short_number(item.range.least)) +
+  return kHeatBar + 2 * kSwatchGap + text_width(context, short_number(item.range.least)) +
          text_width(context, short_number(item.range.greatest));
 }
 
@@ -38,9 +38,9 @@ double swatch_width(Swatch swatch) {
 }
 
 double width_of(cairo_t* context, const LegendItem& item) {
-  const double swatch =
-      item.swatch == Swatch::heat ? heat_width(context, item) + kGap : swatch_width(item.swatch);
-  return swatch + kGap + text_width(context, item.label);
+  const double swatch = item.swatch == Swatch::heat ? heat_width(context, item) + kSwatchGap
+                                                    : swatch_width(item.swatch);
+  return swatch + kSwatchGap + text_width(context, item.label);
 }
 
 void outline(cairo_t* context, const Style& style) {
@@ -55,8 +55,8 @@ void draw_heat(cairo_t* context, Point left, const LegendItem& item, const Style
     draw_text(context, {left.x, left.y + kBaseline}, text, style.ink);
     left.x += text_width(context, text) + gap;
   };
-  write(item.label, 2 * kGap);
-  write(short_number(item.range.least), kGap);
+  write(item.label, 2 * kSwatchGap);
+  write(short_number(item.range.least), kSwatchGap);
   left.x = std::round(left.x);
   cairo_pattern_t* const colours = cairo_pattern_create_linear(left.x, 0, left.x + kHeatBar, 0);
   for (std::size_t i = 0; i < style.heat_colours.size(); ++i) {
@@ -70,7 +70,7 @@ void draw_heat(cairo_t* context, Point left, const LegendItem& item, const Style
   cairo_fill_preserve(context);
   cairo_pattern_destroy(colours);
   outline(context, style);
-  left.x += kHeatBar + kGap;
+  left.x += kHeatBar + kSwatchGap;
   write(short_number(item.range.greatest), 0);
 }
 
@@ -119,7 +119,7 @@ void draw_item(cairo_t* context, Point left, const LegendItem& item, const Style
   if (item.swatch == Swatch::heat) return draw_heat(context, left, item, style);
   const double swatch = swatch_width(item.swatch);
   draw_swatch(context, {std::round(left.x + swatch / 2), left.y}, item, style);
-  draw_text(context, {left.x + swatch + kGap, left.y + kBaseline}, item.label, style.ink);
+  draw_text(context, {left.x + swatch + kSwatchGap, left.y + kBaseline}, item.label, style.ink);
 }
 
 void draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const Style& style) {
@@ -134,7 +134,7 @@ void draw_scale_bar(cairo_t* context, const ScaleBar& bar, Point left, const Sty
   cairo_move_to(context, left.x + 1, left.y);
   cairo_line_to(context, left.x + bar.pixels - 1, left.y);
   cairo_stroke(context);
-  draw_text(context, {left.x + bar.pixels + kGap, left.y + kBaseline}, bar.label, style.ink);
+  draw_text(context, {left.x + bar.pixels + kSwatchGap, left.y + kBaseline}, bar.label, style.ink);
 }
 
 double width_of_row(cairo_t* context, const std::vector<LegendItem>& row) {
@@ -151,7 +151,8 @@ Footer::Footer(std::vector<LegendItem> legend, std::optional<ScaleBar> bar, doub
   const CairoContext context(cairo_create(surface.get()));
   select_label_font(context.get(), kFontSize);
   double room = width - kSlack;
-  if (bar_) room -= bar_->pixels + kGap + text_width(context.get(), bar_->label) + 2 * kItemGap;
+  if (bar_)
+    room -= bar_->pixels + kSwatchGap + text_width(context.get(), bar_->label) + 2 * kItemGap;
   for (LegendItem& item : legend) {
     const double label = text_width(context.get(), item.label);
     const double rest = width_of(context.get(), item) - label;

@@ -23,7 +23,7 @@ constexpr double kSamplesAUnit = 32;  // of an arc
 constexpr double kMostSamples = 4096;
 
 // In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 16> kLegend{{
+constexpr std::array<TextLegendEntry, 16> kLatticeLegend{{
     {Meaning::start, "S start"},
     {Meaning::goal, "G goal"},
     {Meaning::pose, "→ pose", "> pose"},
@@ -279,7 +279,7 @@ std::string lattice_picture(const Scene& scene, const TextStyle& style) {
   for (int y = 0; y < glyphs.height(); ++y) {
     append_row(text, without_trailing_blanks(glyphs.row(y)), style);
   }
-  if (style.legend) append_legend(text, glyphs, kLegend, style);
+  if (style.legend) append_legend(text, glyphs, kLatticeLegend, style);
   return text;
 }
 

@@ -11,10 +11,10 @@
 namespace wend {
 namespace {
 
-constexpr double kLeastDistance = 1;  // pixels; points of cells nearer to each other are one
-constexpr double kLeastBend = 4;      // pixels
-constexpr double kLeastRound = 3;     // pixels; marks of a smaller radius are squares
-constexpr double kTip = 1.7;          // how far a heading's tip reaches, in radii of its mark
+constexpr double kLeastMarkDistance = 1;  // pixels; points of cells nearer to each other are one
+constexpr double kLeastBend = 4;          // pixels
+constexpr double kLeastRound = 3;         // pixels; marks of a smaller radius are squares
+constexpr double kTip = 1.7;              // how far a heading's tip reaches, in radii of its mark
 
 void circle(cairo_t* context, Point centre, double radius) {
   cairo_new_path(context);
@@ -54,7 +54,7 @@ std::vector<Point> bends_of(const Path& path, const MapView& view) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point point = view.to_picture(points[i]);
     const bool last = i + 1 == points.size();
-    if (!last && !bends.empty() && distance(point, bends.back()) < kLeastDistance) continue;
+    if (!last && !bends.empty() && distance(point, bends.back()) < kLeastMarkDistance) continue;
     const std::size_t count = bends.size();
     if (count >= 2 && goes_straight_on(bends[count - 2], bends[count - 1], point)) bends.pop_back();
     bends.push_back(point);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTitleSize = 20;
 constexpr double kCaptionSize = 16;
-constexpr double kLongestBar = 200;
+constexpr double kLongestPanelBar = 200;
 constexpr int kPad = 12;  // around a panel on a page of its own
 
 /// The panels, heatmaps of one title with one range.
@@ -56,7 +56,7 @@ std::optional<ScaleBar> shared_bar(std::span<const Panel> panels, const PanelLay
   std::optional<ScaleBar> shared;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const MapView& view = layout.places[i].view;
-    ScaleBar bar = scale_bar(panels[i].scene.space.map().frame(), view.scale(), kLongestBar);
+    ScaleBar bar = scale_bar(panels[i].scene.space.map().frame(), view.scale(), kLongestPanelBar);
     const bool same = !shared || (bar.pixels == shared->pixels && bar.label == shared->label);
     if (!same || bar.pixels > layout.width / 3.0) return std::nullopt;
     shared = std::move(bar);

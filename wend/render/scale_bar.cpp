@@ -9,12 +9,12 @@ namespace wend {
 namespace {
 
 // Lengths that differ by less are one: powers of ten are not exact.
-constexpr double kRounding = 1e-9;
+constexpr double kBarRounding = 1e-9;
 
 double round_length(double longest) {
-  const double power = std::pow(10, std::floor(std::log10(longest * (1 + kRounding))));
+  const double power = std::pow(10, std::floor(std::log10(longest * (1 + kBarRounding))));
   for (const double factor : {5, 2}) {
-    if (power * factor <= longest * (1 + kRounding)) return power * factor;
+    if (power * factor <= longest * (1 + kBarRounding)) return power * factor;
   }
   return power;
 }

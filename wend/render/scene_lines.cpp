@@ -9,9 +9,9 @@
 namespace wend {
 namespace {
 
-constexpr double kLeastDistance = 0.25;  // pixels; points nearer to each other are one
-constexpr double kLeastWidth = 1;        // pixels
-constexpr double kTick = 1.35;           // how far the robot's tick reaches, in radii
+constexpr double kLeastPointDistance = 0.25;  // pixels; points nearer to each other are one
+constexpr double kLeastLineWidth = 1;         // pixels
+constexpr double kTick = 1.35;                // how far the robot's tick reaches, in radii
 
 bool is_dashed(LineRole role) { return role == LineRole::planned; }
 
@@ -30,7 +30,7 @@ constexpr double share_of(LineRole role) {
 
 /// Pixels.
 double width_of(LineRole role, const MarkSizes& sizes) {
-  return std::max(kLeastWidth, share_of(role) * sizes.line);
+  return std::max(kLeastLineWidth, share_of(role) * sizes.line);
 }
 
 void trace(cairo_t* context, const std::vector<Point>& points, const MapView& view) {
@@ -39,7 +39,7 @@ void trace(cairo_t* context, const std::vector<Point>& points, const MapView& vi
   cairo_move_to(context, last.x, last.y);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point point = view.to_picture(points[i]);
-    if (i + 1 < points.size() && distance(last, point) < kLeastDistance) continue;
+    if (i + 1 < points.size() && distance(last, point) < kLeastPointDistance) continue;
     cairo_line_to(context, point.x, point.y);
     last = point;
   }
@@ -94,7 +94,7 @@ void draw_robot_at(cairo_t* context, const Scene& scene, const MapView& view,
   const double angle = view.y_up ? -scene.robot->heading : scene.robot->heading;
   const double radius =
       std::max({scene.space.radius_in_cells() * view.scale(), 2.0, 0.7 * sizes.mark});
-  const double line = std::max(kLeastWidth, 0.5 * sizes.line);
+  const double line = std::max(kLeastLineWidth, 0.5 * sizes.line);
   cairo_save(context);
   cairo_new_path(context);
   cairo_arc(context, centre.x, centre.y, radius, 0, 2 * kPi);

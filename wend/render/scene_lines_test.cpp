@@ -19,7 +19,7 @@
 namespace wend {
 namespace {
 
-constexpr std::uint32_t kFree = 0xFFFFFF;
+constexpr std::uint32_t kFloor = 0xFFFFFF;
 
 FreeSpace open_space(FreeSpaceOptions options = {}) {
   return FreeSpace(map_of({
@@ -61,7 +61,7 @@ TEST(SceneLines, LieExactlyWhereTheirPointsAreInTheirColours) {
   EXPECT_EQ(pixel_at(scene, {2, 1.3}), rgb_of(Style{}.lines.smoothed));
   EXPECT_EQ(pixel_at(scene, {3.7, 4}), rgb_of(Style{}.lines.driven));
   EXPECT_EQ(pixel_at(scene, {3.7, 1.3}), rgb_of(Style{}.lines.driven)) << "later ones are on top";
-  EXPECT_EQ(pixel_at(scene, {2.3, 1.6}), kFree);
+  EXPECT_EQ(pixel_at(scene, {2.3, 1.6}), kFloor);
 }
 
 TEST(SceneLines, ThatAreDrivenLeaveSmoothedOnesToBeSeen) {
@@ -100,7 +100,7 @@ TEST(SceneLines, ShowTheRobotToScaleAndWhereItHeads) {
   scene.start = Point{5.5, 1};
   scene.robot = Pose{2.5, 2.5, std::numbers::pi / 2};
   const std::uint32_t blue = rgb_of(Style{}.lines.driven);
-  EXPECT_NE(pixel_at(scene, {1.4, 2.5}), kFree) << "inside the disc";
+  EXPECT_NE(pixel_at(scene, {1.4, 2.5}), kFloor) << "inside the disc";
   EXPECT_EQ(pixel_at(scene, {1.0, 2.5}), blue) << "its edge";
   EXPECT_EQ(pixel_at(scene, {2.5, 3.2}), blue) << "its heading, down where y is down";
   EXPECT_NE(pixel_at(scene, {2.5, 1.8}), blue);
@@ -114,7 +114,7 @@ TEST(SceneLines, CrossOutACollision) {
   const double reach = 0.5 * 18 / picture_layout(scene.space.map()).view.scale();
   EXPECT_EQ(pixel_at(scene, {2.5, 2.5}), mark);
   EXPECT_EQ(pixel_at(scene, {2.5 + reach, 2.5 - reach}), mark);
-  EXPECT_EQ(pixel_at(scene, {2.5 + reach, 2.5}), kFree);
+  EXPECT_EQ(pixel_at(scene, {2.5 + reach, 2.5}), kFloor);
 }
 
 TEST(SceneLines, AreInTheLegendOnceEach) {

@@ -41,7 +41,7 @@ constexpr std::array<Vision, 3> kVisions{{
 constexpr Matrix kXyzOfRgb{{{0.4124564, 0.3575761, 0.1804375},
                             {0.2126729, 0.7151522, 0.0721750},
                             {0.0193339, 0.1191920, 0.9503041}}};
-constexpr Vector kWhite{0.95047, 1, 1.08883};
+constexpr Vector kWhitePoint{0.95047, 1, 1.08883};
 
 Vector product(const Matrix& matrix, const Vector& vector) {
   Vector result{};
@@ -63,7 +63,7 @@ Vector lab(const Colour& colour, const Vision& vision) {
   const Vector xyz = product(kXyzOfRgb, rgb);
   Vector f{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double t = xyz[i] / kWhite[i];
+    const double t = xyz[i] / kWhitePoint[i];
     f[i] = t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
   }
   return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};

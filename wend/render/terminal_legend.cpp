@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 constexpr int kBar = 20;  // characters
-constexpr std::string_view kGap = "   ";
+constexpr std::string_view kEntryGap = "   ";
 
 /// A piece of the legend, and how many columns it takes.
 struct Piece {
@@ -53,12 +53,12 @@ std::string lines_of(const std::vector<Piece>& pieces, int columns) {
   std::string text;
   int used = 0;
   for (const Piece& piece : pieces) {
-    const int gap = used == 0 ? 0 : columns_of(kGap);
+    const int gap = used == 0 ? 0 : columns_of(kEntryGap);
     if (used > 0 && used + gap + piece.columns > columns) {
       text += '\n';
       used = 0;
     } else if (used > 0) {
-      text += kGap;
+      text += kEntryGap;
       used += gap;
     }
     text += piece.text;

@@ -33,8 +33,8 @@ using Owned = std::unique_ptr<T, ChafaDeleter>;
 constexpr int kSymbolPixels = 8;
 
 // More than any terminal has; less than what cairo refuses.
-constexpr int kMostCharacters = 400;  // across, and down
-constexpr int kMostPixels = 64;       // a character
+constexpr int kMostCharacters = 400;         // across, and down
+constexpr int kMostPixelsPerCharacter = 64;  // a character
 
 std::string_view variable(const char* const* environment, std::string_view name) {
   for (; *environment != nullptr; ++environment) {
@@ -72,8 +72,8 @@ struct CharacterSize {
 
 CharacterSize character_size(const Terminal& terminal) {
   if (terminal.graphics == TerminalGraphics::half_blocks) return {1, 2};
-  return {std::clamp(terminal.cell_width, 1, kMostPixels),
-          std::clamp(terminal.cell_height, 1, kMostPixels)};
+  return {std::clamp(terminal.cell_width, 1, kMostPixelsPerCharacter),
+          std::clamp(terminal.cell_height, 1, kMostPixelsPerCharacter)};
 }
 
 /// The scene on an image of `width` x `height` pixels; what the map does not cover is transparent.

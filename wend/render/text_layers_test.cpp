@@ -11,8 +11,8 @@
 namespace wend {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers for the cells of a map without any.
 Scene numbered(const FreeSpace& space) {
@@ -61,7 +61,7 @@ TEST(TextNumbers, AlignsWholeNumbersWithoutDecimals) {
   costs[{1, 0}] = 1;
   costs[{2, 0}] = 12;
   costs[{0, 1}] = 100;
-  costs[{2, 1}] = kInfinity;
+  costs[{2, 1}] = kNoNumber;
   EXPECT_EQ(text_numbers(scene), lines_of({
                                      "  0   1  12",
                                      "100   #   -",
@@ -73,7 +73,7 @@ TEST(TextNumbers, AlignsWholeNumbersWithoutDecimals) {
 TEST(TextNumbers, ShowNoDigitsOfTerrain) {
   Scene scene = numbered(test::drawn_space("23#"));
   scene.heatmap->values[{0, 0}] = 7;
-  scene.heatmap->values[{1, 0}] = kNaN;
+  scene.heatmap->values[{1, 0}] = kNotANumber;
   EXPECT_EQ(text_numbers(scene), "7 . #\n");
   scene.arrows = ArrowField(3, 1);
   EXPECT_EQ(text_arrows(scene), ". . #\n");
@@ -82,7 +82,7 @@ TEST(TextNumbers, ShowNoDigitsOfTerrain) {
 TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
   Scene scene = numbered(FreeSpace(map_of({"#..?.."}), {.robot_radius = 1}));
   Grid<double>& numbers = scene.heatmap->values;
-  for (int x = 0; x < 6; ++x) numbers[{x, 0}] = x == 5 ? kNaN : kInfinity;
+  for (int x = 0; x < 6; ++x) numbers[{x, 0}] = x == 5 ? kNotANumber : kNoNumber;
   EXPECT_EQ(text_numbers(scene), "# : : ? : .\n");
   numbers[{1, 0}] = 0.5;  // a clearance, say
   numbers[{3, 0}] = 2;
@@ -94,7 +94,7 @@ TEST(TextNumbers, ShowsAsManyDecimalsAsAreNeeded) {
   Grid<double>& costs = scene.heatmap->values;
   costs[{0, 0}] = 1.5;
   costs[{1, 0}] = 0.1 + 0.2;
-  costs[{2, 0}] = kNaN;
+  costs[{2, 0}] = kNotANumber;
   EXPECT_EQ(text_numbers(scene), "1.5 0.3   . 0.0\n");
   costs[{3, 0}] = 1 + std::numbers::sqrt2;
   EXPECT_EQ(text_numbers(scene), "1.50 0.30    . 2.41\n");

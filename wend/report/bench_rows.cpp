@@ -13,14 +13,15 @@
 namespace wend {
 namespace {
 
-constexpr double kMicroseconds = 1e6;  // in a second
+constexpr double kMicrosecondsPerSecond = 1e6;  // in a second
 
 /// Microseconds a query, of every pass that all queries have.
 std::vector<double> pass_means(std::span<const BenchAnswer> answers, std::size_t passes) {
   std::vector<double> means(passes);
   for (const BenchAnswer& answer : answers) {
     for (std::size_t pass = 0; pass < passes; ++pass) {
-      means[pass] += kMicroseconds * answer.seconds[pass] / static_cast<double>(answers.size());
+      means[pass] +=
+          kMicrosecondsPerSecond * answer.seconds[pass] / static_cast<double>(answers.size());
     }
   }
   return means;
@@ -66,8 +67,8 @@ void set_first(BenchRow& row, std::span<const BenchAnswer> answers) {
     first += answer.first->seconds;
   }
   if (row.first_queries == 0) return;
-  row.prepare_us = kMicroseconds * prepare / static_cast<double>(row.first_queries);
-  row.first_us = kMicroseconds * first / static_cast<double>(row.first_queries);
+  row.prepare_us = kMicrosecondsPerSecond * prepare / static_cast<double>(row.first_queries);
+  row.first_us = kMicrosecondsPerSecond * first / static_cast<double>(row.first_queries);
 }
 
 }  // namespace
@@ -83,12 +84,13 @@ void BenchRow::set_answers(std::span<const BenchAnswer> answers) {
     timed_out += answer.status == Status::time_limit ? 1 : 0;
     wrong += answer.wrong ? 1 : 0;
     expanded += answer.expanded;
-    fastest.push_back(kMicroseconds * answer.fastest());
+    fastest.push_back(kMicrosecondsPerSecond * answer.fastest());
     least_passes = std::min(least_passes, answer.seconds.size());
   }
   const double total = std::accumulate(fastest.begin(), fastest.end(), 0.0);
   expanded_per_query = static_cast<double>(expanded) / static_cast<double>(queries);
-  expansions_per_second = total > 0 ? kMicroseconds * static_cast<double>(expanded) / total : 0;
+  expansions_per_second =
+      total > 0 ? kMicrosecondsPerSecond * static_cast<double>(expanded) / total : 0;
   const Summary summary = summary_of(std::move(fastest));
   mean_us = summary.mean;
   median_us = summary.median;

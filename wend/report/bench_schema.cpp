@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 constexpr std::int64_t kApplication = 0x77656E64;  // "wend"
-constexpr std::int64_t kSchema = 2;                // of this file
+constexpr std::int64_t kDatabaseSchema = 2;        // of this file
 constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
 
 // The columns up to `setup` are the twelve that Planner Arena knows. It takes those behind them for
@@ -123,8 +123,8 @@ void make_tables(SqliteConnection& connection) {
   for (int value = 0; value < kStatuses; ++value) {
     add.run(std::int64_t{value}, std::string(to_string(static_cast<Status>(value))));
   }
-  connection.run(
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication, kSchema));
+  connection.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication,
+                             kDatabaseSchema));
   transaction.commit();
 }
 
@@ -133,7 +133,7 @@ std::string fault_of(SqliteConnection& connection) {
   if (number_of(connection, "PRAGMA application_id") != kApplication) {
     return "it is the database of something else, not of `wend bench`";
   }
-  if (number_of(connection, "PRAGMA user_version") != kSchema) {
+  if (number_of(connection, "PRAGMA user_version") != kDatabaseSchema) {
     return "it was written by another version of wend; start a new file";
   }
   SqliteStatement check(connection, "PRAGMA quick_check");

@@ -14,10 +14,10 @@ namespace {
 constexpr double kRoom = 1.06;  // of an axis, for what it shows
 
 // In pixels.
-constexpr double kPanelHeight = 235;
-constexpr double kRow = 285;  // from one panel to the next
-constexpr double kBottom = 80;
-constexpr double kLeft = 125;
+constexpr double kDrivePanelHeight = 235;
+constexpr double kDriveRow = 285;  // from one panel to the next
+constexpr double kDriveBottom = 80;
+constexpr double kDriveLeft = 125;
 constexpr double kRight = 45;
 
 /// A quantity over time.
@@ -75,7 +75,8 @@ void put_data(PlotPage& page, std::size_t index, const Drive& drive) {
 std::string drive_plot(std::span<const ControlledDrive> drives, PlotKind kind,
                        const PlotColours& colours) {
   const auto below = static_cast<double>(kCurves.size() - 1);
-  PlotPage page(kind, colours, names_of(drives), kBottom + below * kRow + kPanelHeight);
+  PlotPage page(kind, colours, names_of(drives),
+                kDriveBottom + below * kDriveRow + kDrivePanelHeight);
   page.put_page();
   for (std::size_t i = 0; i < drives.size(); ++i) put_data(page, i, drives[i].drive);
   page.put("unset key\nset multiplot\nset xzeroaxis\n");
@@ -83,9 +84,9 @@ std::string drive_plot(std::span<const ControlledDrive> drives, PlotKind kind,
     const bool last = row + 1 == kCurves.size();
     PlotAxis time = time_axis(drives);
     if (last) time.label = "time, s";
-    const double bottom = kBottom + static_cast<double>(kCurves.size() - 1 - row) * kRow;
-    page.put_panel({kLeft, bottom, PlotPage::kWidth - kLeft - kRight, kPanelHeight}, time,
-                   axis_of(drives, kCurves[row]));
+    const double bottom = kDriveBottom + static_cast<double>(kCurves.size() - 1 - row) * kDriveRow;
+    page.put_panel({kDriveLeft, bottom, PlotPage::kWidth - kDriveLeft - kRight, kDrivePanelHeight},
+                   time, axis_of(drives, kCurves[row]));
     if (row == 0) page.put_legend("Drives along the path");
     page.put("plot NaN notitle");
     for (std::size_t i = 0; i < drives.size(); ++i) {

@@ -25,7 +25,7 @@ struct DriveMeasure {
   std::string_view heading;  // of its column where drives are compared; empty: it has none
 };
 
-constexpr std::array<DriveMeasure, 8> kMeasures{{
+constexpr std::array<DriveMeasure, 8> kDriveMeasures{{
     {"time", "s", 2, [](const Drive& drive) { return drive.time; }, "time\ns"},
     {"distance", "m", 2, [](const Drive& drive) { return drive.distance; }, "driven\nm"},
     {"turned", "degrees", 0, [](const Drive& drive) { return degrees_from(drive.turned); },
@@ -47,7 +47,7 @@ std::string table_of_one(const ControlledDrive& driven) {
   TextTable table({{""}, {""}});
   table.add({"controller", driven.controller});
   table.add({"outcome", std::string(describe(driven.drive.outcome))});
-  for (const DriveMeasure& measure : kMeasures) {
+  for (const DriveMeasure& measure : kDriveMeasures) {
     const std::string number =
         fmt::format("{:.{}f}", measure.value(driven.drive), measure.decimals);
     table.add({std::string(measure.title),
@@ -95,7 +95,7 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
   bool marked = false;
   std::vector<TextTable::Column> titles{{"controller"}, {"outcome"}};
   std::vector<MarkedColumn> columns;
-  for (const DriveMeasure& measure : kMeasures) {
+  for (const DriveMeasure& measure : kDriveMeasures) {
     if (measure.heading.empty()) continue;
     columns.push_back(column_of(drives, measure, marked));
     titles.push_back({columns.back().title, Align::right});

@@ -14,11 +14,11 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
+constexpr Frame kPathFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
 /// Without anything that clearance could be to.
 FreeSpace open_space() {
-  return FreeSpace(GridMap(Grid<CellState>(8, 6), kFrame), {.outside = OutsidePolicy::free});
+  return FreeSpace(GridMap(Grid<CellState>(8, 6), kPathFrame), {.outside = OutsidePolicy::free});
 }
 
 const Path kPlanned({{0, 0}, {1, 0}, {2, 0}, {2, 1}});
@@ -30,7 +30,7 @@ RefinedPath refined_by(const Refinement& refinement) {
 
 TEST(MetricsTable, HasALineForEachMeasureInTheUnit) {
   const MeasuredPath path = measured("path", Path::along({{0, 0}, {3, 4}}), open_space());
-  EXPECT_EQ(metrics_table(std::vector{path}, metres_of(kFrame)),
+  EXPECT_EQ(metrics_table(std::vector{path}, metres_of(kPathFrame)),
             "points                          2\n"
             "length, m                    2.50\n"
             "turning, degrees                0\n"
@@ -59,7 +59,7 @@ TEST(Measured, TakesCellsThatAreNotOnTheMap) {
 
 TEST(CheckJson, TellsWhereAPathCollides) {
   const MeasuredPath path = measured("path", kPlanned, open_space());
-  const json is_free = json::parse(check_json(path, std::nullopt, kFrame));
+  const json is_free = json::parse(check_json(path, std::nullopt, kPathFrame));
   EXPECT_EQ(is_free.at("free"), true);
   EXPECT_TRUE(is_free.at("collision").is_null());
   EXPECT_EQ(is_free.at("metrics").at("length_cells"), 3);
@@ -76,7 +76,7 @@ TEST(CheckJson, TellsWhereAPathCollides) {
   EXPECT_EQ(metric("corner_rounding_cells"), 0.1);
   EXPECT_EQ(metric("corner_rounding_m"), 0.05);
   const PathCollision collision{CollisionKind::too_close, 1, 1.5, {2, 0.5}, Cell{3, 1}};
-  const json collides = json::parse(check_json(path, collision, kFrame));
+  const json collides = json::parse(check_json(path, collision, kPathFrame));
   EXPECT_EQ(collides.at("free"), false);
   EXPECT_EQ(collides.at("collision"),
             json::parse(R"({"kind":"too_close","along_cells":1.5,"along_m":0.75,
@@ -85,7 +85,7 @@ TEST(CheckJson, TellsWhereAPathCollides) {
 
 TEST(SmoothingJson, HasBothPathsAndWhatWasDone) {
   const json smoothed =
-      json::parse(smoothing_json(refined_by({.smoother = SmootherChoice{"gradient"}}), kFrame));
+      json::parse(smoothing_json(refined_by({.smoother = SmootherChoice{"gradient"}}), kPathFrame));
   EXPECT_EQ(smoothed.at("path"), json::parse("[[0,0],[1,0],[2,0],[2,1]]"));
   EXPECT_EQ(smoothed.at("path_smoothed").size(), 4U);
   EXPECT_EQ(smoothed.at("path_smoothed").front(), json::parse("[0.5,0.5]"));
@@ -100,7 +100,7 @@ TEST(SmoothingJson, HasBothPathsAndWhatWasDone) {
 
 TEST(SmoothingJson, SaysNothingOfSmoothingWhereNothingWasSmoothed) {
   const RefinedPath simplified = refined_by({.simplify = Simplification{SimplifyBy::collinear}});
-  const json plan = json::parse(smoothing_json(simplified, kFrame));
+  const json plan = json::parse(smoothing_json(simplified, kPathFrame));
   EXPECT_TRUE(plan.at("smoothing").is_null());
   EXPECT_EQ(plan.at("path_smoothed"), json::parse("[[0.5,0.5],[2.5,0.5],[2.5,1.5]]"));
   EXPECT_EQ(smoothing_text(simplified), "");
@@ -110,7 +110,7 @@ TEST(SmoothingJson, SaysNothingOfSmoothingWhereNothingWasSmoothed) {
 TEST(SmoothingJson, OfWaypointsHasNoCells) {
   RefinedPath path = refined_by({.simplify = Simplification{SimplifyBy::collinear}});
   path.before = Path::along({{0.5, 0.5}, {2.5, 1.5}});
-  EXPECT_FALSE(json::parse(smoothing_json(path, kFrame)).contains("path"));
+  EXPECT_FALSE(json::parse(smoothing_json(path, kPathFrame)).contains("path"));
 }
 
 TEST(SmoothingText, SaysHowItWent) {

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
+constexpr Frame kPlanFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
 TEST(PlanJson, HasAPlanInCellsAndMetres) {
   PlanResult result{.planner = "astar", .plan = {}, .reason = {}};
@@ -26,7 +26,7 @@ TEST(PlanJson, HasAPlanInCellsAndMetres) {
   result.plan.bound = 1;
   result.plan.metrics = {.expanded = 2, .generated = 5, .max_frontier = 3};
   EXPECT_EQ(
-      plan_json(result, kFrame),
+      plan_json(result, kPlanFrame),
       R"({"schema":1,"planner":"astar","status":"found","cost":1.0,"length_cells":1.0,"length_m":0.5,)"
       R"("path":[[0,0],[1,0]],"path_m":[[-0.75,2.25],[-0.25,2.25]],"bound":1.0,)"
       R"("metrics":{"expanded":2,"generated":5,"max_frontier":3},"times":{"load_us":4000.0,)"
@@ -37,7 +37,7 @@ TEST(PlanJson, HasAPlanInCellsAndMetres) {
 TEST(PlanJson, SaysWhatAnIndexTook) {
   PlanResult result{.planner = "hub_labels", .plan = {}, .reason = {}};
   result.times.index = 1.25;
-  const json times = json::parse(plan_json(result, kFrame)).at("times");
+  const json times = json::parse(plan_json(result, kPlanFrame)).at("times");
   EXPECT_EQ(times.at("index_us"), 1.25e6);
   EXPECT_TRUE(times.at("planner_us").is_null()) << "none was made";
 }
@@ -56,7 +56,7 @@ PlanResult driven() {
 }
 
 TEST(PlanJson, HasADriveInCornersAndInTheMapsFrame) {
-  const json plan = json::parse(plan_json(driven(), kFrame));
+  const json plan = json::parse(plan_json(driven(), kPlanFrame));
   EXPECT_EQ(plan.at("path"), json::parse("[[1,0],[2,1],[2,2]]"));
   EXPECT_TRUE(plan.at("path").at(0).at(0).is_number_integer());
   EXPECT_EQ(plan.at("headings"), json::parse(R"(["E","N","N"])"));
@@ -72,7 +72,7 @@ TEST(PlanJson, HasADriveInCornersAndInTheMapsFrame) {
 }
 
 TEST(PlanJson, TurnsADrivesYawWithTheMapButNotItsHeadings) {
-  Frame frame = kFrame;
+  Frame frame = kPlanFrame;
   frame.origin.heading = kPi / 2;
   const json turned = json::parse(plan_json(driven(), frame));
   EXPECT_EQ(turned.at("yaw"), json({kPi / 2, kPi, kPi}));
@@ -85,7 +85,7 @@ TEST(PlanJson, TurnsADrivesYawWithTheMapButNotItsHeadings) {
 TEST(PlanJson, HasNumbersWhereADriveIsOnNoCorner) {
   PlanResult result = driven();
   result.plan.path = Path::through({{1, 0.5, 0}, {2, 0.5, 0.25}});
-  const json plan = json::parse(plan_json(result, kFrame));
+  const json plan = json::parse(plan_json(result, kPlanFrame));
   EXPECT_EQ(plan.at("path"), json::parse("[[1,0.5],[2,0.5]]"));
   EXPECT_EQ(plan.at("headings"), json::parse(R"(["E",0.25])"));
 }
@@ -96,7 +96,7 @@ TEST(PlanJson, OfACarThatFailedHasTheSameKeys) {
   result.reason = "boxed in";
   result.plan.path.clear();
   result.plan.moves.clear();
-  const json failed = json::parse(plan_json(result, kFrame));
+  const json failed = json::parse(plan_json(result, kPlanFrame));
   for (const char* key : {"path", "headings", "moves", "path_m", "yaw"}) {
     EXPECT_EQ(failed.at(key), json::array()) << key;
   }
@@ -125,7 +125,7 @@ TEST(PlanJson, NeverHoldsNumbersThatAreNone) {
   PlanResult result{
       .planner = "dfs", .status = Status::unreachable, .plan = {}, .reason = "too far"};
   result.plan.cost = std::numeric_limits<double>::infinity();
-  const json failed = json::parse(plan_json(result, kFrame));
+  const json failed = json::parse(plan_json(result, kPlanFrame));
   EXPECT_EQ(failed.at("status"), "unreachable");
   EXPECT_EQ(failed.at("reason"), "too far");
   EXPECT_TRUE(failed.at("cost").is_null());
@@ -137,7 +137,7 @@ TEST(PlanJson, NeverHoldsNumbersThatAreNone) {
 
 TEST(PlanJson, StaysUtf8WhateverTheReasonHolds) {
   PlanResult result{.planner = "dfs", .status = Status::cancelled, .plan = {}, .reason = "\xff!"};
-  EXPECT_EQ(json::parse(plan_json(result, kFrame)).at("reason"), "\xef\xbf\xbd!");
+  EXPECT_EQ(json::parse(plan_json(result, kPlanFrame)).at("reason"), "\xef\xbf\xbd!");
 }
 
 }  // namespace

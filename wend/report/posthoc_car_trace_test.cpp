@@ -28,7 +28,7 @@ using test::Seen;
 using test::tail;
 using test::Witness;
 
-SearchEvent driven(CornerPose to, std::optional<CornerPose> from, double g) {
+SearchEvent traced_drive(CornerPose to, std::optional<CornerPose> from, double g) {
   SearchEvent event{
       .cell = to.corner, .parent = std::nullopt, .g = g, .h = 0, .f = g, .heading = to.heading};
   if (from) {
@@ -46,12 +46,12 @@ std::string trace_of_a_drive(const FreeSpace& space, TraceForm form, int unit = 
   const CornerPose goal = moved(ahead, CarMove::fwd_left, y_up, unit);
   const Query query{pose_of(start, y_up), {pose_of(goal, y_up)}};
   PosthocTrace trace(space, query, unit, form, kNoLimit);
-  trace.on_generate(driven(start, {}, 0));
-  trace.on_expand(driven(start, {}, 0));
-  trace.on_generate(driven(ahead, start, 1));
-  trace.on_expand(driven(ahead, start, 1));
-  trace.on_generate(driven(goal, ahead, 2.5));
-  trace.on_expand(driven(goal, ahead, 2.5));
+  trace.on_generate(traced_drive(start, {}, 0));
+  trace.on_expand(traced_drive(start, {}, 0));
+  trace.on_generate(traced_drive(ahead, start, 1));
+  trace.on_expand(traced_drive(ahead, start, 1));
+  trace.on_generate(traced_drive(goal, ahead, 2.5));
+  trace.on_expand(traced_drive(goal, ahead, 2.5));
   Path path;
   for (const CornerPose& place : {start, ahead, goal}) path.drive_to(pose_of(place, y_up));
   return trace.finish(path);

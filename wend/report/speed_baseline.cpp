@@ -11,7 +11,7 @@ namespace {
 
 using Error = Unexpected<std::string>;
 
-constexpr int kSchema = 1;
+constexpr int kBaselineSchema = 1;
 
 SpeedBaseline baseline_of(const Json& json) {
   SpeedBaseline baseline{.machine = json.at("machine"),
@@ -37,9 +37,9 @@ Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& 
   if (!text) return Error(text.error().message());
   try {
     const Json json = Json::parse(*text);
-    if (json.at("schema") != kSchema) {
+    if (json.at("schema") != kBaselineSchema) {
       return Error(fmt::format("{}: schema {} is not supported, only {} is", file.string(),
-                               json.at("schema").dump(), kSchema));
+                               json.at("schema").dump(), kBaselineSchema));
     }
     return baseline_of(json);
   } catch (const Json::exception& error) {
@@ -48,7 +48,7 @@ Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& 
 }
 
 std::string baseline_json(const SpeedBaseline& baseline) {
-  Json json{{"schema", kSchema},
+  Json json{{"schema", kBaselineSchema},
             {"machine", baseline.machine},
             {"commit", baseline.commit},
             {"times", "times as fast as Boost.Graph's A*, CPU time, geometric mean over the maps"},

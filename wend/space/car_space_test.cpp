@@ -13,15 +13,15 @@ namespace {
 
 using ::testing::ElementsAre;
 
-struct Successor {
+struct CarSuccessor {
   CarState state;
   CarMove move;
   double cost;  // in units
 };
 
 template <class Costs>
-std::vector<Successor> successors(const CarSpace<Costs>& space, const CornerPose& from) {
-  std::vector<Successor> found;
+std::vector<CarSuccessor> successors(const CarSpace<Costs>& space, const CornerPose& from) {
+  std::vector<CarSuccessor> found;
   space.for_each_successor(
       space.state(from), kNoMove, [&](const CarState& to, Move move, auto cost) {
         found.push_back(
@@ -33,16 +33,16 @@ std::vector<Successor> successors(const CarSpace<Costs>& space, const CornerPose
 template <class Costs>
 std::vector<CarMove> moves_from(const CarSpace<Costs>& space, const CornerPose& from) {
   std::vector<CarMove> moves;
-  for (const Successor& successor : successors(space, from)) moves.push_back(successor.move);
+  for (const CarSuccessor& successor : successors(space, from)) moves.push_back(successor.move);
   return moves;
 }
 
-CarLattice lattice(std::string_view drawing, const CarDriving& driving = {}) {
+CarLattice lattice_of(std::string_view drawing, const CarDriving& driving = {}) {
   return CarLattice(test::drawn_space(drawing), driving);
 }
 
 TEST(CarSpace, NumbersPosesCornerByCorner) {
-  const CarSpace<ExactCarCosts> space(lattice("...\n..."));
+  const CarSpace<ExactCarCosts> space(lattice_of("...\n..."));
   EXPECT_EQ(space.state_count(), 4U * 3U * 4U);
   for (StateId id = 0; id < space.state_count(); ++id) {
     EXPECT_EQ(space.id(space.state(id)), id);
@@ -52,7 +52,7 @@ TEST(CarSpace, NumbersPosesCornerByCorner) {
 }
 
 TEST(CarSpace, ListsItsMovesInTheirOrder) {
-  const CarSpace<ExactCarCosts> space(lattice("....\n....\n....\n...#"));
+  const CarSpace<ExactCarCosts> space(lattice_of("....\n....\n....\n...#"));
   EXPECT_THAT(moves_from(space, {{1, 1}, Heading::east}),
               ElementsAre(CarMove::fwd, CarMove::fwd_right, CarMove::fwd_left, CarMove::rev,
                           CarMove::rev_right, CarMove::rev_left));
@@ -81,11 +81,11 @@ TEST(CarSpace, UndoesItsMovesAndCountsWhatTheyCost) {
     for (StateId id = 0; id < real.state_count(); ++id) {
       const CornerPose from = real.state(id).place;
       if (!lattice.passable(from.corner)) continue;
-      const std::vector<Successor> expected = successors(real, from);
-      const std::vector<Successor> found = successors(compact, from);
+      const std::vector<CarSuccessor> expected = successors(real, from);
+      const std::vector<CarSuccessor> found = successors(compact, from);
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const Successor& to = found[i];
+        const CarSuccessor& to = found[i];
         EXPECT_EQ(to.state.place, moved(from, to.move, lattice.y_up()));
         EXPECT_EQ(to.state.number, compact.state(to.state.place).number);
         EXPECT_EQ(compact.parent(to.state, static_cast<Move>(to.move)).place, from);
@@ -100,19 +100,19 @@ TEST(CarSpace, UndoesItsMovesAndCountsWhatTheyCost) {
 }
 
 TEST(CarSpace, MultipliesMovesInReverse) {
-  const CarSpace<RealCarCosts> space(lattice("22\n22", {.reverse_factor = 3}));
-  for (const Successor& to : successors(space, {{1, 1}, Heading::east})) {
+  const CarSpace<RealCarCosts> space(lattice_of("22\n22", {.reverse_factor = 3}));
+  for (const CarSuccessor& to : successors(space, {{1, 1}, Heading::east})) {
     const double ground = is_turn(to.move) ? 2 : 1;
     EXPECT_DOUBLE_EQ(to.cost, length_of(to.move) * ground * (is_reverse(to.move) ? 3 : 1));
   }
 }
 
 TEST(CarSpace, HasWholeCostsOnGroundOfSmallWholeMultipliers) {
-  EXPECT_TRUE(has_whole_costs(lattice("....")));
-  EXPECT_TRUE(has_whole_costs(lattice(".5.2")));
-  EXPECT_FALSE(has_whole_costs(lattice(".6..")));
-  EXPECT_FALSE(has_whole_costs(lattice(".2\n..", {.unit = 2}))) << "the mean is 1.25";
-  EXPECT_FALSE(has_whole_costs(lattice("....", {.reverse_factor = 2})));
+  EXPECT_TRUE(has_whole_costs(lattice_of("....")));
+  EXPECT_TRUE(has_whole_costs(lattice_of(".5.2")));
+  EXPECT_FALSE(has_whole_costs(lattice_of(".6..")));
+  EXPECT_FALSE(has_whole_costs(lattice_of(".2\n..", {.unit = 2}))) << "the mean is 1.25";
+  EXPECT_FALSE(has_whole_costs(lattice_of("....", {.reverse_factor = 2})));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class SlowBoards {
   const BitGrid& cells_;
 };
 
-BitGrid random_cells(Random& random) {
+BitGrid random_board(Random& random) {
   const int width = random.between(1, random.chance(0.2) ? 150 : 20);
   const int height = random.between(1, random.chance(0.2) ? 150 : 20);
   const double share = random.uniform();
@@ -86,7 +86,7 @@ void expect_same_diagonal(const JumpBoards& boards, const SlowBoards& slow, Cell
 TEST(JumpBoards, SayWhatTheDefinitionsSay) {
   Random random(11);
   for (int map = 0; map < 150 && !::testing::Test::HasFailure(); ++map) {
-    const BitGrid cells = random_cells(random);
+    const BitGrid cells = random_board(random);
     const JumpBoards boards(cells);
     const SlowBoards slow(cells);
     for (int y = 0; y < cells.height(); ++y) {

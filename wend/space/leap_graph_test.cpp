@@ -16,7 +16,7 @@ namespace {
 
 using Cost = std::uint64_t;
 
-BitGrid random_cells(Random& random) {
+BitGrid random_leap_map(Random& random) {
   BitGrid cells(random.between(1, 40), random.between(1, 40));
   const double share = 0.4 + 0.6 * random.uniform();
   for (int y = 0; y < cells.height(); ++y) {
@@ -167,7 +167,7 @@ TEST(LeapGraph, LeapsGoWhereThereIsNoChoice) {
   int dead = 0;
   for (int map = 0; map < 150 && !::testing::Test::HasFailure(); ++map) {
     SCOPED_TRACE("map " + std::to_string(map));
-    expect_right_leaps(random_cells(random), passed, dead);
+    expect_right_leaps(random_leap_map(random), passed, dead);
   }
   expect_right_leaps(corridors(41, 33), passed, dead);
   EXPECT_GT(passed, 1000);

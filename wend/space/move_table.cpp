@@ -16,7 +16,7 @@ constexpr Offset offset_of(int direction) {
 }
 
 /// The 3 x 3 block around a cell, in which moves are judged.
-struct Block {
+struct Neighbours {
   unsigned passable_bits;
   GridMoves rule;
 
@@ -67,7 +67,7 @@ int length_rank(Offset first, Offset second) {
 }
 
 /// Does a path from the parent around the middle cell make the move to `target` superfluous?
-bool superfluous(const Block& block, Offset parent, Offset target) {
+bool superfluous(const Neighbours& block, Offset parent, Offset target) {
   if (target == parent) return true;
   const Offset arrival = Offset{} - parent;
   const int length = length_rank(arrival, target);
@@ -89,7 +89,7 @@ bool superfluous(const Block& block, Offset parent, Offset target) {
   return false;
 }
 
-MoveSet moves_in(const Block& block, Move arrival) {
+MoveSet moves_in(const Neighbours& block, Move arrival) {
   unsigned moves = 0;
   for (int direction = 0; direction < kDirections; ++direction) {
     const Offset target = offset_of(direction);
@@ -107,7 +107,7 @@ MoveSet moves_in(const Block& block, Move arrival) {
 
 MoveTable::MoveTable(GridMoves moves, Pruning pruning) {
   for (unsigned block = 0; block < kBlocks; ++block) {
-    const Block cells{block, moves};
+    const Neighbours cells{block, moves};
     moves_[kNoMove * kBlocks + block] = moves_in(cells, kNoMove);
     for (Move arrival = 0; arrival < kDirections; ++arrival) {
       const Move judged = pruning == Pruning::canonical ? arrival : kNoMove;

@@ -12,7 +12,7 @@ namespace {
 int sign(std::int64_t number) { return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 0); }
 
 /// The sign of straight + diagonal * sqrt(2), exactly.
-int sign_of_length(std::int64_t straight, std::int64_t diagonal) {
+int sign_of_octile_length(std::int64_t straight, std::int64_t diagonal) {
   if (sign(straight) * sign(diagonal) >= 0) return sign(straight + diagonal);
   // Of opposite signs: the one with the larger square decides. (No squares here exceed 2^63.)
   const int larger = sign(straight * straight - 2 * diagonal * diagonal);
@@ -32,8 +32,8 @@ class Units : public ::testing::Test {
   static constexpr auto kDiagonal = static_cast<std::int64_t>(OctileUnits<Cost>::kDiagonal);
 };
 
-using Costs = ::testing::Types<std::uint32_t, std::uint64_t>;
-TYPED_TEST_SUITE(Units, Costs);
+using OctileCosts = ::testing::Types<std::uint32_t, std::uint64_t>;
+TYPED_TEST_SUITE(Units, OctileCosts);
 
 TYPED_TEST(Units, AreAPellPair) {
   const std::int64_t defect =
@@ -49,7 +49,8 @@ TYPED_TEST(Units, CompareSumsOfStepsAsTheirTrueLengths) {
     const auto nearest = static_cast<std::int64_t>(
         std::floor(-static_cast<long double>(diagonal) * std::sqrt(2.0L)));
     const auto straight = nearest + *rc::gen::inRange<std::int64_t>(-3, 5);
-    RC_ASSERT(sign(units<TypeParam>(straight, diagonal)) == sign_of_length(straight, diagonal));
+    RC_ASSERT(sign(units<TypeParam>(straight, diagonal)) ==
+              sign_of_octile_length(straight, diagonal));
   });
   EXPECT_TRUE(holds);
 }
@@ -57,7 +58,8 @@ TYPED_TEST(Units, CompareSumsOfStepsAsTheirTrueLengths) {
 TYPED_TEST(Units, CompareAnySmallSums) {
   for (std::int64_t straight = -300; straight <= 300; ++straight) {
     for (std::int64_t diagonal = -300; diagonal <= 300; ++diagonal) {
-      ASSERT_EQ(sign(units<TypeParam>(straight, diagonal)), sign_of_length(straight, diagonal))
+      ASSERT_EQ(sign(units<TypeParam>(straight, diagonal)),
+                sign_of_octile_length(straight, diagonal))
           << straight << " straight and " << diagonal << " diagonal steps";
     }
   }
@@ -66,7 +68,7 @@ TYPED_TEST(Units, CompareAnySmallSums) {
 /// Where the promise ends: so many diagonal steps weigh exactly as much as straight ones.
 TYPED_TEST(Units, MeanOneLengthByOneSumUpToTheirOwnSize) {
   EXPECT_EQ(units<TypeParam>(this->kDiagonal, -this->kStraight), 0);
-  EXPECT_NE(sign_of_length(this->kDiagonal, -this->kStraight), 0);
+  EXPECT_NE(sign_of_octile_length(this->kDiagonal, -this->kStraight), 0);
 }
 
 TEST(CompactUnits, HoldPathsOfSome128000Cells) {

@@ -1,0 +1,77 @@
+# What makes a build quick: headers of dependencies are precompiled, and sources are compiled several
+# at a time (a unity build). Templates of the JSON library, of gmock and of {fmt} are then instantiated
+# once for many sources, which is most of what a build does.
+#
+# A source never relies on either: it includes what it uses, and CI compiles every source by itself,
+# without precompiled headers, once (the preset clang). For a unity build, names in the anonymous
+# namespaces of a folder differ from each other; tests and other sources are kept apart.
+
+option(WEND_PRECOMPILE "Precompile the headers of dependencies" ${PROJECT_IS_TOP_LEVEL})
+option(WEND_UNITY "Compile several sources at a time" ${PROJECT_IS_TOP_LEVEL})
+
+set(wend_unity_size 8)
+
+set(wend_precompiled_standard
+    <algorithm>
+    <array>
+    <bit>
+    <cassert>
+    <cmath>
+    <cstddef>
+    <cstdint>
+    <functional>
+    <limits>
+    <memory>
+    <numeric>
+    <optional>
+    <set>
+    <span>
+    <string>
+    <string_view>
+    <tl/expected.hpp>
+    <utility>
+    <vector>)
+set(wend_precompiled_text ${wend_precompiled_standard} <filesystem> <map> <fmt/format.h>
+                          <nlohmann/json.hpp>)
+set(wend_precompiled_test ${wend_precompiled_text} <gmock/gmock.h> <gtest/gtest.h>
+                          <rapidcheck/gtest.h>)
+
+# wend_precompile(<target> <standard|text|test>): the first target of a kind compiles the headers, the
+# others use what it made. All targets of a kind are compiled with the same options.
+function(wend_precompile target kind)
+  if(NOT WEND_PRECOMPILE)
+    return()
+  endif()
+  get_property(owner GLOBAL PROPERTY wend_precompiled_${kind}_owner)
+  if(owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  else()
+    target_precompile_headers(${target} PRIVATE ${wend_precompiled_${kind}})
+    set_property(GLOBAL PROPERTY wend_precompiled_${kind}_owner ${target})
+  endif()
+endfunction()
+
+# wend_unite(<target>): sources of one folder are compiled together, some at a time.
+function(wend_unite target)
+  if(NOT WEND_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  set(count 0)
+  set(last_folder "")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(ABSOLUTE_PATH folder)
+    if(NOT folder STREQUAL last_folder)
+      set(count 0)
+      set(last_folder "${folder}")
+    endif()
+    math(EXPR group "${count} / ${wend_unity_size}")
+    math(EXPR count "${count} + 1")
+    cmake_path(GET folder FILENAME name)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name}_${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A name of a function may be that of another source's constant; the preset clang warns of the rest.
+  target_compile_options(${target} PRIVATE -Wno-shadow)
+endfunction()
