@@ -6,7 +6,7 @@
 
 namespace wend::bench {
 
-double seconds_now() {
+double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 

@@ -1,19 +1,44 @@
-// wend-speed: our planners beside Boost's A*, on the scenarios of a folder.
+// wend-speed: our planners beside Boost's A*, on maps with scenarios.
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "bench/measuring.hpp"
+#include "bench/speed_output.hpp"
 #include "bench/speed_run.hpp"
+#include "wend/io/write_file.hpp"
+#include "wend/report/build_info.hpp"
+#include "wend/report/machine.hpp"
 
 namespace wend::bench {
 namespace {
+
+struct Arguments {
+  std::filesystem::path folder;
+  bool generated = false;
+  std::string planners = "astar";
+  SpeedPlan plan;
+  std::string format = "text";
+  std::string baseline;       // to compare with
+  std::string save_baseline;  // to write
+};
+
+/// Ends the program with "bad usage or input".
+struct Refused {
+  std::string what;
+};
+
+template <class T>
+T value_or_refuse(Expected<T, std::string> result) {
+  if (!result) throw Refused{result.error()};
+  return *std::move(result);
+}
 
 void show_progress(const std::string& map, std::size_t done, std::size_t all) {
   if (isatty(STDERR_FILENO) == 0) return;
@@ -24,80 +49,72 @@ void end_progress() {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");
 }
 
-std::size_t wrong_answers(const std::vector<MapTimings>& maps) {
-  std::size_t wrong = 0;
-  for (const MapTimings& map : maps) {
-    wrong += map.boost.wrong;
-    for (const Timing& timing : map.planners) wrong += timing.wrong;
-  }
-  return wrong;
+std::vector<PlannerSpec> parse_planners(const std::string& list) {
+  auto specs = parse_planner_specs(list);
+  if (!specs) throw Refused{"--planner: " + specs.error().message()};
+  return *std::move(specs);
 }
 
-void print_row(const Timing& timing, double ratio) {
-  fmt::print("  {:<28} {:>10.1f} us {:>8.2f} x {:>10.0f} expanded {:>6.1f} M/s{}\n", timing.name,
-             timing.mean_us, ratio, timing.expanded, timing.expanded / timing.mean_us,
-             timing.wrong == 0 ? "" : fmt::format("  {} WRONG", timing.wrong));
-}
-
-void print_text(const std::vector<MapTimings>& maps, const SpeedPlan& plan) {
-  for (const MapTimings& map : maps) {
-    fmt::print("{}: {} free cells, {} queries, {:.0f} cells a path\n", map.map, map.free_cells,
-               map.queries, map.path_cells);
-    print_row(map.boost, 1);
-    for (std::size_t i = 0; i < map.planners.size(); ++i) {
-      print_row(map.planners[i], map.ratio(i));
-    }
-  }
-  fmt::print("\n");
-  for (std::size_t i = 0; i < plan.planners.size(); ++i) {
-    fmt::print("speed {} / boost-astar = {:.2f} (geometric mean over {} maps)\n",
-               plan.planners[i].text, geometric_mean_ratio(maps, i), maps.size());
-  }
-}
-
-nlohmann::json to_json(const Timing& timing) {
-  return {{"name", timing.name},
-          {"mean_us", timing.mean_us},
-          {"expanded_per_query", timing.expanded},
-          {"wrong", timing.wrong}};
-}
-
-void print_json(const std::vector<MapTimings>& maps, const SpeedPlan& plan) {
-  nlohmann::json out{{"maps", nlohmann::json::array()}, {"speed", nlohmann::json::object()}};
-  for (const MapTimings& map : maps) {
-    nlohmann::json row{{"map", map.map},
-                       {"free_cells", map.free_cells},
-                       {"queries", map.queries},
-                       {"path_cells", map.path_cells},
-                       {"boost", to_json(map.boost)},
-                       {"planners", nlohmann::json::array()}};
-    for (std::size_t i = 0; i < map.planners.size(); ++i) {
-      nlohmann::json planner = to_json(map.planners[i]);
-      planner["ratio"] = map.ratio(i);
-      row["planners"].push_back(planner);
-    }
-    out["maps"].push_back(row);
-  }
-  for (std::size_t i = 0; i < plan.planners.size(); ++i) {
-    out["speed"][plan.planners[i].text] = geometric_mean_ratio(maps, i);
-  }
-  fmt::print("{}\n", out.dump(2));
-}
-
-int run(const SpeedPlan& plan, bool json) {
+std::vector<MapTimings> timed(const std::vector<SpeedMap>& maps, const SpeedPlan& plan) {
   stay_on_one_core();
-  const auto maps = run_speed(plan, show_progress);
+  auto timings = run_speed(maps, plan, show_progress);
   end_progress();
-  if (!maps) {
-    fmt::print(stderr, "{}\n", maps.error());
-    return 2;
+  return value_or_refuse(std::move(timings));
+}
+
+bool any_wrong(const std::vector<MapTimings>& maps) {
+  return std::ranges::any_of(maps, [](const MapTimings& map) {
+    return std::ranges::any_of(map.planners, [](const Timing& each) { return each.wrong > 0; });
+  });
+}
+
+std::vector<BaselineRow> rows_of(const std::vector<MapTimings>& maps) {
+  std::vector<BaselineRow> rows;
+  for (std::size_t i = 1; i < maps.front().planners.size(); ++i) {
+    rows.push_back({maps.front().planners[i].name, ratios_of(maps, i)});
   }
-  if (json) {
-    print_json(*maps, plan);
-  } else {
-    print_text(*maps, plan);
+  return rows;
+}
+
+void save(const std::vector<MapTimings>& maps, const Arguments& arguments) {
+  const SpeedBaseline baseline{.machine = describe_machine(),
+                               .commit = std::string(wend_commit()),
+                               .sample = arguments.plan.sample,
+                               .rows = rows_of(maps)};
+  const auto written = write_file(arguments.save_baseline, baseline_json(baseline));
+  if (!written) throw Refused{written.error().message()};
+}
+
+/// The planners of the baseline on the generated maps, now and then.
+int compare(Arguments arguments) {
+  const SpeedBaseline baseline = value_or_refuse(read_baseline(arguments.baseline));
+  for (const BaselineRow& row : baseline.rows) {
+    arguments.plan.planners.push_back(parse_planners(row.planner).front());
   }
-  return wrong_answers(*maps) == 0 ? 0 : 1;
+  arguments.plan.sample = baseline.sample;
+  const std::vector<MapTimings> maps = timed(generated_maps(), arguments.plan);
+  const BaselineVerdict verdict = compared(baseline, rows_of(maps));
+  fmt::print(
+      "Times as fast as Boost.Graph's A* in the same run, CPU time, geometric mean over\n"
+      "the generated maps.\n"
+      "now: commit {}, {}\nbaseline: commit {}, {}\n\n{}",
+      wend_commit(), describe_machine(), baseline.commit, baseline.machine, verdict.table);
+  if (verdict.slower) {
+    fmt::print("\nSLOWER: below the baseline by more than {:.0f} %.\n", 100 * baseline.tolerance);
+  }
+  return verdict.slower || any_wrong(maps) ? 1 : 0;
+}
+
+int run(Arguments arguments) {
+  if (!arguments.baseline.empty()) return compare(std::move(arguments));
+  arguments.plan.planners = parse_planners(arguments.planners);
+  const bool generated = arguments.generated || !arguments.save_baseline.empty();
+  const std::vector<MapTimings> maps =
+      timed(generated ? generated_maps() : value_or_refuse(maps_of_folder(arguments.folder)),
+            arguments.plan);
+  fmt::print("{}", arguments.format == "json" ? speed_json(maps) : speed_text(maps));
+  if (!arguments.save_baseline.empty()) save(maps, arguments);
+  return any_wrong(maps) ? 1 : 0;
 }
 
 }  // namespace
@@ -105,33 +122,36 @@ int run(const SpeedPlan& plan, bool json) {
 
 int main(int argc, char** argv) {
   constexpr std::string_view kData = WEND_DATA;  // empty where the build found no data
-  wend::bench::SpeedPlan plan;
-  if (!kData.empty()) plan.folder = std::filesystem::path(kData) / "nine";
-  std::string planners = "astar";
-  std::string format = "text";
-  CLI::App app("Times planners beside Boost.Graph's A*, query by query in turns, on one core.");
-  app.add_option("folder", plan.folder, "pairs of .map and .map.scen files")
-      ->required(kData.empty())
+  wend::bench::Arguments arguments;
+  if (!kData.empty()) arguments.folder = std::filesystem::path(kData) / "nine";
+  arguments.generated = kData.empty();
+  CLI::App app("Times planners beside Boost.Graph's A*, in CPU time, in turns, on one core.");
+  CLI::Option* folder =
+      app.add_option("folder", arguments.folder, "pairs of .map and .map.scen files");
+  if (!kData.empty()) folder->capture_default_str();
+  app.add_flag("--generated", arguments.generated, "maps that are made from seeds, not a folder's");
+  app.add_option("--planner", arguments.planners, "a list, as astar,dijkstra or astar:weight=2,bfs")
       ->capture_default_str();
-  app.add_option("--planner", planners, "a list, as astar,dijkstra or astar:weight=2,bfs")
-      ->capture_default_str();
-  app.add_option("--sample", plan.sample, "queries a map, evenly spread")
+  app.add_option("--sample", arguments.plan.sample, "queries a map, evenly spread")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_option("--rounds", plan.rounds, "timed runs of every query; the fastest counts")
+  app.add_option("--rounds", arguments.plan.rounds, "rounds through the planners; the least counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--format", format, "text or json")->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--format", arguments.format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--baseline", arguments.baseline,
+                 "compare with the ratios in this file; exit code 1 if a planner got slower");
+  app.add_option("--save-baseline", arguments.save_baseline,
+                 "write the ratios on the generated maps to this file");
   try {
     app.parse(argc, argv);
+    if (!folder->empty()) arguments.generated = false;
+    return wend::bench::run(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
-  }
-  auto specs = wend::parse_planner_specs(planners);
-  if (!specs) {
-    fmt::print(stderr, "--planner: {}\n", specs.error().message());
+  } catch (const wend::bench::Refused& refused) {
+    fmt::print(stderr, "wend-speed: {}\n", refused.what);
     return 2;
   }
-  plan.planners = *std::move(specs);
-  return wend::bench::run(plan, format == "json");
 }

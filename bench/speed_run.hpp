@@ -1,26 +1,29 @@
 #pragma once
 
-// Times planners beside Boost's A* on the scenarios of a folder, in one process and in turns, so
-// that the ratio holds when the machine's speed drifts.
+// Times planners beside Boost's A* on maps with scenarios, in one process and in turns, so that the
+// ratio holds when the machine's speed drifts. Times are CPU time of the thread.
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/speed_maps.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/planner/planner_spec.hpp"
+#include "wend/report/speed_baseline.hpp"
 
 namespace wend::bench {
 
-/// Means over the sampled queries of a map. Every query is timed several times and its fastest run
-/// counts. Who is fast answers the whole scenario before that, and its other queries between
-/// the timed ones: what is measured is a stream of queries, warm, and none learned by heart.
+/// Means over the sampled queries of a map. A first query is one run of a new planner, of a few of the
+/// queries. Later queries are asked one after the other, all of them: the least of as many such runs as
+/// fill 5 ms, and of all rounds, counts.
 struct Timing {
   std::string name;
-  double mean_us = 0;
-  double expanded = 0;    // a query
+  double prepare_us = 0;  // to make a planner, with its index if it has one
+  double first_us = 0;
+  double later_us = 0;
+  double expanded = 0;    // a later query
   std::size_t wrong = 0;  // answers that disagree with the scenario
 };
 
@@ -28,27 +31,23 @@ struct MapTimings {
   std::string map;
   std::size_t free_cells = 0;
   std::size_t queries = 0;
-  double path_cells = 0;  // mean
-  Timing boost;
-  std::vector<Timing> planners;
-
-  double ratio(std::size_t planner) const { return boost.mean_us / planners[planner].mean_us; }
+  double path_cells = 0;         // mean
+  std::vector<Timing> planners;  // Boost's A* first
 };
 
 struct SpeedPlan {
-  std::filesystem::path folder;  // of .map and .map.scen pairs
   std::vector<PlannerSpec> planners;
-  std::size_t sample = 100;  // queries a map, evenly spread
-  int rounds = 3;            // timed runs of every query
+  std::size_t sample = 200;  // queries a map, evenly spread
+  int rounds = 3;            // planner after planner
 };
 
-/// `progress(map, done, all)` is called before every map. An error says what is wrong with the
-/// folder, a map, or a planner's name or options.
+/// `progress(map, done, all)` is called before every map. An error says what is wrong with a planner's
+/// name or options, or that it cannot plan on a map.
 Expected<std::vector<MapTimings>, std::string> run_speed(
-    const SpeedPlan& plan,
+    const std::vector<SpeedMap>& maps, const SpeedPlan& plan,
     const std::function<void(const std::string&, std::size_t, std::size_t)>& progress);
 
-/// The geometric mean over the maps of Boost's mean time over the planner's.
-double geometric_mean_ratio(const std::vector<MapTimings>& maps, std::size_t planner);
+/// How many times as fast as Boost a planner is, by its place in MapTimings::planners.
+SpeedRatios ratios_of(const std::vector<MapTimings>& maps, std::size_t planner);
 
 }  // namespace wend::bench

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <limits>
 
-#include "bench/measuring.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 namespace {
@@ -39,9 +39,9 @@ CarTiming time_car(const Yard& yard, const PlannerSpec& spec, int rounds) {
   for (const Query& drive : yard.drives) {
     double fastest = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
-      const double begin = seconds_now();
+      const double begin = thread_cpu_seconds();
       const Status status = (*planner)->plan(drive, plan);
-      fastest = std::min(fastest, seconds_now() - begin);
+      fastest = std::min(fastest, thread_cpu_seconds() - begin);
       if (round == 0 && status != Status::found) ++timing.failed;
     }
     timing.seconds += fastest;

@@ -69,7 +69,7 @@ bool run(const CarSpeedPlan& plan, const std::vector<PlannerSpec>& planners) {
 
 int main(int argc, char** argv) {
   wend::bench::CarSpeedPlan plan;
-  CLI::App app("Times the car on large yards, beside OMPL's Reeds-Shepp planners.");
+  CLI::App app("Times the car on large yards, in CPU time, beside OMPL's Reeds-Shepp planners.");
   app.add_option("--size", plan.yards.size, "cells along each side of the yards")
       ->check(CLI::Range(20, wend::kMostGeneratedCells))
       ->capture_default_str();

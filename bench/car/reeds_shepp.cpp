@@ -12,7 +12,7 @@
 #include <cmath>
 #include <memory>
 
-#include "bench/measuring.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 namespace {
@@ -70,9 +70,9 @@ void drive(const FreeSpace& space, const Query& query, const std::string& planne
   setup.setStartAndGoalStates(start, goal);
   setup.setPlanner(make(planner, setup.getSpaceInformation()));
   setup.setup();
-  const double begin = seconds_now();
+  const double begin = thread_cpu_seconds();
   const base::PlannerStatus status = setup.solve(seconds);
-  const double took = seconds_now() - begin;
+  const double took = thread_cpu_seconds() - begin;
   ++timing.drives;
   if (status != base::PlannerStatus::EXACT_SOLUTION) return;
   ++timing.solved;

@@ -40,7 +40,7 @@ void fail(std::string_view what) {
 
 int main(int argc, char** argv) {
   int rounds = 20;
-  CLI::App app("Times smoothing, simplifying and following of paths on large maps.");
+  CLI::App app("Times smoothing, simplifying and following of paths on large maps, in CPU time.");
   app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();

@@ -7,25 +7,23 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/measuring.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 
 struct MotionRow {
   std::string name;
-  double seconds = 0;      // the fastest of several rounds
+  double seconds = 0;      // of CPU time; the fastest of several rounds
   double bar_seconds = 0;  // what it must stay below; 0: nothing
   std::string note;        // what was done in that time
 };
 
-/// The seconds of the fastest of several rounds.
+/// The CPU seconds of the fastest of several rounds.
 template <class Run>
 double fastest(int rounds, Run&& run) {
   double best = 1e9;
   for (int i = 0; i < rounds; ++i) {
-    const double begin = seconds_now();
-    run();
-    best = std::min(best, seconds_now() - begin);
+    best = std::min(best, seconds_of(thread_cpu_seconds, run));
   }
   return best;
 }

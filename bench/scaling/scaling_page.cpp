@@ -16,8 +16,9 @@ constexpr const char* kIntroduction = R"(# How planners grow with the map
 Written by `./run scaling`, which measures for some minutes; `./run scaling --help` says how to measure less.
 
 Maps come from `wend generate`, seed 7; start and goal are random cells that a path joins, the same for every planner. Every
-planner is measured in a process of its own: its memory is what it has beside the map, with its index. Times are means over
-all queries of a map, after one that is not counted. Who is slow answers fewer of the queries: none is begun after {} s.
+planner is measured in a process of its own: its memory is what it has beside the map, with its index. Times are CPU
+time of the thread, means over all queries of a map, after one that is not counted: a planner that keeps what it finds out,
+as `jps`, is between its first query and its later ones. Who is slow answers fewer of the queries: none is begun after {} s.
 Paths are compared: {}.
 
 {}

@@ -15,6 +15,7 @@
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/comparison_run.hpp"
+#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 namespace {
@@ -44,10 +45,10 @@ class Team {
   /// Builds the index, if it needs one. Ends the process if there is none.
   Team(const PlannerInfo& info, FreeSpace space) : info_(info), space_(std::move(space)) {
     if (!info_.build_index) return;
-    const double begin = seconds_now();
+    const double begin = thread_cpu_seconds();
     auto index = info_.build_index(space_, {});
     if (!index) _exit(1);
-    build_s_ = seconds_now() - begin;
+    build_s_ = thread_cpu_seconds() - begin;
     index_ = *std::move(index);
   }
 
@@ -77,9 +78,9 @@ void ask(Planner& planner, const std::vector<Query>& queries, double seconds, Me
   double total = 0;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < count; ++i) {
-      const double begin = seconds_now();
+      const double begin = thread_cpu_seconds();
       planner.plan(queries[i], plan);
-      total += seconds_now() - begin;
+      total += thread_cpu_seconds() - begin;
       ++asked;
       measured.costs[i] = plan.cost;
       if (total > seconds && round == 0) count = i + 1;
@@ -110,9 +111,9 @@ double ask_on(unsigned threads, const Team& team, std::span<const Query> queries
     }
   };
   for (unsigned i = 0; i < threads; ++i) planners[i]->plan(queries.front(), plans[i]);
-  const double begin = seconds_now();
+  const double begin = wall_seconds();
   workers.run(tasks, answer);
-  return kMicroseconds * (seconds_now() - begin) / static_cast<double>(tasks * in_a_task);
+  return kMicroseconds * (wall_seconds() - begin) / static_cast<double>(tasks * in_a_task);
 }
 
 Measured measure(const PlannerInfo& info, const FreeSpace& space, const std::vector<Query>& queries,
@@ -153,9 +154,9 @@ class KindRun {
     const GeneratorInfo* generator = generators().find(kind_.generator);
     const auto map = generator->make(size, size, kSeed, kind_.options);
     if (!map) return Error(map.error().message());
-    const double begin = seconds_now();
+    const double begin = thread_cpu_seconds();
     const FreeSpace space(*map);
-    MapScale scale{kind_, size, space.passable().count(), seconds_now() - begin, {}};
+    MapScale scale{kind_, size, space.passable().count(), thread_cpu_seconds() - begin, {}};
     std::vector<Query> queries;
     for (const CellPair& cells : random_pairs(space, plan_.queries, kSeed)) {
       queries.push_back(Query::between(cells.start, cells.goal));

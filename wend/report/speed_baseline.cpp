@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "wend/io/read_file.hpp"
 #include "wend/report/json.hpp"
 #include "wend/report/text_table.hpp"
@@ -20,9 +22,25 @@ SpeedBaseline baseline_of(const Json& json) {
                          .sample = json.at("sample"),
                          .rows = {}};
   for (const Json& row : json.at("planners")) {
-    baseline.rows.push_back({row.at("planner"), {row.at("later"), row.at("fresh")}});
+    baseline.rows.push_back(
+        {row.at("planner"), {row.at("later"), row.at("first"), row.at("prepare")}});
   }
   return baseline;
+}
+
+/// What is compared, with its name in the table.
+struct Measure {
+  const char* name;
+  double SpeedRatios::* ratio;
+};
+
+constexpr std::array kMeasures{Measure{"later queries", &SpeedRatios::later},
+                               Measure{"first query", &SpeedRatios::first},
+                               Measure{"preparation", &SpeedRatios::prepare}};
+
+/// Three digits of what is small.
+std::string digits(double ratio) {
+  return ratio < 10 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.1f}", ratio);
 }
 
 /// "+12 %" of what is faster, "-12 %" of what is slower.
@@ -56,32 +74,31 @@ std::string baseline_json(const SpeedBaseline& baseline) {
             {"sample", baseline.sample},
             {"planners", Json::array()}};
   for (const BaselineRow& row : baseline.rows) {
-    json["planners"].push_back(
-        {{"planner", row.planner}, {"later", row.ratios.later}, {"fresh", row.ratios.fresh}});
+    json["planners"].push_back({{"planner", row.planner},
+                                {"later", row.ratios.later},
+                                {"first", row.ratios.first},
+                                {"prepare", row.ratios.prepare}});
   }
   return json.dump(2) + "\n";
 }
 
 BaselineVerdict compared(const SpeedBaseline& baseline, const std::vector<BaselineRow>& now) {
   TextTable table({{"planner"},
-                   {"later\nnow", Align::right},
-                   {"later\nbaseline", Align::right},
-                   {"\nchange", Align::right},
-                   {"fresh\nnow", Align::right},
-                   {"fresh\nbaseline", Align::right},
-                   {"\nchange", Align::right},
+                   {"measure"},
+                   {"now", Align::right},
+                   {"baseline", Align::right},
+                   {"change", Align::right},
                    {""}});
   BaselineVerdict verdict;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const SpeedRatios& ratios = now[i].ratios;
-    const SpeedRatios& before = baseline.rows[i].ratios;
-    const double least = 1 - baseline.tolerance;
-    const bool slower = ratios.later < least * before.later || ratios.fresh < least * before.fresh;
-    verdict.slower = verdict.slower || slower;
-    table.add({now[i].planner, fmt::format("{:.1f}", ratios.later),
-               fmt::format("{:.1f}", before.later), change(ratios.later, before.later),
-               fmt::format("{:.1f}", ratios.fresh), fmt::format("{:.1f}", before.fresh),
-               change(ratios.fresh, before.fresh), slower ? "SLOWER" : ""});
+    for (const Measure& measure : kMeasures) {
+      const double ratio = now[i].ratios.*measure.ratio;
+      const double before = baseline.rows[i].ratios.*measure.ratio;
+      const bool slower = ratio < (1 - baseline.tolerance) * before;
+      verdict.slower = verdict.slower || slower;
+      table.add({&measure == &kMeasures.front() ? now[i].planner : "", measure.name, digits(ratio),
+                 digits(before), change(ratio, before), slower ? "SLOWER" : ""});
+    }
   }
   verdict.table = table.text();
   return verdict;
