@@ -281,6 +281,23 @@ TEST(Snippets, OfAPlannerInSteps) {
   EXPECT_EQ(*outcome, wend::Status::found);
 }
 
+TEST(Snippets, OfOpenList) {
+  const auto made = wend::make_planner("astar", open_space());
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(open_space());
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  wend::Plan plan;
+  std::vector<wend::Cell> order;
+  auto outcome = planner.begin(query, plan);
+  while (!outcome) {
+    const wend::OpenList open = planner.open_list(10);
+    order.push_back(open.entries.front().state.cell);  // the one that step() expands now
+    outcome = planner.step(plan);
+  }
+  EXPECT_EQ(order, recorder.expansions());
+}
+
 TEST(Snippets, OfCostToGo) {
   const wend::FreeSpace& space = open_space();
   const wend::Cell goal{8, 5};
@@ -633,6 +650,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "planner/cost_to_go.hpp",
                                         "planner/search_recorder.hpp",
                                         "planner/layer.hpp",
+                                        "planner/open_list.hpp",
                                         "report/posthoc_trace.hpp",
                                         "render/gif.hpp",
                                         "render/scene.hpp",

@@ -128,6 +128,10 @@ Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
   return Status::found;
 }
 
+OpenList CarPlanner::do_open_list(std::size_t most) const {
+  return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
+}
+
 std::string CarPlanner::do_reason(const Query& query, Status status) const {
   if (status == Status::unsupported_map) {
     return why_no_lattice(free_space().map(), options_.driving);

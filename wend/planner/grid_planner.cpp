@@ -113,6 +113,10 @@ Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
   return Status::found;
 }
 
+OpenList GridPlanner::do_open_list(std::size_t most) const {
+  return parts_.engine == nullptr ? OpenList{} : parts_.engine->open_list(most);
+}
+
 std::string GridPlanner::do_reason(const Query& query, Status status) const {
   return reason_in_cells(free_space(), query, status);
 }

@@ -47,6 +47,7 @@ class GridPlanner final : public Planner {
   Status do_plan(const Query& query, Plan& out) override;
   std::optional<Status> do_begin(const Query& query, Plan& out) override;
   std::optional<Status> do_step(Plan& out) override;
+  OpenList do_open_list(std::size_t most) const override;
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   void do_update(std::span<const Cell> changed) override;

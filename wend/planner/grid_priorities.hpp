@@ -71,6 +71,11 @@ class ExactKey<std::uint64_t> {
   std::uint64_t g_ = 0;
 };
 
+template <class Cost>
+std::uint64_t f_of(const ExactKey<Cost>& key) {
+  return key.f();
+}
+
 /// f = g + h in whole numbers, for the heuristics that are sums of straight and diagonal steps:
 /// h = major * (the longer side) + minor * (the shorter side).
 template <class Cost>
@@ -134,6 +139,11 @@ struct RealKey {
     return !(b.f < a.f) && a.g > b.g;
   }
 };
+
+template <class Cost>
+double f_of(const RealKey<Cost>& key) {
+  return key.f;
+}
 
 /// f = a g + w h: any heuristic and weight, and with a = 0 greedy search.
 template <class Space>

@@ -45,6 +45,14 @@ class JumpEngine final : public GridEngine {
 
   const SearchMetrics& metrics() const override { return search_.metrics(); }
 
+  OpenList open_list(std::size_t most) const override {
+    OpenList list;
+    list.count = search_.for_each_open(most, [&](Cell cell, Cell parent, Cost g, bool newest) {
+      list.entries.push_back({event(cell, parent, g), newest ? OpenTie::newest : OpenTie::none});
+    });
+    return list;
+  }
+
   double heuristic(const Cell& cell) const override {
     return goals_.empty() ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
   }
@@ -71,6 +79,14 @@ class JumpEngine final : public GridEngine {
     return std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   }
 
+  /// A state as the map has it, from what the search calls cells.
+  SearchEvent event(Cell cell, Cell parent, Cost g) const {
+    const double h = in_cells(search_.h(cell));
+    SearchEvent event{drawn_cell(space_, cell), {}, in_cells(g), h, in_cells(g) + h};
+    if (parent != cell) event.parent = drawn_cell(space_, parent);
+    return event;
+  }
+
   /// Passes the events on, in the map's cells.
   class Watcher {
    public:
@@ -91,10 +107,7 @@ class JumpEngine final : public GridEngine {
 
    private:
     SearchEvent event(Cell cell, Cell parent, Cost g) const {
-      const double h = in_cells(engine_.search_.h(cell));
-      SearchEvent event{drawn_cell(engine_.space_, cell), {}, in_cells(g), h, in_cells(g) + h};
-      if (parent != cell) event.parent = drawn_cell(engine_.space_, parent);
-      return event;
+      return engine_.event(cell, parent, g);
     }
 
     const JumpEngine& engine_;

@@ -22,7 +22,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -81,6 +83,13 @@ class JumpPointSearch {
   /// Of a search that found a way: its start, the cells where it turns, its goal. Between two of
   /// them all steps go the same way. Replaced by the next call.
   std::span<const Cell> waypoints();
+
+  /// Calls visit(cell, parent, g, newest) for the states that would be expanded next, in that order,
+  /// at most `most` of them: cell and parent as drawn, of the start the parent is itself; newest:
+  /// it lies in the bucket of the one before, where the newest comes first. Returns how many states
+  /// are open. On a copy of the queue: O(its entries).
+  template <class Visit>
+  std::uint64_t for_each_open(std::size_t most, Visit&& visit) const;
 
   /// The estimate to the nearest goal of the search begun last, in units.
   Cost h(Cell cell) const { return goals_.h(cell); }
@@ -305,6 +314,31 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node
   }
   leaps_.prefetch_leaps(jump);  // a state is often expanded soon after it was reached
   queue_.push(f, jump.number());
+}
+
+template <class Cost, std::uint32_t kSearches>
+template <class Visit>
+std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
+                                                              Visit&& visit) const {
+  if (outcome_ != SearchOutcome::running) return 0;
+  JumpQueue<Cost> rest = queue_;
+  std::unordered_set<StateId> open;  // older entries of a state are passed over
+  std::optional<std::size_t> bucket;
+  while (!rest.empty()) {
+    const auto entry = rest.pop();
+    if (rest.bucket_is_behind(goals_.best())) break;
+    const Node& node = nodes_[entry.id];
+    if (entry.f >= goals_.best() || node.pending == 0 || !open.insert(entry.id).second) continue;
+    if (open.size() > most) continue;
+    const std::size_t here = rest.bucket_of(entry.f);
+    visit(node.cell, nodes_[node.parent].cell, node.g(), here == bucket);
+    bucket = here;
+  }
+  const Cell from = nodes_[seer_.node].cell;
+  const bool goal_is_last = goals_.best() != kInfinite && from != goals_.goal();
+  if (!goal_is_last) return open.size();
+  if (open.size() < most) visit(goals_.goal(), from, goals_.best(), false);
+  return open.size() + 1;
 }
 
 /// Looks for goals from the jump points that a leap passes, and from its end if nothing comes after

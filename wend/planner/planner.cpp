@@ -37,6 +37,8 @@ std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
 
 std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
 
+OpenList Planner::do_open_list(std::size_t /*most*/) const { return {}; }
+
 std::string Planner::reason(const Query& query, Status status) const {
   const std::string reason = do_reason(query, status);
   return reason.empty() ? std::string(describe(status)) : reason;

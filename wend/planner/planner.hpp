@@ -11,6 +11,7 @@
 //   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
 //   if (!plan) return report(plan.error().reason);
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
+#include "wend/planner/open_list.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/query.hpp"
@@ -46,6 +48,11 @@ class Planner {
   ///   while (!outcome) outcome = planner.step(plan);
   std::optional<Status> begin(const Query& query, Plan& out);
   std::optional<Status> step(Plan& out);
+
+  /// Of a search that is stepped: the states that it would expand next, the next one first, at most
+  /// `most` of them, and how many are open. The search goes on as if nobody had asked. O(entries of
+  /// the frontier).
+  OpenList open_list(std::size_t most) const { return do_open_list(most); }
 
   /// Why a query of this planner ends with a status: in words, with where and what is there.
   std::string reason(const Query& query, Status status) const;
@@ -75,6 +82,7 @@ class Planner {
   virtual Status do_plan(const Query& query, Plan& out) = 0;
   virtual std::optional<Status> do_begin(const Query& query, Plan& out);
   virtual std::optional<Status> do_step(Plan& out);
+  virtual OpenList do_open_list(std::size_t most) const;
   /// Where and why; empty where there is no more to say than what the status does.
   virtual std::string do_reason(const Query& query, Status status) const;
   virtual double do_heuristic(const Pose& pose) const;

@@ -85,6 +85,13 @@ class RandomWalkPlanner final : public Planner {
 
   std::optional<Status> do_step(Plan& out) override { return walk_on(out); }
 
+  /// It keeps no frontier: it goes on from where it is.
+  OpenList do_open_list(std::size_t most) const override {
+    OpenList list{{}, 1};
+    if (most > 0) list.entries.push_back({event(last_)});
+    return list;
+  }
+
   std::string do_reason(const Query& query, Status status) const override {
     return reason_in_cells(free_space(), query, status);
   }

@@ -6,14 +6,18 @@
 // Place is how a planner names a state, Goal how it names where a path may end. Names<Space> says
 // which place a state is, what an observer is told of it, and what it adds to a path.
 
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "wend/base/limits.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/planner/open_list.hpp"
 #include "wend/search/forward_search.hpp"
+#include "wend/search/list_frontiers.hpp"
 
 namespace wend {
 
@@ -36,12 +40,55 @@ class SearchEngine {
 
   virtual const SearchMetrics& metrics() const = 0;
 
+  /// The states that would be expanded next, at most so many, and how many are open.
+  virtual OpenList open_list(std::size_t most) const = 0;
+
   /// The estimate from a place to the goals of the search begun last.
   virtual double heuristic(const Place& place) const = 0;
 
   /// The path of a search that has found a goal, into memory that is kept.
   virtual void write_path(Path& path) const = 0;
 };
+
+/// A state of a search, as it was reached by a move at that cost.
+template <class Names, class Search>
+SearchEvent event_of(const Search& search, const typename Search::State& state, Move arrival,
+                     typename Search::Cost cost) {
+  const auto& space = search.space();
+  const auto place = Names::place(state);
+  const double g = static_cast<double>(cost) / Search::SpaceType::kUnitsPerCell;
+  SearchEvent event{{}, {}, g, search.priority().h(place), search.priority().f(place, g)};
+  Names::tell_place(event, space, place);
+  if (arrival != kNoMove) {
+    Names::tell_parent(event, space, Names::place(space.parent(state, arrival)));
+  }
+  return event;
+}
+
+/// What orders a key behind the one that comes before it.
+template <class Key>
+OpenTie tie_between(const Key& before, const Key& key) {
+  if constexpr (!std::is_same_v<Key, NoKey>) {
+    if (!(before < key)) return OpenTie::newest;
+    if (!(f_of(before) < f_of(key))) return OpenTie::g;
+  }
+  return OpenTie::none;
+}
+
+/// The states that a search would expand next, at most so many.
+template <class Names, class Search>
+OpenList open_list_of(const Search& search, std::size_t most) {
+  using Key = typename Search::Key;
+  OpenList list{{}, search.open_count()};
+  std::optional<Key> before;
+  search.for_each_open(most, [&](const typename Search::State& state, const Key& key) {
+    const StateId id = search.space().id(state);
+    list.entries.push_back({event_of<Names>(search, state, search.arrival(id), search.g(id)),
+                            before ? tie_between(*before, key) : OpenTie::none});
+    before = key;
+  });
+  return list;
+}
 
 /// Passes the events of a search on to a SearchObserver.
 template <class Search, class Names>
@@ -65,15 +112,7 @@ class ObserverAdapter {
 
  private:
   SearchEvent event(const State& state, Move arrival, Cost cost) const {
-    const auto& space = search_.space();
-    const auto place = Names::place(state);
-    const double g = static_cast<double>(cost) / Search::SpaceType::kUnitsPerCell;
-    SearchEvent event{{}, {}, g, search_.priority().h(place), search_.priority().f(place, g)};
-    Names::tell_place(event, space, place);
-    if (arrival != kNoMove) {
-      Names::tell_parent(event, space, Names::place(space.parent(state, arrival)));
-    }
-    return event;
+    return event_of<Names>(search_, state, arrival, cost);
   }
 
   Search& search_;
@@ -110,6 +149,7 @@ class SearchEngineOf final : public Engine {
   }
 
   const SearchMetrics& metrics() const override { return search_.metrics(); }
+  OpenList open_list(std::size_t most) const override { return open_list_of<Names>(search_, most); }
   double heuristic(const Place& place) const override { return search_.priority().h(place); }
 
   void write_path(Path& path) const override {

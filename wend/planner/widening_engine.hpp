@@ -46,6 +46,7 @@ class WideningEngine final : public Engine {
   }
 
   const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  OpenList open_list(std::size_t most) const override { return engine_->open_list(most); }
   double heuristic(const Place& place) const override { return engine_->heuristic(place); }
   void write_path(Path& path) const override { engine_->write_path(path); }
 

@@ -46,6 +46,7 @@ class ScriptedEngine final : public Engine {
     return end_;
   }
   const SearchMetrics& metrics() const override { return metrics_; }
+  OpenList open_list(std::size_t most) const override { return {{}, most + metrics_.expanded}; }
   double heuristic(const int& place) const override { return place * steps_; }
   void write_path(Path& path) const override { path.append({steps_, 0}); }
 

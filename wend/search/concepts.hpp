@@ -34,9 +34,9 @@ concept SearchPriority = requires(const P& priority, const typename Space::State
   { priority.near_overflow(key) } -> std::convertible_to<bool>;
 };
 
-/// Open states. The same pushes always come out in the same order, on every platform.
+/// Open states. The same pushes always come out in the same order, on every platform, of a copy too.
 template <class F>
-concept SearchFrontier = requires(F frontier, typename F::Key key, StateId id) {
+concept SearchFrontier = std::copyable<F> && requires(F frontier, typename F::Key key, StateId id) {
   frontier.clear();
   { frontier.empty() } -> std::convertible_to<bool>;
   frontier.push(key, id);

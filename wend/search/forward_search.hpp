@@ -16,8 +16,10 @@
 // where the search goes.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_set>
 #include <utility>
 
 #include "wend/base/limits.hpp"
@@ -39,6 +41,7 @@ class ForwardSearch {
   using SpaceType = Space;
   using State = typename Space::State;
   using Cost = typename Space::Cost;
+  using Key = typename Frontier::Key;
 
   ForwardSearch(Space space, Priority priority)
       : space_(std::move(space)), priority_(std::move(priority)), nodes_(space_.state_count()) {}
@@ -98,6 +101,22 @@ class ForwardSearch {
   bool closed(StateId id) const { return reached(id) && nodes_[id].closed(); }
   Cost g(StateId id) const { return nodes_[id].g; }
   Move arrival(StateId id) const { return nodes_[id].arrival(); }
+
+  /// How many states are open.
+  std::uint64_t open_count() const { return metrics_.generated - metrics_.expanded; }
+
+  /// Calls visit(state, key) for the states that would be expanded next, in that order, at most
+  /// `most` of them. Takes them from a copy of the frontier: O(entries of the frontier).
+  template <class Visit>
+  void for_each_open(std::size_t most, Visit&& visit) const {
+    Frontier rest = frontier_;
+    std::unordered_set<StateId> visited;  // older entries of a state are passed over
+    while (visited.size() < most && !rest.empty()) {
+      const auto entry = rest.pop();
+      if (closed(entry.id) || !visited.insert(entry.id).second) continue;
+      visit(space_.state(entry.id), entry.key);
+    }
+  }
 
   /// Calls visit(state) for every state from `last` back to the start.
   template <class Visit>

@@ -65,10 +65,13 @@ class JumpQueue {
     return links_[link].entry;
   }
 
-  /// The least key that the bucket of a key may hold.
-  bool bucket_is_behind(Cost f) const {
-    return current_ > static_cast<std::size_t>((f - least_) >> width_bits_);
+  /// The bucket of a key.
+  std::size_t bucket_of(Cost f) const {
+    return static_cast<std::size_t>((f - least_) >> width_bits_);
   }
+
+  /// Is the bucket of a key below the one in work?
+  bool bucket_is_behind(Cost f) const { return current_ > bucket_of(f); }
 
  private:
   static constexpr std::size_t kWordBits = 64;
