@@ -199,6 +199,7 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
     canvas.draw_points(line.points, ascii_of(glyph_of(line.role).text).front());
   }
   for (const ScenePlace& goal : scene.goals) canvas.put(goal.point, 'G');
+  for (const Cell cell : scene.nearest_free) canvas.put(centre_of(cell), 'N');
   if (scene.start) canvas.put(scene.start->point, 'S');
   if (scene.robot) canvas.put(scene.robot->point(), 'R');
   if (scene.narrowest) canvas.put(*scene.narrowest, '!');

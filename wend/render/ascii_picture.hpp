@@ -8,7 +8,8 @@
 //   :  mostly too close for the robot                    o  path
 //   .  free                                              =  driven in reverse
 //   ~  mostly rough                                      !  the narrowest place
-//   o % &  planned, smoothed, driven                     R  the robot    X  a collision
+//   o % & -  planned, smoothed, driven, possible         R  the robot    X  a collision
+//   N  the nearest free cell
 //   0-9  heat, from the least to the greatest value
 //   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's, goal's region
 

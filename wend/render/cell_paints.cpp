@@ -33,7 +33,11 @@ bool as_large_as(const Layer& layer, const FreeSpace& space) {
 
 }  // namespace
 
-double roughness(double multiplier) { return std::min(1.0, std::log10(multiplier)); }
+/// The colours of rough ground would be taken for heat.
+bool is_rough(const Scene& scene, Cell cell) {
+  const GridMap& map = scene.space.map();
+  return !scene.heatmap && map.state(cell) != CellState::occupied && map.terrain(cell) != 1;
+}
 
 CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), style_(style) {
   assert(fits(scene));
@@ -53,14 +57,23 @@ Paint CellPaints::operator[](Cell cell) const {
   const FreeSpace& space = scene_.space;
   const CellState state = space.map().state(cell);
   if (state == CellState::occupied) return {style_.occupied, kObstacleWeight};
-  if (const auto role = role_of(scene_, cell)) return {style_.of(*role), weight_of(*role)};
+  if (const auto role = role_of(scene_, cell)) {
+    return {is_rough(scene_, cell) ? style_.of(*role, space.map().terrain(cell)) : style_.of(*role),
+            weight_of(*role)};
+  }
   if (const auto colour = heat(cell)) return {*colour};
   if (state == CellState::unknown) return {style_.unknown};
   if (!space.passable()[cell]) return {style_.too_close};
-  const double multiplier = space.map().terrain(cell);
-  // The colours of rough ground would be taken for heat.
-  if (multiplier == 1 || scene_.heatmap) return {style_.free};
-  return {mixed(style_.slightly_rough, style_.very_rough, roughness(multiplier))};
+  if (!is_rough(scene_, cell)) return {style_.free};
+  return {style_.rough(space.map().terrain(cell))};
+}
+
+std::optional<Stripes> CellPaints::stripes(Cell cell) const {
+  if (!is_rough(scene_, cell)) return std::nullopt;
+  const auto role = role_of(scene_, cell);
+  if (!role && !style_.stripes_all_rough) return std::nullopt;
+  const double multiplier = scene_.space.map().terrain(cell);
+  return Stripes{role ? style_.of(*role) : style_.rough(multiplier), style_.stripe(multiplier)};
 }
 
 }  // namespace wend

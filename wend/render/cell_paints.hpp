@@ -17,6 +17,14 @@ struct Paint {
   friend constexpr bool operator==(const Paint&, const Paint&) = default;
 };
 
+/// A cell of two colours.
+struct Stripes {
+  Colour base;
+  Colour stripe;
+
+  friend constexpr bool operator==(const Stripes&, const Stripes&) = default;
+};
+
 class CellPaints {
  public:
   /// Both must outlive this; the scene's layers are as large as its map.
@@ -27,6 +35,10 @@ class CellPaints {
 
   Paint operator[](Cell cell) const;
 
+  /// How rough ground shows where it needs stripes: under a role, or everywhere in a style that has
+  /// greys alone.
+  std::optional<Stripes> stripes(Cell cell) const;
+
   /// The colour of a cell's value in the heatmap, where it has a finite one and is no obstacle.
   std::optional<Colour> heat(Cell cell) const;
 
@@ -36,8 +48,7 @@ class CellPaints {
   std::optional<HeatRange> range_;  // of the heatmap, where it has a finite value
 };
 
-/// How rough terrain looks: from 0 for a multiplier of 1 to 1 for one of 10 or more, by its
-/// logarithm.
-double roughness(double multiplier);
+/// Is that ground drawn as rough, by itself or under a role?
+bool is_rough(const Scene& scene, Cell cell);
 
 }  // namespace wend

@@ -61,6 +61,27 @@ TEST(CellPaints, DrawRoughGroundOnlyWhereNoHeatIs) {
   EXPECT_EQ((CellPaints(scene, style)[{1, 0}].colour), style.free);
 }
 
+/// Neither hides the other, nor looks like it.
+TEST(CellPaints, ShowRoughGroundUnderARole) {
+  Scene scene{.space = FreeSpace(map_of({"29.9#"}))};
+  scene.marked = {{CellRole::expanded, marked_of({"***-*"}, '*')}};
+  const Style style;
+  const CellPaints paints(scene, style);
+  EXPECT_EQ((paints[{0, 0}].colour), style.of(CellRole::expanded, 2));
+  EXPECT_EQ((paints[{1, 0}].colour), style.of(CellRole::expanded, 9));
+  EXPECT_NE((paints[{0, 0}].colour), style.expanded);
+  EXPECT_EQ(paints.stripes({0, 0}), (Stripes{style.expanded, style.rough(2)}));
+  EXPECT_EQ(paints.stripes({1, 0}), (Stripes{style.expanded, style.rough(9)}));
+  EXPECT_EQ(paints.stripes({2, 0}), std::nullopt) << "not rough";
+  EXPECT_EQ(paints.stripes({3, 0}), std::nullopt) << "no role";
+  EXPECT_EQ(paints.stripes({4, 0}), std::nullopt) << "an obstacle";
+  const Style print = style_of(StyleName::print);
+  EXPECT_EQ(CellPaints(scene, print).stripes({3, 0}), (Stripes{print.rough(9), print.stripe(9)}))
+      << "greys alone do not tell";
+  scene.heatmap = {"cost", row({1, 2, 3, 4, 5})};
+  EXPECT_EQ(CellPaints(scene, style).stripes({0, 0}), std::nullopt) << "beside heat";
+}
+
 TEST(CellPaints, DrawAConstantLayerAsTheLeastAndAnEmptyOneNotAtAll) {
   Scene scene{.space = FreeSpace(map_of({".."}))};
   const Style style;

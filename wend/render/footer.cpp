@@ -11,6 +11,7 @@
 #include "wend/render/marks.hpp"
 #include "wend/render/number_text.hpp"
 #include "wend/render/scene_lines.hpp"
+#include "wend/render/stripes.hpp"
 
 namespace wend {
 namespace {
@@ -33,7 +34,7 @@ double heat_width(cairo_t* context, const LegendItem& item) {
 double swatch_width(Swatch swatch) {
   const bool is_long = swatch == Swatch::driven || swatch == Swatch::reverse ||
                        swatch == Swatch::planned_line || swatch == Swatch::smoothed_line ||
-                       swatch == Swatch::driven_line;
+                       swatch == Swatch::driven_line || swatch == Swatch::possible_line;
   return is_long ? 4 * kSwatch : 2 * kSwatch;
 }
 
@@ -74,6 +75,17 @@ void draw_heat(cairo_t* context, Point left, const LegendItem& item, const Style
   write(short_number(item.range.greatest), 0);
 }
 
+void draw_cell_swatch(cairo_t* context, Point centre, const LegendItem& item, const Style& style) {
+  const PictureArea area{centre.x - kSwatch, centre.y - kSwatch, 2 * kSwatch, 2 * kSwatch};
+  if (item.stripes) draw_stripes(context, area, *item.stripes);
+  cairo_rectangle(context, area.left, area.top, area.width, area.height);
+  if (!item.stripes) {
+    set_source(context, item.colour);
+    cairo_fill_preserve(context);
+  }
+  outline(context, style);
+}
+
 void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const Style& style) {
   switch (item.swatch) {
     case Swatch::heat:
@@ -85,6 +97,8 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
     case Swatch::narrowest:
       return draw_narrowest_mark(context, centre,
                                  {.line = 3, .halo = 1, .mark = kSwatch / kNarrowestReach}, style);
+    case Swatch::nearest_free:
+      return draw_nearest_free_mark(context, centre, kMarkSizes, style);
     case Swatch::path:
       set_source(context, item.colour);
       cairo_set_line_width(context, kMarkSizes.line);
@@ -104,14 +118,14 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
                               style);
     case Swatch::driven_line:
       return draw_line_sample(context, centre, swatch_width(item.swatch), LineRole::driven, style);
+    case Swatch::possible_line:
+      return draw_line_sample(context, centre, swatch_width(item.swatch), LineRole::possible,
+                              style);
     case Swatch::arrow:
       return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
     case Swatch::role:
     case Swatch::cell:
-      cairo_rectangle(context, centre.x - kSwatch, centre.y - kSwatch, 2 * kSwatch, 2 * kSwatch);
-      set_source(context, item.colour);
-      cairo_fill_preserve(context);
-      return outline(context, style);
+      return draw_cell_swatch(context, centre, item, style);
   }
 }
 

@@ -31,7 +31,7 @@ Glyph block_glyph(const Scene& scene, Cell block, bool ascii) {
     }
   }
   const int cells = unit * unit;
-  if (role) return glyph_of(*role);
+  if (role) return terrain != cells ? glyph_on_rough_ground(*role) : glyph_of(*role);
   if (unknown) return {"?", Meaning::unknown};
   if (2 * too_close > cells) return {":", Meaning::too_close};
   const double mean = terrain / cells;

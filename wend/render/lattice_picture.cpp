@@ -23,7 +23,7 @@ constexpr double kSamplesAUnit = 32;  // of an arc
 constexpr double kMostSamples = 4096;
 
 // In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 16> kLatticeLegend{{
+constexpr std::array<TextLegendEntry, 17> kLatticeLegend{{
     {Meaning::start, "S start"},
     {Meaning::goal, "G goal"},
     {Meaning::pose, "→ pose", "> pose"},
@@ -33,6 +33,7 @@ constexpr std::array<TextLegendEntry, 16> kLatticeLegend{{
     {Meaning::current, "@ being expanded"},
     {Meaning::frontier, "+ frontier"},
     {Meaning::expanded, "* expanded"},
+    {Meaning::expanded_rough, "% expanded, rough"},
     {Meaning::start_region, "s start's region"},
     {Meaning::goal_region, "g goal's region"},
     {Meaning::yard_obstacle, "█ obstacle", "# obstacle"},

@@ -1,6 +1,8 @@
 #include "wend/render/legend.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "wend/render/cell_paints.hpp"
 #include "wend/render/text_glyphs.hpp"
@@ -31,6 +33,8 @@ constexpr Swatch swatch_of(LineRole role) {
       return Swatch::planned_line;
     case LineRole::smoothed:
       return Swatch::smoothed_line;
+    case LineRole::possible:
+      return Swatch::possible_line;
     case LineRole::driven:
       break;
   }
@@ -39,12 +43,13 @@ constexpr Swatch swatch_of(LineRole role) {
 
 /// Each role once, in the enum's order.
 void add_lines(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
-  for (const LineRole role : {LineRole::planned, LineRole::smoothed, LineRole::driven}) {
-    const auto is_it = [role](const SceneLine& line) { return line.role == role; };
-    if (!std::ranges::any_of(scene.lines, is_it)) continue;
+  for (const LineRole role :
+       {LineRole::planned, LineRole::smoothed, LineRole::driven, LineRole::possible}) {
+    const auto line = std::ranges::find(scene.lines, role, &SceneLine::role);
+    if (line == scene.lines.end()) continue;
     items.push_back({swatch_of(role),
                      style.of(role),
-                     std::string(describe(role)),
+                     label_of(*line),
                      {},
                      ascii_of(glyph_of(role).text).front()});
   }
@@ -58,6 +63,7 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add(scene.start.has_value(), Swatch::start, style.start, "start", 'S');
   add(!scene.goals.empty(), Swatch::goal, style.goal, "goal", 'G');
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
+  add(!scene.nearest_free.empty(), Swatch::nearest_free, style.narrowest, "nearest free cell", 'N');
   add(scene.collision.has_value(), Swatch::collision, style.narrowest, "collision", 'X');
   const bool driven = scene.path.driven();
   add(!driven && scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
@@ -74,10 +80,25 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   if (scene.unit && scene.space.obstacles().count() > 0) add(style.occupied, "obstacle", '#');
   if (has_too_close_cells(scene.space)) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
-    add(mixed(style.slightly_rough, style.very_rough, roughness(kTypicallyRough)),
-        scene.unit ? "rough road" : "rough", '~');
+    add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');
+    if (style.stripes_all_rough) {
+      items.back().stripes = {style.rough(kTypicallyRough), style.stripe(kTypicallyRough)};
+    }
   }
   if (scene.space.map().unknown().count() > 0) add(style.unknown, "unknown", '?');
+}
+
+/// By role.
+std::array<bool, kCellRoles> roles_on_rough_ground(const Scene& scene) {
+  std::array<bool, kCellRoles> roles{};
+  if (scene.heatmap || scene.marked.empty() || scene.space.map().uniform_terrain()) return roles;
+  for (int y = 0; y < scene.space.height(); ++y) {
+    for (int x = 0; x < scene.space.width(); ++x) {
+      if (!is_rough(scene, {x, y})) continue;
+      if (const auto role = role_of(scene, {x, y})) roles[static_cast<std::size_t>(*role)] = true;
+    }
+  }
+  return roles;
 }
 
 }  // namespace
@@ -91,12 +112,17 @@ std::vector<LegendItem> legend_of(const Scene& scene, const Style& wanted) {
     }
   }
   add_marks(scene, style, items);
+  const auto striped = roles_on_rough_ground(scene);
   for (const CellRole role : roles_in(scene)) {
+    const std::string name(describe(role));
+    items.push_back({Swatch::role, style.of(role), name, {}, glyph_of(role).text.front()});
+    if (!striped[static_cast<std::size_t>(role)]) continue;
     items.push_back({Swatch::role,
-                     style.of(role),
-                     std::string(describe(role)),
+                     style.of(role, kTypicallyRough),
+                     name + ", rough",
                      {},
-                     glyph_of(role).text.front()});
+                     ' ',
+                     Stripes{style.of(role), style.stripe(kTypicallyRough)}});
   }
   add_cells(scene, style, items);
   return items;

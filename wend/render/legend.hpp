@@ -3,9 +3,11 @@
 // The legend of a scene: what its marks and colours mean, only of those that occur. Pictures draw
 // it below the map, terminals print it.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "wend/render/cell_paints.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 
@@ -17,6 +19,7 @@ enum class Swatch : unsigned char {
   start,
   goal,
   narrowest,
+  nearest_free,
   collision,
   path,
   driven,   // ahead, with an arrow
@@ -25,6 +28,7 @@ enum class Swatch : unsigned char {
   planned_line,
   smoothed_line,
   driven_line,
+  possible_line,
   arrow,
   role,
   cell
@@ -34,8 +38,9 @@ struct LegendItem {
   Swatch swatch;
   Colour colour;  // of all but heat
   std::string label;
-  HeatRange range{};     // of heat
-  char character = ' ';  // in ASCII pictures; heat has digits
+  HeatRange range{};                 // of heat
+  char character = ' ';              // in ASCII pictures; heat has digits
+  std::optional<Stripes> stripes{};  // where there is room for them; else the colour
 
   friend bool operator==(const LegendItem&, const LegendItem&) = default;
 };

@@ -30,9 +30,9 @@ TEST(Legend, ExplainsAllThatOccurs) {
             (std::vector<std::string>{"cost", "start", "goal", "narrowest", "path", "way to move",
                                       "expanded", "frontier", "too close", "unknown"}));
   scene.heatmap.reset();
-  EXPECT_EQ(labels_of(scene),
-            (std::vector<std::string>{"start", "goal", "narrowest", "path", "way to move",
-                                      "expanded", "frontier", "too close", "rough", "unknown"}));
+  EXPECT_EQ(labels_of(scene), (std::vector<std::string>{
+                                  "start", "goal", "narrowest", "path", "way to move", "expanded",
+                                  "expanded, rough", "frontier", "too close", "rough", "unknown"}));
 }
 
 TEST(Legend, TellsHowACarDrivesThroughAYard) {
@@ -42,10 +42,23 @@ TEST(Legend, TellsHowACarDrivesThroughAYard) {
   scene.start = scene.path.poses().front();
   EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"start", "driven ahead", "in reverse",
                                                         "obstacle", "rough road"}));
-  EXPECT_EQ(legend_of(scene, {}).back().colour,
-            mixed(Style{}.yard.slightly_rough, Style{}.yard.very_rough, roughness(3)));
+  EXPECT_EQ(legend_of(scene, {}).back().colour, Style{}.rough(3));
   scene.path = Path::through({{1, 1, 0}});
   EXPECT_EQ(labels_of(scene), (std::vector<std::string>{"start", "obstacle", "rough road"}));
+}
+
+TEST(Legend, NamesARoleOnRoughGroundBesideBoth) {
+  Scene scene{.space = FreeSpace(map_of({"3...3"}))};
+  scene.marked = {{CellRole::expanded, marked_of({"**---"}, '*')},
+                  {CellRole::frontier, marked_of({"--+--"}, '+')}};
+  EXPECT_EQ(labels_of(scene),
+            (std::vector<std::string>{"expanded", "expanded, rough", "frontier", "rough"}));
+  const LegendItem striped = legend_of(scene, {})[1];
+  EXPECT_EQ(striped.colour, Style{}.of(CellRole::expanded, 3));
+  EXPECT_EQ(striped.stripes, (Stripes{Style{}.expanded, Style{}.rough(3)}));
+  EXPECT_FALSE(legend_of(scene, {}).back().stripes);
+  const Style print = style_of(StyleName::print);
+  EXPECT_EQ(legend_of(scene, print).back().stripes, (Stripes{print.rough(3), print.stripe(3)}));
 }
 
 TEST(Legend, LeavesOutWhatDoesNotOccur) {

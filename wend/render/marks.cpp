@@ -214,6 +214,26 @@ void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
   cairo_stroke(context);
 }
 
+void draw_nearest_free_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                            const Style& style) {
+  if (sizes.mark < kLeastRound) {
+    return fill_square(context, centre, sizes.mark, style.narrowest);
+  }
+  const double reach = sizes.mark;
+  cairo_new_path(context);
+  cairo_move_to(context, centre.x, centre.y - reach);
+  cairo_rel_line_to(context, reach, reach);
+  cairo_rel_line_to(context, -reach, reach);
+  cairo_rel_line_to(context, -reach, -reach);
+  cairo_close_path(context);
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_MITER);
+  set_source(context, style.halo);
+  cairo_set_line_width(context, 2 * sizes.halo);
+  cairo_stroke_preserve(context);
+  set_source(context, style.narrowest);
+  cairo_fill(context);
+}
+
 void draw_collision_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style) {
   if (sizes.mark < kLeastRound) {
@@ -267,6 +287,10 @@ void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const
   }
   if (scene.narrowest && on_map(scene, *scene.narrowest)) {
     draw_narrowest_mark(context, view.to_picture(*scene.narrowest), sizes, style);
+  }
+  for (const Cell cell : scene.nearest_free) {
+    if (!on_map(scene, centre_of(cell))) continue;
+    draw_nearest_free_mark(context, view.to_picture(centre_of(cell)), sizes, style);
   }
   if (scene.collision && on_map(scene, *scene.collision)) {
     draw_collision_mark(context, view.to_picture(*scene.collision), sizes, style);

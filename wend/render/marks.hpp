@@ -39,6 +39,10 @@ void draw_goal_mark(cairo_t* context, const DrawnPlace& place, const MarkSizes& 
 void draw_narrowest_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style);
 
+/// A diamond.
+void draw_nearest_free_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
+                            const Style& style);
+
 /// A cross.
 void draw_collision_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
                          const Style& style);
@@ -47,7 +51,7 @@ void draw_collision_mark(cairo_t* context, Point centre, const MarkSizes& sizes,
 void draw_path(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                const Style& style);
 
-/// Start, goals, the narrowest place and the collision.
+/// Start, goals, the narrowest place, the nearest free cells and the collision.
 void draw_marks(cairo_t* context, const Scene& scene, const MapView& view, const MarkSizes& sizes,
                 const Style& style);
 

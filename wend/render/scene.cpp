@@ -31,8 +31,14 @@ std::string_view describe(LineRole role) {
       return "smoothed";
     case LineRole::driven:
       return "driven";
+    case LineRole::possible:
+      return "possible path";
   }
   return "";
+}
+
+std::string label_of(const SceneLine& line) {
+  return line.label.empty() ? std::string(describe(line.role)) : line.label;
 }
 
 Scene scene_between(FreeSpace space, Cell start, Cell goal) {

@@ -66,8 +66,9 @@ struct MarkedCells {
   BitGrid cells;  // as large as the map
 };
 
-/// What a line is: a path as planned, as smoothed, or the way that a robot drove.
-enum class LineRole : unsigned char { planned, smoothed, driven };
+/// What a line is: a path as planned, as smoothed, the way that a robot drove, or a path that there
+/// would be if something changed (a smaller robot).
+enum class LineRole : unsigned char { planned, smoothed, driven, possible };
 
 /// As a legend calls it: "planned".
 std::string_view describe(LineRole role);
@@ -76,7 +77,11 @@ std::string_view describe(LineRole role);
 struct SceneLine {
   LineRole role;
   std::vector<Point> points;
+  std::string label{};  // as the legend calls it; empty: as describe() does
 };
+
+/// "planned", or the line's own label.
+std::string label_of(const SceneLine& line);
 
 /// A number for every cell, drawn as a colour between those of the least and the greatest.
 struct Heatmap {
@@ -113,6 +118,7 @@ struct Scene {
   std::optional<Heatmap> heatmap{};    // under the marked cells
   std::optional<ArrowField> arrows{};  // under path and marks
   std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
+  std::vector<Cell> nearest_free{};    // where the robot could stand instead of a blocked end
   std::optional<Point> collision{};    // grid coordinates: where the robot runs into something
   std::optional<Pose> robot{};         // grid coordinates: where the robot is, drawn to scale
   std::optional<int> unit{};  // of a car on corners: they lie so many cells apart, 1 or more

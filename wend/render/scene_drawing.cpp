@@ -11,6 +11,8 @@
 #include "wend/render/map_image.hpp"
 #include "wend/render/map_rectangles.hpp"
 #include "wend/render/marks.hpp"
+#include "wend/render/sparse_dots.hpp"
+#include "wend/render/stripes.hpp"
 
 namespace wend {
 namespace {
@@ -89,6 +91,7 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
   const int unit = scene.unit.value_or(1);
   const MarkSizes sizes = mark_sizes(scene, view);
   draw_map(context, scene, view, shown, form);
+  draw_stripes(context, CellPaints(scene, shown), view);
   draw_grid_lines(context, view, unit, shown);
   draw_frame(context, view, shown);
   draw_axes(context, scene, view, shown);
@@ -96,6 +99,7 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
     draw_arrows(context, *scene.arrows, view, shows_cell_numbers(context, scene, view), shown);
   }
   draw_path(context, scene, view, sizes, shown);
+  draw_sparse_cells(context, scene, view, shown);
   draw_cell_numbers(context, scene, view, shown);
   draw_marks(context, scene, view, sizes, shown);
 }

@@ -13,7 +13,7 @@ constexpr double kLeastPointDistance = 0.25;  // pixels; points nearer to each o
 constexpr double kLeastLineWidth = 1;         // pixels
 constexpr double kTick = 1.35;                // how far the robot's tick reaches, in radii
 
-bool is_dashed(LineRole role) { return role == LineRole::planned; }
+bool is_dashed(LineRole role) { return role == LineRole::planned || role == LineRole::possible; }
 
 /// In widths of a path's line: what is driven leaves the others to be seen.
 constexpr double share_of(LineRole role) {
@@ -22,6 +22,8 @@ constexpr double share_of(LineRole role) {
       return 0.8;
     case LineRole::smoothed:
       return 1.5;
+    case LineRole::possible:
+      return 1;
     case LineRole::driven:
       break;
   }
@@ -49,8 +51,9 @@ void trace(cairo_t* context, const std::vector<Point>& points, const MapView& vi
 void stroke(cairo_t* context, LineRole role, const MarkSizes& sizes, const Style& style) {
   const double width = width_of(role, sizes);
   cairo_save(context);
-  // Half blocks have no room for dashes.
-  if (is_dashed(role) && sizes.halo > 0) {
+  // In half blocks, dashes would cut up what another line explains; of a possible path they say
+  // that it is none.
+  if (is_dashed(role) && (sizes.halo > 0 || role == LineRole::possible)) {
     const std::array<double, 2> dashes{2.6 * width, 2.2 * width};
     cairo_set_dash(context, dashes.data(), static_cast<int>(dashes.size()), 0);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// A scene's lines in a picture, exactly through their points: planned ones dashed, smoothed ones
-// wide, driven ones thin, so that each is seen where they lie on top of each other.
+// A scene's lines in a picture, exactly through their points: planned and possible ones dashed,
+// smoothed ones wide, driven ones thin, so that each is seen where they lie on top of each other.
 // And the robot that drives them, to scale.
 
 #include "wend/render/cairo_objects.hpp"

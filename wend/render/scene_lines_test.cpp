@@ -56,6 +56,45 @@ Scene crossing_lines() {
   return scene;
 }
 
+TEST(SceneLines, DashAPossiblePathInThePathsColourAndNameIt) {
+  Scene scene{.space = open_space()};
+  scene.lines = {{LineRole::possible, {{0.5, 2.5}, {6.5, 2.5}}, "path for a robot of 2 cells"}};
+  std::vector<Point> along;
+  for (double x = 1; x < 6; x += 0.02) along.push_back({x, 2.5});
+  const auto pixels = pixels_at(scene, along);
+  const std::uint32_t path = rgb_of(Style{}.path);
+  EXPECT_NE(std::ranges::count(pixels, path), 0);
+  EXPECT_NE(std::ranges::count(pixels, kFloor), 0) << "gaps";
+  const LegendItem item = legend_of(scene, {}).front();
+  EXPECT_EQ(item.swatch, Swatch::possible_line);
+  EXPECT_EQ(item.label, "path for a robot of 2 cells");
+  EXPECT_EQ(text_picture(scene, {.legend = true}),
+            ".......\n.......\n◇◇◇◇◇◇◇\n.......\n.......\n"
+            "◇ path for a robot of 2 cells   . free\n");
+}
+
+TEST(SceneLines, DashAPossiblePathInHalfBlocksToo) {
+  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(60, 3, CellState::free)))};
+  const Terminal terminal{.graphics = TerminalGraphics::half_blocks,
+                          .colours = TerminalColours::true_colour};
+  scene.lines = {{LineRole::possible, {{0.5, 1.5}, {59.5, 1.5}}}};
+  const std::string dashed = terminal_picture(scene, 60, 10, terminal);
+  scene.lines = {};
+  scene.path = Path({{0, 1}, {59, 1}});
+  EXPECT_NE(dashed, terminal_picture(scene, 60, 10, terminal));
+  const auto changes = [](const std::string& text) { return std::ranges::count(text, '\x1b'); };
+  EXPECT_GT(changes(dashed), changes(terminal_picture(scene, 60, 10, terminal)) + 10);
+}
+
+TEST(SceneMarks, ShowTheNearestFreeCell) {
+  Scene scene{.space = open_space()};
+  scene.nearest_free = {{2, 1}, {40, 1}};  // the other one is outside the map
+  EXPECT_EQ(pixel_at(scene, {2.5, 1.5}), rgb_of(Style{}.narrowest));
+  EXPECT_EQ(legend_of(scene, {}).front().label, "nearest free cell");
+  EXPECT_EQ(text_picture(scene, {.legend = true}),
+            ".......\n..N....\n.......\n.......\n.......\nN nearest free cell   . free\n");
+}
+
 TEST(SceneLines, LieExactlyWhereTheirPointsAreInTheirColours) {
   const Scene scene = crossing_lines();
   EXPECT_EQ(pixel_at(scene, {2, 1.3}), rgb_of(Style{}.lines.smoothed));

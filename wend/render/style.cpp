@@ -6,26 +6,26 @@
 namespace wend {
 namespace {
 
+constexpr double kInkInStripes = 0.6;  // where there are greys alone
+constexpr double kRoughShare = 0.35;   // of the colour of a cell that has a role too
+
 /// Walls are lighter than the floor: that keeps thin ones visible on a dark page.
 Style dark() {
   return {.free = colour_from(0x23272F),
           .occupied = colour_from(0xC2C8D2),
+          .yard_occupied = colour_from(0xE0484F),
           .unknown = colour_from(0x4A505B),
           .too_close = colour_from(0x40334F),
-          .slightly_rough = colour_from(0x3A3527),
-          .very_rough = colour_from(0x9A7436),
+          .slightly_rough = colour_from(0x705408),
+          .very_rough = colour_from(0xE6A817),
           .grid_lines = colour_from(0xC2C8D2),
           .expanded = colour_from(0x1D4F73),
-          .frontier = colour_from(0xAE7A0C),
+          .frontier = colour_from(0x3B86C8),
           .current = colour_from(0xF25FB0),
           .start_region = colour_from(0x0B6E78),
           .goal_region = colour_from(0x80421A),
           .heat_colours = {colour_from(0x2B2A55), colour_from(0x4F3A86), colour_from(0x86489A),
                            colour_from(0xC0608F), colour_from(0xE08C7A)},
-          .yard = {.occupied = colour_from(0xE0484F),
-                   .slightly_rough = colour_from(0x705408),
-                   .very_rough = colour_from(0xE6A817),
-                   .frontier = colour_from(0x3B86C8)},
           .lines = {.planned = colour_from(0xF0585B),
                     .smoothed = colour_from(0x7FE39A),
                     .driven = colour_from(0x4F95FF)},
@@ -45,10 +45,12 @@ Style print() {
   constexpr Colour kBlack = colour_from(0x101010);
   return {.free = colour_from(0xFFFFFF),
           .occupied = colour_from(0x2E2E2E),
+          .yard_occupied = colour_from(0x2E2E2E),
           .unknown = colour_from(0xACACAC),
           .too_close = colour_from(0xEBEBEB),
           .slightly_rough = colour_from(0xF4F4F4),
           .very_rough = colour_from(0x8C8C8C),
+          .stripes_all_rough = true,
           .grid_lines = kBlack,
           .expanded = colour_from(0xC8C8C8),
           .frontier = colour_from(0x858585),
@@ -57,10 +59,6 @@ Style print() {
           .goal_region = colour_from(0x939393),
           .heat_colours = {colour_from(0xE8E8E8), colour_from(0xC0C0C0), colour_from(0x989898),
                            colour_from(0x747474), colour_from(0x525252)},
-          .yard = {.occupied = colour_from(0x2E2E2E),
-                   .slightly_rough = colour_from(0xF4F4F4),
-                   .very_rough = colour_from(0x8C8C8C),
-                   .frontier = colour_from(0x858585)},
           .lines = {.planned = colour_from(0x4A4A4A),
                     .smoothed = colour_from(0x808080),
                     .driven = kBlack},
@@ -87,6 +85,20 @@ std::uint32_t rgb_of(const Colour& colour) {
 Colour readable_on(const Colour& colour) {
   const double luma = 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue;
   return colour_from(luma > 0.5 ? 0x000000 : 0xFFFFFF);
+}
+
+double roughness(double multiplier) { return std::min(1.0, std::log10(multiplier)); }
+
+Colour Style::rough(double multiplier) const {
+  return mixed(slightly_rough, very_rough, roughness(multiplier));
+}
+
+Colour Style::stripe(double multiplier) const {
+  return stripes_all_rough ? mixed(rough(multiplier), ink, kInkInStripes) : rough(multiplier);
+}
+
+Colour Style::of(CellRole role, double multiplier) const {
+  return mixed(of(role), rough(multiplier), kRoughShare);
 }
 
 Colour Style::heat(double share) const {
@@ -119,6 +131,8 @@ Colour Style::of(LineRole role) const {
       return lines.smoothed;
     case LineRole::driven:
       return lines.driven;
+    case LineRole::possible:
+      break;
   }
   return path;
 }
@@ -136,12 +150,8 @@ Style style_of(StyleName name) {
 }
 
 Style style_for(const Scene& scene, const Style& style) {
-  if (!scene.unit || scene.heatmap) return style;
   Style shown = style;
-  shown.occupied = style.yard.occupied;
-  shown.slightly_rough = style.yard.slightly_rough;
-  shown.very_rough = style.yard.very_rough;
-  shown.frontier = style.yard.frontier;
+  if (scene.unit && !scene.heatmap) shown.occupied = style.yard_occupied;
   return shown;
 }
 

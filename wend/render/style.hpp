@@ -5,6 +5,9 @@
 // differs in lightness or along blue and yellow, and marks differ in shape as well (a disc, a
 // target, a ring with ticks). The light one's marks are Okabe and Ito's blue, green and vermilion.
 //
+// One thing has one colour in all pictures of a style, and the one that is nearest to it among a
+// terminal's; docs/colours.md lists them, and a test compares that list with this file.
+//
 //   const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
 
 #include <array>
@@ -43,15 +46,6 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
 /// Black or white: what is better to read on that colour.
 Colour readable_on(const Colour& colour);
 
-/// What differs where a car drives over a yard: obstacles are red, rough roads yellow, and what was
-/// yellow gives way to them. The light style's.
-struct YardColours {
-  Colour occupied = colour_from(0xC8232C);
-  Colour slightly_rough = colour_from(0xFFF3B0);
-  Colour very_rough = colour_from(0xD99A00);
-  Colour frontier = colour_from(0x4F8FE0);
-};
-
 /// Lines differ in width and dashes too: see scene_lines.hpp. The light style's.
 struct LineColours {
   Colour planned = colour_from(0xBE1A2B);
@@ -64,15 +58,17 @@ struct Style {
   // Cells.
   Colour free = colour_from(0xFFFFFF);
   Colour occupied = colour_from(0x2B2D33);
+  Colour yard_occupied = colour_from(0xC8232C);  // the same in a yard that a car drives over
   Colour unknown = colour_from(0xC6C9CE);
   Colour too_close = colour_from(0xE4DDEF);       // free, but nearer to an obstacle than the radius
-  Colour slightly_rough = colour_from(0xFBF3D3);  // a terrain multiplier just above 1
-  Colour very_rough = colour_from(0xAD7F3C);      // a large one
+  Colour slightly_rough = colour_from(0xFFF3B0);  // a terrain multiplier just above 1
+  Colour very_rough = colour_from(0xD99A00);      // a large one
+  bool stripes_all_rough = false;  // or only where it lies under a role; for want of colours
   Colour grid_lines = colour_from(0x2B2D33);
 
   // Cells with a role.
   Colour expanded = colour_from(0x9BD0F2);
-  Colour frontier = colour_from(0xF5C242);
+  Colour frontier = colour_from(0x4F8FE0);
   Colour current = colour_from(0xD03A86);
   Colour start_region = colour_from(0x6AD2B2);
   Colour goal_region = colour_from(0xFAC79B);
@@ -82,7 +78,6 @@ struct Style {
                                      colour_from(0xF2A07C), colour_from(0xDB7486),
                                      colour_from(0xB0559A)};
 
-  YardColours yard{};
   LineColours lines{};
 
   // Marks.
@@ -97,6 +92,16 @@ struct Style {
   // Around the map.
   Colour page = colour_from(0xFFFFFF);
   Colour ink = colour_from(0x3C4047);
+
+  /// The colour of a cell whose ground is rough by a multiplier above 1.
+  Colour rough(double multiplier) const;
+
+  /// The colour of the stripes by which such ground shows under a role.
+  Colour stripe(double multiplier) const;
+
+  /// The colour of a cell with a role on rough ground: between both, for where there is no room
+  /// for stripes.
+  Colour of(CellRole role, double multiplier) const;
 
   /// The colour of a value that lies that share of the way (0 to 1) from the least to the greatest.
   Colour heat(double share) const;
@@ -113,8 +118,12 @@ constexpr std::array<Choice<StyleName>, 3> choice_names(StyleName) {
 
 Style style_of(StyleName name);
 
-/// The style as a scene is drawn in it: with the yard's colours where a car drives. Beside heat,
-/// which has yellow and red of its own, the others stay.
+/// How rough terrain looks: from 0 for a multiplier of 1 to 1 for one of 10 or more, by its
+/// logarithm.
+double roughness(double multiplier);
+
+/// The style as a scene is drawn in it: obstacles are red where a car drives, except beside heat,
+/// which has red of its own.
 Style style_for(const Scene& scene, const Style& style);
 
 }  // namespace wend

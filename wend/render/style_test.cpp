@@ -259,7 +259,7 @@ TEST(Style, KeepsItsColoursWithoutACarAndBesideHeat) {
   const Style style;
   EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
   scene.unit = 1;
-  EXPECT_EQ(style_for(scene, style).occupied, style.yard.occupied);
+  EXPECT_EQ(style_for(scene, style).occupied, style.yard_occupied);
   scene.heatmap = {"cost", Grid<double>(1, 1)};
   EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
 }

@@ -14,6 +14,7 @@
 #include "wend/render/map_image.hpp"
 #include "wend/render/marks.hpp"
 #include "wend/render/picture_layout.hpp"
+#include "wend/render/sparse_dots.hpp"
 
 namespace wend {
 namespace {
@@ -31,6 +32,8 @@ using Owned = std::unique_ptr<T, ChafaDeleter>;
 
 // Chafa matches symbols on 8 x 8 pixels a character; an image of that size is not scaled again.
 constexpr int kSymbolPixels = 8;
+
+constexpr double kMostCellsAPixel = 2;  // along its side: a wall one cell wide is still seen
 
 // More than any terminal has; less than what cairo refuses.
 constexpr int kMostCharacters = 400;         // across, and down
@@ -91,6 +94,11 @@ CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int
     draw_arrows(context.get(), *scene.arrows, view, false, style);
   }
   draw_path(context.get(), scene, view, sizes, style);
+  if (sizes.halo > 0) {
+    draw_sparse_cells(context.get(), scene, view, style);
+  } else {
+    draw_sparse_pixels(context.get(), scene, view, style);
+  }
   draw_marks(context.get(), scene, view, sizes, style);
   cairo_surface_flush(surface.get());
   return surface;
@@ -188,12 +196,31 @@ Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
   if (colours == TerminalColours::sixteen) {
     shown.path = colour_from(0x0000FF);
     shown.start = colour_from(0x00A000);
-    shown.goal = colour_from(scene.unit ? 0xE000E0 : 0xE00000);  // a yard's obstacles are red
+    shown.goal = colour_from(0xFF0000);
     shown.lines = {.planned = colour_from(0xE00000),
                    .smoothed = colour_from(0x00A000),
                    .driven = colour_from(0x0000FF)};
   }
   return shown;
+}
+
+std::string terminal_shortage(const Scene& scene, int columns, int rows, const Terminal& terminal) {
+  columns = std::clamp(columns, 1, kMostCharacters);
+  rows = std::clamp(rows, 1, kMostCharacters);
+  const bool ascii =
+      terminal.graphics == TerminalGraphics::ascii || terminal.colours == TerminalColours::none;
+  const CharacterSize character = ascii ? CharacterSize{1, 2} : character_size(terminal);
+  const double across = static_cast<double>(scene.space.width()) / (columns * character.width);
+  const double down = static_cast<double>(scene.space.height()) / (rows * character.height);
+  const double cells = std::max(across, down);  // along the side of a pixel
+  if (cells <= kMostCellsAPixel) return {};
+  const auto whole = static_cast<int>(std::ceil(cells));
+  const bool pixels =
+      terminal.graphics == TerminalGraphics::kitty || terminal.graphics == TerminalGraphics::sixel;
+  return "too small: " + std::to_string(whole) + " x " +
+         std::to_string(pixels ? whole : 2 * whole) + " cells a " +
+         (pixels ? "pixel" : "character") + "; a " + (across >= down ? "wider" : "higher") +
+         " terminal or -o FILE.png shows more";
 }
 
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,

@@ -150,12 +150,27 @@ TEST(TerminalPicture, TellsAheadFromReverseInAscii) {
 TEST(TerminalPicture, ColoursAYard) {
   const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};
   const std::string picture = terminal_picture(yard(), 80, 40, terminal);
-  const YardColours colours;
-  for (const Colour& colour : {colours.occupied, Style{}.path, Style{}.reverse}) {
+  for (const Colour& colour : {Style{}.yard_occupied, Style{}.path, Style{}.reverse}) {
     const std::uint32_t rgb = rgb_of(colour);
     const std::string code = fmt::format("2;{};{};{}", rgb >> 16U, rgb >> 8U & 255U, rgb & 255U);
     EXPECT_NE(picture.find(code), std::string::npos) << code;
   }
+}
+
+TEST(TerminalShortage, SaysWhereCellsVanishAndWhatWouldHelp) {
+  const Scene wide{.space = FreeSpace(GridMap(Grid<CellState>(600, 100, CellState::free)))};
+  const Terminal ascii;
+  const Terminal blocks{TerminalGraphics::half_blocks, TerminalColours::true_colour};
+  for (const Terminal& terminal : {ascii, blocks}) {
+    EXPECT_EQ(terminal_shortage(wide, 100, 40, terminal),
+              "too small: 6 x 12 cells a character; a wider terminal or -o FILE.png shows more");
+    EXPECT_EQ(terminal_shortage(wide, 300, 80, terminal), "") << "a wall is still seen";
+  }
+  const Scene high{.space = FreeSpace(GridMap(Grid<CellState>(100, 600, CellState::free)))};
+  EXPECT_EQ(terminal_shortage(high, 100, 40, blocks),
+            "too small: 8 x 16 cells a character; a higher terminal or -o FILE.png shows more");
+  const Terminal pixels{TerminalGraphics::kitty, TerminalColours::true_colour};
+  EXPECT_EQ(terminal_shortage(high, 100, 40, pixels), "");
 }
 
 TEST(TerminalPicture, ShowsHeatAsDigitsInAscii) {

@@ -44,8 +44,8 @@ std::string_view ascii_of(std::string_view character) {
   const auto* const found = std::ranges::find(kArrows, character);
   if (found != kArrows.end())
     return kAsciiArrows[static_cast<std::size_t>(found - kArrows.begin())];
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOthers{
-      {{"·", "."}, {"○", "o"}, {"●", "%"}, {"◆", "&"}, {"✗", "X"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kOthers{
+      {{"·", "."}, {"○", "o"}, {"●", "%"}, {"◆", "&"}, {"◇", "-"}, {"✗", "X"}}};
   for (const auto& [text, ascii] : kOthers) {
     if (text == character) return ascii;
   }
@@ -68,6 +68,11 @@ Glyph glyph_of(CellRole role) {
   return {};
 }
 
+Glyph glyph_on_rough_ground(CellRole role) {
+  if (role == CellRole::expanded) return {"%", Meaning::expanded_rough};
+  return glyph_of(role);
+}
+
 Glyph glyph_of(LineRole role) {
   switch (role) {
     case LineRole::planned:
@@ -76,6 +81,8 @@ Glyph glyph_of(LineRole role) {
       return {"●", Meaning::smoothed_line};
     case LineRole::driven:
       return {"◆", Meaning::driven_line};
+    case LineRole::possible:
+      return {"◇", Meaning::possible_line};
   }
   return {};
 }
@@ -125,6 +132,9 @@ void put_marks(const Scene& scene, Grid<Glyph>& glyphs) {
     if (const auto cell = cell_under(scene.space, *scene.narrowest)) {
       glyphs[*cell] = {"!", Meaning::narrowest};
     }
+  }
+  for (const Cell cell : scene.nearest_free) {
+    if (glyphs.contains(cell)) glyphs[cell] = {"N", Meaning::nearest_free};
   }
   if (scene.start) {
     if (const auto cell = cell_under(scene.space, scene.start->point)) {

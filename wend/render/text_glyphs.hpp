@@ -20,6 +20,7 @@ enum class Meaning : unsigned char {
   too_close,
   rough,
   expanded,
+  expanded_rough,  // on rough ground
   frontier,
   current,
   start_region,
@@ -29,8 +30,10 @@ enum class Meaning : unsigned char {
   planned_line,
   smoothed_line,
   driven_line,
+  possible_line,
   robot,
   narrowest,
+  nearest_free,
   collision,
   start,
   goal,
@@ -42,7 +45,7 @@ enum class Meaning : unsigned char {
   reverse,
   pose,
 };
-inline constexpr int kMeanings = 26;
+inline constexpr int kMeanings = 29;
 
 struct Glyph {
   std::string_view text;  // one column wide, UTF-8
@@ -64,6 +67,10 @@ std::string_view ascii_of(std::string_view character);
 std::size_t characters(std::string_view text);
 
 Glyph glyph_of(CellRole role);
+
+/// The same on rough ground, which shows where the search has been.
+Glyph glyph_on_rough_ground(CellRole role);
+
 Glyph glyph_of(LineRole role);
 
 /// The cell that a point in grid coordinates lies in, if it is one of the map.
@@ -75,7 +82,7 @@ void put_arrows(const Scene& scene, Grid<Glyph>& glyphs);
 /// Writes the scene's lines over what is there, later ones over earlier ones.
 void put_lines(const Scene& scene, Grid<Glyph>& glyphs);
 
-/// Writes S, G, R (the robot), ! (the narrowest place) and a cross (the collision) over what is there.
+/// Writes S, G, R (the robot), ! (the narrowest place), N (the nearest free cells) and a cross (the collision) over what is there.
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs);
 
 /// A glyph for every cell of the map, without anything that lies on it.

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "wend/render/lattice_picture.hpp"
 #include "wend/render/text_rows.hpp"
@@ -12,19 +17,22 @@ namespace wend {
 namespace {
 
 // In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 20> kLegend{{
+constexpr std::array<TextLegendEntry, 23> kLegend{{
     {Meaning::start, "S start"},
     {Meaning::goal, "G goal"},
     {Meaning::path, "→ path", "> path"},
     {Meaning::planned_line, "○ planned", "o planned"},
     {Meaning::smoothed_line, "● smoothed", "% smoothed"},
     {Meaning::driven_line, "◆ driven", "& driven"},
+    {Meaning::possible_line, "◇ possible path", "- possible path"},
     {Meaning::robot, "R robot"},
     {Meaning::collision, "✗ collision", "X collision"},
     {Meaning::narrowest, "! narrowest"},
+    {Meaning::nearest_free, "N nearest free cell"},
     {Meaning::current, "@ being expanded"},
     {Meaning::frontier, "+ frontier"},
     {Meaning::expanded, "* expanded"},
+    {Meaning::expanded_rough, "% expanded, rough"},
     {Meaning::start_region, "s start's region"},
     {Meaning::goal_region, "g goal's region"},
     {Meaning::move, "→ way to move", "> way to move"},
@@ -35,11 +43,38 @@ constexpr std::array<TextLegendEntry, 20> kLegend{{
     {Meaning::free, ". free"},
 }};
 
+/// The legend's entries, with the labels that the scene's lines have of their own.
+class SceneLegend {
+ public:
+  explicit SceneLegend(const Scene& scene) : entries_(kLegend.begin(), kLegend.end()) {
+    for (const SceneLine& line : scene.lines) {
+      if (line.label.empty()) continue;
+      const Glyph glyph = glyph_of(line.role);
+      const auto entry = std::ranges::find(entries_, glyph.meaning, &TextLegendEntry::meaning);
+      entry->text = keep(glyph.text, line.label);
+      entry->ascii = keep(ascii_of(glyph.text), line.label);
+    }
+  }
+
+  std::span<const TextLegendEntry> entries() const { return entries_; }
+
+ private:
+  std::string_view keep(std::string_view character, const std::string& label) {
+    return words_.emplace_back(std::string(character) + " " + label);
+  }
+
+  std::vector<TextLegendEntry> entries_;
+  std::deque<std::string> words_;  // what entries of lines show
+};
+
 void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
   for (int y = 0; y < glyphs.height(); ++y) {
     for (int x = 0; x < glyphs.width(); ++x) {
       if (glyphs[{x, y}].meaning == Meaning::obstacle) continue;
-      if (const auto role = role_of(scene, {x, y})) glyphs[{x, y}] = glyph_of(*role);
+      const auto role = role_of(scene, {x, y});
+      if (!role) continue;
+      const bool rough = scene.space.map().terrain({x, y}) != 1;
+      glyphs[{x, y}] = rough ? glyph_on_rough_ground(*role) : glyph_of(*role);
     }
   }
 }
@@ -85,7 +120,7 @@ std::string text_picture(const Scene& scene, const TextStyle& style) {
   for (int n = 0; n < glyphs.height(); ++n) {
     append_row(text, std::as_const(glyphs).row(drawn_row(scene.space, n)), style);
   }
-  if (style.legend) append_legend(text, glyphs, kLegend, style);
+  if (style.legend) append_legend(text, glyphs, SceneLegend(scene).entries(), style);
   return text;
 }
 

@@ -6,9 +6,10 @@
 //   S→↘.#    #  obstacle       S  start     →  path, towards the next cell
 //   ..#↓~    ?  unknown        G  goal      !  the narrowest place
 //   .?::G    :  too close for the robot     .  free
-//   *  expanded     +  frontier     @  being expanded     s  start's region     g  goal's region
+//   *  expanded     %  the same on rough ground     +  frontier     @  being expanded     s  start's region     g  goal's region
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
-//   ○ ● ◆  lines: planned, smoothed, driven     R  the robot     ✗  a collision
+//   ○ ● ◆ ◇  lines: planned, smoothed, driven, possible     R  the robot     ✗  a collision
+//   N  the nearest free cell
 //
 // A scene's arrows are shown too, its heatmap is not: see text_numbers() in text_layers.hpp.
 //

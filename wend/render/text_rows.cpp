@@ -14,7 +14,10 @@ constexpr std::string_view kReset = "\x1b[0m";
 constexpr std::string_view ansi_of(Meaning meaning) {
   switch (meaning) {
     case Meaning::obstacle:
+    case Meaning::move:
       return "";
+    case Meaning::reverse:
+      return "\x1b[1m";
     case Meaning::free:
     case Meaning::unknown:
     case Meaning::corner:
@@ -23,14 +26,16 @@ constexpr std::string_view ansi_of(Meaning meaning) {
     case Meaning::too_close:
       return "\x1b[35m";
     case Meaning::rough:
-    case Meaning::frontier:
       return "\x1b[33m";
+    case Meaning::frontier:
+      return "\x1b[34m";
     case Meaning::expanded:
+    case Meaning::expanded_rough:
       return "\x1b[36m";
     case Meaning::current:
     case Meaning::narrowest:
+    case Meaning::nearest_free:
     case Meaning::collision:
-    case Meaning::reverse:
       return "\x1b[1;35m";
     case Meaning::start_region:
       return "\x1b[32m";
@@ -40,9 +45,8 @@ constexpr std::string_view ansi_of(Meaning meaning) {
     case Meaning::yard_obstacle:
     case Meaning::planned_line:
       return "\x1b[31m";
-    case Meaning::move:
-      return "\x1b[34m";
     case Meaning::path:
+    case Meaning::possible_line:
     case Meaning::ahead:
     case Meaning::pose:
     case Meaning::driven_line:

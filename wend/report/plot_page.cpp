@@ -46,7 +46,11 @@ PlotPage::Terminal PlotPage::terminal_for(PlotKind kind) {
 
 PlotPage::PlotPage(PlotKind kind, const PlotColours& colours, std::vector<std::string> names,
                    double panels)
-    : terminal_(terminal_for(kind)), colours_(colours), names_(std::move(names)), panels_(panels) {}
+    : terminal_(terminal_for(kind)),
+      colours_(colours),
+      names_(std::move(names)),
+      looks_(plot_colours_of(names_)),
+      panels_(panels) {}
 
 double PlotPage::height() const { return panels_ + kLegendRow * legend_rows() + kTitle; }
 
@@ -109,11 +113,11 @@ void PlotPage::put_legend(std::string_view headline) {
 }
 
 std::string PlotPage::colour_of(std::size_t name) const {
-  return hex(colours_.names[name % colours_.names.size()]);
+  return hex(colours_.names[looks_[name]]);
 }
 
 std::string PlotPage::point_look(std::size_t name) const {
-  return fmt::format("pt {} ps {} {}", kShapes[name % kShapes.size()], terminal_.mark,
+  return fmt::format("pt {} ps {} {}", kShapes[looks_[name] % kShapes.size()], terminal_.mark,
                      line_look(name));
 }
 

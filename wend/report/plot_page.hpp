@@ -83,6 +83,7 @@ class PlotPage {
   Terminal terminal_;
   PlotColours colours_;
   std::vector<std::string> names_;
+  std::vector<std::size_t> looks_;  // the numbers of their colours and shapes
   double panels_;
   std::string text_;
 };
