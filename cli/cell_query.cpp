@@ -6,11 +6,16 @@
 
 #include "exit_code.hpp"
 #include "nearest_ends.hpp"
+#include "no_path_scene.hpp"
 #include "picture.hpp"
 #include "plan_text.hpp"
 
 namespace wend::cli {
 namespace {
+
+bool is_about_the_start(Status status) {
+  return status == Status::start_outside || status == Status::start_blocked;
+}
 
 bool is_about_a_goal(Status status) {
   return status == Status::goal_outside || status == Status::goal_blocked ||
@@ -55,6 +60,11 @@ Scene CellQuery::scene() const {
   scene.goals.clear();
   for (const Cell goal : goal_cells()) scene.goals.emplace_back(centre_of(goal));
   return scene;
+}
+
+std::optional<Scene> CellQuery::failure_scene(Status status) const {
+  if (!is_about_the_start(status) && !is_about_a_goal(status)) return std::nullopt;
+  return no_path_scene(space_, start_.cell, goal_cells(), moves_, coordinates_);
 }
 
 std::optional<CostToGo> CellQuery::cost_to_go(const Limits& limits) const {

@@ -11,11 +11,13 @@
 #include "explainer.hpp"
 #include "flags.hpp"
 #include "map_arguments.hpp"
+#include "no_path_scene.hpp"
 #include "option_flags.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
 #include "picture_files.hpp"
+#include "text_blocks.hpp"
 #include "wend/planner/no_path.hpp"
 #include "wend/report/no_path_json.hpp"
 
@@ -38,7 +40,8 @@ constexpr const char* kExplainExamples = R"(Examples:
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
 
 The picture shows what can be reached from the start, from where the goal can be
-reached, and the widest way between them with its narrowest place. Exit codes: 0
+reached, and, dashed, the path that there would be if the least changed, with its
+narrowest place; and the nearest free cell where an end is blocked. Exit codes: 0
 there is a path after all, 1 there is none, 2 bad usage or input.)";
 
 /// One question, from its arguments to its answer.
@@ -78,15 +81,20 @@ class ExplainRun {
   NoPath why_;
 };
 
+constexpr int kColumns = 80;
+constexpr int kNameColumns = 16;
+
 std::string line(std::string_view name, const std::string& what) {
-  return fmt::format("{:<16}{}\n", name, what);
+  const std::string text = fmt::format("{:<{}}{}", name, kNameColumns, what);
+  return folded(text, kColumns, kNameColumns) + "\n";
 }
 
 std::string ExplainRun::headline() const {
-  if (why_.path_exists()) {
-    return fmt::format("there is a path from {} to {}\n", ends_.start.text, ends_.goal.text);
-  }
-  return fmt::format("no path joins start {} and goal {}\n", ends_.start.text, ends_.goal.text);
+  const std::string text =
+      why_.path_exists()
+          ? fmt::format("there is a path from {} to {}", ends_.start.text, ends_.goal.text)
+          : fmt::format("no path joins start {} and goal {}", ends_.start.text, ends_.goal.text);
+  return folded(text, kColumns) + "\n";
 }
 
 std::string ExplainRun::region(const Place& place, std::size_t cells) const {
@@ -107,8 +115,7 @@ std::string ExplainRun::causes() const {
          says(&Way::unknown_free, "unknown cells", "a way leads through them") +
          says(&Way::squeeze, "corner rule",
               "a way leads between obstacles that touch with their corners") +
-         line("connectivity",
-              "not the cause: unless corners are cut, 4 neighbours reach what 8 do");
+         line("connectivity", "not the cause: unless corners are cut, 4 moves reach what 8 do");
 }
 
 /// The ends that lie on an obstacle: "start and goal"; empty where none does.
@@ -132,7 +139,7 @@ std::string ExplainRun::text() const {
   text += picture(scene(), detect_screen(), arguments_.pictures);
   text += line("start's region", region(ends_.start, why_.start_region)) +
           line("goal's region", region(ends_.goal, why_.goal_region));
-  text += line("widest path", why_.widest ? "for a robot " + explainer_.width(*why_.widest)
+  text += line("widest path", why_.widest ? "robot " + explainer_.width(*why_.widest)
                                           : "none, whatever the robot's size: " + parted());
   if (why_.path_exists()) return text;
   text += causes();
@@ -147,18 +154,7 @@ std::string ExplainRun::text() const {
 }
 
 Scene ExplainRun::scene() const {
-  Scene scene = scene_between(space_, ends_.start.cell, ends_.goal.cell);
-  scene.marked = {{CellRole::start_region, region_of(space_, ends_.start.cell, moves_)}};
-  if (!why_.path_exists()) {
-    scene.marked.push_back({CellRole::goal_region, region_of(space_, ends_.goal.cell, moves_)});
-  }
-  // The way that asks for the least, or, where the robot fits, the widest one.
-  if (!why_.ways.empty()) {
-    const WidestPath& widest = why_.ways.front().widest;
-    scene.path = widest.path;
-    scene.narrowest = widest.narrowest;
-  }
-  return scene;
+  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, coordinates_, why_);
 }
 
 ExitCode ExplainRun::report() const {

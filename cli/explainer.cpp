@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "no_path_scene.hpp"
 #include "wend/geometry/pose.hpp"
-#include "wend/map/nearest_passable.hpp"
 
 namespace wend::cli {
 
@@ -70,9 +70,7 @@ std::string Explainer::blocked_end(const Place& place, const Place& other) const
 
 std::string Explainer::nearest(const Place& place, const Place& other) const {
   const bool other_is_free = space_.passable(other.cell);
-  const auto cell = other_is_free
-                        ? nearest_passable(space_, place.cell, other.cell, moves_.adjacency())
-                        : nearest_passable(space_, place.cell);
+  const auto cell = nearest_free(space_, place.cell, other.cell, moves_);
   if (!cell) return "No cell of the map is free for this robot";
   const double away = distance(centre_of(*cell), centre_of(place.cell));
   const std::string connected = other_is_free ? " that is connected to the " + other.name : "";

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "picture.hpp"
 #include "plan_text.hpp"
+#include "text_blocks.hpp"
 #include "wend/render/text_layers.hpp"
 #include "wend/render/text_picture.hpp"
 
 namespace wend::cli {
 namespace {
+
+constexpr int kColumnsAnArrow = 2;
 
 /// Costs as heat, the policy as arrows.
 Scene scene_of(const CostToGo& field, const FreeSpace& space, const FieldReport& report) {
@@ -27,30 +31,47 @@ Scene scene_of(const CostToGo& field, const FreeSpace& space, const FieldReport&
   return scene;
 }
 
-/// Does a grid of cells so many columns wide fit on the screen?
-bool fits(const FreeSpace& space, int columns_a_cell, const Screen& screen) {
-  return space.width() * columns_a_cell <= std::max(screen.columns, 80);
-}
-
 std::string grids(const CostToGo& field, const Scene& scene, const Screen& screen) {
-  const TerminalColours colours = screen.terminal.colours;
-  std::string text;
-  if (fits(scene.space, columns_a_number(field.costs()), screen)) {
-    text += "cost to the goal\n" + text_numbers(scene, colours) + "\n";
-  }
-  text += "which way to move\n";
-  const bool wide = fits(scene.space, 2, screen);
-  text += wide ? text_arrows(scene, colours)
-               : text_picture(scene, {.colours = colours != TerminalColours::none});
+  const int columns_a_cost = columns_a_number(field.costs());
+  const auto fits = [&](int columns_a_cell) {
+    return scene.space.width() * columns_a_cell <= screen.columns;
+  };
+  // Colours are of whole rows.
+  const TerminalColours colours =
+      fits(columns_a_cost) ? screen.terminal.colours : TerminalColours::none;
+  std::string text = "cost to the goal\n" +
+                     folded_grid(text_numbers(scene, colours), columns_a_cost, screen.columns) +
+                     "\nwhich way to move\n";
+  const bool coloured = screen.terminal.colours != TerminalColours::none;
+  text += fits(kColumnsAnArrow) ? text_arrows(scene, screen.terminal.colours)
+                                : text_picture(scene, {.colours = coloured});
   return text + "\n";
 }
 
-std::string start_text(const FieldStart& start, bool small) {
+/// The cells of a path, as path_line() has them, on as many lines as it takes.
+std::string path_lines(const Path& path, int columns) {
+  constexpr std::string_view kIndent = "  ";
+  std::string text;
+  std::string line(kIndent);
+  for (std::size_t i = 0; i < path.cells().size(); ++i) {
+    const bool last = i + 1 == path.cells().size();
+    const std::string cell = cell_text(path.cells()[i]) + (last ? "" : ">");
+    const bool full = line.size() + cell.size() > static_cast<std::size_t>(columns);
+    if (full && line.size() > kIndent.size()) {
+      text += line + "\n";
+      line = kIndent;
+    }
+    line += cell;
+  }
+  return text + line + "\n";
+}
+
+std::string start_text(const FieldStart& start, bool small, int columns) {
   const PlanResult& result = start.result;
   if (result.status != Status::found) return {};
   const std::string text = fmt::format("from {}: cost {:.6g}, {} steps\n", cell_text(start.start),
                                        result.plan.cost, result.plan.path.size() - 1);
-  return small ? text + "  " + path_line(result.plan.path) : text;
+  return small ? text + path_lines(result.plan.path, columns) : text;
 }
 
 std::string reach_text(const CostToGo& field, const FreeSpace& space) {
@@ -72,7 +93,7 @@ std::string field_text(const CostToGo& field, const FreeSpace& space, const Fiel
   std::string text;
   const bool small = is_small(space.map(), screen);
   if (small) text += grids(field, scene_of(field, space, report), screen);
-  for (const FieldStart& start : report.starts) text += start_text(start, small);
+  for (const FieldStart& start : report.starts) text += start_text(start, small, screen.columns);
   return text + reach_text(field, space) + work_lines(report.metrics, report.times);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "flags.hpp"
+#include "text_blocks.hpp"
 #include "wend/render/text_picture.hpp"
 
 namespace wend::cli {
@@ -82,7 +83,7 @@ SmallPicture small_picture(const Scene& scene, const Screen& screen) {
   TextStyle style;
   style.colours = screen.terminal.colours != TerminalColours::none;
   style.ascii = !screen.terminal.unicode;
-  if (screen.is_terminal || scene.unit) style.columns = screen.columns;
+  style.columns = screen.columns;
   const std::string map = text_picture(scene, style);
   style.legend = true;
   return {map, text_picture(scene, style).substr(map.size())};
@@ -116,9 +117,15 @@ std::string large_picture(const Scene& scene, const Screen& screen,
   const Style style = style_of(arguments.style);
   const std::string legend = terminal_legend(scene, screen.columns, screen.terminal, style);
   const auto legend_rows = static_cast<int>(std::count(legend.begin(), legend.end(), '\n'));
-  return terminal_picture(scene, screen.columns, std::max(rows - legend_rows, kFewestRows),
-                          screen.terminal, style) +
-         legend;
+  int picture_rows = std::max(rows - legend_rows, kFewestRows);
+  std::string shortage = terminal_shortage(scene, screen.columns, picture_rows, screen.terminal);
+  if (!shortage.empty()) {
+    shortage = folded(shortage, screen.columns) + "\n";
+    const auto lines = static_cast<int>(std::count(shortage.begin(), shortage.end(), '\n'));
+    picture_rows = std::max(picture_rows - lines, kFewestRows);
+  }
+  return terminal_picture(scene, screen.columns, picture_rows, screen.terminal, style) + legend +
+         shortage;
 }
 
 }  // namespace wend::cli

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "flags.hpp"
+#include "text_blocks.hpp"
 #include "wend/render/text_layers.hpp"
 
 namespace wend::cli {
@@ -45,9 +46,19 @@ BitGrid cells_that_are_one(const Grid<double>& numbers) {
   return cells;
 }
 
-int columns_needed(const Layer& layer) {
-  if (layer.numbers.empty()) return layer.arrows.width() * kColumnsAnArrow;
-  return layer.numbers.width() * columns_a_number(layer.numbers);
+/// The layer's numbers, lengths in metres where the map has them.
+Heatmap heatmap_of(const Layer& layer, const Frame& frame) {
+  Heatmap heatmap{layer_title(layer.kind, frame), layer.numbers};
+  if (!is_length(layer.kind) || !frame.metric) return heatmap;
+  for (int y = 0; y < heatmap.values.height(); ++y) {
+    for (double& value : heatmap.values.row(y)) value *= frame.resolution;
+  }
+  return heatmap;
+}
+
+int columns_a_cell_of(const Layer& layer, const Frame& frame) {
+  if (layer.numbers.empty()) return kColumnsAnArrow;
+  return columns_a_number(heatmap_of(layer, frame).values);
 }
 
 std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
@@ -56,11 +67,16 @@ std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
     scene.arrows = layer.arrows;
     return text_arrows(scene, colours, style);
   }
-  scene.heatmap = Heatmap{std::string(title_of(layer.kind)), layer.numbers};
+  scene.heatmap = heatmap_of(layer, scene.space.map().frame());
   return text_numbers(scene, colours, style);
 }
 
 }  // namespace
+
+std::string layer_title(LayerKind kind, const Frame& frame) {
+  return std::string(title_of(kind)) +
+         (is_length(kind) ? (frame.metric ? " in m" : " in cells") : "");
+}
 
 void ShownLayers::add_to(Parser& app) {
   const auto add = [this](const std::vector<std::string>& names) {
@@ -84,17 +100,20 @@ Scene with_layer(Scene scene, const Layer& layer) {
   } else if (layer.numbers.empty()) {
     scene.arrows = layer.arrows;
   } else {
-    scene.heatmap = Heatmap{std::string(title_of(layer.kind)), layer.numbers};
+    scene.heatmap = heatmap_of(layer, scene.space.map().frame());
   }
   return scene;
 }
 
 std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, const Screen& screen,
                                       StyleName style) {
-  const bool too_wide = screen.is_terminal && columns_needed(layer) > screen.columns;
-  if (!is_small(scene.space.map(), screen) || too_wide) return std::nullopt;
-  return std::string(title_of(layer.kind)) + "\n" +
-         grid_text(scene, layer, screen.terminal.colours, style_of(style));
+  const Frame& frame = scene.space.map().frame();
+  const int columns_a_cell = columns_a_cell_of(layer, frame);
+  const bool too_wide = scene.space.width() * columns_a_cell > screen.columns;
+  if (!is_small(scene.space.map(), screen) || (screen.is_terminal && too_wide)) return std::nullopt;
+  const std::string grid = grid_text(scene, layer, screen.terminal.colours, style_of(style));
+  return layer_title(layer.kind, frame) + "\n" +
+         (screen.is_terminal ? grid : folded_grid(grid, columns_a_cell, screen.columns));
 }
 
 std::string layer_text(const Scene& scene, const Layer& layer, const Screen& screen,
@@ -102,10 +121,8 @@ std::string layer_text(const Scene& scene, const Layer& layer, const Screen& scr
   if (const auto grid = layer_grid(scene, layer, screen, arguments.style)) return *grid + "\n";
   const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
   if (drawn.empty()) return {};
-  const bool pixels = screen.terminal.graphics == TerminalGraphics::kitty ||
-                      screen.terminal.graphics == TerminalGraphics::sixel;
-  const bool no_room = layer.numbers.empty() && !pixels;
-  return std::string(title_of(layer.kind)) +
+  const bool no_room = layer.numbers.empty() && !has_pixels(screen.terminal);
+  return layer_title(layer.kind, scene.space.map().frame()) +
          (no_room ? " (no room for arrows here: -o FILE.png draws them)\n" : "\n") + drawn + "\n";
 }
 
@@ -113,7 +130,8 @@ std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& la
   std::vector<Panel> panels;
   panels.reserve(layers.size());
   for (const Layer& layer : layers) {
-    panels.push_back({std::string(title_of(layer.kind)), with_layer(scene, layer), {}});
+    panels.push_back(
+        {layer_title(layer.kind, scene.space.map().frame()), with_layer(scene, layer), {}});
   }
   if (panels.empty()) panels.push_back({{}, scene, {}});
   return panels;

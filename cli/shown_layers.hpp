@@ -30,6 +30,9 @@ class ShownLayers {
   std::vector<LayerKind> kinds_;
 };
 
+/// What a layer is, with the unit of lengths: "clearance in m" where the map has metres.
+std::string layer_title(LayerKind kind, const Frame& frame);
+
 /// The scene with the layer drawn on the map.
 Scene with_layer(Scene scene, const Layer& layer);
 

@@ -23,6 +23,11 @@ Screen detect_screen() {
   return screen;
 }
 
+bool has_pixels(const Terminal& terminal) {
+  return terminal.graphics == TerminalGraphics::kitty ||
+         terminal.graphics == TerminalGraphics::sixel;
+}
+
 bool progress_is_seen() { return isatty(STDERR_FILENO) != 0; }
 
 }  // namespace wend::cli

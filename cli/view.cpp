@@ -16,6 +16,7 @@
 #include "picture.hpp"
 #include "picture_files.hpp"
 #include "shown_layers.hpp"
+#include "text_blocks.hpp"
 #include "wend/io/load_map.hpp"
 #include "wend/path/path_metrics.hpp"
 
@@ -82,7 +83,7 @@ class Viewing {
     const Scene scene{.space = space_};
     for (const LayerKind kind : arguments_.layers.kinds()) {
       const Layer layer = map_layer(kind, space_);
-      panels_.push_back({std::string(title_of(kind)), with_layer(scene, layer), {}});
+      panels_.push_back({layer_title(kind, space_.map().frame()), with_layer(scene, layer), {}});
       if (look_.when != PictureWhen::never) print(layer_text(scene, layer, screen_, look_));
     }
   }
@@ -90,7 +91,7 @@ class Viewing {
   void add(Panel panel) {
     const std::string drawn = picture(panel.scene, screen_, look_);
     const std::string caption = panel.caption.empty() ? "" : " (" + panel.caption + ")";
-    if (!drawn.empty()) print(panel.title + caption + "\n" + drawn);
+    if (!drawn.empty()) print(folded(panel.title + caption, screen_.columns) + "\n" + drawn);
     panels_.push_back(std::move(panel));
   }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
@@ -55,6 +56,7 @@ TEST_F(ExplainCommand, TellsProgramsToo) {
   const Outcome outcome = explain(
       door_, {"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6", "--format", "json"});
   const json why = json::parse(outcome.out);
+  EXPECT_EQ(why.at("schema"), 1);
   EXPECT_EQ(why.at("status"), "unreachable");
   EXPECT_EQ(why.at("widest").at("radius_cells"), 0.5);
   EXPECT_EQ(why.at("widest").at("narrowest"), json::array({5.5, 2.5}));
@@ -142,6 +144,116 @@ TEST_F(ExplainCommand, DrawsTheRegions) {
   const std::string svg = folder_ / "why.svg";
   explain(door_, {"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6", "-o", svg});
   EXPECT_THAT(bytes_of(svg), HasSubstr("<svg"));
+}
+
+/// A solid line would say that there is a path.
+TEST_F(ExplainCommand, DashesThePathOfASmallerRobotAndSaysForWhich) {
+  const std::vector<std::string> query{"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"};
+  const std::string out = explain(door_, query).out;
+  EXPECT_THAT(out, AllOf(HasSubstr("◇ path for a robot of 0.5 cells"), HasSubstr("! narrowest"),
+                         HasSubstr("s start's region"), HasSubstr("g goal's region"),
+                         Not(HasSubstr("→ path"))));
+  std::vector<std::string> drawn = query;
+  const std::string svg = folder_ / "why.svg";
+  drawn.insert(drawn.end(), {"-o", svg});
+  explain(door_, drawn);
+  EXPECT_THAT(bytes_of(svg), HasSubstr("stroke-dasharray"));
+  const Outcome fits = explain(door_, {"--start", "1,2", "--goal", "9,2"});
+  EXPECT_THAT(fits.out, AllOf(HasSubstr("→ path"), Not(HasSubstr("path for a robot"))));
+}
+
+TEST_F(ExplainCommand, LabelsThePathByWhatWouldMakeIt) {
+  const std::string unknown = folder_.write("unknown.txt", "..?..\n..?..\n");
+  EXPECT_THAT(explain(unknown, {"--start", "0,0", "--goal", "4,1"}).out,
+              AllOf(HasSubstr("◇ path through unknown cells"), Not(HasSubstr("! narrowest"))));
+  const std::string diagonal = folder_.write("diagonal.txt", "..#\n.#.\n#..\n");
+  EXPECT_THAT(explain(diagonal, {"--start", "0,0", "--goal", "2,2"}).out,
+              HasSubstr("◇ path between touching obstacles"));
+}
+
+TEST_F(ExplainCommand, MarksTheNearestFreeCellOfABlockedEnd) {
+  const Outcome outcome =
+      explain(door_, {"--start", "5,2", "--goal", "9,2", "--robot-radius", "0.6"});
+  EXPECT_THAT(outcome.out, HasSubstr("N nearest free cell"));
+  EXPECT_THAT(wend({"plan", door_, "--start", "5,2", "--goal", "9,2", "--robot-radius", "0.6"}).err,
+              HasSubstr("The nearest free cell that is connected to the goal is (6,2)"));
+  EXPECT_THAT(outcome.out, HasSubstr("SN◇◇Gg"));
+}
+
+TEST_F(ExplainCommand, IsWhatPlanDrawsOfAFailure) {
+  const std::vector<std::string> query{"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"};
+  const std::string why = folder_ / "why.svg";
+  const std::string failed = folder_ / "failed.svg";
+  for (const auto& [command, file] : {std::pair("explain", why), std::pair("plan", failed)}) {
+    std::vector<std::string> arguments{command, door_, "-o", file};
+    arguments.insert(arguments.end(), query.begin(), query.end());
+    EXPECT_EQ(wend(arguments).code, 1);
+  }
+  EXPECT_EQ(bytes_of(failed), bytes_of(why));
+}
+
+/// Characters, not bytes, of the widest line.
+std::size_t widest_line(const std::string& text) {
+  std::size_t widest = 0;
+  std::size_t width = 0;
+  for (const char letter : text) {
+    const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
+    if (letter == '\n') {
+      widest = std::max(widest, width);
+      width = 0;
+    } else if (!continues) {
+      ++width;
+    }
+  }
+  return std::max(widest, width);
+}
+
+/// A corridor whose numbers take more columns than there are, and coordinates that are long.
+TEST_F(ExplainCommand, FitsIntoEightyColumnsAsViewAndFieldDo) {
+  const std::string lane =
+      folder_.write("lane.txt", std::string(78, '.') + "\n" + std::string(78, '.') + "\n");
+  const std::vector<std::string> ends{"--start", "0,0", "--goal", "77,1"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), ends.begin(), ends.end());
+    return wend(std::move(arguments)).out;
+  };
+  const std::string field = with({"field", lane});
+  EXPECT_LE(widest_line(field), 80U) << field;
+  EXPECT_THAT(field, AllOf(HasSubstr("x from 0 to "), HasSubstr(" to 77\n")));
+  const std::string clearance = wend({"view", lane, "--show", "clearance,terrain"}).out;
+  EXPECT_LE(widest_line(clearance), 80U) << clearance;
+  EXPECT_LE(widest_line(with({"explain", lane})), 80U);
+  const std::string unknown = folder_.write("unknown_corner.txt", "..#..\n.#?..\n#??..\n");
+  const std::string why = explain(unknown, {"--start", "0,0", "--goal", "4,2"}).out;
+  EXPECT_LE(widest_line(why), 80U) << why;
+  const std::string name = folder_.write(std::string(90, 'n') + ".txt", "...\n");
+  EXPECT_THAT(wend({"view", name}).out, StartsWith(std::string(90, 'n') + ".txt\n"));
+}
+
+/// Each number stands where it stood, in a band of its own.
+TEST_F(ExplainCommand, FoldsGridsBetweenCells) {
+  std::string row(60, '.');
+  row[0] = '#';
+  const std::string lane = folder_.write("wall.txt", row + "\n");
+  EXPECT_EQ(wend({"view", lane, "--show", "clearance"}).out,
+            "clearance in cells\n"
+            "x from 0 to 15\n"
+            "   #  0.5  1.5  2.5  3.5  4.5  5.5  6.5  7.5  8.5  9.5 10.5 11.5 12.5 13.5 14.5\n"
+            "x from 16 to 31\n"
+            "15.5 16.5 17.5 18.5 19.5 20.5 21.5 22.5 23.5 24.5 25.5 26.5 27.5 28.5 29.5 30.5\n"
+            "x from 32 to 47\n"
+            "31.5 32.5 33.5 34.5 35.5 36.5 37.5 38.5 39.5 40.5 41.5 42.5 43.5 44.5 45.5 46.5\n"
+            "x from 48 to 59\n"
+            "47.5 48.5 49.5 50.5 51.5 52.5 53.5 54.5 55.5 56.5 57.5 58.5\n\n");
+}
+
+TEST_F(ExplainCommand, CountsInMetresWhereTheMapDoes) {
+  const std::string office = folder_ / "office.yaml";
+  ASSERT_EQ(wend({"generate", "office", "--size", "160x100", "--seed", "7", "-o", office}).code, 0);
+  const std::string metres =
+      wend({"view", office, "--show", "clearance", "--picture", "always"}).out;
+  EXPECT_THAT(metres, AllOf(HasSubstr("clearance in m\n"), Not(HasSubstr("in cells"))));
+  EXPECT_THAT(wend({"view", door_, "--show", "clearance"}).out, HasSubstr("clearance in cells\n"));
 }
 
 class ViewCommand : public ExplainCommand {

@@ -86,6 +86,8 @@ LayerSource source_of(LayerKind kind) {
   }
 }
 
+bool is_length(LayerKind kind) { return kind == LayerKind::clearance; }
+
 std::string_view title_of(LayerKind kind) {
   switch (kind) {
     case LayerKind::expansion:
@@ -111,7 +113,7 @@ std::string_view title_of(LayerKind kind) {
     case LayerKind::occupied:
       return "occupied";
     case LayerKind::clearance:
-      return "clearance in cells";
+      return "clearance";
     case LayerKind::terrain:
       return "terrain, cost of a unit of length";
   }

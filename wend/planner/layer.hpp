@@ -62,8 +62,11 @@ enum class LayerSource { search, cost_to_go, map };
 
 LayerSource source_of(LayerKind kind);
 
-/// "order of expansion", "clearance in cells"
+/// "order of expansion", "clearance"
 std::string_view title_of(LayerKind kind);
+
+/// Are its numbers lengths, in cells?
+bool is_length(LayerKind kind);
 
 struct Layer {
   LayerKind kind;

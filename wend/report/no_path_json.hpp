@@ -2,12 +2,12 @@
 
 // Why there is no path, as JSON:
 //
-//   {"status": "unreachable", "start_region": 57, "goal_region": 12,
+//   {"schema": 1, "status": "unreachable", "start_region": 57, "goal_region": 12,
 //    "widest": {"radius_cells": 3.5, "radius_m": 0.18, "narrowest": [64.5,82.5],
 //               "narrowest_m": [3.2,4.1]},
 //    "ways": [{"unknown_free": false, "squeeze": false, "smaller_robot": true, "widest": {...}}]}
 //
-// `narrowest` is in grid coordinates. An infinite radius is null, and so is `widest` where not even
+// `schema` grows when a key changes its name or meaning. `narrowest` is in grid coordinates. An infinite radius is null, and so is `widest` where not even
 // a point gets through; the metres are null where the map has none. `status` is `found` if there is
 // a path after all.
 

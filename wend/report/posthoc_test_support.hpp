@@ -48,6 +48,7 @@ inline void require(bool holds, const std::string& rule, const json& of) {
 
 inline void check_head(const json& trace) {
   require(trace.at("version") == "1.4.0", "version", trace.at("version"));
+  require(trace.at("schema") == 1, "schema", trace.at("schema"));
   const std::set<std::string> primitives{"rect", "circle", "polygon", "path"};
   require(!trace.at("views").at("main").empty(), "main shows something", trace.at("views"));
   for (const auto& [name, drawables] : trace.at("views").items()) {

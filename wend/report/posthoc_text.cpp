@@ -11,6 +11,7 @@ namespace wend {
 namespace {
 
 constexpr std::string_view kYamlViews = R"(version: 1.4.0
+schema: 1
 views:
   main:
     - $: rect
@@ -34,6 +35,7 @@ pivot: { x: "${{ $.x + 0.5 }}", y: "${{ $.y + 0.5 }}", scale: 1 }
 events:)";
 
 constexpr std::string_view kJsonViews = R"({"version": "1.4.0",
+"schema": 1,
 "views": {"main": [
   {"$": "rect", "$if": "${{ $.type == 'map' }}",
    "$for": {"$let": "i", "$from": 0, "$to": "${{ $.blocked.length }}", "$step": 1},
