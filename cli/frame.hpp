@@ -4,6 +4,7 @@
 // scrolls. Small maps are text, side by side where there is room; what is too high for the terminal
 // is drawn smaller, as a picture.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,12 @@
 
 namespace wend::cli {
 
+/// What stands beside the map where there is room, else below it: lines, in at most so many rows.
+using BesideMap = std::function<std::string(int rows)>;
+
 /// `rows_below` rows of the terminal stay free for what is written below. Elsewhere there is room
 /// for everything.
 std::string frame_text(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
-                       StyleName style, int rows_below);
+                       StyleName style, int rows_below, const BesideMap& beside = {});
 
 }  // namespace wend::cli

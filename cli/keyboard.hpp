@@ -10,6 +10,25 @@
 
 namespace wend::cli {
 
+/// What a key stands for; keys that terminals send as several characters are one.
+enum class Key {
+  character,  // any that is not named here
+  left,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+  backspace,
+};
+
+struct KeyPress {
+  Key key = Key::character;
+  char character = 0;
+};
+
 class Keyboard {
  public:
   /// From now on keys come at once and are not echoed.
@@ -20,7 +39,7 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   /// Waits for a key; nothing at the end of the input and after Ctrl-C.
-  std::optional<char> read() const;
+  std::optional<KeyPress> read() const;
 
  private:
   Interruptible interruptible_;

@@ -11,8 +11,6 @@
 namespace wend::cli {
 namespace {
 
-void tell(const std::string& line) { std::fwrite(line.data(), 1, line.size(), stderr); }
-
 std::string place_text(Cell cell, std::optional<Heading> heading) {
   constexpr bool kYUp = false;  // there and back: letters do not depend on it
   return heading ? corner_pose_text(pose_of({cell, *heading}, kYUp), kYUp) : cell_text(cell);
@@ -29,6 +27,8 @@ std::string reached_text(std::string_view how, const SearchEvent& event) {
 }
 
 }  // namespace
+
+void tell(const std::string& lines) { std::fwrite(lines.data(), 1, lines.size(), stderr); }
 
 void Narrator::on_generate(const SearchEvent& event) { tell(reached_text("generate", event)); }
 

@@ -14,6 +14,9 @@
 
 namespace wend::cli {
 
+/// Writes lines on standard error.
+void tell(const std::string& lines);
+
 class Narrator final : public SearchObserver {
  public:
   void on_generate(const SearchEvent& event) override;

@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "frame.hpp"
-#include "interrupt.hpp"
 #include "observer_list.hpp"
+#include "open_list_text.hpp"
 #include "output.hpp"
 #include "picture_files.hpp"
 #include "planner_argument.hpp"
 #include "search_frames.hpp"
+#include "stepped_search.hpp"
 #include "stepper.hpp"
 #include "wend/io/path_csv.hpp"
 #include "wend/parallel/thread_workers.hpp"
@@ -22,7 +24,7 @@ namespace wend::cli {
 
 namespace {
 
-constexpr int kRowsOfStep = 3;  // what is expanded, the keys, and the cursor
+constexpr int kRowsOfStep = 2;  // what is expanded, and the cursor
 
 }  // namespace
 
@@ -47,8 +49,18 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace 
 /// On large maps a search is slowed down only for those who ask for what it did.
 bool PlanRun::records() const {
   const WatchArguments& watch = arguments_.watch;
-  return is_small(space_.map(), Screen{}) || watch.step || watch.animate ||
+  return is_small(space_.map(), Screen{}) || steps() || watch.animate ||
          arguments_.layers.any_from(LayerSource::search) || arguments_.output.any(".gif");
+}
+
+/// Layers are drawn over the map alone.
+bool PlanRun::draws_outcome() const {
+  const auto extensions = picture_extensions();
+  const auto is_asked_for = [this](const std::string& extension) {
+    return arguments_.output.any(extension);
+  };
+  return arguments_.layers.kinds().empty() &&
+         std::any_of(extensions.begin(), extensions.end(), is_asked_for);
 }
 
 void PlanRun::plan() {
@@ -97,27 +109,27 @@ void PlanRun::search() {
   ProgressBar progress("planning", result_.states);
   Query query = asked_->query();
   query.limits = arguments_.limits.limits(progress);
-  ObserverList observers;
+  ObserverList told;
   Narrator narrator;
-  if (arguments_.watch.verbose) observers.add(narrator);
-  if (records()) observers.add(recorder_.emplace(asked_->recorder()));
+  if (arguments_.watch.verbose) told.add(narrator);
+  if (records()) recorder_.emplace(asked_->recorder());
   std::optional<PosthocTrace> trace;
   if (!arguments_.watch.trace.empty()) {
-    observers.add(
+    told.add(
         trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
   }
-  if (arguments_.watch.step) observers.add(last_expansion_);
-  if (arguments_.watch.step && recorder_) {
-    query.observer = &observers;
-    result_.status = search_in_steps(query, *recorder_);
+  if (steps()) {
+    result_.status = search_in_steps(query, *recorder_, told);
   } else {
     search_to_the_end(query);
+    if (recorder_) told.add(*recorder_);
     const bool cancelled = result_.status == Status::cancelled;
-    if (!observers.empty() && !cancelled) search_for(observers, query);
+    if (!told.empty() && !cancelled) search_for(told, query);
   }
   if (result_.status != Status::found) {
     fail(result_.status,
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
+    if (draws_outcome()) failure_ = asked_->failure_scene(result_.status);
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
   if (trace && result_.status != Status::cancelled) write_trace(*trace);
@@ -140,31 +152,58 @@ void PlanRun::search_for(SearchObserver& observer, Query query) {
   planner_->plan(query, plan);
 }
 
+/// Is the search looked at before it is over?
+bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
+
 /// Only the search is timed, not the person.
-Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& recorder) {
+Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
   if (!info_of(spec_).can_step) {
-    throw InputError(fmt::format("--step: the planner {} cannot be stepped", spec_.name));
+    throw InputError(fmt::format("{}: the planner {} cannot be stepped",
+                                 arguments_.watch.step ? "--step" : "--open-list", spec_.name));
   }
-  double begin = thread_cpu_seconds();
-  auto outcome = planner_->begin(query, result_.plan);
+  SteppedSearch search(*planner_, query, recorder, told, result_.plan);
+  const Status status =
+      arguments_.watch.step ? step_by_keys(search, recorder) : step_to_the_end(search);
+  result_.times.search = search.seconds();
+  return status;
+}
+
+/// Tells the open list on the way, if that is asked for.
+std::optional<Status> PlanRun::go_on(SteppedSearch& search) {
+  if (arguments_.watch.open_list && search.expansions() == open_lists_told_) {
+    tell(open_list_text(planner_->open_list(kMostOpenEntries)));
+    ++open_lists_told_;
+  }
+  return search.go_on();
+}
+
+Status PlanRun::step_to_the_end(SteppedSearch& search) {
+  auto outcome = search.begin();
+  while (!outcome) outcome = go_on(search);
+  return *outcome;
+}
+
+Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& recorder) {
+  auto outcome = search.begin();
   if (outcome) return *outcome;
   // Lines of --verbose would come in between.
   Stepper stepper(screen_.is_terminal && !(arguments_.watch.verbose && progress_is_seen()));
-  for (;;) {
-    outcome = planner_->step(result_.plan);
-    result_.times.search += thread_cpu_seconds() - begin;
-    if (outcome) {
-      stepper.finish();
-      return *outcome;
+  std::uint64_t next = 1;  // after how many expansions to show it
+  while (!outcome) {
+    if (search.expansions() < next) {
+      outcome = go_on(search);
+      continue;
     }
-    const std::uint64_t expanded = result_.plan.metrics.expanded;
-    if (stepper.asks_after(expanded)) stepper.ask(step_text(recorder), expanded);
-    if (stepper.quit()) {
+    const auto wanted = stepper.ask(step_text(search, recorder), search.expansions());
+    if (!wanted) {
       outcome_is_shown_ = stepper.in_place();
       return Status::cancelled;
     }
-    begin = thread_cpu_seconds();
+    next = *wanted;
+    if (next < search.expansions()) outcome = search.go_back_to(next);
   }
+  stepper.finish();
+  return *outcome;
 }
 
 void PlanRun::refine_path() {
@@ -200,6 +239,7 @@ void PlanRun::fail(Status status, std::string reason) {
 /// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
 /// path: the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
+  if (failure_) return *failure_;
   Scene scene = asked_->scene();
   if (result_.refined) {
     scene.lines = lines_of(*result_.refined);
@@ -214,7 +254,7 @@ Scene PlanRun::outcome() const {
   return scene;
 }
 
-std::string PlanRun::step_text(const SearchRecorder& recorder) const {
+std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder& recorder) const {
   const SearchSnapshot snapshot = recorder.snapshot();
   std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
@@ -222,11 +262,18 @@ std::string PlanRun::step_text(const SearchRecorder& recorder) const {
       layers.push_back(search_layer(kind, *planner_, recorder));
     }
   }
+  const OpenList open = planner_->open_list(kMostOpenEntries);
+  const std::string keys = Stepper::keys(screen_.columns);
+  const auto rows_below =
+      kRowsOfStep + static_cast<int>(std::count(keys.begin(), keys.end(), '\n'));
   const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
-                                      arguments_.pictures.style, kRowsOfStep);
-  const auto& event = last_expansion_.event();
-  return text + fmt::format("expansion {}: {}, frontier {}\n", recorder.expansions().size(),
-                            event ? event_text(*event) : "", snapshot.frontier.count());
+                                      arguments_.pictures.style, rows_below,
+                                      [&open](int rows) { return open_list_text(open, rows); });
+  const auto& event = search.last_expansion();
+  return text +
+         fmt::format("expansion {}: {}, frontier {}\n", search.expansions(),
+                     event ? event_text(*event) : "not begun", open.count) +
+         keys;
 }
 
 std::string PlanRun::text() const {

@@ -12,17 +12,19 @@
 #include "index_argument.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
-#include "narrator.hpp"
+#include "observer_list.hpp"
 #include "option_flags.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
 #include "refine_arguments.hpp"
 #include "shown_layers.hpp"
+#include "stepped_search.hpp"
 #include "typed_query.hpp"
 #include "watching.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/planner/search_recorder.hpp"
+#include "wend/render/scene.hpp"
 #include "wend/report/plan_result.hpp"
 
 namespace wend::cli {
@@ -62,15 +64,20 @@ class PlanRun {
   void search();
   void search_to_the_end(const Query& query);
   void search_for(SearchObserver& observer, Query query);
-  Status search_in_steps(const Query& query, const SearchRecorder& recorder);
+  Status search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told);
+  std::optional<Status> go_on(SteppedSearch& search);
+  Status step_to_the_end(SteppedSearch& search);
+  Status step_by_keys(SteppedSearch& search, const SearchRecorder& recorder);
   void refine_path();
   void make_layers(const Limits& limits);
   void fail(Status status, std::string reason);
 
   bool records() const;
+  bool steps() const;
+  bool draws_outcome() const;
   Scene outcome() const;
   std::string text() const;
-  std::string step_text(const SearchRecorder& recorder) const;
+  std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
   void write_files() const;
   void write_trace(PosthocTrace& trace) const;
 
@@ -82,11 +89,12 @@ class PlanRun {
   std::unique_ptr<TypedQuery> asked_;
   std::unique_ptr<Planner> planner_;
   std::optional<SearchRecorder> recorder_;
-  LastExpansion last_expansion_;  // of a search that is stepped
   std::vector<Layer> layers_;
   Refinement refinement_;
   PlanResult result_;
   bool built_index_ = false;
+  std::uint64_t open_lists_told_ = 0;
+  std::optional<Scene> failure_;   // why there is no plan, where that is drawn
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
-// Stepper: --step. Shows a search after an expansion and asks how to go on.
+// Stepper: --step. Shows a search after an expansion and asks where to go from there.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "display.hpp"
+#include "interrupt.hpp"
 #include "keyboard.hpp"
 
 namespace wend::cli {
@@ -15,11 +17,12 @@ class Stepper {
   /// In place: each picture takes the place of the one before.
   explicit Stepper(bool in_place) : display_(in_place) {}
 
-  /// Is somebody to be asked after that many expansions?
-  bool asks_after(std::uint64_t expansions) const { return expansions >= next_; }
+  /// What the keys do: lines that belong below every picture, fitted into so many columns.
+  static std::string keys(int columns);
 
-  /// Shows how the search stands after so many expansions and waits for a key.
-  void ask(const std::string& picture, std::uint64_t expansions);
+  /// Shows how the search stands after so many expansions and waits for a key: after how many to
+  /// show it next. Nothing if the person wants to stop, or has pressed Ctrl-C.
+  std::optional<std::uint64_t> ask(const std::string& picture, std::uint64_t expansions);
 
   /// Makes room for the outcome.
   void finish() { display_.clear(); }
@@ -27,14 +30,10 @@ class Stepper {
   /// Does the last picture stand where the outcome will be shown?
   bool in_place() const { return display_.in_place(); }
 
-  /// Does the person want to stop here, by a key or by Ctrl-C?
-  bool quit() const { return quit_ || Interruptible::cancelled(); }
-
  private:
+  Interruptible interruptible_;  // the cursor and the keyboard are to be put in order
   Display display_;
   Keyboard keyboard_;
-  std::uint64_t next_ = 1;
-  bool quit_ = false;
 };
 
 }  // namespace wend::cli

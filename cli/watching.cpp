@@ -28,7 +28,13 @@ void WatchArguments::add_to(Parser& app) {
   app.add_flag("--verbose", verbose,
                wrapped("Tell on standard error what the search does, a line an event"))
       .group(kGroup);
-  app.add_flag("--step", step, wrapped("Wait for a key after each expansion and show the search"))
+  app.add_flag("--open-list", open_list,
+               wrapped("With --verbose: print the open list as a table before each expansion, the "
+                       "ten entries that come next"))
+      .group(kGroup);
+  app.add_flag("--step", step,
+               wrapped("Show the search and its open list after each expansion and wait for a key; "
+                       "keys go on and back"))
       .group(kGroup);
   app.add_flag("--animate", animate, wrapped("Play the search on the terminal")).group(kGroup);
   add_number(app, "--speed", speed, kSpeeds,
@@ -47,6 +53,9 @@ void WatchArguments::add_to(Parser& app) {
 void WatchArguments::check(const Screen& screen) const {
   if (animate && !screen.is_terminal) {
     throw InputError("--animate needs a terminal; -o search.gif keeps the search as a film");
+  }
+  if (open_list && !verbose) {
+    throw InputError("--open-list needs --verbose; --step shows the open list without it");
   }
   if (animate && step) throw InputError("--animate and --step: choose one");
   if (trace.empty()) return;

@@ -14,6 +14,7 @@ namespace wend::cli {
 
 struct WatchArguments {
   bool verbose = false;
+  bool open_list = false;  // with verbose
   bool step = false;
   bool animate = false;
   std::optional<double> speed;          // expansions a second

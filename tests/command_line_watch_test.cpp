@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "command_line/run_program.hpp"
+#include "command_line/terminal.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
@@ -79,7 +80,7 @@ TEST_F(Watching, TakesEveryLayerByItsName) {
   for (const auto& choice : choice_names(LayerKind{})) {
     const Outcome outcome = plan({"--show", std::string(choice.name)});
     EXPECT_EQ(outcome.code, 0) << choice.name << ": " << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr(std::string(title_of(choice.value)) + "\n"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::string(title_of(choice.value))));
   }
   const Outcome unknown = plan({"--show", "expansions"});
   EXPECT_EQ(unknown.code, 2);
@@ -167,6 +168,86 @@ TEST_F(Watching, RunsToTheEndOrLeapsOrQuitsWhenAsked) {
   EXPECT_THAT(quit.err, HasSubstr("cancelled after 2 expansions"));
 }
 
+TEST_F(Watching, GoesBackAsWellAsOn) {
+  const Outcome outcome = step("nn\\177\\177n\\033[Dq", "--show g");
+  EXPECT_EQ(outcome.code, 1);
+  const auto place = [&outcome](const std::string& text, std::size_t from) {
+    const auto at = outcome.out.find(text, from);
+    EXPECT_NE(at, std::string::npos) << text << " after " << from;
+    return at;
+  };
+  std::size_t at = 0;
+  for (const int expansions : {1, 2, 3, 2, 1, 2, 1}) {
+    at = place("expansion " + std::to_string(expansions) + ": ", at) + 1;
+  }
+  EXPECT_EQ(outcome.out.find("expansion ", at), std::string::npos);
+  EXPECT_THAT(outcome.err, HasSubstr("cancelled after 1 expansions"));
+}
+
+/// What is shown of a moment does not depend on how one got there.
+TEST_F(Watching, ShowsTheSameMomentAgainWhenItGoesBack) {
+  for (const std::string planner : {"astar", "bfs", "jps", "random_walk"}) {
+    const std::string more = "--show g,frontier --planner " + planner;
+    const auto frame = [](const Outcome& outcome, int expansions, bool last) {
+      const std::string text = "expansion " + std::to_string(expansions) + ": ";
+      const auto at = last ? outcome.out.rfind(text) : outcome.out.find(text);
+      const auto end = outcome.out.find('\n', at);
+      const auto keys = outcome.out.rfind("q: quit\n", at);
+      const auto begin = keys == std::string::npos ? 0 : keys + 9;
+      return outcome.out.substr(begin, end - begin);
+    };
+    const Outcome outcome = step("nn\\033[D\\033[Dq", more);
+    EXPECT_EQ(frame(outcome, 1, false), frame(outcome, 1, true)) << planner;
+    EXPECT_EQ(frame(outcome, 2, false), frame(outcome, 2, true)) << planner;
+    EXPECT_THAT(step("n\\033[Hq", more).out, HasSubstr("expansion 0: not begun, frontier 1\n"));
+    EXPECT_EQ(times_in(step("nnTnq", more).out, "expansion 1: "), 2U) << planner;
+  }
+}
+
+TEST_F(Watching, TellsEveryEventOnceThoughItGoesBack) {
+  const Outcome there = step("nnnnr", "--verbose --open-list");
+  const Outcome and_back = step("nn\\033[Dnn\\033[H\\033[Cr", "--verbose --open-list");
+  EXPECT_EQ(and_back.code, 0);
+  EXPECT_EQ(and_back.err, there.err);
+  EXPECT_THAT(there.err, HasSubstr("expand (0,1)"));
+}
+
+TEST_F(Watching, ShowsTheOpenListWhileItSteps) {
+  const Outcome outcome = step("q");
+  EXPECT_THAT(outcome.out, HasSubstr("open list: 2, the next first\n"
+                                     "    x  y  g        h        f  tie\n"
+                                     " 1  0  2  1        4        5\n"
+                                     " 2  0  0  1  4.82843  5.82843\n"));
+}
+
+TEST_F(Watching, PrintsTheOpenListBeforeEachExpansion) {
+  const Outcome outcome = plan({"--planner", "bfs", "--verbose", "--open-list"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, StartsWith("  generate (0,1) f=0 g=0 h=0\n"
+                                      "open list: 1, the next first\n"
+                                      "    x  y  g  h  f  tie\n"
+                                      " 1  0  1  0  0  0\n"
+                                      "expand (0,1) f=0 g=0 h=0\n"
+                                      "  generate (0,2) from (0,1) f=1 g=1 h=0\n"
+                                      "  generate (0,0) from (0,1) f=1 g=1 h=0\n"
+                                      "open list: 2, the next first\n"
+                                      "    x  y  g  h  f  tie\n"
+                                      " 1  0  2  1  0  1\n"
+                                      " 2  0  0  1  0  1\n"
+                                      "expand (0,2)"));
+  EXPECT_EQ(times_in(outcome.err, "open list:"), times_in(outcome.err, "expand "));
+  const Outcome alone = plan({"--open-list"});
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--open-list needs --verbose"));
+}
+
+TEST_F(Watching, ShowsTheHeadingsOfACarsOpenList) {
+  const Outcome outcome = shell("printf q | \"$WEND\" plan '" + map_ +
+                                "' --planner car --start 0,0,E --goal 4,1,any --step");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("x  y  heading"));
+}
+
 TEST_F(Watching, StepsThroughEveryPlanner) {
   for (const PlannerInfo& info : planners()) {
     if (info.motion != Motion::cells) continue;
@@ -198,11 +279,12 @@ class OnATerminal : public Watching {
     if (shell("command -v script").code != 0) GTEST_SKIP() << "there is no script(1)";
   }
 
-  std::vector<std::string> frames(const std::string& arguments, const std::string& keys) const {
+  std::vector<std::string> frames(const std::string& arguments, const std::string& keys,
+                                  int columns = 80) const {
     const std::string log = folder_ / "log";
     shell("printf '" + keys +
-          "' | env -u NO_COLOR TERM=xterm-256color script -qec \"stty rows 24 " +
-          "cols 80; $WEND plan " + arguments + "\" " + log + " >/dev/null");
+          "' | env -u NO_COLOR TERM=xterm-256color script -qec \"stty rows 24 " + "cols " +
+          std::to_string(columns) + "; $WEND plan " + arguments + "\" " + log + " >/dev/null");
     const std::string seen = bytes_of(log);
     const std::string home = "\x1b[H";
     std::vector<std::string> frames;
@@ -235,6 +317,32 @@ TEST_F(OnATerminal, StepsNeverScroll) {
       }
     }
   }
+}
+
+TEST_F(OnATerminal, StepsShowTheOpenListBesideTheMapOrBelowOnANarrowTerminal) {
+  const auto wide = frames(low_query() + " --step", "nq");
+  ASSERT_FALSE(wide.empty());
+  EXPECT_THAT(wide.front(), HasSubstr("   open list: "));
+  const auto narrow = frames(low_query() + " --step", "nq", 30);
+  ASSERT_FALSE(narrow.empty());
+  EXPECT_THAT(narrow.front(), AllOf(HasSubstr("\x1b[K\r\nopen list: "), HasSubstr("q: quit")));
+}
+
+TEST_F(Watching, EndsStepsCleanlyWithCtrlC) {
+  PseudoTerminal terminal(80, 24);
+  const termios before = terminal.settings();
+  terminal.start({"plan", map_, "--start", "0,1", "--goal", "4,2", "--step"});
+  terminal.read_until("q: quit");
+  terminal.type("n");
+  terminal.read_until("expansion 2: ");
+  EXPECT_EQ(terminal.settings().c_lflag & ECHO, 0U) << "keys are not echoed meanwhile";
+  terminal.type("\x03");
+  EXPECT_EQ(terminal.finish(), 130);
+  EXPECT_THAT(terminal.seen(),
+              AllOf(HasSubstr("\x1b[?25h"), HasSubstr("cancelled after 2 expansions")));
+  const termios after = terminal.settings();
+  EXPECT_EQ(after.c_lflag, before.c_lflag);
+  EXPECT_EQ(after.c_cc[VMIN], before.c_cc[VMIN]);
 }
 
 TEST_F(OnATerminal, StepsShowLayersBesideTheMap) {
