@@ -10,6 +10,7 @@
 #include "corner_rule.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "input_files.hpp"
 #include "map_arguments.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
@@ -68,6 +69,7 @@ std::string text_of(const CheckArguments& arguments, const Scene& scene, const M
 
 int run(const CheckArguments& arguments) {
   arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   arguments.output.check_not_among({arguments.path});

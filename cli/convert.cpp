@@ -10,10 +10,12 @@
 #include "exit_code.hpp"
 #include "flags.hpp"
 #include "map_arguments.hpp"
+#include "map_saving.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
 #include "wend/io/losses.hpp"
 #include "wend/io/save_map.hpp"
+#include "wend/io/text_grid.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -25,7 +27,10 @@ struct ConvertArguments {
   MapFileArguments input;
   std::string output;
   bool strict = false;
+  bool force = false;
   Format format = Format::text;
+
+  bool prints() const { return output == kStandardOutput; }
 };
 
 constexpr const char* kConvertExamples = R"(Examples:
@@ -55,10 +60,11 @@ void check_files(const ConvertArguments& arguments, const LoadedMap& loaded) {
 }
 
 Conversion prepare(const ConvertArguments& arguments) {
-  const auto format = saved_format(arguments.output);
+  const auto format = arguments.prints() ? MapFormat::text_grid : saved_format(arguments.output);
   if (!format) throw InputError(format.error().message());
   LoadedMap loaded = arguments.input.load();
   check_files(arguments, loaded);
+  if (!arguments.force) check_picture(arguments.output, arguments.output);
   std::vector<std::string> lost = losses(loaded.map, *format);
   return {std::move(loaded), *format, std::move(lost)};
 }
@@ -69,9 +75,7 @@ void complain_of(const std::string& file, const std::vector<std::string>& lines)
 
 std::string json_of(const ConvertArguments& arguments, const Conversion& conversion, bool saved) {
   std::vector<std::string> files;
-  if (saved) {
-    for (const fs::path& file : saved_files(arguments.output)) files.push_back(file.string());
-  }
+  if (saved) files = files_of_maps({arguments.output});
   const GridMap& map = conversion.loaded.map;
   return wend::text_of({{"from", to_string(conversion.loaded.format)},
                         {"to", to_string(conversion.format)},
@@ -84,8 +88,19 @@ std::string json_of(const ConvertArguments& arguments, const Conversion& convers
 
 std::string text_of(const ConvertArguments& arguments, const Conversion& conversion) {
   const GridMap& map = conversion.loaded.map;
-  return fmt::format("{}: {} x {} cells, {} to {}\n", arguments.output, map.width(), map.height(),
-                     to_string(conversion.loaded.format), to_string(conversion.format));
+  return fmt::format(
+      "{}: {} x {} cells, {} to {}\n", fmt::join(files_of_maps({arguments.output}), " and "),
+      map.width(), map.height(), to_string(conversion.loaded.format), to_string(conversion.format));
+}
+
+void save(const GridMap& map, const ConvertArguments& arguments) {
+  if (arguments.prints()) {
+    const auto text = format_text_grid(map);
+    if (!text) throw InputError(text.error());
+    return print(*text);
+  }
+  const auto done = save_map(map, arguments.output);
+  if (!done) throw InputError(done.error().message());
 }
 
 int run(const ConvertArguments& arguments) {
@@ -94,12 +109,11 @@ int run(const ConvertArguments& arguments) {
   complain_of(arguments.output, conversion.losses);
   const bool saved = !arguments.strict || conversion.losses.empty();
   if (saved) {
-    const GridMap nearest = nearest_map(conversion.loaded.map, conversion.format);
-    const auto done = save_map(nearest, arguments.output);
-    if (!done) throw InputError(done.error().message());
+    save(nearest_map(conversion.loaded.map, conversion.format), arguments);
   } else {
     complain(fmt::format("{} is not written: --strict", arguments.output));
   }
+  if (arguments.prints()) return saved ? success : no_plan;
   if (arguments.format == Format::json) {
     print(json_of(arguments, conversion, saved));
   } else if (saved) {
@@ -118,11 +132,12 @@ Command add_convert(Parser& app) {
       .add_option("OUT", arguments->output,
                   wrapped("The new file, in the format of its name: a ROS map (.yaml, .yml) and "
                           "its picture .png, MovingAI (.map), a text grid (.txt, .grid) or a "
-                          "picture (.png, .pgm, .pnm)"))
+                          "picture (.png, .pgm, .pnm); - prints it as a text grid"))
       .required()
       .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,
                    wrapped("Save nothing if the new format cannot hold the whole map"));
+  add_force(convert, arguments->force);
   add_format(convert, arguments->format);
   convert.footer(kConvertExamples);
   return {convert, [arguments] { return run(*arguments); }};

@@ -3,6 +3,10 @@
 // What the program returns, and the exception that stands for "bad usage or input".
 
 #include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "wend/io/io_error.hpp"
 
 namespace wend::cli {
 
@@ -17,6 +21,18 @@ enum ExitCode : int {
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Ends a subcommand with no_plan: a file that stands for a path says why there is none.
+class NoPathError : public std::runtime_error {
+ public:
+  NoPathError(const std::string& message, FailedPlan plan)
+      : std::runtime_error(message), plan_(std::move(plan)) {}
+
+  const FailedPlan& plan() const { return plan_; }
+
+ private:
+  FailedPlan plan_;
 };
 
 }  // namespace wend::cli

@@ -154,7 +154,7 @@ std::string ExplainRun::text() const {
 }
 
 Scene ExplainRun::scene() const {
-  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, coordinates_, why_);
+  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, why_);
 }
 
 ExitCode ExplainRun::report() const {

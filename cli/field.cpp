@@ -147,11 +147,13 @@ void FieldRun::write_files() const {
       return write_bytes(file, field_csv(*field_));
     };
   }
-  arguments_.output.write(writers);
+  arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
 }
 
 ExitCode FieldRun::report() const {
-  if (arguments_.format == Format::json) {
+  if (arguments_.output.print()) {
+    // write_files() prints
+  } else if (arguments_.format == Format::json) {
     print(json());
   } else if (field_) {
     print(field_text(*field_, space_, report_, detect_screen()));
@@ -204,7 +206,8 @@ Command add_field(Parser& app) {
   arguments->output.add_to(
       field, {".csv", ".json"},
       "Also write x,y,cost,move of every cell (.csv) or the JSON; may be given "
-      "several times");
+      "several times",
+      "the same (JSON with --format json, else CSV)");
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
   field.footer(kFieldExamples);

@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "follow_run.hpp"
 #include "gnuplot.hpp"
+#include "input_files.hpp"
 #include "wend/base/parse.hpp"
 
 namespace wend::cli {
@@ -35,6 +36,7 @@ not (standard error says why), 2 bad usage or input.)";
 
 void check(const FollowArguments& arguments) {
   arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
   const bool asked = !arguments.ends.start.empty() || !arguments.ends.goals.empty();
   if (asked && !arguments.path.empty()) {
     throw InputError("--path is driven as it is: leave out --start and --goal");
@@ -153,7 +155,8 @@ Command add_follow(Parser& app) {
       follow, {".png", ".svg", ".pdf", ".gif", ".json", ".csv"},
       "Also write a picture of the paths (.png, .svg, .pdf), a film of the drive "
       "(.gif), or where the robot was at every command (.json, .csv); may be "
-      "given several times");
+      "given several times",
+      "where the robot was (JSON with --format json, else CSV)");
   arguments->drive.add_to(follow);
   follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {

@@ -144,7 +144,7 @@ void FollowRun::write_files() const {
     return write_picture(file, gif_of_drive(scene_of_path(), drives_.front().drive,
                                             arguments_.speed, style_of(style)));
   };
-  arguments_.output.write(writers);
+  arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
   if (arguments_.plot.empty()) return;
   const std::string script =
       drive_plot(drives_, plot_kind_of(arguments_.plot), plot_colours_of(style));
@@ -154,9 +154,11 @@ void FollowRun::write_files() const {
 
 ExitCode FollowRun::report() const {
   const DriveSamples samples = arguments_.samples ? DriveSamples::all : DriveSamples::none;
-  print(arguments_.format == Format::json
-            ? drive_json(path_, drives_, space_.map().frame(), samples)
-            : text());
+  if (!arguments_.output.print()) {
+    print(arguments_.format == Format::json
+              ? drive_json(path_, drives_, space_.map().frame(), samples)
+              : text());
+  }
   write_files();
   for (const ControlledDrive& driven : drives_) {
     if (driven.drive.oscillates()) complain(oscillation(driven));

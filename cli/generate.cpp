@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "map_saving.hpp"
 #include "option_flags.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
@@ -26,6 +27,7 @@ struct GenerateArguments {
   std::string kind;
   std::string size;
   std::uint64_t seed = 1;
+  bool force = false;
   OptionFlags options{"generator"};
   Format format = Format::text;
   OutputFiles output;
@@ -93,28 +95,39 @@ std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
                         {"height", map.height()},
                         {"seed", arguments.seed},
                         {"free_share", free_share(map)},
-                        {"files", arguments.output.files()}});
+                        {"files", files_of_maps(arguments.output.files())}});
+}
+
+std::string text_grid_of(const GridMap& map) {
+  auto text = format_text_grid(map);
+  if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
+  return *std::move(text);
 }
 
 std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
-  if (arguments.output.files().empty()) {
-    auto text = format_text_grid(map);
-    if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
-    return *std::move(text);
-  }
-  return fmt::format("{}: {} x {} cells, seed {}, {:.1f} % free\n", arguments.kind, map.width(),
-                     map.height(), arguments.seed, 100 * free_share(map));
+  if (arguments.output.files().empty()) return text_grid_of(map);
+  return fmt::format("{}: {} x {} cells, seed {}, {:.1f} % free\nwritten: {}\n", arguments.kind,
+                     map.width(), map.height(), arguments.seed, 100 * free_share(map),
+                     fmt::join(files_of_maps(arguments.output.files()), ", "));
 }
 
 int run(const GenerateArguments& arguments) {
   check_given(arguments);
   arguments.output.check();
+  for (const std::string& file : arguments.output.files()) {
+    if (!arguments.force) check_picture(file, "-o " + file);
+  }
   const GridMap map = generate(arguments);
   arguments.output.write_all([&map](const std::string& file) {
+    if (file == kStandardOutput) {
+      print(text_grid_of(map));
+      return std::string();
+    }
     const auto saved = save_map(map, file);
     if (saved) return std::string();
     return saved.error().message() + (map.uniform_terrain() ? "" : kWayOut);
   });
+  if (arguments.output.print()) return success;
   print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));
   return success;
 }
@@ -139,7 +152,9 @@ Command add_generate(Parser& app) {
       generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
       "Save the map: a ROS map (.yaml and its picture), MovingAI (.map), a text grid (.txt, .grid) "
       "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
-      "text grid");
+      "text grid",
+      "the text grid");
+  add_force(generate, arguments->force);
   arguments->options.add_to(generate);
   generate.footer(kGenerateExamples);
   const Command scenario = add_generate_scenario(generate);

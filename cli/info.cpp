@@ -7,6 +7,7 @@
 #include "flags.hpp"
 #include "map_arguments.hpp"
 #include "output.hpp"
+#include "wend/io/read_stream.hpp"
 #include "wend/report/map_info.hpp"
 
 namespace wend::cli {
@@ -26,7 +27,9 @@ Exit codes: 0 the map loads, 2 it does not (standard error says why).)";
 
 int run(const InfoArguments& arguments) {
   const LoadedMap loaded = arguments.map.load();
-  const MapInfo info = map_info(arguments.map.file, loaded, arguments.map.free_space(loaded.map));
+  const FreeSpaceOptions robot = arguments.map.options(loaded.map);
+  arguments.map.check_memory(loaded.map, survey_bytes(loaded.map, robot));
+  const MapInfo info = map_info(stream_name(arguments.map.file), loaded, robot);
   print(arguments.format == Format::json ? map_info_json(info) : map_info_text(info));
   return success;
 }

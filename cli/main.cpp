@@ -26,7 +26,7 @@ using namespace wend::cli;
 
 constexpr int kNameColumn = 34;
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMainExamples = R"(Examples:
   wend generate office --size 160x100 --seed 7 -o office.yaml
   wend info office.yaml
   wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
@@ -39,7 +39,7 @@ std::vector<Command> add_commands(CLI::App& app) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(kNameColumn);
   app.require_subcommand(1);
-  app.footer(kExamples);
+  app.footer(kMainExamples);
   Parser parser(app);
   std::vector<Command> commands{add_plan(parser),     add_smooth(parser),  add_follow(parser),
                                 add_check(parser),    add_field(parser),   add_compare(parser),
@@ -56,6 +56,9 @@ int run(const Command& command) {
   } catch (const InputError& error) {
     complain(error.what());
     return bad_input;
+  } catch (const NoPathError& error) {
+    complain(error.what());
+    return no_plan;
   } catch (const std::bad_alloc&) {
     complain("there is not enough memory");
     return no_plan;

@@ -4,8 +4,10 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "input_files.hpp"
+#include "memory_need.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/io/load_map.hpp"
+#include "wend/io/available_memory.hpp"
 
 namespace wend::cli {
 namespace {
@@ -13,13 +15,14 @@ namespace {
 constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
 constexpr NumberRange kDistances{0, 1e9, kMapUnit};
 constexpr NumberRange kCosts{0, 1e6};
+constexpr NumberRange kMegabytes{0, 1e9, "MB"};
 
 }  // namespace
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
   app.add_option(name, file,
                  wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
-                         "or a bare PNG or PNM image"))
+                         "or a bare PNG or PNM image; - reads one from standard input"))
       .required()
       .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
@@ -29,13 +32,12 @@ void MapFileArguments::add_to(Parser& app, const std::string& name) {
 LoadedMap MapFileArguments::load() const {
   LoadOptions options;
   options.resolution = resolution;
-  auto loaded = load_map(file, options);
-  if (!loaded) throw InputError(loaded.error().message());
-  if (resolution && loaded->format != MapFormat::image) {
+  LoadedMap loaded = read_map(file, options);
+  if (resolution && loaded.format != MapFormat::image) {
     throw InputError(fmt::format("--resolution is for bare images, and {} is a {} file", file,
-                                 to_string(loaded->format)));
+                                 to_string(loaded.format)));
   }
-  return *std::move(loaded);
+  return loaded;
 }
 
 void RobotArguments::add_to(Parser& app) {
@@ -78,6 +80,23 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
   RobotArguments::add_to(app);
+  add_number(app, "--limit-memory", limit_memory, kMegabytes,
+             "Refuse a map that needs more memory than so many megabytes (default: what the system "
+             "has available)");
+}
+
+void MapArguments::check_memory(const GridMap& map, double need) const {
+  constexpr double kMegabyte = 1e6;
+  std::optional<double> available = available_memory();
+  if (limit_memory) available = *limit_memory * kMegabyte;
+  cli::check_memory(file, map, need, available);
+}
+
+FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_cell) const {
+  const FreeSpaceOptions robot = options(map);
+  const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
+  check_memory(map, per_cell * static_cast<double>(map.size()));
+  return FreeSpace(map, robot);
 }
 
 }  // namespace wend::cli

@@ -44,7 +44,16 @@ struct RobotArguments {
 };
 
 struct MapArguments : MapFileArguments, RobotArguments {
+  std::optional<double> limit_memory;  // megabytes
+
   void add_to(Parser& app);
+
+  /// Throws NoPathError if more bytes are needed for that map than there are.
+  void check_memory(const GridMap& map, double need) const;
+
+  /// Throws NoPathError if that and planners that take so many bytes for each cell do not fit into
+  /// memory.
+  FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
 };
 
 }  // namespace wend::cli

@@ -8,6 +8,7 @@
 #include "coordinates.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "input_files.hpp"
 
 namespace wend::cli {
 namespace {
@@ -32,15 +33,13 @@ std::optional<std::string> part_outside(const Path& path, const FreeSpace& space
 void add_path_file(Parser& app, std::string& file) {
   app.add_option("PATH", file,
                  wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
-                         "(.csv with columns x_m and y_m)"))
+                         "(.csv with columns x_m and y_m); - reads it from standard input"))
       .required()
       .type_name(kFileType);
 }
 
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage) {
-  auto path = load_path(file, space.map().frame(), stage);
-  if (!path) throw InputError(path.error().message());
-  return *std::move(path);
+  return read_path(file, space.map().frame(), stage);
 }
 
 Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage) {

@@ -13,7 +13,7 @@ namespace wend::cli {
 /// The positional PATH.
 void add_path_file(Parser& app, std::string& file);
 
-/// Throws InputError if it cannot be read.
+/// Throws InputError if it cannot be read, NoPathError if it says why there is no path.
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage);
 
 /// The same, also if something of it does not lie on the map.

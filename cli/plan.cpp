@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "plan_queries.hpp"
 #include "plan_run.hpp"
 #include "planner_argument.hpp"
 #include "wend/planner/planners.hpp"
@@ -24,6 +25,8 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
+  wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
+  wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o - > path.csv
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
 with arrows; large ones a summary and, on a terminal, a picture. A car stands on
@@ -46,21 +49,48 @@ bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turn
 /// Throws InputError for flags that were given and change nothing.
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
-  arguments.pictures.check(plan, output.any_picture(), arguments.format != Format::json);
+  const bool shows = arguments.format == TableFormat::text && arguments.queries.empty();
+  arguments.pictures.check(plan, output.any_picture(), shows && !output.print());
   if (!arguments.watch.animate && !output.any(".gif")) {
     refuse_idle(plan, {"--speed"}, "it is that of --animate and of -o FILE.gif");
   }
   if (arguments.watch.trace.empty()) {
     refuse_idle(plan, {"--trace-limit"}, "name the trace with --trace FILE");
   }
+  if (arguments.queries.empty()) {
+    refuse_idle(plan, {"--threads"}, "name the queries with --queries FILE");
+  }
+}
+
+void check(const PlanArguments& arguments) {
+  arguments.output.check();
+  if (!arguments.queries.empty()) return check_queries(arguments);
+  if (arguments.ends.start.empty()) throw InputError("--start is required, or --queries FILE");
+  if (arguments.ends.goals.empty()) throw InputError("--goal is required, or --queries FILE");
+  arguments.watch.check(detect_screen());
+  if (arguments.watch.step && arguments.format != TableFormat::text) {
+    throw InputError("--step and --format json or csv: choose one");
+  }
+  if (arguments.output.print() && (arguments.watch.step || arguments.watch.animate)) {
+    throw InputError("-o - writes the path and nothing else: leave out --step and --animate");
+  }
+}
+
+/// Where a map does not fit into memory, files that are to hold a path say so.
+FreeSpace space_for(const PlanArguments& arguments, const GridMap& map,
+                    const PlannerSpec& planner) {
+  const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;
+  try {
+    return arguments.map.free_space(
+        map, static_cast<double>(planners) * info_of(planner).bytes_per_cell);
+  } catch (const NoPathError& error) {
+    write_failed_plan(arguments, error.plan());
+    throw;
+  }
 }
 
 int run(const PlanArguments& arguments) {
-  arguments.output.check();
-  arguments.watch.check(detect_screen());
-  if (arguments.watch.step && arguments.format == Format::json) {
-    throw InputError("--step and --format json: choose one");
-  }
+  check(arguments);
   WorkTimes times;
   std::optional<Expected<GivenIndex, std::string>> index;
   if (!arguments.index.empty()) {
@@ -75,9 +105,11 @@ int run(const PlanArguments& arguments) {
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
   arguments.output.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
-  FreeSpace space = timed(thread_cpu_seconds, times.free_space,
-                          [&] { return arguments.map.free_space(loaded.map); });
-  PlanRun run(arguments, std::move(planner), std::move(space), std::move(index), times);
+  const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
+                                [&] { return space_for(arguments, loaded.map, planner); });
+  PlannerMaker maker(std::move(planner), space, std::move(index));
+  if (!arguments.queries.empty()) return run_queries(arguments, maker, space);
+  PlanRun run(arguments, std::move(maker), space, times);
   run.plan();
   return run.report();
 }
@@ -93,12 +125,17 @@ Command add_plan(Parser& app) {
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
                           "resolution, a cell for others and with --cells; of a car a corner, and "
                           "the heading N, W, E, S or an angle as 45deg"))
-      .required()
       .type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
             "Where it ends; of several the cheapest to reach. A car's heading may be any")
-      .required()
       .type_name("X,Y[,HEADING]");
+  plan.add_option("--queries", arguments->queries,
+                  wrapped("Answer every row of a CSV file instead: its header names the columns "
+                          "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
+                          "status, a reason and the path's cost and length"))
+      .type_name(kFileType);
+  add_count(plan, "--threads", arguments->threads,
+            "Number of threads that answer --queries, each with its planner (default: all cores)");
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
                         "that is connected to the other end (not of a car)"));
@@ -113,14 +150,18 @@ Command add_plan(Parser& app) {
       .type_name(kFileType);
   arguments->refine.add_to(plan);
   arguments->limits.add_to(plan);
-  add_format(plan, arguments->format);
+  add_choice<TableFormat>(
+      plan, "--format", arguments->format,
+      {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
+      "Results for people (the default) or for programs: all of them as JSON, or the path as CSV");
   arguments->layers.add_to(plan);
   arguments->pictures.add_to(plan);
-  arguments->output.add_to(
-      plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
-      "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
-      "the path (.csv, smoothed or the like if that is asked for; nothing if there is "
-      "none) or the JSON; may be given several times");
+  arguments->output.add_to(plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
+                           "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
+                           "the path (.csv, smoothed or the like if that is asked for) or the "
+                           "JSON; may be given several "
+                           "times. Where there is no path, the file says why instead",
+                           "the path (JSON with --format json, else CSV)");
   arguments->watch.add_to(plan);
   for (const PlannerInfo& planner : planners()) {
     std::vector<OptionInfo> options = planner.options;

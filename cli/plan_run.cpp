@@ -15,8 +15,6 @@
 #include "stepped_search.hpp"
 #include "stepper.hpp"
 #include "wend/io/path_csv.hpp"
-#include "wend/parallel/thread_workers.hpp"
-#include "wend/planner/planners.hpp"
 #include "wend/report/plan_json.hpp"
 #include "wend/report/thread_time.hpp"
 
@@ -28,22 +26,31 @@ constexpr int kRowsOfStep = 2;  // what is expanded, and the cursor
 
 }  // namespace
 
-PlanRun::PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
-                 std::optional<Expected<GivenIndex, std::string>> index, const WorkTimes& times)
+void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
+  if (!arguments.queries.empty()) return;
+  arguments.output.write(
+      {{".csv", [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); }},
+       {".json",
+        [&](const std::string& file) { return write_bytes(file, failed_plan_json(plan)); }}},
+      arguments.format == TableFormat::json ? ".json" : ".csv");
+}
+
+PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
+                 const WorkTimes& times)
     : arguments_(arguments),
-      spec_(std::move(planner)),
+      maker_(std::move(planner)),
       space_(std::move(space)),
-      index_(std::move(index)),
-      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
+      asked_(typed_query(maker_.spec(), space_, arguments.map.coordinates(space_.map()),
+                         arguments.ends)),
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
-                                              moves_of(spec_).adjacency())) {
+                                              moves_of(maker_.spec()).adjacency())) {
   result_.times = times;
   asked_->check(arguments.layers);
-  if (!arguments.refine.any() || info_of(spec_).motion == Motion::cells) return;
+  if (!arguments.refine.any() || info_of(maker_.spec()).motion == Motion::cells) return;
   throw InputError(fmt::format(
       "--simplify, --smooth and --resample are for paths from cell to cell: what the planner {} "
       "drives is made of arcs, which are to stay as they are",
-      spec_.name));
+      maker_.spec().name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -64,12 +71,12 @@ bool PlanRun::draws_outcome() const {
 }
 
 void PlanRun::plan() {
-  result_.planner = spec_.name;
-  result_.motion = info_of(spec_).motion;
+  result_.planner = maker_.spec().name;
+  result_.motion = info_of(maker_.spec()).motion;
   if (arguments_.nearest) {
     for (const auto& note : asked_->move_to_nearest()) complain(note);
   }
-  auto planner = make_planner();
+  auto planner = maker_.make(result_.times);
   if (planner) {
     planner_ = *std::move(planner);
     result_.states = planner_->state_count();
@@ -80,29 +87,6 @@ void PlanRun::plan() {
   } else {
     fail(planner.error().status, planner.error().message());
   }
-}
-
-/// On the index that was given, else on one that is built now if the planner needs one.
-PlannerResult PlanRun::make_planner() {
-  if (index_ && !*index_) {
-    return Unexpected<PlannerError>({Status::index_mismatch, index_->error()});
-  }
-  const PlannerInfo& info = info_of(spec_);
-  if (!index_ && info.build_index) return make_planner_on_new_index(info);
-  return timed(thread_cpu_seconds, result_.times.planner.emplace(0), [&] {
-    return index_ ? wend::make_planner(spec_.name, space_, spec_.options, (*index_)->bytes)
-                  : info.make(space_, spec_.options);
-  });
-}
-
-PlannerResult PlanRun::make_planner_on_new_index(const PlannerInfo& info) {
-  ThreadWorkers workers;
-  auto index = timed(process_cpu_seconds, result_.times.index.emplace(0),
-                     [&] { return build_index(info, space_, workers); });
-  if (!index) return Unexpected<PlannerError>(index.error());
-  built_index_ = true;
-  return timed(thread_cpu_seconds, result_.times.planner.emplace(0),
-               [&] { return info.make_on_index(space_, spec_.options, *std::move(index)); });
 }
 
 void PlanRun::search() {
@@ -156,10 +140,9 @@ void PlanRun::search_for(SearchObserver& observer, Query query) {
 bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
 
 /// Only the search is timed, not the person.
-Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
-  if (!info_of(spec_).can_step) {
-    throw InputError(fmt::format("{}: the planner {} cannot be stepped",
-                                 arguments_.watch.step ? "--step" : "--open-list", spec_.name));
+Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& recorder) {
+  if (!info_of(maker_.spec()).can_step) {
+    throw InputError(fmt::format("--step: the planner {} cannot be stepped", maker_.spec().name));
   }
   SteppedSearch search(*planner_, query, recorder, told, result_.plan);
   const Status status =
@@ -245,7 +228,7 @@ Scene PlanRun::outcome() const {
     scene.lines = lines_of(*result_.refined);
     return scene;
   }
-  const bool walked = spec_.name == "random_walk" && recorder_;
+  const bool walked = maker_.spec().name == "random_walk" && recorder_;
   if (!walked && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
   } else if (recorder_ && !recorder_->expansions().empty()) {
@@ -288,7 +271,7 @@ std::string PlanRun::text() const {
   }
   std::string summary;
   if (found) summary += asked_->summary(result_);
-  if (found && built_index_) {
+  if (found && maker_.built_index()) {
     summary += "index     built for this query and not kept: `wend index build` keeps it\n";
   }
   if (result_.refined) {
@@ -310,40 +293,66 @@ void PlanRun::write_trace(PosthocTrace& trace) const {
                        watch.trace, watch.trace_limit, trace.dropped()));
 }
 
-void PlanRun::write_files() const {
-  const Frame& frame = space_.map().frame();
-  const StyleName style = arguments_.pictures.style;
-  auto writers = picture_writers(layer_panels(outcome(), layers_), style);
-  writers[".json"] = [&](const std::string& file) {
-    return write_bytes(file, plan_json(result_, frame, layers_));
-  };
-  if (recorder_ && !recorder_->expansions().empty()) {
-    writers[".gif"] = [&](const std::string& file) {
-      return write_picture(file,
-                           gif_of(outcome(), *recorder_, arguments_.watch.speed, style_of(style)));
-    };
+std::string PlanRun::csv() const {
+  if (result_.status != Status::found) {
+    return no_path_csv({std::string(to_string(result_.status)), result_.reason});
   }
-  if (result_.status == Status::found) {
-    writers[".csv"] = [&](const std::string& file) {
-      const Path& path = result_.refined ? result_.refined->refined.path : result_.plan.path;
-      const auto written = save_path_csv(path, frame, file);
-      return written ? std::string() : written.error().message();
-    };
-  }
-  arguments_.output.write(writers);
+  const Path& path = result_.refined ? result_.refined->refined.path : result_.plan.path;
+  return path_csv(path, space_.map().frame());
 }
 
-ExitCode PlanRun::report() {
+std::string PlanRun::json() const { return plan_json(result_, space_.map().frame(), layers_); }
+
+/// Of a failure: what there is to see of the reason, and the reason in words.
+std::vector<Panel> PlanRun::panels() const {
+  if (result_.status == Status::found) return layer_panels(outcome(), layers_);
+  const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
+  std::vector<Panel> panels{{fmt::format("no path: {}", to_string(result_.status)),
+                             gave_up ? outcome() : asked_->scene_of_failure(result_.status),
+                             result_.reason}};
+  if (layers_.empty()) return panels;
+  for (Panel& panel : layer_panels(outcome(), layers_)) panels.push_back(std::move(panel));
+  return panels;
+}
+
+Expected<std::string, RenderError> PlanRun::film() const {
+  const Style style = style_of(arguments_.pictures.style);
+  const bool searched = recorder_ && !recorder_->expansions().empty();
+  return searched ? gif_of(outcome(), *recorder_, arguments_.watch.speed, style)
+                  : gif_of(panels().front().scene, style);
+}
+
+/// Every file is replaced, also where there is no path: what an earlier command left there is not to
+/// be taken for the answer.
+void PlanRun::write_files() const {
+  std::map<std::string, FileWriter> writers;
+  if (arguments_.output.any_of(picture_extensions())) {
+    writers = picture_writers(panels(), arguments_.pictures.style);
+  }
+  writers[".json"] = [this](const std::string& file) { return write_bytes(file, json()); };
+  writers[".csv"] = [this](const std::string& file) { return write_bytes(file, csv()); };
+  writers[".gif"] = [this](const std::string& file) { return write_picture(file, film()); };
+  arguments_.output.write(writers, arguments_.format == TableFormat::json ? ".json" : ".csv");
+}
+
+void PlanRun::print_results() {
   const bool searched = recorder_ && !recorder_->expansions().empty();
   if (arguments_.watch.animate && searched) {
     play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
     outcome_is_shown_ = true;
   }
-  if (arguments_.format == Format::json) {
-    print(plan_json(result_, space_.map().frame(), layers_));
-  } else {
-    print(text());
+  switch (arguments_.format) {
+    case TableFormat::text:
+      return print(text());
+    case TableFormat::json:
+      return print(json());
+    case TableFormat::csv:
+      return print(csv());
   }
+}
+
+ExitCode PlanRun::report() {
+  if (!arguments_.output.print()) print_results();
   write_files();
   if (result_.status == Status::found) return success;
   complain(result_.reason);

@@ -9,20 +9,20 @@
 
 #include "exit_code.hpp"
 #include "flags.hpp"
-#include "index_argument.hpp"
 #include "limit_arguments.hpp"
 #include "map_arguments.hpp"
 #include "observer_list.hpp"
 #include "option_flags.hpp"
 #include "output_files.hpp"
 #include "picture.hpp"
+#include "planner_maker.hpp"
 #include "refine_arguments.hpp"
 #include "shown_layers.hpp"
 #include "stepped_search.hpp"
 #include "typed_query.hpp"
 #include "watching.hpp"
+#include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/planner/planner_spec.hpp"
 #include "wend/planner/search_recorder.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_result.hpp"
@@ -32,12 +32,14 @@ namespace wend::cli {
 struct PlanArguments {
   MapArguments map;
   EndArguments ends;
-  std::string planner;  // nothing: the index's, or else astar
+  std::string queries;  // a file with many starts and goals, instead of `ends`
+  std::uint64_t threads = ThreadWorkers().count();  // that answer them
+  std::string planner;                              // nothing: the index's, or else astar
   std::string index;
   OptionFlags options{"planner"};
   LimitArguments limits;
   bool nearest = false;
-  Format format = Format::text;
+  TableFormat format = TableFormat::text;
   RefineArguments refine;
   PictureArguments pictures;
   ShownLayers layers;
@@ -45,12 +47,14 @@ struct PlanArguments {
   OutputFiles output;
 };
 
+/// Writes that there is no path, into the files that are to hold one, where nothing can be planned.
+void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
+
 class PlanRun {
  public:
-  /// `index`: what the planner is to plan on, if one was given; or what is wrong with it. `times`
-  /// are those of what was done for the query so far.
-  PlanRun(const PlanArguments& arguments, PlannerSpec planner, FreeSpace space,
-          std::optional<Expected<GivenIndex, std::string>> index, const WorkTimes& times);
+  /// `times` are those of what was done for the query so far.
+  PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
+          const WorkTimes& times);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
@@ -59,8 +63,6 @@ class PlanRun {
   ExitCode report();
 
  private:
-  PlannerResult make_planner();
-  PlannerResult make_planner_on_new_index(const PlannerInfo& info);
   void search();
   void search_to_the_end(const Query& query);
   void search_for(SearchObserver& observer, Query query);
@@ -77,24 +79,25 @@ class PlanRun {
   bool draws_outcome() const;
   Scene outcome() const;
   std::string text() const;
-  std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
+  std::string step_text(const SearchRecorder& recorder) const;
+  std::vector<Panel> panels() const;
+  std::string csv() const;
+  std::string json() const;
+  Expected<std::string, RenderError> film() const;
+  void print_results();
   void write_files() const;
   void write_trace(PosthocTrace& trace) const;
 
   const PlanArguments& arguments_;
   Screen screen_ = detect_screen();
-  PlannerSpec spec_;
+  PlannerMaker maker_;
   FreeSpace space_;
-  std::optional<Expected<GivenIndex, std::string>> index_;
   std::unique_ptr<TypedQuery> asked_;
   std::unique_ptr<Planner> planner_;
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;
   Refinement refinement_;
   PlanResult result_;
-  bool built_index_ = false;
-  std::uint64_t open_lists_told_ = 0;
-  std::optional<Scene> failure_;   // why there is no plan, where that is drawn
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };
 

@@ -108,4 +108,11 @@ Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchReco
   return animation.finish();
 }
 
+Expected<std::string, RenderError> gif_of(const Scene& scene, const Style& style) {
+  const Grid<std::uint32_t> pixels = draw_pixels(scene, kGifWidth, kGifHeight, style);
+  GifAnimation animation(pixels.width(), pixels.height(), palette_of(std::span(&pixels, 1)));
+  animation.add(pixels, kOutcomeHundredths);
+  return animation.finish();
+}
+
 }  // namespace wend::cli

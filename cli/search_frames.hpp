@@ -34,4 +34,7 @@ void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& sc
 Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchRecorder& recorder,
                                           std::optional<double> speed, const Style& style);
 
+/// A GIF of one picture, where there was no search.
+Expected<std::string, RenderError> gif_of(const Scene& scene, const Style& style);
+
 }  // namespace wend::cli

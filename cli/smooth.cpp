@@ -11,6 +11,7 @@
 #include "corner_rule.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "input_files.hpp"
 #include "map_arguments.hpp"
 #include "option_flags.hpp"
 #include "output.hpp"
@@ -85,6 +86,9 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   return choice;
 }
 
+/// What -o - is written as.
+std::string printed_extension(Format format) { return format == Format::json ? ".json" : ".csv"; }
+
 std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
                                              const RefinedPath& path, const FreeSpace& space,
                                              const Scene& scene) {
@@ -99,34 +103,68 @@ std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
   return writers;
 }
 
-/// Says so and returns true if safe smoothing is asked for where there is no safe way.
-bool collides(const Path& path, const FreeSpace& space, const Refinement& refinement,
-              const Coordinates& coordinates) {
-  if (!refinement.smoother || is_unsafe(*refinement.smoother)) return false;
-  const auto collision = first_collision(path, space, refinement.adjacency);
-  if (!collision) return false;
-  complain(fmt::format("the path is not free, and can only be smoothed with --unsafe: {}",
-                       collision_text(*collision, coordinates)));
-  return true;
+/// Where a path is in the way of safe smoothing, if that is asked for.
+std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& space,
+                                          const Refinement& refinement) {
+  if (!refinement.smoother || is_unsafe(*refinement.smoother)) return std::nullopt;
+  return first_collision(path, space, refinement.adjacency);
+}
+
+/// Writes why there is no smooth path in place of what earlier commands may have left in the files.
+void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, const Scene& scene) {
+  auto writers =
+      picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments.pictures.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, failed_plan_json(plan));
+  };
+  writers[".csv"] = [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); };
+  arguments.output.write(writers, printed_extension(arguments.format));
+}
+
+/// The path to smooth. Where its file says that there is none, so do the files to be written.
+Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space) {
+  try {
+    return load_path_on(space, arguments.path, PathStage::planned);
+  } catch (const NoPathError& error) {
+    write_failure(arguments, error.plan(), Scene{.space = space});
+    throw;
+  }
+}
+
+void refuse_collision(const SmoothArguments& arguments, const FreeSpace& space, const Path& path,
+                      const PathCollision& collision, const Coordinates& coordinates) {
+  const FailedPlan failed{
+      "not_free", fmt::format("the path is not free, and can only be smoothed with --unsafe: {}",
+                              collision_text(collision, coordinates))};
+  Scene scene = scene_of(space, path);
+  scene.collision = collision.point;
+  write_failure(arguments, failed, scene);
+  throw NoPathError(failed.reason, failed);
 }
 
 int run(const SmoothArguments& arguments) {
   arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
-  const Path path = load_path_on(space, arguments.path, PathStage::planned);
+  const Path path = path_to_smooth(arguments, space);
   Refinement refinement = arguments.points.refinement(coordinates, arguments.moves.adjacency());
   refinement.smoother = smoother_of(arguments, coordinates);
-  if (collides(path, space, refinement, coordinates)) return no_plan;
+  if (const auto collision = collision_of(path, space, refinement)) {
+    refuse_collision(arguments, space, path, *collision, coordinates);
+  }
   const RefinedPath refined =
       refine(path, space, refinement, arguments.points.rounding(coordinates));
   const Scene scene = scene_of(space, lines_of(refined));
-  print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
-                                         : picture(scene, detect_screen(), arguments.pictures) +
-                                               refined_text(refined, coordinates));
-  arguments.output.write(writers_of(arguments, refined, space, scene));
+  if (!arguments.output.print()) {
+    print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
+                                           : picture(scene, detect_screen(), arguments.pictures) +
+                                                 refined_text(refined, coordinates));
+  }
+  arguments.output.write(writers_of(arguments, refined, space, scene),
+                         printed_extension(arguments.format));
   return success;
 }
 
@@ -159,7 +197,9 @@ Command add_smooth(Parser& app) {
   arguments->pictures.add_to(smooth);
   arguments->output.add_to(smooth, {".csv", ".json", ".png", ".svg", ".pdf"},
                            "Also write the path (.csv, .json) or a picture of both (.png, .svg, "
-                           ".pdf); may be given several times");
+                           ".pdf); may be given several times. Where the path is not free, the "
+                           "file says so instead",
+                           "the path (JSON with --format json, else CSV)");
   add_smoothers(smooth, *arguments);
   smooth.footer(kSmoothExamples);
   return {smooth, [smooth, arguments] {

@@ -48,9 +48,8 @@ class TypedQuery {
   /// The map with start and goals.
   virtual Scene scene() const = 0;
 
-  /// Why there is no plan, as a picture; nothing where the status is about something else, or that
-  /// cannot be drawn.
-  virtual std::optional<Scene> failure_scene(Status status) const = 0;
+  /// The same with the reason why there is no path, as far as it can be drawn.
+  virtual Scene scene_of_failure(Status status) const = 0;
 
   /// Costs to the goals from everywhere; nothing if there are none.
   virtual std::optional<CostToGo> cost_to_go(const Limits& limits) const = 0;

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "flags.hpp"
+#include "input_files.hpp"
 #include "map_arguments.hpp"
 #include "output.hpp"
 #include "output_files.hpp"
@@ -16,8 +17,6 @@
 #include "picture.hpp"
 #include "picture_files.hpp"
 #include "shown_layers.hpp"
-#include "text_blocks.hpp"
-#include "wend/io/load_map.hpp"
 #include "wend/path/path_metrics.hpp"
 
 namespace wend::cli {
@@ -122,6 +121,10 @@ std::vector<Panel> in_styles(const std::vector<Panel>& panels,
 
 void check(const ViewArguments& arguments) {
   arguments.output.check();
+  std::vector<std::string> read{arguments.map.file};
+  read.insert(read.end(), arguments.paths.begin(), arguments.paths.end());
+  read.insert(read.end(), arguments.beside.begin(), arguments.beside.end());
+  check_read_once(read);
   for (const LayerKind kind : arguments.layers.kinds()) {
     if (source_of(kind) == LayerSource::map) continue;
     throw InputError(fmt::format("--show {}: there is no search here; `wend plan --show` shows it",
@@ -144,11 +147,7 @@ void check_idle(const Parser& view, const ViewArguments& arguments) {
 int run(const ViewArguments& arguments) {
   check(arguments);
   std::vector<LoadedMap> maps{arguments.map.load()};
-  for (const std::string& file : arguments.beside) {
-    auto loaded = load_map(file);
-    if (!loaded) throw InputError(loaded.error().message());
-    maps.push_back(*std::move(loaded));
-  }
+  for (const std::string& file : arguments.beside) maps.push_back(read_map(file));
   for (const LoadedMap& loaded : maps) arguments.output.check_not_among(loaded.files);
   for (const std::string& path : arguments.paths) arguments.output.check_not_among({path});
 

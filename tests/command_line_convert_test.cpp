@@ -42,8 +42,9 @@ std::vector<std::string> lines_in(const std::string& text) {
 class Convert : public testing::Test {
  protected:
   /// Runs `wend convert` on files of the folder.
+  /// Every picture may be replaced, unless `flags` are others.
   Outcome convert(const std::string& in, const std::string& out,
-                  const std::vector<std::string>& flags = {}) const {
+                  const std::vector<std::string>& flags = {"--force"}) const {
     std::vector<std::string> arguments{"convert", folder_ / in, folder_ / out};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
     return wend(arguments);
@@ -194,6 +195,25 @@ TEST_F(Convert, NeverWritesOverAFileThatTheMapWasReadFrom) {
   }
 }
 
+TEST_F(Convert, KeepsAPictureThatBelongsToSomethingElse) {
+  folder_.write("a.txt", "..#\n");
+  folder_.write("b.txt", "###\n");
+  folder_.write("keep.png", "a photograph");
+  const auto before = files_in(folder_ / "");
+  const Outcome refused = convert("a.txt", "keep.yaml", {});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("this would replace " + (folder_ / "keep.png").string()),
+                                 HasSubstr("--force")));
+  EXPECT_EQ(files_in(folder_ / ""), before);
+  const Outcome forced = convert("a.txt", "keep.yaml", {"--force"});
+  EXPECT_EQ(forced.code, 0) << forced.err;
+  EXPECT_THAT(forced.out, AllOf(HasSubstr(folder_ / "keep.png"), HasSubstr(folder_ / "keep.yaml")));
+  // A command can be run again, and changed: the picture is its own now.
+  EXPECT_EQ(convert("b.txt", "keep.yaml", {}).code, 0);
+  EXPECT_EQ(drawing_in(folder_ / "keep.yaml"), "###\n");
+  EXPECT_EQ(convert("a.txt", "keep.yml", {}).code, 2) << "it is keep.yaml's";
+}
+
 /// The smallest map of each folder of the shared data, by extension.
 std::vector<fs::path> real_maps() {
   std::map<std::string, fs::path> smallest;
@@ -219,7 +239,7 @@ TEST_F(Convert, TakesRealMaps) {
   for (const fs::path& file : files) {
     for (const std::string to : {"m.map", "m.txt", "m.png", "m.yaml"}) {
       SCOPED_TRACE(file.string() + " to " + to);
-      const Outcome outcome = wend({"convert", file, folder_ / to});
+      const Outcome outcome = wend({"convert", file, folder_ / to, "--force"});
       ASSERT_EQ(outcome.code, 0) << outcome.err;
       const auto before = load_map(file);
       const auto after = load_map(folder_ / to);

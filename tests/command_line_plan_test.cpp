@@ -293,14 +293,6 @@ TEST_F(PlanCommand, WritesFilesByTheirNames) {
   EXPECT_EQ(bytes_of(file), outcome.out);
 }
 
-TEST_F(PlanCommand, AFailureWritesNoPath) {
-  const std::string csv = folder_ / "plan.csv";
-  const std::string file = folder_ / "plan.json";
-  EXPECT_EQ(plan("0,0", "6,0", {"-o", csv, "-o", file}).code, 1);
-  EXPECT_FALSE(std::filesystem::exists(csv));
-  EXPECT_EQ(json::parse(bytes_of(file)).at("status"), "unreachable");
-}
-
 TEST_F(PlanCommand, NoPictureWhereNoneIsWanted) {
   EXPECT_THAT(plan("0,0", "4,3", {"--picture", "never"}).out, Not(HasSubstr("###")));
 }

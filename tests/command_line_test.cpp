@@ -214,6 +214,24 @@ TEST(Generate, PrintsATextGridOrSavesAMap) {
   EXPECT_EQ(json::parse(wend({"info", file, "--format", "json"}).out).at("width"), 21);
 }
 
+TEST(Generate, KeepsAPictureThatBelongsToSomethingElse) {
+  const TemporaryFolder folder;
+  const std::string picture = folder.write("floor.png", "a photograph");
+  const std::string map = folder / "floor.yaml";
+  const std::vector<std::string> command{"generate", "maze", "--size", "21x11", "-o", map};
+  const Outcome refused = wend(command);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("this would replace " + picture), HasSubstr("--force")));
+  EXPECT_EQ(bytes_of(picture), "a photograph");
+  EXPECT_FALSE(std::filesystem::exists(map));
+  std::vector<std::string> forced = command;
+  forced.insert(forced.end(), {"--force", "--format", "json"});
+  EXPECT_EQ(json::parse(wend(forced).out).at("files"), json({picture, map}));
+  const Outcome again = wend(command);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("\nwritten: " + picture + ", " + map + "\n"));
+}
+
 TEST(Generate, MakesEveryKindFromASeed) {
   for (const std::string kind :
        {"random", "maze", "rooms", "office", "warehouse", "rough", "car", "parking"}) {
@@ -287,8 +305,9 @@ std::string completed(const std::string& words, int count) {
 TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
   if (completed("", 0) == "no bash") GTEST_SKIP() << "there is no bash";
   EXPECT_EQ(completed("wend pl", 1), "plan planners\n");
-  EXPECT_EQ(completed("wend plan --lim", 2), "--limit-expansions --limit-time\n");
-  EXPECT_EQ(completed("wend plan --nearest --lim", 3), "--limit-expansions --limit-time\n");
+  EXPECT_EQ(completed("wend plan --lim", 2), "--limit-memory --limit-expansions --limit-time\n");
+  EXPECT_EQ(completed("wend plan --nearest --lim", 3),
+            "--limit-memory --limit-expansions --limit-time\n");
   EXPECT_EQ(completed("wend plan --planner d", 3), "dijkstra dfs\n");
   EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs\n");
   EXPECT_EQ(completed("wend plan --corner-rule \"\"", 3), "none one both\n");
@@ -342,11 +361,13 @@ class Examples : public testing::Test {
     folder_.write("arena.map", arena);
     folder_.write("den520d.map", arena);
     folder_.write("grid.txt", grid);
+    folder_.write("queries.csv", "start_x,start_y,goal_x,goal_y\n1,1,15,9\n15,9,2,2.5\n");
     expect_to_work("index build arena.map -o arena.idx");
   }
 
   void expect_to_work(const std::string& command) const {
-    const Outcome outcome = shell("cd " + (folder_ / "").string() + " && $WEND " + command);
+    const Outcome outcome = shell("cd " + (folder_ / "").string() +
+                                  " && wend() { \"$WEND\" \"$@\"; } && wend " + command);
     // What is explained may be that there is no path.
     const bool worked = outcome.code == 0 || (outcome.code == 1 && command.starts_with("explain "));
     EXPECT_TRUE(worked) << "wend " << command << "\n" << outcome.code << ": " << outcome.err;

@@ -37,7 +37,8 @@ TEST(PlanFile, OfAPlanThatFailedIsAnError) {
   ASSERT_EQ(outcome.code, 1);
   const auto path = load_path(folder.write("plan.json", outcome.out), {});
   ASSERT_FALSE(path);
-  EXPECT_THAT(path.error().message(), testing::HasSubstr("status is 'unreachable'"));
+  EXPECT_THAT(path.error().message(),
+              testing::HasSubstr("no path: no path joins start (0,0) and goal (2,0)"));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "fuzzed_map_yaml.hpp"
 #include "wend/io/load_path.hpp"
 #include "wend/io/path_csv.hpp"
+#include "wend/io/query_csv.hpp"
 #include "wend/io/scenario.hpp"
 #include "wend/planner/planner_spec.hpp"
 
@@ -72,6 +73,33 @@ inline std::string fuzz_path_json(std::string_view bytes) {
   return check_path(parse_path_json(bytes, kFuzzedFile, {}, PathStage::smoothed));
 }
 
+/// Rows that were read say the same again in the form of one column for each end.
+inline std::string fuzz_query_csv(std::string_view bytes) {
+  const auto rows = parse_query_csv(bytes, kFuzzedFile);
+  if (!rows) return check_error(rows.error());
+  std::size_t line = 1;
+  for (const QueryRow& row : *rows) {
+    if (row.line <= line) return "rows that do not follow each other";
+    line = row.line;
+    if (!row.wrong.empty()) {
+      if (!row.start.empty() || !row.goal.empty()) return "a bad row with ends";
+      continue;
+    }
+    const auto quoted = [](const std::string& text) {
+      std::string field = "\"";
+      for (const char letter : text) field += letter == '"' ? "\"\"" : std::string(1, letter);
+      return field + "\"";
+    };
+    const auto again = parse_query_csv(
+        "start,goal\n" + quoted(row.start) + "," + quoted(row.goal) + "\n", kFuzzedFile);
+    if (!again || again->size() != 1 || again->front().start != row.start ||
+        again->front().goal != row.goal) {
+      return "another query comes back";
+    }
+  }
+  return "";
+}
+
 inline std::string fuzz_planner_specs(std::string_view bytes) {
   const auto specs = parse_planner_specs(bytes);
   if (!specs) return specs.error().message().empty() ? "the error says nothing" : "";
@@ -103,6 +131,7 @@ inline constexpr std::array kLoaders{
     Loader{"scenario", fuzz_scenario},
     Loader{"path_csv", fuzz_path_csv},
     Loader{"path_json", fuzz_path_json},
+    Loader{"query_csv", fuzz_query_csv},
     Loader{"planner_specs", fuzz_planner_specs},
     Loader{"index", fuzz_index},
 };

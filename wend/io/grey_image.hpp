@@ -38,6 +38,22 @@ struct GreyImage {
   }
 };
 
+/// Takes an image row by row as it is decoded: GreyImage without its memory.
+class ImageRows {
+ public:
+  virtual ~ImageRows() = default;
+
+  /// Once, before the rows: as in GreyImage.
+  virtual void begin(int width, int height, int maximum) = 0;
+
+  /// The next row, from the top one on. `transparent` is empty in every row of an opaque image.
+  virtual void add(std::span<const std::uint16_t> values,
+                   std::span<const unsigned char> transparent) = 0;
+};
+
+/// What was odd in an image's file, and how it was read; or what is wrong with it.
+using DecodedRows = Expected<std::vector<std::string>, std::string>;
+
 /// The luma of a colour, on the scale of its channels.
 inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
   return static_cast<std::uint16_t>((299 * red + 587 * green + 114 * blue + 500) / 1000);
@@ -49,5 +65,13 @@ bool looks_like_image(std::string_view bytes);
 /// Decodes a PNG or PNM file, told apart by how it begins; an error says what is wrong, and names
 /// formats that are known but not supported (JPEG, BMP, ...).
 Expected<GreyImage, std::string> decode_image(std::string_view bytes);
+
+/// The same row by row. Where the image turns out to be wrong, some rows may have been taken.
+DecodedRows decode_image(std::string_view bytes, ImageRows& rows);
+
+/// The image that a decoder gives row by row.
+Expected<GreyImage, std::string> whole_image(std::string_view bytes,
+                                             DecodedRows (*decode)(std::string_view bytes,
+                                                                   ImageRows& rows));
 
 }  // namespace wend

@@ -15,12 +15,18 @@
 // A free cell with the value v has the terrain multiplier 1 + scale_factor v / 100. In trinary and
 // scale mode a pixel that is not fully opaque is unknown.
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/grey_image.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/grid_map_builder.hpp"
 
 namespace wend {
 
@@ -37,6 +43,34 @@ struct ImageMeaning {
 
 /// What a unit of length costs in a cell of the value v, 0..100.
 inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_factor * v / 100; }
+
+/// Makes the map of an image that is decoded row by row.
+class ImageMapRows final : public ImageRows {
+ public:
+  explicit ImageMapRows(const ImageMeaning& meaning) : meaning_(meaning) {}
+
+  void begin(int width, int height, int maximum) override;
+  void add(std::span<const std::uint16_t> values,
+           std::span<const unsigned char> transparent) override;
+
+  /// After the last row.
+  GridMap finish(const Frame& frame) { return std::move(*rows_).finish(frame); }
+
+ private:
+  struct PixelMeaning {
+    CellState state = CellState::unknown;
+    double terrain = 1;
+  };
+
+  static PixelMeaning raw_meaning(double shade, double scale_factor);
+  PixelMeaning meaning_of(int value, int maximum) const;
+
+  ImageMeaning meaning_;
+  std::vector<PixelMeaning> table_;  // by value
+  std::optional<GridMapBuilder> rows_;
+  std::vector<CellState> states_;  // of the row at hand
+  std::vector<double> terrain_;
+};
 
 /// The map of an image. With a frame that has y up, row 0 is the image's bottom row.
 GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);

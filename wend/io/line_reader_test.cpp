@@ -31,6 +31,34 @@ TEST(LineReader, SeesNoLineAfterTheLastLineEnd) {
   EXPECT_THAT(lines_of("a\n"), ElementsAre("a"));
 }
 
+TEST(LineReader, SkipsAByteOrderMarkAtTheBeginningAlone) {
+  EXPECT_THAT(lines_of("\xEF\xBB\xBF"
+                       "a\n\xEF\xBB\xBF"
+                       "b"),
+              ElementsAre("a",
+                          "\xEF\xBB\xBF"
+                          "b"));
+  EXPECT_THAT(lines_of("\xEF\xBB\xBF"), IsEmpty());
+  EXPECT_THAT(lines_of("\xEF\xBB"), ElementsAre("\xEF\xBB"));
+}
+
+TEST(LineReader, JoinsLinesThatLieInSeveralPieces) {
+  const std::string text = "\xEF\xBB\xBFone\r\n\ntwo\nthree and more\n\nend";
+  for (std::size_t size = 3; size <= text.size() + 1; ++size) {
+    std::string_view rest = text;
+    std::string piece;
+    const auto next_piece = [&]() -> std::string_view {
+      piece = rest.substr(0, size);
+      rest.remove_prefix(piece.size());
+      return piece;
+    };
+    LineReader reader(next_piece, text.size());
+    std::vector<std::string> lines;
+    while (const auto line = reader.next()) lines.emplace_back(*line);
+    EXPECT_EQ(lines, lines_of(text)) << size;
+  }
+}
+
 TEST(LineReader, SplitsWordsAtBlanksAndTabs) {
   EXPECT_THAT(words_of(" height\t 4 "), ElementsAre("height", "4"));
   EXPECT_THAT(words_of(" \t"), IsEmpty());

@@ -15,6 +15,7 @@
 #include "wend/io/moving_ai_map.hpp"
 #include "wend/io/read_file.hpp"
 #include "wend/io/text_grid.hpp"
+#include "wend/io/utf8.hpp"
 
 namespace wend {
 namespace {
@@ -38,28 +39,39 @@ std::optional<MapFormat> format_of_name(const std::filesystem::path& file) {
 
 std::optional<MapFormat> format_of_content(std::string_view bytes) {
   if (looks_like_image(bytes)) return MapFormat::image;
+  bytes = without_byte_order_mark(bytes);
   if (bytes.starts_with("type ")) return MapFormat::moving_ai;
   if (bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos) {
     return MapFormat::ros_yaml;
   }
+  if (looks_like_text_grid(bytes)) return MapFormat::text_grid;
   return std::nullopt;
 }
 
 Expected<LoadedMap, IoError> load_bare_image(std::string_view bytes, const std::string& file,
                                              std::optional<double> resolution) {
-  auto image = decode_image(bytes);
-  if (!image) return io_failure(file, 0, image.error());
+  ImageMapRows rows({});
+  auto notes = decode_image(bytes, rows);
+  if (!notes) return io_failure(file, 0, notes.error());
   Frame frame;
   frame.resolution = resolution.value_or(1);
   frame.metric = resolution.has_value();
-  return LoadedMap{map_from_image(*image, {}, frame), MapFormat::image, std::move(image->notes)};
+  return LoadedMap{rows.finish(frame), MapFormat::image, *std::move(notes)};
 }
 
-Expected<LoadedMap, IoError> load_format(MapFormat format, const std::filesystem::path& file,
-                                         const std::string& bytes, const LoadOptions& options) {
+/// A file's bytes, and in which folder the files lie that it names.
+struct Source {
+  std::filesystem::path file;
+  std::filesystem::path folder;
+  const std::string& bytes;
+};
+
+Expected<LoadedMap, IoError> load_format(MapFormat format, const Source& source,
+                                         const LoadOptions& options) {
+  const auto& [file, folder, bytes] = source;
   switch (format) {
     case MapFormat::ros_yaml:
-      return load_map_yaml(bytes, file, options.scale_factor);
+      return load_map_yaml(bytes, file.string(), folder, options.scale_factor);
     case MapFormat::moving_ai:
       return parse_moving_ai_map(bytes, file.string());
     case MapFormat::text_grid:
@@ -70,24 +82,60 @@ Expected<LoadedMap, IoError> load_format(MapFormat format, const std::filesystem
   return load_bare_image(bytes, file.string(), options.resolution);
 }
 
-Expected<LoadedMap, IoError> load(const std::filesystem::path& file, const LoadOptions& options) {
+/// What is wrong with the options, empty if nothing is.
+std::string wrong_options(const LoadOptions& options) {
   if (options.resolution && !(*options.resolution > 0 && std::isfinite(*options.resolution))) {
-    return io_failure(file.string(), 0, "the resolution given must be finite and above 0");
+    return "the resolution given must be finite and above 0";
   }
   if (!(options.scale_factor >= 0 && options.scale_factor <= kLargestScaleFactor)) {
-    return io_failure(file.string(), 0, "the scale factor given must be in 0..1e6");
+    return "the scale factor given must be in 0..1e6";
   }
-  const auto bytes = read_file(file);
-  if (!bytes) return Unexpected<IoError>(bytes.error());
+  return {};
+}
+
+void note_resolution(Expected<LoadedMap, IoError>& loaded, const LoadOptions& options) {
+  if (!loaded || !options.resolution || loaded->format == MapFormat::image) return;
+  loaded->notes.emplace_back("the resolution given is not used: only a bare image takes one");
+}
+
+Expected<LoadedMap, IoError> load(const Source& source, const LoadOptions& options) {
+  const auto& [file, folder, bytes] = source;
+  const std::string wrong = wrong_options(options);
+  if (!wrong.empty()) return io_failure(file.string(), 0, wrong);
   std::optional<MapFormat> format = format_of_name(file);
-  if (!format) format = format_of_content(*bytes);
+  if (!format) format = format_of_content(bytes);
   if (!format) {
     return io_failure(file.string(), 0, fmt::format("unknown map format; {} read", kSupported));
   }
-  auto loaded = load_format(*format, file, *bytes, options);
-  if (loaded && options.resolution && loaded->format != MapFormat::image) {
-    loaded->notes.emplace_back("the resolution given is not used: only a bare image takes one");
+  auto loaded = load_format(*format, source, options);
+  note_resolution(loaded, options);
+  return loaded;
+}
+
+/// Of a format with a letter for each cell, which takes more bytes than the map does.
+Expected<LoadedMap, IoError> load_letters(MapFormat format, const std::filesystem::path& file) {
+  auto pieces = FilePieces::open(file);
+  if (!pieces) return Unexpected<IoError>(pieces.error());
+  LineReader lines([&pieces] { return pieces->next(); }, pieces->size());
+  auto loaded = format == MapFormat::moving_ai
+                    ? parse_moving_ai_map(std::move(lines), file.string())
+                    : parse_text_grid(std::move(lines), file.string());
+  if (pieces->failed()) return io_failure(file.string(), 0, "cannot be read");
+  return loaded;
+}
+
+Expected<LoadedMap, IoError> load_file(const std::filesystem::path& file,
+                                       const LoadOptions& options) {
+  const auto format = format_of_name(file);
+  if (format != MapFormat::moving_ai && format != MapFormat::text_grid) {
+    const auto bytes = read_file(file);
+    if (!bytes) return Unexpected<IoError>(bytes.error());
+    return load({file, file.parent_path(), *bytes}, options);
   }
+  const std::string wrong = wrong_options(options);
+  if (!wrong.empty()) return io_failure(file.string(), 0, wrong);
+  auto loaded = load_letters(*format, file);
+  note_resolution(loaded, options);
   return loaded;
 }
 
@@ -110,11 +158,20 @@ std::string_view to_string(MapFormat format) {
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
                                       const LoadOptions& options) {
   try {
-    auto loaded = load(file, options);
+    auto loaded = load_file(file, options);
     if (loaded) loaded->files.insert(loaded->files.begin(), file);
     return loaded;
   } catch (const std::bad_alloc&) {
     return io_failure(file.string(), 0, "not enough memory for this map");
+  }
+}
+
+Expected<LoadedMap, IoError> parse_map(const std::string& bytes, const std::string& name,
+                                       const LoadOptions& options) {
+  try {
+    return load({name, {}, bytes}, options);
+  } catch (const std::bad_alloc&) {
+    return io_failure(name, 0, "not enough memory for this map");
   }
 }
 

@@ -8,7 +8,8 @@
 //   text grid     *.txt *.grid              down  cells
 //   bare image    *.png *.pgm *.pbm *.ppm   down  cells, or metres where a resolution is given
 //
-// The name decides. A file with another name is told by how it begins, if it is no text grid.
+// The name decides. A file with another name is told by how it begins: a text grid by a first line
+// of nothing but letters of cells.
 // Every loader returns a map, or an error with file, line and what is wrong. Memory stays in
 // proportion to the file.
 //
@@ -32,5 +33,10 @@ struct LoadOptions {
 
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
                                       const LoadOptions& options = {});
+
+/// The same from bytes that came from elsewhere, told by how they begin. `name` is what errors call
+/// them. The image of a map.yaml is looked for in the working folder.
+Expected<LoadedMap, IoError> parse_map(const std::string& bytes, const std::string& name,
+                                       const LoadOptions& options = {});
 
 }  // namespace wend

@@ -49,6 +49,16 @@ TEST_F(LoadMap, ElseByTheirContent) {
   EXPECT_EQ(format_of("ros", "# a map\n" + kYaml), MapFormat::ros_yaml);
 }
 
+TEST_F(LoadMap, SkipsAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  folder_.write("m.pgm", kImage);
+  EXPECT_EQ(format_of("m.map", mark + kMovingAi), MapFormat::moving_ai);
+  EXPECT_EQ(format_of("m.txt", mark + "01\n"), MapFormat::text_grid);
+  EXPECT_EQ(format_of("m.yaml", mark + kYaml), MapFormat::ros_yaml);
+  EXPECT_EQ(format_of("moving_ai", mark + kMovingAi), MapFormat::moving_ai);
+  EXPECT_EQ(format_of("ros", mark + kYaml), MapFormat::ros_yaml);
+}
+
 TEST_F(LoadMap, NamesWhatItReadsWhenItReadsNothing) {
   EXPECT_THAT(error_of(load_map(folder_.write("m.scen", "version 1\n"))),
               EndsWith("m.scen: unknown map format; ROS map.yaml (.yaml .yml), MovingAI (.map), "

@@ -17,10 +17,11 @@
 // list of cells or points. Cells lie in 0..2^30-1, as those of every map do, points in 0..2^30;
 // whether a map has them, and whether they are neighbours, is not checked. A heading is N, W, E or S
 // as drawn, or a number of radians; the frame of the path's map says whether north is up or down in
-// its grid. A file without a point is an error, for a plan that failed one that says why there is no
-// path. Other columns must be numbers and are not used, nor are other keys of the plan. Memory stays
+// its grid. A file without a point is an error; of a plan that failed the error's failed_plan has its
+// status and the reason why there is no path. Other columns must be numbers and are not used, nor are other keys of the plan. Memory stays
 // in proportion to the file, which may have 256 MiB.
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -32,13 +33,19 @@
 
 namespace wend {
 
+inline constexpr std::size_t kLargestPathFile = std::size_t{256} << 20;
+
 /// Which path of a plan: as planned, or as smoothed. Where a plan has but one it is that.
 enum class PathStage { planned, smoothed };
 
 Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
                                   PathStage stage = PathStage::planned);
 
-/// The same from a text. `file` is the name for errors.
+/// The same from a text, JSON where it begins with '{'. `name` is for errors.
+Expected<Path, IoError> parse_path(std::string_view text, const std::string& name,
+                                   const Frame& frame, PathStage stage = PathStage::planned);
+
+/// The same of either kind. `file` is the name for errors.
 Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
                                        const Frame& frame);
 Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,

@@ -404,10 +404,10 @@ TEST(ParsePathJson, SaysWhatIsWrongWithSmoothedPaths) {
 
 TEST(ParsePathJson, OfAPlanThatFailedSaysSo) {
   for (const std::string text :
-       {R"({"planner":"astar","status":"unreachable","reason":"walls","path":[],"path_m":[]})",
+       {R"({"planner":"astar","status":"unreachable","reason":"","path":[],"path_m":[]})",
         R"({"path":[[1,2]],"status":"unreachable"})", R"({"status":"unreachable"})"}) {
     EXPECT_EQ(error_of(parse_path_json(text, "p", {})),
-              "p: there is no path: the plan's status is 'unreachable'");
+              "p: no path: the plan's status is 'unreachable'");
   }
 }
 
@@ -416,6 +416,47 @@ TEST(ParsePathJson, IsNotToldByDepth) {
   EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p", {})), HasSubstr("cut short"));
   EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p", {})),
               HasSubstr("path[0][0] must be a whole number"));
+}
+
+TEST(LoadPath, SaysWhyThereIsNoPath) {
+  const FailedPlan plan{"unreachable", "no path joins start (1,1): and, goal \"8\""};
+  const std::string csv = no_path_csv(plan);
+  EXPECT_EQ(csv,
+            "# no path: unreachable: no path joins start (1,1): and, goal \"8\"\nx,y,x_m,y_m\n");
+  const auto from_csv = parse_path_csv(csv, "plan.csv", {});
+  EXPECT_EQ(error_of(from_csv), "plan.csv: no path: " + plan.reason);
+  EXPECT_EQ(from_csv.error().failed_plan, plan);
+  const auto from_json = parse_path_json(
+      R"({"status": "unreachable", "reason": "no path joins start (1,1): and, goal \"8\"",
+          "path": []})",
+      "plan.json", {});
+  EXPECT_EQ(error_of(from_json), "plan.json: no path: " + plan.reason);
+  EXPECT_EQ(from_json.error().failed_plan, plan);
+  EXPECT_EQ(error_of(parse_path_csv("# no path: time_limit", "plan.csv", {})),
+            "plan.csv: no path: the plan's status is 'time_limit'");
+  EXPECT_EQ(parse_path_csv("x,y\n", "plan.csv", {}).error().failed_plan, std::nullopt);
+}
+
+TEST(LoadPath, KeepsTheReasonInOneLine) {
+  EXPECT_EQ(no_path_csv({"not_free", "a\r\nb"}), "# no path: not_free: a  b\nx,y,x_m,y_m\n");
+  const auto json =
+      parse_path_json(R"({"status": "not_free", "reason": "a\n\u00e9"})", "p.json", {});
+  EXPECT_EQ(error_of(json), "p.json: no path: a \xC3\xA9");
+  const auto csv = parse_path_csv("# no path: x: \x1b[2J", "p.csv", {});
+  EXPECT_EQ(error_of(csv), "p.csv: no path: \\x1B[2J");
+}
+
+TEST(LoadPath, SkipsAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const TemporaryFolder folder;
+  const Path cells = *load_path(folder.write("cells.csv", mark + "x,y,x_m,y_m\n3,4,3,4\n"), {});
+  EXPECT_EQ(cells.cells().front(), (Cell{3, 4}));
+  const std::string metres = mark + "# x_m, y_m\n1.5,2\n";
+  EXPECT_EQ(load_path(folder.write("line.csv", metres), {})->points().front(), (Point{1.5, 2}));
+  for (const char* const name : {"plan.json", "plan"}) {
+    const auto plan = load_path(folder.write(name, mark + "{\"path\": [[3,4]]}"), {});
+    EXPECT_EQ(error_of(plan), "no error");
+  }
 }
 
 }  // namespace

@@ -276,23 +276,24 @@ std::string format_map_yaml(const MapYaml& yaml) {
       format_number(yaml.meaning.free_threshold));
 }
 
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text,
-                                           const std::filesystem::path& file, double scale_factor) {
-  auto yaml = parse_map_yaml(text, file.string());
+Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const std::string& file,
+                                           const std::filesystem::path& folder,
+                                           double scale_factor) {
+  auto yaml = parse_map_yaml(text, file);
   if (!yaml) return Unexpected<IoError>(yaml.error());
   yaml->meaning.scale_factor = scale_factor;
 
-  const std::filesystem::path image_file = file.parent_path() / yaml->image;
+  const std::filesystem::path image_file = folder / yaml->image;
   const auto bytes = read_file(image_file);
-  if (!bytes) return io_failure(file.string(), 0, "image " + bytes.error().message());
-  const auto image = decode_image(*bytes);
-  if (!image) {
-    return io_failure(file.string(), 0, "image " + image_file.string() + ": " + image.error());
+  if (!bytes) return io_failure(file, 0, "image " + bytes.error().message());
+  ImageMapRows rows(yaml->meaning);
+  const auto notes = decode_image(*bytes, rows);
+  if (!notes) {
+    return io_failure(file, 0, "image " + image_file.string() + ": " + notes.error());
   }
-  LoadedMap loaded{map_from_image(*image, yaml->meaning, yaml->frame), MapFormat::ros_yaml,
-                   std::move(yaml->notes)};
+  LoadedMap loaded{rows.finish(yaml->frame), MapFormat::ros_yaml, std::move(yaml->notes)};
   loaded.files.push_back(image_file);
-  loaded.notes.insert(loaded.notes.end(), image->notes.begin(), image->notes.end());
+  loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
   return loaded;
 }
 

@@ -41,10 +41,11 @@ struct MapYaml {
 /// `file` is the name for errors.
 Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file);
 
-/// The map that the text of `file` describes: reads its image too. An error about the image names
-/// both files.
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text,
-                                           const std::filesystem::path& file, double scale_factor);
+/// The map that the text of `file` describes: reads its image too, from `folder` where its name is
+/// not absolute. An error about the image names both files.
+Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const std::string& file,
+                                           const std::filesystem::path& folder,
+                                           double scale_factor);
 
 /// The text of a map.yaml.
 std::string format_map_yaml(const MapYaml& yaml);

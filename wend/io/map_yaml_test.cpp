@@ -208,7 +208,7 @@ TEST(MapYaml, WrittenYamlReadsBack) {
 TEST(LoadMapYaml, ReadsTheImageBesideTheYaml) {
   const TemporaryFolder folder;
   folder.write("m.pgm", "P2 2 2 255 0 255 128 255");
-  const auto loaded = load_map_yaml(kGood, folder / "m.yaml", 4);
+  const auto loaded = load_map_yaml(kGood, folder / "m.yaml", folder.path(), 4);
   ASSERT_TRUE(loaded) << error_of(loaded);
   EXPECT_EQ(cells_of(loaded->map), "?.\n#.\n");
   EXPECT_EQ(loaded->map.frame().origin, (Pose{-1, -2, 0.5}));
@@ -219,14 +219,17 @@ TEST(LoadMapYaml, TheImageMayLieAnywhere) {
   const TemporaryFolder images;
   const auto image = images.write("m.pgm", "P2 1 1 255 0");
   const TemporaryFolder folder;
-  EXPECT_TRUE(load_map_yaml(with("image", "image: " + image.string()), folder / "m.yaml", 4));
+  EXPECT_TRUE(load_map_yaml(with("image", "image: " + image.string()), folder / "m.yaml",
+                            folder.path(), 4));
 }
 
 TEST(LoadMapYaml, ErrorsAboutTheImageNameBothFiles) {
   const TemporaryFolder folder;
   const std::string both =
       (folder / "m.yaml").string() + ": image " + (folder / "m.pgm").string() + ": ";
-  const auto error = [&] { return error_of(load_map_yaml(kGood, folder / "m.yaml", 4)); };
+  const auto error = [&] {
+    return error_of(load_map_yaml(kGood, folder / "m.yaml", folder.path(), 4));
+  };
   EXPECT_EQ(error(), both + "cannot be opened: No such file or directory");
   folder.write("m.pgm", "P2 2 2 255 0");
   EXPECT_EQ(error(), both + "pixel data truncated: 2 bytes, at least 7 expected");
@@ -235,7 +238,7 @@ TEST(LoadMapYaml, ErrorsAboutTheImageNameBothFiles) {
 TEST(LoadMapYaml, PassesOnWhatIsOddAboutTheImage) {
   const TemporaryFolder folder;
   folder.write("m.pgm", "P2 1 1 255 0 10");
-  EXPECT_THAT(load_map_yaml(kGood + "floor: 2\n", folder / "m.yaml", 4)->notes,
+  EXPECT_THAT(load_map_yaml(kGood + "floor: 2\n", folder / "m.yaml", folder.path(), 4)->notes,
               ElementsAre("unknown key 'floor' in the map.yaml is ignored",
                           "2 bytes after the last pixel of the image are ignored"));
 }

@@ -10,9 +10,9 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/io/drawn_row.hpp"
-#include "wend/io/line_reader.hpp"
 #include "wend/io/lower_case.hpp"
 #include "wend/io/quote.hpp"
+#include "wend/map/grid_map_builder.hpp"
 
 namespace wend {
 namespace {
@@ -47,17 +47,16 @@ struct Size {
 
 class MovingAiParser {
  public:
-  MovingAiParser(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
+  MovingAiParser(LineReader lines, const std::string& file)
+      : lines_(std::move(lines)), file_(file) {}
 
   Expected<LoadedMap, IoError> parse() {
     if (auto good = read_type(); !good) return Unexpected<IoError>(good.error());
     const auto size = read_size();
     if (!size) return Unexpected<IoError>(size.error());
-    LineReader rows = lines_;
-    if (auto good = check_rows(*size); !good) return Unexpected<IoError>(good.error());
-    auto cells = read_cells(*size, rows);
-    if (!cells) return Unexpected<IoError>(cells.error());
-    return LoadedMap{GridMap(*cells), MapFormat::moving_ai, notes()};
+    auto map = read_cells(*size);
+    if (!map) return Unexpected<IoError>(map.error());
+    return LoadedMap{*std::move(map), MapFormat::moving_ai, notes()};
   }
 
  private:
@@ -119,40 +118,42 @@ class MovingAiParser {
     return *value;
   }
 
-  Expected<void, IoError> check_rows(Size size) {
+  Expected<GridMap, IoError> read_cells(Size size) {
+    GridMapBuilder rows(size.width);
+    const auto cells = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    if (cells <= lines_.size()) rows.reserve(size.height);
+    std::vector<CellState> states(static_cast<std::size_t>(size.width));
     for (int y = 0; y < size.height; ++y) {
       const auto row = lines_.next();
       if (!row) return failure(fmt::format("{} rows, the header says {}", y, size.height));
-      if (row->size() != static_cast<std::size_t>(size.width)) {
-        return failure(
-            fmt::format("row {} has {} columns, the header says {}", y, row->size(), size.width));
-      }
+      const std::string wrong = read_row(*row, y, states);
+      if (!wrong.empty()) return failure(wrong);
+      rows.append(states);
     }
     while (const auto line = lines_.next()) {
       if (!is_blank(*line)) {
         return failure(fmt::format("a row too many, the header says {}", size.height));
       }
     }
-    return {};
+    return std::move(rows).finish();
   }
 
-  Expected<Grid<CellState>, IoError> read_cells(Size size, LineReader& rows) {
-    Grid<CellState> cells(size.width, size.height);
-    for (int y = 0; y < size.height; ++y) {
-      const std::string_view letters = rows.next().value_or("");
-      const auto row = cells.row(y);
-      for (std::size_t x = 0; x < letters.size(); ++x) {
-        const Letter letter = kLetters[index_of(letters[x])];
-        if (!letter.known) {
-          return io_failure(file_, rows.number(),
-                            fmt::format("unknown terrain letter {} at row {} column {}",
-                                        quote(letters[x]), y, x));
-        }
-        row[x] = letter.state;
-        seen_[index_of(letters[x])] = true;
-      }
+  /// What is wrong with the row, empty if nothing is.
+  std::string read_row(std::string_view letters, int y, std::vector<CellState>& states) {
+    if (letters.size() != states.size()) {
+      return fmt::format("row {} has {} columns, the header says {}", y, letters.size(),
+                         states.size());
     }
-    return cells;
+    for (std::size_t x = 0; x < letters.size(); ++x) {
+      const Letter letter = kLetters[index_of(letters[x])];
+      if (!letter.known) {
+        return fmt::format("unknown terrain letter {} at row {} column {}", quote(letters[x]), y,
+                           x);
+      }
+      states[x] = letter.state;
+      seen_[index_of(letters[x])] = true;
+    }
+    return {};
   }
 
   std::vector<std::string> notes() const {
@@ -176,8 +177,8 @@ class MovingAiParser {
 
 }  // namespace
 
-Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text, const std::string& file) {
-  return MovingAiParser(text, file).parse();
+Expected<LoadedMap, IoError> parse_moving_ai_map(LineReader lines, const std::string& file) {
+  return MovingAiParser(std::move(lines), file).parse();
 }
 
 Expected<std::string, std::string> format_moving_ai_map(const GridMap& map) {

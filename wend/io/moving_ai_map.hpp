@@ -20,13 +20,20 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/io/io_error.hpp"
+#include "wend/io/line_reader.hpp"
 #include "wend/io/loaded_map.hpp"
 
 namespace wend {
 
-/// `file` is the name for errors. Linear time; nothing is allocated before the rows are known to
-/// be there.
-Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text, const std::string& file);
+/// `file` is the name for errors. Linear time, in the memory of the map: its rows are kept as they
+/// come.
+Expected<LoadedMap, IoError> parse_moving_ai_map(LineReader lines, const std::string& file);
+
+/// The same of a text in memory.
+inline Expected<LoadedMap, IoError> parse_moving_ai_map(std::string_view text,
+                                                        const std::string& file) {
+  return parse_moving_ai_map(LineReader(text), file);
+}
 
 /// The file for a map, drawn as the map is; an error says what the format cannot hold.
 Expected<std::string, std::string> format_moving_ai_map(const GridMap& map);

@@ -72,12 +72,23 @@ Expected<void, std::string> append_waypoint(std::vector<Point>& points,
   return columns.check_numbers(2);
 }
 
+/// What the comment of a plan that failed says after kNoPathComment.
+FailedPlan failed_plan(std::string_view said) {
+  const std::size_t colon = said.find(": ");
+  const std::string_view reason =
+      colon == std::string_view::npos ? std::string_view() : said.substr(colon + 2);
+  return {printable(said.substr(0, colon), kLongestStatus), text_line(reason, kLongestReason)};
+}
+
 }  // namespace
 
 Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
                                        const Frame& frame) {
   LineReader lines(text);
   const std::string_view header = lines.next().value_or("");
+  if (header.starts_with(kNoPathComment)) {
+    return no_path_failure(file, failed_plan(header.substr(kNoPathComment.size())));
+  }
   const bool driven = header == kDrivenPathCsvHeader;
   const bool waypoints = header == kWaypointCsvHeader;
   if (!driven && !waypoints && header != kPathCsvHeader) return parse_centreline(text, file, frame);

@@ -45,7 +45,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
   bool binary(binary_t&) override { return no_number("bytes"); }
 
   bool string(string_t& value) override {
-    if (depth_ == 1 && key_ == "status") status_ = value;
+    if (depth_ == 1 && key_ == "status") failed_.status = printable(value, kLongestStatus);
+    if (depth_ == 1 && key_ == "reason") failed_.reason = text_line(value, kLongestReason);
     if (!in_list("headings", 2)) return no_number(value);
     const auto radians = radians_of_letter(value, y_up_);
     if (!radians) return no_number(value);
@@ -96,9 +97,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
     const bool is_sure = wrong_.empty() || !wanted.no_pose.empty();
     if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
     if (!wrong_.empty()) return io_failure(file, line_, wrong_);
-    if (!status_.empty() && status_ != "found") {
-      return io_failure(file, 0,
-                        fmt::format("there is no path: the plan's status is {}", quote(status_)));
+    if (!failed_.status.empty() && failed_.status != "found") {
+      return no_path_failure(file, failed_);
     }
     const std::string_view name = smoothed ? kSmoothed : kPlanned;
     if (seen_.count(std::string(name)) == 0) {
@@ -222,7 +222,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
   std::size_t depth_ = 0;  // lists and objects that are open
   std::string key_;        // the last one of the top level
   std::set<std::string> seen_;
-  std::string status_;
+  FailedPlan failed_;  // where there is no path
   Point point_;
   std::size_t count_ = 0;  // coordinates of the point so far
   PointList planned_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "wend/base/parse.hpp"
@@ -56,6 +57,14 @@ std::string waypoints_csv(const Path& path, const Frame& frame) {
 std::string path_csv(const Path& path, const Frame& frame) {
   if (path.driven()) return poses_csv(path, frame);
   return path.waypoints().empty() ? cells_csv(path, frame) : waypoints_csv(path, frame);
+}
+
+std::string no_path_csv(const FailedPlan& plan) {
+  std::string comment = fmt::format("{}{}: {}", kNoPathComment, plan.status, plan.reason);
+  std::replace_if(
+      comment.begin(), comment.end(), [](char letter) { return letter == '\n' || letter == '\r'; },
+      ' ');
+  return fmt::format("{}\n{}\n", comment, kPathCsvHeader);
 }
 
 Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,

@@ -26,6 +26,11 @@
 // The point in grid coordinates, then in the map's frame, and the heading of the path there: towards
 // the next waypoint, of the last one as before it, radians counter-clockwise from the frame's +x.
 //
+// Of a plan that failed, a comment with the status and the reason, the header, and no points:
+//
+//   # no path: unreachable: no path joins start (1,1) and goal (8,5)
+//   x,y,x_m,y_m
+//
 // Numbers read back exactly; load_path() reads the cells, the poses or the waypoints.
 
 #include <filesystem>
@@ -43,7 +48,13 @@ inline constexpr std::string_view kPathCsvHeader = "x,y,x_m,y_m";
 inline constexpr std::string_view kDrivenPathCsvHeader = "x,y,heading,x_m,y_m,yaw";
 inline constexpr std::string_view kWaypointCsvHeader = "x_grid,y_grid,x_m,y_m,yaw";
 
+/// Begins the CSV of a plan that failed; then come its status, ": " and the reason.
+inline constexpr std::string_view kNoPathComment = "# no path: ";
+
 std::string path_csv(const Path& path, const Frame& frame);
+
+/// What takes the place of a path that is not there, so that nobody drives an older one.
+std::string no_path_csv(const FailedPlan& plan);
 
 Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,
                                       const std::filesystem::path& file);

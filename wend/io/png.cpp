@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/io/quote.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -90,8 +91,9 @@ struct PaletteEntry {
 
 class PngDecoder {
  public:
-  explicit PngDecoder(std::string_view bytes)
+  PngDecoder(std::string_view bytes, ImageRows& rows)
       : size_(bytes.size()),
+        rows_(rows),
         source_{bytes, {}, {}},
         png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, keep_error, keep_warning)),
         info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {}
@@ -99,7 +101,7 @@ class PngDecoder {
   PngDecoder(const PngDecoder&) = delete;
   PngDecoder& operator=(const PngDecoder&) = delete;
 
-  Expected<GreyImage, std::string> decode() {
+  DecodedRows decode() {
     if (info_ == nullptr) return failure("libpng cannot be set up");
     if (!read_header()) return failure(source_.error);
     if (layout_.pixels() > GridMap::kMaxCells ||
@@ -108,12 +110,11 @@ class PngDecoder {
                                  layout_.width, layout_.height, size_));
     }
     read_palette();
-    image_.width = layout_.width;
-    image_.height = layout_.height;
-    image_.maximum = layout_.palette() ? 255 : (1 << layout_.depth) - 1;
+    maximum_ = layout_.palette() ? 255 : (1 << layout_.depth) - 1;
+    rows_.begin(layout_.width, layout_.height, maximum_);
     if (!(layout_.interlaced ? read_interlaced() : read_rows())) return failure(source_.error);
     if (!succeeds(png_, [&] { png_read_end(png_, nullptr); })) return failure(source_.error);
-    return std::move(image_);
+    return std::vector<std::string>();
   }
 
  private:
@@ -197,7 +198,11 @@ class PngDecoder {
   }
 
   bool append(std::span<const unsigned char> row) {
-    return layout_.palette() ? append_indices(row) : append_samples(row);
+    values_.clear();
+    transparent_.clear();
+    if (!(layout_.palette() ? append_indices(row) : append_samples(row))) return false;
+    rows_.add(values_, transparent_);
+    return true;
   }
 
   bool append_indices(std::span<const unsigned char> row) {
@@ -207,15 +212,15 @@ class PngDecoder {
             fmt::format("palette index {} out of range ({} entries)", index, palette_.size());
         return false;
       }
-      image_.values.push_back(palette_[index].grey);
-      if (any_transparent_) image_.transparent.push_back(palette_[index].transparent ? 1 : 0);
+      values_.push_back(palette_[index].grey);
+      if (any_transparent_) transparent_.push_back(palette_[index].transparent ? 1 : 0);
     }
     return true;
   }
 
   bool append_samples(std::span<const unsigned char> row) {
     if (layout_.channels() == 1 && layout_.depth <= 8 && !any_transparent_) {
-      image_.values.insert(image_.values.end(), row.begin(), row.end());
+      values_.insert(values_.end(), row.begin(), row.end());
       return true;
     }
     const std::size_t step = layout_.channels() * (layout_.depth == 16 ? 2U : 1U);
@@ -231,16 +236,17 @@ class PngDecoder {
     const std::array<std::uint16_t, 3> colour = layout_.colour()
                                                     ? std::array{sample(0), sample(1), sample(2)}
                                                     : std::array{sample(0), sample(0), sample(0)};
-    image_.values.push_back(layout_.colour() ? luma(colour[0], colour[1], colour[2]) : colour[0]);
+    values_.push_back(layout_.colour() ? luma(colour[0], colour[1], colour[2]) : colour[0]);
     if (layout_.alpha()) {
-      const bool opaque = sample(layout_.channels() - 1) == image_.maximum;
-      image_.transparent.push_back(opaque ? 0 : 1);
+      const bool opaque = sample(layout_.channels() - 1) == maximum_;
+      transparent_.push_back(opaque ? 0 : 1);
     } else if (has_transparent_colour_) {
-      image_.transparent.push_back(colour == transparent_colour_ ? 1 : 0);
+      transparent_.push_back(colour == transparent_colour_ ? 1 : 0);
     }
   }
 
   std::size_t size_;
+  ImageRows& rows_;
   Source source_;
   png_structp png_;
   png_infop info_;
@@ -249,15 +255,31 @@ class PngDecoder {
   bool any_transparent_ = false;
   bool has_transparent_colour_ = false;
   std::array<std::uint16_t, 3> transparent_colour_{};
-  GreyImage image_;
+  int maximum_ = 255;
+  std::vector<std::uint16_t> values_;       // of the row at hand
+  std::vector<unsigned char> transparent_;  // of the same; empty where the image is opaque
 };
+
+/// The header comes first. libpng skips chunks that it does not know before it and takes others as
+/// part of the image; empty where there is nothing to say, also of a file that ends before it.
+std::string wrong_first_chunk(std::string_view bytes) {
+  constexpr std::size_t kType = kSignature.size() + 4;
+  if (bytes.size() < kType + 4 || bytes.substr(kType, 4) == "IHDR") return {};
+  return fmt::format("the first chunk must be IHDR, not {}", quote(bytes.substr(kType, 4)));
+}
 
 }  // namespace
 
 bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
 Expected<GreyImage, std::string> decode_png(std::string_view bytes) {
-  return PngDecoder(bytes).decode();
+  return whole_image(bytes, decode_png);
+}
+
+DecodedRows decode_png(std::string_view bytes, ImageRows& rows) {
+  const std::string wrong = wrong_first_chunk(bytes);
+  if (!wrong.empty()) return Unexpected<std::string>("PNG: " + wrong);
+  return PngDecoder(bytes, rows).decode();
 }
 
 Expected<std::string, std::string> encode_png(const GreyImage& image) {

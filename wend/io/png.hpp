@@ -18,6 +18,9 @@ bool looks_like_png(std::string_view bytes);
 /// Sizes that the file is too short for are refused before anything is allocated.
 Expected<GreyImage, std::string> decode_png(std::string_view bytes);
 
+/// The same row by row.
+DecodedRows decode_png(std::string_view bytes, ImageRows& rows);
+
 /// An 8-bit grey PNG of an image with a maximum of 255, with an alpha channel if pixels of it are
 /// transparent.
 Expected<std::string, std::string> encode_png(const GreyImage& image);

@@ -165,6 +165,17 @@ TEST(Png, SizesThatTheFileIsTooShortForAreRefused) {
   EXPECT_THAT(with_size(0x7FFFFFFF, 1, 0), StartsWith("PNG: Invalid IHDR data"));
 }
 
+TEST(Png, AFileWhoseFirstChunkIsNotTheHeaderIsRefused) {
+  const std::string rest = png_file::header(2, 2, 8, png_file::grey) +
+                           png_file::image_data(png_file::scanlines("\x00\x7F\xFE\xFF"s, 2));
+  ASSERT_TRUE(decode_png(png_file::file(rest)));
+  for (const char* const first : {"tEXt", "CgBI", "abCd", "sRGB"}) {
+    EXPECT_EQ(png_error(png_file::file(png_file::chunk(first, "a") + rest)),
+              "PNG: the first chunk must be IHDR, not '"s + first + "'");
+  }
+  EXPECT_EQ(png_error("\x89PNG\r\n\x1A\n"s), "PNG: the file is truncated");
+}
+
 TEST(Png, AnImageWithoutItsPaletteIsAnError) {
   EXPECT_THAT(png_error(png_file::file(png_file::header(2, 1, 8, png_file::palette) +
                                        png_file::image_data("\0\0\0"s))),

@@ -44,26 +44,25 @@ struct Header {
 
 class PnmDecoder {
  public:
-  explicit PnmDecoder(std::string_view bytes) : rest_(bytes) {}
+  PnmDecoder(std::string_view bytes, ImageRows& rows) : rest_(bytes), rows_(rows) {}
 
-  Expected<GreyImage, std::string> decode() {
+  DecodedRows decode() {
     auto header = read_header();
     if (!header) return Unexpected<std::string>(header.error());
     if (rest_.size() < header->least_bytes()) {
       return failure(fmt::format("pixel data truncated: {} bytes, at least {} expected",
                                  rest_.size(), header->least_bytes()));
     }
-    GreyImage image;
-    image.width = header->width;
-    image.height = header->height;
-    image.maximum = header->maximum;
-    image.values.resize(header->pixels());
-    const std::string wrong = header->text     ? read_text(*header, image)
-                              : header->bitmap ? read_bits(*header, image)
-                                               : read_binary(*header, image);
-    if (!wrong.empty()) return failure(wrong);
-    note_surplus(*header, image);
-    return image;
+    rows_.begin(header->width, header->height, header->maximum);
+    row_.resize(static_cast<std::size_t>(header->width));
+    for (int y = 0; y < header->height; ++y) {
+      const std::string wrong = header->text     ? read_text(*header, y)
+                                : header->bitmap ? read_bits()
+                                                 : read_binary(*header);
+      if (!wrong.empty()) return failure(wrong);
+      rows_.add(row_, {});
+    }
+    return notes(*header);
   }
 
  private:
@@ -136,14 +135,16 @@ class PnmDecoder {
     rest_.remove_prefix(std::min<std::size_t>(rest_.size(), windows ? 2 : 1));
   }
 
-  std::string read_text(const Header& header, GreyImage& image) {
-    for (std::uint16_t& value : image.values) {
+  std::string read_text(const Header& header, int y) {
+    for (std::uint16_t& value : row_) {
       unsigned samples[3] = {};
       for (int i = 0; i < header.channels; ++i) {
         const std::string_view word = header.bitmap ? next_digit() : next_word();
         if (word.empty()) {
           return fmt::format("pixel data truncated: {} pixels, {} expected",
-                             &value - image.values.data(), image.values.size());
+                             static_cast<std::size_t>(y) * row_.size() +
+                                 static_cast<std::size_t>(&value - row_.data()),
+                             header.pixels());
         }
         const auto sample = parse_integer<unsigned>(word);
         if (!sample)
@@ -164,23 +165,19 @@ class PnmDecoder {
     return digit;
   }
 
-  std::string read_bits(const Header& header, GreyImage& image) {
-    const std::size_t row_bytes = (static_cast<std::size_t>(header.width) + 7) / 8;
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-      const std::size_t x = i % static_cast<std::size_t>(header.width);
-      const std::size_t y = i / static_cast<std::size_t>(header.width);
-      const bool black = ((byte(y * row_bytes + x / 8) >> (7 - x % 8)) & 1U) != 0;
-      image.values[i] = black ? 0 : 1;
+  std::string read_bits() {
+    for (std::size_t x = 0; x < row_.size(); ++x) {
+      row_[x] = ((byte(x / 8) >> (7 - x % 8)) & 1U) != 0 ? 0 : 1;
     }
-    rest_.remove_prefix(header.least_bytes());
+    rest_.remove_prefix((row_.size() + 7) / 8);
     return {};
   }
 
-  std::string read_binary(const Header& header, GreyImage& image) {
+  std::string read_binary(const Header& header) {
     const bool wide = header.sample_bytes() == 2;
     const auto maximum = static_cast<unsigned>(header.maximum);
     std::size_t at = 0;
-    for (std::uint16_t& value : image.values) {
+    for (std::uint16_t& value : row_) {
       unsigned samples[3] = {};
       for (int i = 0; i < header.channels; ++i, at += wide ? 2 : 1) {
         samples[i] = wide ? byte(at) << 8 | byte(at + 1) : byte(at);
@@ -188,7 +185,7 @@ class PnmDecoder {
       }
       value = grey(header, samples);
     }
-    rest_.remove_prefix(header.least_bytes());
+    rest_.remove_prefix(at);
     return {};
   }
 
@@ -204,14 +201,15 @@ class PnmDecoder {
     return fmt::format("pixel value {} above the maximum value {}", sample, header.maximum);
   }
 
-  void note_surplus(const Header& header, GreyImage& image) {
+  std::vector<std::string> notes(const Header& header) {
     if (header.text) skip_space_and_comments();
-    if (rest_.empty() || (rest_.size() == 1 && is_white_space(rest_.front()))) return;
-    image.notes.push_back(
-        fmt::format("{} bytes after the last pixel of the image are ignored", rest_.size()));
+    if (rest_.empty() || (rest_.size() == 1 && is_white_space(rest_.front()))) return {};
+    return {fmt::format("{} bytes after the last pixel of the image are ignored", rest_.size())};
   }
 
   std::string_view rest_;
+  ImageRows& rows_;
+  std::vector<std::uint16_t> row_;  // at hand
 };
 
 }  // namespace
@@ -222,7 +220,11 @@ bool looks_like_pnm(std::string_view bytes) {
 }
 
 Expected<GreyImage, std::string> decode_pnm(std::string_view bytes) {
-  return PnmDecoder(bytes).decode();
+  return whole_image(bytes, decode_pnm);
+}
+
+DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows) {
+  return PnmDecoder(bytes, rows).decode();
 }
 
 std::string encode_pgm(const GreyImage& image) {

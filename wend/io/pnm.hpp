@@ -20,6 +20,9 @@ bool looks_like_pnm(std::string_view bytes);
 /// sample are ignored, with a note.
 Expected<GreyImage, std::string> decode_pnm(std::string_view bytes);
 
+/// The same row by row.
+DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows);
+
 /// A binary PGM (P5) of an image with a maximum of 255, its transparency left out.
 std::string encode_pgm(const GreyImage& image);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "wend/io/utf8.hpp"
+
 namespace wend {
 namespace {
 
@@ -19,6 +21,16 @@ std::string printable(std::string_view text, std::size_t longest) {
         is_printable(letter) ? std::string(1, letter) : fmt::format("\\x{:02X}", byte_of(letter));
   }
   return shown;
+}
+
+std::string text_line(std::string_view text, std::size_t longest) {
+  text = text.substr(0, longest);
+  if (first_non_text(text)) return printable(text, longest);
+  std::string line(text);
+  for (char& letter : line) {
+    if (letter == '\n' || letter == '\r' || letter == '\t') letter = ' ';
+  }
+  return line;
 }
 
 std::string quote(std::string_view text) {

@@ -31,6 +31,25 @@ TEST(ReadFile, ReadsRegularFilesOnly) {
   EXPECT_THAT(error_of(read_file("/dev/zero")), EndsWith("not a regular file"));
 }
 
+TEST(ReadFile, GivesALargeFileInPieces) {
+  const TemporaryFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 600'000; ++i) bytes += std::to_string(i);
+  auto pieces = FilePieces::open(folder.write("file", bytes));
+  ASSERT_TRUE(pieces) << error_of(pieces);
+  EXPECT_EQ(pieces->size(), bytes.size());
+  std::string read;
+  std::size_t count = 0;
+  for (std::string_view piece = pieces->next(); !piece.empty(); piece = pieces->next(), ++count) {
+    read += piece;
+  }
+  EXPECT_EQ(read, bytes);
+  EXPECT_GT(count, 2U);
+  EXPECT_FALSE(pieces->failed());
+  EXPECT_TRUE(FilePieces::open(folder.write("empty", ""))->next().empty());
+  EXPECT_THAT(error_of(FilePieces::open(folder.path())), EndsWith("not a regular file"));
+}
+
 TEST(ReadFile, RefusesFilesThatAreTooLarge) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_file(folder.write("four", "1234"), 4), "1234");

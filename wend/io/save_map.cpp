@@ -2,6 +2,7 @@
 
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "wend/io/image_map.hpp"
 #include "wend/io/lower_case.hpp"
@@ -9,6 +10,7 @@
 #include "wend/io/moving_ai_map.hpp"
 #include "wend/io/png.hpp"
 #include "wend/io/pnm.hpp"
+#include "wend/io/read_file.hpp"
 #include "wend/io/text_grid.hpp"
 #include "wend/io/write_file.hpp"
 
@@ -82,6 +84,21 @@ std::vector<fs::path> saved_files(const fs::path& file) {
   const auto format = saved_format(file);
   if (format && *format == MapFormat::ros_yaml) return {picture_beside(file), file};
   return {file};
+}
+
+std::optional<fs::path> unrelated_picture(const fs::path& file) {
+  const auto format = saved_format(file);
+  if (!format || *format != MapFormat::ros_yaml) return std::nullopt;
+  fs::path picture = picture_beside(file);
+  std::error_code error;  // of files that are not there
+  if (!fs::exists(picture, error)) return std::nullopt;
+  if (const auto text = read_file(file)) {
+    const auto yaml = parse_map_yaml(*text, file.string());
+    if (yaml && fs::equivalent(file.parent_path() / yaml->image, picture, error)) {
+      return std::nullopt;
+    }
+  }
+  return picture;
 }
 
 Expected<void, IoError> save_map(const GridMap& map, const fs::path& file) {

@@ -15,6 +15,7 @@
 // becomes y down or the other way round. A yaml from a map with y down has the origin (0, 0, 0).
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "wend/base/expected.hpp"
@@ -29,6 +30,10 @@ Expected<void, IoError> save_map(const GridMap& map, const std::filesystem::path
 
 /// The format that a file of this name is saved in; an error says which names there are.
 Expected<MapFormat, IoError> saved_format(const std::filesystem::path& file);
+
+/// The picture that saving a map.yaml of this name would replace, though it belongs to something
+/// else: it is there, and no map.yaml of this name that names it. Nothing if no such file is lost.
+std::optional<std::filesystem::path> unrelated_picture(const std::filesystem::path& file);
 
 /// Every file that save_map() writes for this name: a map.yaml has its picture beside it.
 std::vector<std::filesystem::path> saved_files(const std::filesystem::path& file);

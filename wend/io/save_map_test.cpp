@@ -35,6 +35,24 @@ GridMap saved_and_loaded(const GridMap& map, const fs::path& file) {
   return loaded->map;
 }
 
+TEST(SaveMap, KnowsThePictureOfSomethingElse) {
+  const TemporaryFolder folder;
+  const GridMap map(Grid<CellState>(2, 2, CellState::free));
+  EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), std::nullopt);
+  folder.write("floor.png", "a photograph");
+  EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), folder / "floor.png");
+  EXPECT_EQ(unrelated_picture(folder / "floor.yml"), folder / "floor.png");
+  EXPECT_EQ(unrelated_picture(folder / "floor.png"), std::nullopt) << "that is the file itself";
+  EXPECT_EQ(unrelated_picture(folder / "floor.map"), std::nullopt);
+  ASSERT_TRUE(save_map(map, folder / "floor.yaml"));
+  EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), std::nullopt) << "it is its own now";
+  EXPECT_EQ(unrelated_picture(folder / "floor.yml"), folder / "floor.png");
+  for (const char* const other : {"not: a map.yaml", "image: walls.png\nresolution: 1\n"}) {
+    folder.write("floor.yaml", other);
+    EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), folder / "floor.png") << other;
+  }
+}
+
 RC_GTEST_PROP(SaveMap, EveryFormatGivesTheCellsBack, ()) {
   const GridMap map(any_cells({CellState::free, CellState::occupied}));
   const TemporaryFolder folder;

@@ -192,5 +192,10 @@ TEST_F(ScenarioMap, ScenariosOfAFolderComeByName) {
   EXPECT_FALSE(scenarios_in(folder_.path() / "none"));
 }
 
+TEST(Scenario, SkipsAByteOrderMark) {
+  const auto scenario = parse_scenario("\xEF\xBB\xBFversion 1\n0 m 2 1 0 0 1 0 1\n", "m.scen");
+  EXPECT_EQ(error_of(scenario), "no error");
+}
+
 }  // namespace
 }  // namespace wend

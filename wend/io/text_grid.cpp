@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "wend/io/drawn_row.hpp"
-#include "wend/io/line_reader.hpp"
 #include "wend/io/quote.hpp"
+#include "wend/map/grid_map_builder.hpp"
 
 namespace wend {
 namespace {
@@ -41,48 +43,53 @@ std::optional<TextCell> cell_of(char letter) {
   }
 }
 
-/// The cells of all rows so far, and how wide the rows are.
-struct Rows {
-  std::size_t width = 0;
-  std::size_t height = 0;
-  std::vector<CellState> states;
-  std::vector<double> terrain;  // empty while every cell costs 1
+/// Takes rows of letters.
+class TextRows {
+ public:
+  explicit TextRows(std::size_t size_of_text) : size_of_text_(size_of_text) {}
 
-  void append(TextCell cell) {
-    if (cell.terrain != 1 && terrain.empty()) terrain.assign(states.size(), 1);
-    if (cell.terrain != 1 || !terrain.empty()) terrain.push_back(cell.terrain);
-    states.push_back(cell.state);
+  /// What is wrong with the row, empty if nothing is.
+  std::string append(std::string_view line) {
+    states_.clear();
+    terrain_.clear();
+    bool rough = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == ' ' || line[i] == '\t') continue;
+      const auto cell = cell_of(line[i]);
+      if (!cell) return fmt::format("unknown letter {} in column {}", quote(line[i]), i + 1);
+      states_.push_back(cell->state);
+      terrain_.push_back(cell->terrain);
+      rough = rough || cell->terrain != 1;
+    }
+    if (states_.size() > GridMap::kMaxCells) return "too many cells";
+    if (!rows_) begin(line.size());
+    const auto width = static_cast<std::size_t>(rows_->width());
+    if (states_.size() != width) {
+      return fmt::format("this row has {} cells, the first one has {}", states_.size(), width);
+    }
+    if ((static_cast<std::size_t>(rows_->height()) + 1) * width > GridMap::kMaxCells) {
+      return "too many cells";
+    }
+    rows_->append(states_, rough ? terrain_ : std::span<const double>());
+    return {};
   }
+
+  bool empty() const { return !rows_; }
+  GridMap finish() { return std::move(*rows_).finish(); }
+
+ private:
+  /// The text has at least a byte for a cell, so that its size says how much memory is in order.
+  void begin(std::size_t length_of_line) {
+    rows_.emplace(static_cast<int>(states_.size()));
+    rows_->reserve(static_cast<int>(
+        std::min(size_of_text_ / (length_of_line + 1) + 1, GridMap::kMaxCells / states_.size())));
+  }
+
+  std::size_t size_of_text_;
+  std::optional<GridMapBuilder> rows_;
+  std::vector<CellState> states_;  // of the row at hand
+  std::vector<double> terrain_;
 };
-
-/// Appends a row; what is wrong with it, empty if nothing is.
-std::string append_row(std::string_view line, Rows& rows) {
-  const std::size_t before = rows.states.size();
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == ' ' || line[i] == '\t') continue;
-    const auto cell = cell_of(line[i]);
-    if (!cell) return fmt::format("unknown letter {} in column {}", quote(line[i]), i + 1);
-    rows.append(*cell);
-  }
-  const std::size_t width = rows.states.size() - before;
-  if (rows.height == 0) rows.width = width;
-  if (width != rows.width) {
-    return fmt::format("this row has {} cells, the first one has {}", width, rows.width);
-  }
-  ++rows.height;
-  return rows.states.size() > GridMap::kMaxCells ? "too many cells" : "";
-}
-
-template <class T>
-Grid<T> grid_of(const Rows& rows, const std::vector<T>& values) {
-  if (values.empty()) return {};
-  Grid<T> grid(static_cast<int>(rows.width), static_cast<int>(rows.height));
-  for (int y = 0; y < grid.height(); ++y) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width();
-    std::copy(begin, begin + grid.width(), grid.row(y).begin());
-  }
-  return grid;
-}
 
 /// The letter of a cell; nothing for terrain that has none.
 std::optional<char> letter_of(CellState state, double terrain) {
@@ -95,9 +102,15 @@ std::optional<char> letter_of(CellState state, double terrain) {
 
 }  // namespace
 
-Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file) {
-  Rows rows;
-  LineReader lines(text);
+bool looks_like_text_grid(std::string_view bytes) {
+  const std::string_view first = LineReader(bytes).next().value_or("");
+  return !is_blank(first) && std::all_of(first.begin(), first.end(), [](char letter) {
+    return letter == ' ' || letter == '\t' || cell_of(letter);
+  });
+}
+
+Expected<LoadedMap, IoError> parse_text_grid(LineReader lines, const std::string& file) {
+  TextRows rows(lines.size());
   std::size_t blank_line = 0;
   while (const auto line = lines.next()) {
     if (is_blank(*line)) {
@@ -105,13 +118,11 @@ Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::s
       continue;
     }
     if (blank_line > 0) return io_failure(file, blank_line, "a blank line before a row of cells");
-    const std::string wrong = append_row(*line, rows);
+    const std::string wrong = rows.append(*line);
     if (!wrong.empty()) return io_failure(file, lines.number(), wrong);
   }
-  if (rows.states.empty()) return io_failure(file, 0, "no cells");
-  return LoadedMap{GridMap(grid_of(rows, rows.states), {}, grid_of(rows, rows.terrain)),
-                   MapFormat::text_grid,
-                   {}};
+  if (rows.empty()) return io_failure(file, 0, "no cells");
+  return LoadedMap{rows.finish(), MapFormat::text_grid, {}};
 }
 
 Expected<std::string, std::string> format_text_grid(const GridMap& map) {

@@ -16,6 +16,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/io/io_error.hpp"
+#include "wend/io/line_reader.hpp"
 #include "wend/io/loaded_map.hpp"
 
 namespace wend {
@@ -23,8 +24,17 @@ namespace wend {
 /// The dearest terrain that a text grid can hold.
 inline constexpr double kLargestTextTerrain = 9;
 
-/// `file` is the name for errors. Linear time.
-Expected<LoadedMap, IoError> parse_text_grid(std::string_view text, const std::string& file);
+/// Has the first line letters of cells and nothing else?
+bool looks_like_text_grid(std::string_view bytes);
+
+/// `file` is the name for errors. Linear time, in the memory of the map.
+Expected<LoadedMap, IoError> parse_text_grid(LineReader lines, const std::string& file);
+
+/// The same of a text in memory.
+inline Expected<LoadedMap, IoError> parse_text_grid(std::string_view text,
+                                                    const std::string& file) {
+  return parse_text_grid(LineReader(text), file);
+}
 
 /// The file for a map, drawn as the map is; an error says what the format cannot hold.
 Expected<std::string, std::string> format_text_grid(const GridMap& map);

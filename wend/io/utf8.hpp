@@ -12,4 +12,7 @@ namespace wend {
 /// other than tab and line ends. Nothing if it is text throughout. O(n).
 std::optional<std::size_t> first_non_text(std::string_view bytes);
 
+/// Without the mark that some editors put before a text: EF BB BF.
+std::string_view without_byte_order_mark(std::string_view text);
+
 }  // namespace wend

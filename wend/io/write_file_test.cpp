@@ -1,5 +1,11 @@
 #include "wend/io/write_file.hpp"
 
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+
 #include "wend/io/io_test_support.hpp"
 
 namespace wend {
@@ -20,6 +26,34 @@ TEST(WriteFile, ReplacesAFile) {
   folder.write("file", "a long old text");
   ASSERT_TRUE(write_file(folder / "file", "new"));
   EXPECT_EQ(bytes_of(folder / "file"), "new");
+}
+
+/// In a process of its own: files may then have no more than so many bytes.
+void write_with_a_limit(const fs::path& file, const std::string& bytes, rlim_t limit) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit most{limit, limit};
+  setrlimit(RLIMIT_FSIZE, &most);
+  const auto written = write_file(file, bytes);
+  std::_Exit(written ? 1 : 0);
+}
+
+TEST(WriteFile, LeavesTheOldFileWhereTheNewOneDoesNotFit) {
+  const TemporaryFolder folder;
+  folder.write("file", "old");
+  EXPECT_EXIT(write_with_a_limit(folder / "file", std::string(1'000'000, 'x'), 100'000),
+              testing::ExitedWithCode(0), "");
+  EXPECT_EQ(bytes_of(folder / "file"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(WriteFile, ReplacesTheFileAndDoesNotWriteIntoIt) {
+  const TemporaryFolder folder;
+  folder.write("file", "old");
+  std::ifstream reader(folder / "file");  // still reads what it opened
+  ASSERT_TRUE(write_file(folder / "file", "new text"));
+  std::string read;
+  reader >> read;
+  EXPECT_EQ(read, "old");
 }
 
 TEST(WriteFile, SaysWhyAFileCannotBeWritten) {

@@ -14,6 +14,15 @@ BitGrid::BitGrid(int width, int height)
       // One more word, so that a load that begins in the last byte stays inside.
       words_(words_per_row_ * (static_cast<std::size_t>(height) + 2) + 1) {}
 
+std::span<std::uint64_t> BitGrid::append_row() {
+  words_.resize(words_.size() + words_per_row_);
+  return row_words(height_++);
+}
+
+void BitGrid::reserve_rows(int height) {
+  words_.reserve(words_per_row_ * (static_cast<std::size_t>(height) + 2) + 1);
+}
+
 std::size_t BitGrid::count() const {
   std::size_t count = 0;
   for (const std::uint64_t word : words_) count += static_cast<std::size_t>(std::popcount(word));

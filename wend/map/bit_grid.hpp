@@ -67,6 +67,12 @@ class BitGrid {
     return {words_.data() + row_begin(y), words_per_row_};
   }
 
+  /// One row more at the end, all false, whose words are returned. O(width) amortized.
+  std::span<std::uint64_t> append_row();
+
+  /// Makes room for so many rows.
+  void reserve_rows(int height);
+
   std::size_t count() const;
 
   friend bool operator==(const BitGrid&, const BitGrid&) = default;

@@ -1,9 +1,10 @@
 #include "wend/map/connected_regions.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <functional>
 #include <numeric>
+
+#include "wend/map/row_runs.hpp"
 
 namespace wend {
 namespace {
@@ -67,29 +68,12 @@ struct Runs {
   }
 };
 
-/// The first cell from x on whose bit is `value`, or width.
-int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value) {
-  const auto first = static_cast<std::size_t>(x) + 1;
-  std::size_t word = first / 64;
-  std::uint64_t bits = (value ? words[word] : ~words[word]) & (~std::uint64_t{0} << (first % 64));
-  while (bits == 0) {
-    if (++word == words.size()) return width;
-    bits = value ? words[word] : ~words[word];
-  }
-  const auto found = static_cast<int>(word * 64) + std::countr_zero(bits) - 1;
-  return std::min(found, width);
-}
-
 Runs runs_of(const BitGrid& cells) {
   const int width = cells.width();
   Runs all;
   for (int y = 0; y < cells.height(); ++y) {
-    const auto words = cells.row_words(y);
-    for (int x = next_cell(words, 0, width, true); x < width;) {
-      const int end = next_cell(words, x, width, false);
-      all.runs.push_back({x, end});
-      x = end < width ? next_cell(words, end, width, true) : width;
-    }
+    for_each_run(cells.row_words(y), width,
+                 [&](RowRun run) { all.runs.push_back({run.begin, run.end}); });
     all.row_begins.push_back(all.runs.size());
   }
   return all;

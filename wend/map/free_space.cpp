@@ -132,6 +132,14 @@ OutsidePolicy default_outside_policy(const Frame& frame) {
   return frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
 }
 
+double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
+  constexpr double kBits = 2.0 / 8;  // obstacles, passable cells
+  constexpr double kClearance = sizeof(std::uint32_t);
+  constexpr double kRegions = sizeof(std::uint32_t);
+  const bool own_terrain = KeepAway(options, map.frame().resolution).needed();
+  return kBits + kClearance + kRegions + (own_terrain ? sizeof(double) : 0);
+}
+
 FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
   assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
   assert(options.keep_away >= 0 && std::isfinite(options.keep_away));

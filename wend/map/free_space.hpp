@@ -68,6 +68,9 @@ enum class BlockReason {
 /// close to the map's edge that the robot would leave the map".
 std::string_view describe(BlockReason reason);
 
+/// What a FreeSpace takes beside its map.
+double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options);
+
 class FreeSpace {
  public:
   explicit FreeSpace(GridMap map, FreeSpaceOptions options = {});

@@ -24,6 +24,12 @@ class Grid {
         height_(height),
         values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value) {}
 
+  /// Of values row by row, as many as there are cells.
+  Grid(int width, int height, std::vector<T> values)
+      : width_(width), height_(height), values_(std::move(values)) {
+    assert(values_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  }
+
   int width() const { return width_; }
   int height() const { return height_; }
   std::size_t size() const { return values_.size(); }

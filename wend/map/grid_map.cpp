@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -22,10 +23,15 @@ BitGrid plane(const Grid<CellState>& cells, CellState state) {
 
 }  // namespace
 
-GridMap::GridMap(const Grid<CellState>& cells, Frame frame, Grid<double> terrain) {
-  assert(!cells.empty() && cells.size() <= kMaxCells);
+GridMap::GridMap(const Grid<CellState>& cells, Frame frame, Grid<double> terrain)
+    : GridMap(plane(cells, CellState::occupied), plane(cells, CellState::unknown), frame,
+              std::move(terrain)) {}
+
+GridMap::GridMap(BitGrid occupied, BitGrid unknown, Frame frame, Grid<double> terrain) {
+  assert(occupied.width() > 0 && occupied.height() > 0);
+  assert(occupied.width() == unknown.width() && occupied.height() == unknown.height());
   assert(terrain.empty() ||
-         (terrain.width() == cells.width() && terrain.height() == cells.height()));
+         (terrain.width() == occupied.width() && terrain.height() == occupied.height()));
   assert(std::all_of(terrain.values().begin(), terrain.values().end(), [](double multiplier) {
     return multiplier >= 1 && std::isfinite(multiplier);
   }));
@@ -34,9 +40,8 @@ GridMap::GridMap(const Grid<CellState>& cells, Frame frame, Grid<double> terrain
   if (std::all_of(values.begin(), values.end(), [](double value) { return value == 1; })) {
     terrain = {};
   }
-  data_ = std::make_shared<const Data>(Data{plane(cells, CellState::occupied),
-                                            plane(cells, CellState::unknown), std::move(terrain),
-                                            frame});
+  data_ = std::make_shared<const Data>(
+      Data{std::move(occupied), std::move(unknown), std::move(terrain), frame});
 }
 
 GridMap GridMap::with_frame(Frame frame) const {

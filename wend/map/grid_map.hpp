@@ -32,6 +32,9 @@ class GridMap {
   /// multiplier finite and at least 1. The map has at least one cell.
   explicit GridMap(const Grid<CellState>& cells, Frame frame = {}, Grid<double> terrain = {});
 
+  /// The same of two bit planes of one size that have no set cell in common.
+  GridMap(BitGrid occupied, BitGrid unknown, Frame frame = {}, Grid<double> terrain = {});
+
   int width() const { return data_->occupied.width(); }
   int height() const { return data_->occupied.height(); }
   std::size_t size() const {

@@ -50,6 +50,7 @@ PlannerInfo astar_planner() {
               "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain, with "
               "euclidean, with manhattan on 8 neighbours, with a weight other than 0 and 1, and "
               "when the search is watched",
+          .bytes_per_cell = 8,
           .when =
               "The default, on terrain too: cheapest paths with little search where the "
               "goal's direction says where to go. In mazes the estimate says little, and it "

@@ -48,6 +48,7 @@ PlannerInfo bfs_planner() {
               "sqrt(2) times the optimum on 8",
           .time = "O(n) in the n cells expanded",
           .memory = "16 bytes a cell and 4 an open cell",
+          .bytes_per_cell = 16,
           .when =
               "Where the number of moves counts, or on 4 neighbours and uniform terrain, "
               "where the fewest moves are the cheapest path and no queue is simpler. On 8 "

@@ -22,6 +22,7 @@ PlannerInfo corner_hierarchy_planner() {
        .time = "O(k) in the k arcs climbed, some tens to some thousands, and the turns that start "
                "and goal see",
        .memory = "the index: 40 to 75 bytes a turn; a planner on it: 36 bytes a turn and 5 a cell",
+       .bytes_per_cell = 5,
        .when =
            "Where many queries come on one map, and its index is to be small and built within "
            "seconds, mostly within a tenth of one. hub_labels answers faster and takes longer to "

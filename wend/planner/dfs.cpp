@@ -36,6 +36,7 @@ PlannerInfo dfs_planner() {
           .guarantee = "complete; the path is rarely short",
           .time = "O(n) in the n cells expanded",
           .memory = "16 bytes a cell and 4 an open cell",
+          .bytes_per_cell = 16,
           .when =
               "To see what a stack does in place of a queue, and to find some way through a "
               "maze, where there is only one. In open space its paths wander through "

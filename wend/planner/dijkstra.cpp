@@ -37,6 +37,7 @@ PlannerInfo dijkstra_planner() {
           .memory =
               "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain or when "
               "the search is watched",
+          .bytes_per_cell = 8,
           .when =
               "Where no estimate is to be trusted, in mazes, and as the yardstick for all "
               "others. Elsewhere astar finds paths of the same cost and expands less.",

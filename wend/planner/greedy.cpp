@@ -44,6 +44,7 @@ PlannerInfo greedy_planner() {
           .guarantee = "complete; often quick, and says nothing about the cost",
           .time = "O(n log n) in the n cells expanded",
           .memory = "16 bytes a cell and 24 an entry of the frontier",
+          .bytes_per_cell = 16,
           .when =
               "Where any path will do and the first one should come soon. It ignores terrain, "
               "and its paths hug whatever it ran into: smooth them, or take astar with a "

@@ -20,6 +20,7 @@ PlannerInfo hub_labels_planner() {
        .memory =
            "the index: 10 to 100 bytes a cell; half a byte a cell, and 8 bytes a hub for each "
            "thread",
+       .bytes_per_cell = 0.5,
        .when = "Choose it when many queries are asked of a map that does not change. Building "
                "takes seconds, so do not choose it for a few queries.",
        .promise = Promise::optimal,

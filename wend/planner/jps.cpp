@@ -163,6 +163,7 @@ PlannerInfo jps_planner() {
       .memory =
           "8 bytes a cell, 57 a jump point, 16 for each leap that a search has met so far, and 12 "
           "an entry of the frontier",
+      .bytes_per_cell = 8,
       .when =
           "The fastest without an index, wherever the map has rooms, streets or corridors: ask it "
           "first. In noise it has little to leap over. It cannot plan on terrain, nor keep away "

@@ -211,6 +211,7 @@ PlannerInfo random_walk_planner() {
           .guarantee = "none: it may run out of steps",
           .time = "O(s) in the s steps taken; max_steps is the only bound on s",
           .memory = "8 bytes a cell and 8 a step",
+          .bytes_per_cell = 8,
           .when =
               "As what every planner has to beat, and to test what becomes of a planner that "
               "fails. Never to drive.",

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -12,24 +10,6 @@
 
 namespace wend {
 namespace {
-
-void add_terrain(MapInfo& info, const FreeSpace& space) {
-  double sum = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) {
-      if (!space.passable({x, y})) continue;
-      const double terrain = space.map().terrain({x, y});
-      info.near_obstacles += space.terrain({x, y}) > terrain ? 1 : 0;
-      sum += terrain;
-      least = std::min(least, terrain);
-      info.greatest_terrain = std::max(info.greatest_terrain, terrain);
-    }
-  }
-  if (info.passable == 0) return;
-  info.least_terrain = least;
-  info.mean_terrain = sum / static_cast<double>(info.passable);
-}
 
 double percent(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
@@ -49,16 +29,19 @@ std::string size_text(const MapInfo& info) {
 }
 
 std::string terrain_text(const MapInfo& info) {
-  if (info.least_terrain == 1 && info.greatest_terrain == 1) return "costs the same everywhere";
+  if (info.space.least_terrain == 1 && info.space.greatest_terrain == 1)
+    return "costs the same everywhere";
   return fmt::format("costs {:.4g} to {:.4g} times the length, {:.4g} on average",
-                     info.least_terrain, info.greatest_terrain, info.mean_terrain);
+                     info.space.least_terrain, info.space.greatest_terrain,
+                     info.space.mean_terrain);
 }
 
 std::string components_text(const MapInfo& info) {
-  if (info.components == 0) return "none: there is no cell to stand on";
-  if (info.components == 1) return "1: every free cell can be reached from every other";
-  return fmt::format("{}; the largest has {} cells, {:.1f} % of the free ones", info.components,
-                     info.largest_component, percent(info.largest_component, info.passable));
+  if (info.space.components == 0) return "none: there is no cell to stand on";
+  if (info.space.components == 1) return "1: every free cell can be reached from every other";
+  return fmt::format("{}; the largest has {} cells, {:.1f} % of the free ones",
+                     info.space.components, info.space.largest_component,
+                     percent(info.space.largest_component, info.space.passable));
 }
 
 std::string frame_text(const Frame& frame) {
@@ -72,8 +55,8 @@ std::string frame_text(const Frame& frame) {
 
 }  // namespace
 
-MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpace& space) {
-  const GridMap& map = space.map();
+MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptions& robot) {
+  const GridMap& map = loaded.map;
   MapInfo info;
   info.file = std::move(file);
   info.format = loaded.format;
@@ -82,43 +65,40 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpace& spa
   info.occupied = map.occupied().count();
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
-  info.robot_radius = space.options().robot_radius;
-  info.outside = space.outside();
-  info.keep_away = space.options().keep_away;
-  info.passable = space.passable().count();
-  const auto components = space.regions().sizes(Adjacency::edges);
-  info.components = components.size();
-  info.largest_component = components.empty() ? 0 : components.front();
+  info.robot_radius = robot.robot_radius;
+  info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
+  info.keep_away = robot.keep_away;
+  info.space = survey(map, robot);
   info.frame = map.frame();
   info.notes = loaded.notes;
-  add_terrain(info, space);
   return info;
 }
 
 std::string map_info_json(const MapInfo& info) {
   const Pose& origin = info.frame.origin;
-  const Json json{{"file", info.file},
-                  {"format", to_string(info.format)},
-                  {"width", info.width},
-                  {"height", info.height},
-                  {"free", info.free},
-                  {"occupied", info.occupied},
-                  {"unknown", info.unknown},
-                  {"terrain",
-                   {{"least", info.least_terrain},
-                    {"mean", info.mean_terrain},
-                    {"greatest", info.greatest_terrain}}},
-                  {"robot_radius", info.robot_radius},
-                  {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
-                  {"passable", info.passable},
-                  {"keep_away", {{"distance", info.keep_away}, {"cells", info.near_obstacles}}},
-                  {"components", {{"count", info.components}, {"largest", info.largest_component}}},
-                  {"frame",
-                   {{"resolution", info.frame.resolution},
-                    {"origin", Json::array({origin.x, origin.y, origin.heading})},
-                    {"y_up", info.frame.y_up},
-                    {"metric", info.frame.metric}}},
-                  {"notes", info.notes}};
+  const Json json{
+      {"file", info.file},
+      {"format", to_string(info.format)},
+      {"width", info.width},
+      {"height", info.height},
+      {"free", info.free},
+      {"occupied", info.occupied},
+      {"unknown", info.unknown},
+      {"terrain",
+       {{"least", info.space.least_terrain},
+        {"mean", info.space.mean_terrain},
+        {"greatest", info.space.greatest_terrain}}},
+      {"robot_radius", info.robot_radius},
+      {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
+      {"passable", info.space.passable},
+      {"keep_away", {{"distance", info.keep_away}, {"cells", info.space.near_obstacles}}},
+      {"components", {{"count", info.space.components}, {"largest", info.space.largest_component}}},
+      {"frame",
+       {{"resolution", info.frame.resolution},
+        {"origin", Json::array({origin.x, origin.y, origin.heading})},
+        {"y_up", info.frame.y_up},
+        {"metric", info.frame.metric}}},
+      {"notes", info.notes}};
   return text_of(json);
 }
 
@@ -135,14 +115,14 @@ std::string map_info_text(const MapInfo& info) {
   line("unknown", share(info.unknown, all));
   line("terrain", terrain_text(info));
   if (info.robot_radius > 0) {
-    line("passable", share(info.passable, all) +
+    line("passable", share(info.space.passable, all) +
                          fmt::format(" for a robot of radius {:.4g}{}{}", info.robot_radius, unit,
                                      info.outside == OutsidePolicy::blocked
                                          ? " that stays on the map"
                                          : " that may hang over the map's edge"));
   }
   if (info.keep_away > 0) {
-    line("keep away", share(info.near_obstacles, info.passable) +
+    line("keep away", share(info.space.near_obstacles, info.space.passable) +
                           fmt::format(" cost more: an obstacle is within {:.4g}{} of the robot",
                                       info.keep_away, unit));
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wend/io/loaded_map.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/map/space_survey.hpp"
 
 namespace wend {
 
@@ -19,21 +19,16 @@ struct MapInfo {
   std::size_t free = 0;
   std::size_t occupied = 0;
   std::size_t unknown = 0;
-  double least_terrain = 1;  // as the file says, of the cells where the robot may be
-  double mean_terrain = 1;
-  double greatest_terrain = 1;
   double robot_radius = 0;  // metres (cells, where the map has no resolution)
   OutsidePolicy outside = OutsidePolicy::free;
-  double keep_away = 0;               // units as robot_radius
-  std::size_t passable = 0;           // cells where the robot may be
-  std::size_t near_obstacles = 0;     // of them: those that keep-away makes cost more
-  std::size_t components = 0;         // regions of them, joined by edges
-  std::size_t largest_component = 0;  // cells
+  double keep_away = 0;  // units as robot_radius
+  SpaceSurvey space;     // of the cells where the robot may be
   Frame frame;
   std::vector<std::string> notes;  // what was odd in the file
 };
 
-MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpace& space);
+/// In little more memory than the map itself.
+MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptions& robot);
 
 /// One line with its line end.
 std::string map_info_json(const MapInfo& info);

@@ -148,4 +148,11 @@ std::string smoothing_json(const RefinedPath& path, const Frame& frame) {
   return text_of(json);
 }
 
+std::string failed_plan_json(const FailedPlan& plan) {
+  return text_of({{"status", plan.status},
+                  {"reason", plan.reason},
+                  {"path", Json::array()},
+                  {"path_m", Json::array()}});
+}
+
 }  // namespace wend

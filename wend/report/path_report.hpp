@@ -26,6 +26,7 @@
 #include <string_view>
 
 #include "wend/geometry/frame.hpp"
+#include "wend/io/io_error.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/path_collision.hpp"
@@ -85,5 +86,9 @@ std::string smoothing_text(const RefinedPath& path);
 /// `path` are cells, and left out of a path that has none; `path_smoothed` are waypoints in grid
 /// coordinates; `smoothing` is null if nothing was. One line with its line end.
 std::string smoothing_json(const RefinedPath& path, const Frame& frame);
+
+/// {"schema": 1, "status": "not_free", "reason": "...", "path": [], "path_m": []}: what takes the
+/// place of a path that is not there. load_path() reads the status and the reason back.
+std::string failed_plan_json(const FailedPlan& plan);
 
 }  // namespace wend

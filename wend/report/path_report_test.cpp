@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "wend/io/load_path.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -127,6 +128,13 @@ TEST(SmoothingText, SaysHowItWent) {
   path.refined.smoothing->returned = true;
   EXPECT_THAT(smoothing_text(path), HasSubstr("held      all: the result would have been longer"));
   EXPECT_THAT(smoothing_text(path), HasSubstr("curvature beyond the bound"));
+}
+
+TEST(FailedPlanJson, IsReadBackAsAPlanWithoutAPath) {
+  const FailedPlan plan{"not_free", "it touches (3,4)"};
+  const auto path = parse_path_json(failed_plan_json(plan), "smooth.json", {});
+  ASSERT_FALSE(path);
+  EXPECT_EQ(path.error().failed_plan, plan);
 }
 
 }  // namespace

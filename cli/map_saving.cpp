@@ -1,0 +1,39 @@
+#include "map_saving.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exit_code.hpp"
+#include "flags.hpp"
+#include "wend/io/save_map.hpp"
+
+namespace wend::cli {
+
+void add_force(Parser& app, bool& force) {
+  app.add_flag("--force", force,
+               wrapped("Replace the picture beside a new map.yaml even if it belongs to something "
+                       "else"));
+}
+
+void check_picture(const std::string& file, const std::string& name) {
+  const auto picture = unrelated_picture(file);
+  if (!picture) return;
+  throw InputError(fmt::format(
+      "{}: this would replace {}, which no {} names as its image; choose another name, or replace "
+      "it with --force",
+      name, picture->string(), file));
+}
+
+std::vector<std::string> files_of_maps(const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    for (const auto& path : saved_files(name)) {
+      const std::string file = path.string();
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    }
+  }
+  return files;
+}
+
+}  // namespace wend::cli

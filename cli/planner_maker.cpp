@@ -1,0 +1,35 @@
+#include "planner_maker.hpp"
+
+#include <utility>
+
+#include "planner_argument.hpp"
+#include "wend/parallel/thread_workers.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/thread_time.hpp"
+
+namespace wend::cli {
+
+PlannerMaker::PlannerMaker(PlannerSpec spec, FreeSpace space,
+                           std::optional<Expected<GivenIndex, std::string>> given)
+    : spec_(std::move(spec)), space_(std::move(space)), given_(std::move(given)) {}
+
+PlannerResult PlannerMaker::make(WorkTimes& times) {
+  if (given_ && !*given_) {
+    return Unexpected<PlannerError>({Status::index_mismatch, given_->error()});
+  }
+  const PlannerInfo& info = info_of(spec_);
+  if (!given_ && !built_ && info.build_index) {
+    ThreadWorkers workers;
+    auto index = timed(process_cpu_seconds, times.index.emplace(0),
+                       [&] { return build_index(info, space_, workers); });
+    if (!index) return Unexpected<PlannerError>(index.error());
+    built_ = *std::move(index);
+  }
+  return timed(thread_cpu_seconds, times.planner.emplace(0), [&] {
+    if (given_) return make_planner(spec_.name, space_, spec_.options, (*given_)->bytes);
+    return built_ ? info.make_on_index(space_, spec_.options, *built_)
+                  : info.make(space_, spec_.options);
+  });
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,95 @@
+#include "wend/io/available_memory.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "wend/base/parse.hpp"
+#include "wend/io/line_reader.hpp"
+
+namespace wend {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Bytes = std::optional<std::uint64_t>;
+
+/// The number after a word at the beginning of a line.
+Bytes number_after(const fs::path& file, std::string_view word) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const auto words = words_of(line);
+    if (words.size() >= 2 && words[0] == word) return parse_integer<std::uint64_t>(words[1]);
+  }
+  return std::nullopt;
+}
+
+/// The number that is all of a file; nothing for "max".
+Bytes number_in(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return parse_integer<std::uint64_t>(trimmed(line));
+}
+
+/// How the two versions of control groups call their files.
+struct GroupFiles {
+  std::string_view folder;
+  std::string_view limit;
+  std::string_view usage;
+  std::string_view cached;  // in memory.stat: files, which make room when it is needed
+};
+
+constexpr GroupFiles kVersion1 = {"sys/fs/cgroup/memory", "memory.limit_in_bytes",
+                                  "memory.usage_in_bytes", "total_cache"};
+constexpr GroupFiles kVersion2 = {"sys/fs/cgroup", "memory.max", "memory.current", "file"};
+
+Bytes left_in(const fs::path& group, const GroupFiles& files) {
+  const Bytes limit = number_in(group / files.limit);
+  const Bytes usage = number_in(group / files.usage);
+  if (!limit || !usage) return std::nullopt;
+  const std::uint64_t cached = number_after(group / "memory.stat", files.cached).value_or(0);
+  const std::uint64_t used = *usage - std::min(*usage, cached);
+  return *limit - std::min(*limit, used);
+}
+
+Bytes least(Bytes a, Bytes b) { return a && b ? std::min(*a, *b) : a ? a : b; }
+
+/// The least of a group and those around it. In a container the outermost that it sees is its own.
+Bytes left_in_groups(const fs::path& top, const fs::path& group, const GroupFiles& files) {
+  Bytes left = left_in(top, files);
+  fs::path inner = top;
+  for (const fs::path& part : group.relative_path()) {
+    inner /= part;
+    left = least(left, left_in(inner, files));
+  }
+  return left;
+}
+
+Bytes left_in_own_groups(const fs::path& root) {
+  Bytes left;
+  std::ifstream groups(root / "proc/self/cgroup");
+  // "0::/user.slice", "4:memory:/docker/1f"
+  for (std::string line; std::getline(groups, line);) {
+    const std::size_t first = line.find(':');
+    const std::size_t second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    if (!controllers.empty() && controllers != "memory") continue;
+    const GroupFiles& files = controllers.empty() ? kVersion2 : kVersion1;
+    left = least(left, left_in_groups(root / files.folder, line.substr(second + 1), files));
+  }
+  return left;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> available_memory(const fs::path& root) {
+  constexpr std::uint64_t kKilobyte = 1024;
+  Bytes system = number_after(root / "proc/meminfo", "MemAvailable:");
+  if (system) *system *= kKilobyte;
+  return least(system, left_in_own_groups(root));
+}
+
+}  // namespace wend

@@ -1,0 +1,45 @@
+#pragma once
+
+// Queries as CSV: a start and a goal in every row, written as --start and --goal of `wend plan` take
+// them: metres in the map's frame, or cells. The header names the columns, in any order:
+//
+//   start_x,start_y,goal_x,goal_y        start,goal
+//   1,1,15,9                             "1,1","15,9"
+//   2.5,1,3,8.25                         "2.5,1","3,8.25"
+//
+// Of a car start_heading and goal_heading too, or a third part of start and goal: "1,1,E". Other
+// columns are not used. ';' separates where the header has one; blanks around a field do not count.
+// A field with a separator in it stands in double quotes, and a quote in it is doubled (RFC 4180); a
+// row is one line. LF or CRLF, blank lines are skipped.
+//
+// A row that cannot be read is kept, with what is wrong with it: the others can still be answered.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/io/io_error.hpp"
+
+namespace wend {
+
+struct QueryRow {
+  std::size_t line = 0;  // in the file, from 1
+  std::string start;     // "1,1", of a car "1,1,E"
+  std::string goal;
+  std::string wrong;  // with this row; empty if nothing is
+
+  friend bool operator==(const QueryRow&, const QueryRow&) = default;
+};
+
+inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;
+
+/// `file` is the name for errors. Memory stays in proportion to the text.
+Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
+                                                         const std::string& file);
+
+Expected<std::vector<QueryRow>, IoError> load_query_csv(const std::filesystem::path& file);
+
+}  // namespace wend
