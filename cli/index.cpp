@@ -82,14 +82,14 @@ int build(const BuildArguments& arguments) {
   const auto written = write_index(arguments.output, *index);
   if (!written) throw InputError(written.error().message());
   if (arguments.format == Format::json) {
-    print(text_of({{"file", arguments.output},
-                   {"planner", planner.name},
-                   {"width", space.width()},
-                   {"height", space.height()},
-                   {"passable_cells", space.passable().count()},
-                   {"index_bytes", index->size()},
-                   {"build_s", seconds},
-                   {"threads", workers.count()}}));
+    print(wend::text_of({{"file", arguments.output},
+                         {"planner", planner.name},
+                         {"width", space.width()},
+                         {"height", space.height()},
+                         {"passable_cells", space.passable().count()},
+                         {"index_bytes", index->size()},
+                         {"build_s", seconds},
+                         {"threads", workers.count()}}));
   } else {
     print(fmt::format(
         "{}: {} of {} x {} cells, {:.1f} MB, built in {:.2f} s of wall time with {} thread{}\n",
@@ -107,15 +107,15 @@ int info(const IndexInfoArguments& arguments) {
   if (arguments.format == Format::json) {
     Json sections = Json::array();
     for (std::size_t i = 0; i < header.sections; ++i) sections.push_back(header.table[i].bytes);
-    print(text_of({{"file", arguments.file},
-                   {"planner", header.planner_name()},
-                   {"version", header.version},
-                   {"width", header.width},
-                   {"height", header.height},
-                   {"passable_cells", header.passable_cells},
-                   {"map_hash", fmt::format("{:016x}", header.map_hash)},
-                   {"index_bytes", header.bytes},
-                   {"section_bytes", sections}}));
+    print(wend::text_of({{"file", arguments.file},
+                         {"planner", header.planner_name()},
+                         {"version", header.version},
+                         {"width", header.width},
+                         {"height", header.height},
+                         {"passable_cells", header.passable_cells},
+                         {"map_hash", fmt::format("{:016x}", header.map_hash)},
+                         {"index_bytes", header.bytes},
+                         {"section_bytes", sections}}));
     return success;
   }
   const double cells = static_cast<double>(std::max<std::uint64_t>(1, header.passable_cells));

@@ -152,7 +152,9 @@ class LongBench : public BenchDatabaseCommand {
     }
     kill(child, signal);
     waitpid(child, &status, 0);
-    if (signal == SIGINT) EXPECT_EQ(WEXITSTATUS(status), 130);
+    if (signal == SIGINT) {
+      EXPECT_EQ(WEXITSTATUS(status), 130);
+    }
     return bytes_of(err);
   }
 
