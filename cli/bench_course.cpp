@@ -61,7 +61,6 @@ std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
 
 Course load_course(const fs::path& file, const std::string& map_file, std::size_t sample) {
   Scenario scenario = loaded_or_throw(load_scenario(file));
-  if (scenario.queries.empty()) throw InputError(scenario.file + ": the scenario has no queries");
   const fs::path map_path =
       map_file.empty() ? loaded_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
   LoadedMap loaded = loaded_or_throw(load_map(map_path));

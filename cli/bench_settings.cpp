@@ -11,7 +11,6 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::uint64_t kMostThreads = 1024;
 constexpr std::uint64_t kMostPasses = 1'000'000;
 constexpr NumberRange kBenchSeconds{1e-6, 1e9, "s"};
 

@@ -43,9 +43,6 @@ Scene CarQuery::scene() const {
   return scene;
 }
 
-/// Regions and the widest path are of discs.
-std::optional<Scene> CarQuery::failure_scene(Status /*status*/) const { return std::nullopt; }
-
 std::optional<CostToGo> CarQuery::cost_to_go(const Limits& /*limits*/) const {
   return std::nullopt;
 }

@@ -62,16 +62,9 @@ Scene CellQuery::scene() const {
   return scene;
 }
 
-/// With several goals there is no one way that would join all of them.
 Scene CellQuery::scene_of_failure(Status status) const {
-  const bool between = status == Status::unreachable || status == Status::start_blocked ||
-                       status == Status::goal_blocked;
-  const Cell goal = goals_.front().cell;
-  if (!between || goals_.size() > 1 || !space_.contains(start_.cell) || !space_.contains(goal)) {
-    return scene();
-  }
-  return no_path_scene(space_, start_.cell, goal, moves_,
-                       explain_no_path(space_, start_.cell, goal, moves_));
+  if (!is_about_the_start(status) && !is_about_a_goal(status)) return scene();
+  return no_path_scene(space_, start_.cell, goal_cells(), moves_, coordinates_);
 }
 
 std::optional<CostToGo> CellQuery::cost_to_go(const Limits& limits) const {

@@ -40,8 +40,8 @@ constexpr const char* kExplainExamples = R"(Examples:
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
 
 The picture shows what can be reached from the start, from where the goal can be
-reached, and, dashed, the path that there would be if the least changed, with its
-narrowest place; and the nearest free cell where an end is blocked. Exit codes: 0
+reached, and the nearest free cell where an end is blocked. A dashed line is the
+path that the least change would open, with its narrowest place. Exit codes: 0
 there is a path after all, 1 there is none, 2 bad usage or input.)";
 
 /// One question, from its arguments to its answer.
@@ -154,7 +154,7 @@ std::string ExplainRun::text() const {
 }
 
 Scene ExplainRun::scene() const {
-  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, why_);
+  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, coordinates_, why_);
 }
 
 ExitCode ExplainRun::report() const {

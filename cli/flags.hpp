@@ -63,6 +63,8 @@ Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
 void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
                  std::uint64_t most);
 
+constexpr std::uint64_t kMostThreads = 1024;  // of --threads
+
 /// Throws InputError for a count of 0.
 void check_positive(const std::string& flag, std::uint64_t count);
 

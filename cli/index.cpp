@@ -19,7 +19,6 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::uint64_t kMostBuilders = 1024;
 constexpr double kMegabyte = 1e6;
 
 struct BuildArguments {
@@ -58,7 +57,7 @@ Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)"
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
-  check_range("--threads", arguments.threads, 1, kMostBuilders);
+  check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
   if (!planner.build_index) {

@@ -85,7 +85,7 @@ std::string table(const OpenList& list, std::size_t shown) {
   return text + explained(list, shown);
 }
 
-int rows_of(const std::string& text) {
+int lines_of(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
@@ -95,7 +95,7 @@ std::string open_list_text(const OpenList& list, int rows) {
   if (list.count == 0) return "open list: empty\n";
   std::size_t shown = std::min<std::size_t>(list.entries.size(), kMostOpenEntries);
   std::string text = table(list, shown);
-  while (shown > 1 && rows_of(text) > rows) text = table(list, --shown);
+  while (shown > 1 && lines_of(text) > rows) text = table(list, --shown);
   return text;
 }
 

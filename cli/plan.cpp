@@ -26,7 +26,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
-  wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o - > path.csv
+  wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
 with arrows; large ones a summary and, on a terminal, a picture. A car stands on

@@ -19,8 +19,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::uint64_t kMostThreads = 1024;
-constexpr std::size_t kMostComplaints = 5;
+constexpr std::size_t kMostRowsTold = 5;
 
 /// Answers rows one after the other; one for each thread.
 class QueryLane {
@@ -134,7 +133,7 @@ void complain_of(const std::string& file, const std::vector<QueryAnswer>& answer
   std::size_t complaints = 0;
   for (const QueryAnswer& answer : answers) {
     if (answer.found()) continue;
-    if (++complaints > kMostComplaints) {
+    if (++complaints > kMostRowsTold) {
       complain("... and more of these; the answers have all of them");
       return;
     }

@@ -60,16 +60,6 @@ bool PlanRun::records() const {
          arguments_.layers.any_from(LayerSource::search) || arguments_.output.any(".gif");
 }
 
-/// Layers are drawn over the map alone.
-bool PlanRun::draws_outcome() const {
-  const auto extensions = picture_extensions();
-  const auto is_asked_for = [this](const std::string& extension) {
-    return arguments_.output.any(extension);
-  };
-  return arguments_.layers.kinds().empty() &&
-         std::any_of(extensions.begin(), extensions.end(), is_asked_for);
-}
-
 void PlanRun::plan() {
   result_.planner = maker_.spec().name;
   result_.motion = info_of(maker_.spec()).motion;
@@ -113,7 +103,6 @@ void PlanRun::search() {
   if (result_.status != Status::found) {
     fail(result_.status,
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
-    if (draws_outcome()) failure_ = asked_->failure_scene(result_.status);
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
   if (trace && result_.status != Status::cancelled) write_trace(*trace);
@@ -140,7 +129,7 @@ void PlanRun::search_for(SearchObserver& observer, Query query) {
 bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
 
 /// Only the search is timed, not the person.
-Status PlanRun::search_in_steps(const Query& query, const SearchRecorder& recorder) {
+Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
   if (!info_of(maker_.spec()).can_step) {
     throw InputError(fmt::format("--step: the planner {} cannot be stepped", maker_.spec().name));
   }
@@ -222,7 +211,6 @@ void PlanRun::fail(Status status, std::string reason) {
 /// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
 /// path: the cells that they visited are shown instead.
 Scene PlanRun::outcome() const {
-  if (failure_) return *failure_;
   Scene scene = asked_->scene();
   if (result_.refined) {
     scene.lines = lines_of(*result_.refined);

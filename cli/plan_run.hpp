@@ -76,10 +76,9 @@ class PlanRun {
 
   bool records() const;
   bool steps() const;
-  bool draws_outcome() const;
   Scene outcome() const;
   std::string text() const;
-  std::string step_text(const SearchRecorder& recorder) const;
+  std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
   std::vector<Panel> panels() const;
   std::string csv() const;
   std::string json() const;
@@ -98,6 +97,7 @@ class PlanRun {
   std::vector<Layer> layers_;
   Refinement refinement_;
   PlanResult result_;
+  std::uint64_t open_lists_told_ = 0;
   bool outcome_is_shown_ = false;  // on the terminal, by what was watched
 };
 

@@ -8,8 +8,7 @@
 //   if (!controller) report(controller.error().message());
 //
 // Metres, radians, seconds, in the map's frame. A controller remembers (integrals, filters), is for
-// one robot and one thread. It may prepare itself for a route with the first command after reset(); from
-// then on it allocates nothing.
+// one robot and one thread. It may allocate memory in begin(), and does not in command().
 
 #include <cstddef>
 #include <functional>
@@ -31,12 +30,13 @@ namespace wend {
 /// What a controller sees; all numbers are finite. To drive in reverse it is shown the robot as if
 /// it faced backwards, so that it need not know.
 struct Situation {
-  Pose pose;                        // as measured
-  Velocity velocity;                // as last commanded and limited
-  const Polyline* route = nullptr;  // what to follow, in metres; never null
-  double along = 0;                 // how far along it the robot is; never goes back
-  std::size_t waypoint = 0;         // of route->points(): the next one to reach
-  double seconds = 0;               // since the last command, > 0
+  Pose pose;          // as measured
+  Velocity velocity;  // as last commanded and limited
+  const Polyline* route =
+      nullptr;               // what to follow, in metres: the line that has begun; never null
+  double along = 0;          // how far along it the robot is; never goes back
+  std::size_t waypoint = 0;  // of route->points(): the next one to reach
+  double seconds = 0;        // since the last command, > 0
   VelocityLimits limits{};
 };
 
@@ -46,10 +46,11 @@ class Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// Forgets what it remembers: a new route begins.
-  virtual void reset() = 0;
+  /// A new line begins: it forgets what it remembers, and prepares itself. The line outlives the
+  /// commands that follow.
+  virtual void begin(const Polyline& line, const VelocityLimits& limits) = 0;
 
-  /// What it wants; whoever drives limits it.
+  /// What it wants, on the line that has begun; whoever drives limits it.
   virtual Velocity command(const Situation& situation) = 0;
 
  protected:

@@ -30,6 +30,19 @@ struct Scene {
   Situation situation() const { return {pose, velocity, &route, 0, 1, 0.05, {}}; }
 };
 
+/// One that has begun to drive along a line.
+std::unique_ptr<Controller> make_on(const Polyline& line, std::string_view name,
+                                    const OptionValues& options = {}) {
+  auto controller = make(name, options);
+  controller->begin(line, {});
+  return controller;
+}
+
+/// Of a controller that has just begun.
+Velocity first_command(std::string_view name, const Scene& scene) {
+  return make_on(scene.route, name)->command(scene.situation());
+}
+
 Scene on_straight_line(const Pose& pose) {
   return {Polyline(std::vector<Point>{{0, 0}, {10, 0}}), pose};
 }
@@ -67,7 +80,7 @@ TEST(Controllers, ThatTurnInPlaceAreUnfitForABicycle) {
 
 TEST(Controllers, DriveStraightOnAlongALine) {
   for (const std::string& name : controllers().names()) {
-    const Velocity wanted = make(name)->command(on_straight_line({0, 0, 0}).situation());
+    const Velocity wanted = first_command(name, on_straight_line({0, 0, 0}));
     EXPECT_GE(wanted.linear, VelocityLimits{}.speed) << name;
     EXPECT_EQ(wanted.angular, 0) << name;
   }
@@ -75,10 +88,10 @@ TEST(Controllers, DriveStraightOnAlongALine) {
 
 TEST(Controllers, TurnTowardsTheRoute) {
   for (const std::string& name : controllers().names()) {
-    EXPECT_GT(make(name)->command(on_straight_line({0, 0, -0.3}).situation()).angular, 0) << name;
-    EXPECT_LT(make(name)->command(on_straight_line({0, 0, 0.3}).situation()).angular, 0) << name;
-    EXPECT_GT(make(name)->command(on_straight_line({0, 0, -3}).situation()).angular, 0) << name;
-    EXPECT_LT(make(name)->command(on_straight_line({0, 0.1, 0}).situation()).angular, 0) << name;
+    EXPECT_GT(first_command(name, on_straight_line({0, 0, -0.3})).angular, 0) << name;
+    EXPECT_LT(first_command(name, on_straight_line({0, 0, 0.3})).angular, 0) << name;
+    EXPECT_GT(first_command(name, on_straight_line({0, 0, -3})).angular, 0) << name;
+    EXPECT_LT(first_command(name, on_straight_line({0, 0.1, 0})).angular, 0) << name;
   }
 }
 
@@ -93,12 +106,10 @@ RC_GTEST_PROP(Controllers, AreTheSameInAMirror, (std::uint64_t seed)) {
   const Pose pose{any(2), any(2), any(3)};
   const Velocity velocity{any(0.5), any(1)};
   for (const std::string& name : controllers().names()) {
-    const Velocity wanted =
-        make(name)->command(Scene{Polyline(points), pose, velocity}.situation());
-    const Velocity other = make(name)->command(Scene{
-        Polyline(mirrored),
-        {pose.x, -pose.y, -pose.heading},
-        {velocity.linear, -velocity.angular}}.situation());
+    const Velocity wanted = first_command(name, {Polyline(points), pose, velocity});
+    const Velocity other = first_command(name, {Polyline(mirrored),
+                                                {pose.x, -pose.y, -pose.heading},
+                                                {velocity.linear, -velocity.angular}});
     RC_ASSERT(std::abs(wanted.linear - other.linear) < 1e-9);
     RC_ASSERT(std::abs(wanted.angular + other.angular) < 1e-9);
   }
@@ -106,6 +117,7 @@ RC_GTEST_PROP(Controllers, AreTheSameInAMirror, (std::uint64_t seed)) {
 
 TEST(P, TurnsInPlaceUntilItFacesTheWaypoint) {
   const auto p = make("p", {{"turn_above", "0.5"}, {"drive_below", "0.1"}});
+  const Scene scene = on_straight_line({});
   const auto speed_at = [&](double heading) {
     return p->command(on_straight_line({0, 0, heading}).situation()).linear;
   };
@@ -115,7 +127,7 @@ TEST(P, TurnsInPlaceUntilItFacesTheWaypoint) {
   EXPECT_EQ(speed_at(-0.6), 0);
   EXPECT_EQ(speed_at(-0.2), 0);
   EXPECT_GT(speed_at(-0.05), 0);
-  p->reset();
+  p->begin(scene.route, {});
   EXPECT_EQ(speed_at(0.2), 0);
 }
 
@@ -204,7 +216,7 @@ TEST(PurePursuit, StaysOnACircle) {
   }
   for (const double speed : {0.0, 0.3, 0.5}) {
     const Scene scene{Polyline(points), {0, 0, 0}, {speed, 0}};
-    const Velocity wanted = make("pure_pursuit")->command(scene.situation());
+    const Velocity wanted = first_command("pure_pursuit", scene);
     EXPECT_NEAR(wanted.angular / wanted.linear, 1 / kRadius, 1e-4);
   }
 }
@@ -214,8 +226,9 @@ TEST(PurePursuit, LooksFartherTheFasterItIs) {
   const auto curvature_at = [](double speed) {
     Scene scene = on_straight_line({0, -0.1, 0});
     scene.velocity.linear = speed;
-    const Velocity wanted = make("pure_pursuit", {{"lookahead", "0.3"}, {"lookahead_time", "2"}})
-                                ->command(scene.situation());
+    const auto pursuit =
+        make_on(scene.route, "pure_pursuit", {{"lookahead", "0.3"}, {"lookahead_time", "2"}});
+    const Velocity wanted = pursuit->command(scene.situation());
     return wanted.angular / wanted.linear;
   };
   EXPECT_NEAR(curvature_at(0), 0.2 / (0.3 * 0.3 + 0.1 * 0.1), 1e-9);
@@ -223,9 +236,9 @@ TEST(PurePursuit, LooksFartherTheFasterItIs) {
 }
 
 TEST(PurePursuit, SlowsInCurvesAndBeforeTheGoal) {
-  const auto pursuit =
-      make("pure_pursuit", {{"slow_radius", "1"}, {"approach", "2"}, {"least_speed", "0.05"}});
   Scene scene = on_straight_line({0, 0, 0});
+  const auto pursuit = make_on(scene.route, "pure_pursuit",
+                               {{"slow_radius", "1"}, {"approach", "2"}, {"least_speed", "0.05"}});
   const double straight = pursuit->command(scene.situation()).linear;
   scene.pose.heading = 0.5;
   const Velocity bend = pursuit->command(scene.situation());
@@ -242,8 +255,8 @@ TEST(PurePursuit, SlowsInCurvesAndBeforeTheGoal) {
 }
 
 TEST(PurePursuit, ComesInStraightAndTurnsBackToAnEndThatItPassed) {
-  const auto pursuit = make("pure_pursuit");
   Scene scene = on_straight_line({9.95, 0.02, 0});
+  const auto pursuit = make_on(scene.route, "pure_pursuit");
   Situation near_end = scene.situation();
   near_end.along = 9.95;
   EXPECT_LT(std::abs(pursuit->command(near_end).angular), 0.1) << "it aims beyond the end";

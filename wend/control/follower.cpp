@@ -47,7 +47,7 @@ void Follower::begin_leg(std::size_t leg) {
   idle_ = 0;
   best_headway_ = -std::numeric_limits<double>::infinity();
   least_heading_error_ = std::numeric_limits<double>::infinity();
-  controller_->reset();
+  controller_->begin(current_leg().line, limits_);
 }
 
 FollowerStep Follower::step(const Pose& pose, double seconds) {

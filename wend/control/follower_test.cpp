@@ -24,14 +24,14 @@ Route route_through(const std::vector<Point>& points, bool closed = false) {
 class Stubborn final : public Controller {
  public:
   explicit Stubborn(const Velocity& wanted) : wanted_(wanted) {}
-  void reset() override { ++resets; }
+  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override { ++begun; }
   Velocity command(const Situation& situation) override {
     shown = situation;
     return wanted_;
   }
 
   Situation shown;
-  int resets = 0;
+  int begun = 0;
 
  private:
   Velocity wanted_;
@@ -143,7 +143,7 @@ TEST(Follower, GoesOnFromTheNearestPointOfANewRoute) {
   follower.follow(route_through({{0, 0}, {9, 0}}));
   for (int i = 0; i < 20; ++i) follower.step({0.4, 0, 0}, kPeriod);
   follower.follow(route_through({{0, 0.25}, {9, 0.25}}));
-  EXPECT_EQ(controller.resets, 2);
+  EXPECT_EQ(controller.begun, 2);
   const FollowerStep step = follower.step({0.5, 0, 0}, kPeriod);
   EXPECT_EQ(follower.along(), 0.5);
   EXPECT_EQ(step.command.linear, 0.5) << "without slowing down";
@@ -293,7 +293,7 @@ TEST(Follower, TellsThatItIsStuck) {
 TEST(Follower, TellsAControllerThatOscillates) {
   class Oscillating final : public Controller {
    public:
-    void reset() override {}
+    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const Situation&) override { return {0, ++count_ / 20 % 2 == 0 ? 1.5 : -1.5}; }
 
    private:

@@ -33,7 +33,9 @@ class PController final : public Controller {
  public:
   explicit PController(const POptions& options) : options_(options) {}
 
-  void reset() override { turning_ = true; }
+  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {
+    turning_ = true;
+  }
 
   Velocity command(const Situation& situation) override {
     const Aim aim = aim_of(situation);

@@ -29,7 +29,7 @@ class PMovingController final : public Controller {
  public:
   explicit PMovingController(const PMovingOptions& options) : options_(options) {}
 
-  void reset() override {}
+  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
   Velocity command(const Situation& situation) override {
     const Aim aim = aim_of(situation);

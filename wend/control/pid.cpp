@@ -39,7 +39,7 @@ class PidController final : public Controller {
         heading_(options.heading, options.filter_time),
         distance_(options.distance, options.filter_time) {}
 
-  void reset() override {
+  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {
     heading_.reset();
     distance_.reset();
   }

@@ -3,6 +3,7 @@
 // Path Tracking", 2023.
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -42,9 +43,18 @@ class PurePursuitController final : public Controller {
  public:
   explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
 
-  void reset() override { profile_.reset(); }
+  void begin(const Polyline& line, const VelocityLimits& limits) override {
+    profile_.emplace(line,
+                     SpeedProfileOptions{.limits = limits,
+                                         .lateral_acceleration = options_.lateral_acceleration,
+                                         .least_speed = options_.least_speed,
+                                         .window = options_.lookahead,
+                                         .lookahead = options_.lookahead,
+                                         .lookahead_time = options_.lookahead_time});
+  }
 
   Velocity command(const Situation& situation) override {
+    assert(profile_);
     const Pose& pose = situation.pose;
     const Point target = target_of(situation);
     const double turn = turn_to(pose, target);
@@ -72,32 +82,19 @@ class PurePursuitController final : public Controller {
     return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
   }
 
-  double speed_on(double curvature, const Situation& situation) {
+  double speed_on(double curvature, const Situation& situation) const {
     const VelocityLimits& limits = situation.limits;
     const double bend = std::abs(curvature);
     const double left = way_left(*situation.route, situation.along, situation.pose.point());
-    double speed = profile_for(situation).at(situation.along);
+    double speed = profile_->at(situation.along);
     if (bend * options_.slow_radius > 1) speed /= bend * options_.slow_radius;
     if (left < options_.approach) speed *= left / options_.approach;
     speed = std::max(speed, options_.least_speed);
     return bend * speed > limits.turn_rate ? limits.turn_rate / bend : speed;
   }
 
-  const SpeedProfile& profile_for(const Situation& situation) {
-    if (!profile_) {
-      profile_.emplace(*situation.route,
-                       SpeedProfileOptions{.limits = situation.limits,
-                                           .lateral_acceleration = options_.lateral_acceleration,
-                                           .least_speed = options_.least_speed,
-                                           .window = options_.lookahead,
-                                           .lookahead = options_.lookahead,
-                                           .lookahead_time = options_.lookahead_time});
-    }
-    return *profile_;
-  }
-
   PurePursuitOptions options_;
-  std::optional<SpeedProfile> profile_;  // of the route; none before the first command
+  std::optional<SpeedProfile> profile_;  // of the line; none before the first
 };
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(Simulate, TellsTheSidesOfTheRoute) {
   // One that bears to the left by its own fault drives on the left.
   class Bearing final : public Controller {
    public:
-    void reset() override {}
+    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const Situation&) override { return {0.5, 0.05}; }
   };
   Bearing controller;
@@ -301,7 +301,7 @@ TEST(Simulate, ScattersVelocitiesAsMuchAsTold) {
 TEST(Simulate, CommandsTakeEffectAfterTheLatency) {
   class Starting final : public Controller {
    public:
-    void reset() override {}
+    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const Situation&) override { return {0.5, 0}; }
   };
   Starting controller;

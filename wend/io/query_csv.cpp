@@ -32,7 +32,8 @@ Expected<std::string, std::string> take_quoted(std::string_view& line) {
 }
 
 /// The fields of a line, or what is wrong with its quotes.
-Expected<std::vector<std::string>, std::string> fields_of(std::string_view line, char separator) {
+Expected<std::vector<std::string>, std::string> query_fields(std::string_view line,
+                                                             char separator) {
   std::vector<std::string> fields;
   for (;;) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -57,12 +58,12 @@ Expected<std::vector<std::string>, std::string> fields_of(std::string_view line,
 /// The columns that make up one end of a query, in the order of "X,Y,HEADING".
 using EndColumns = std::vector<std::size_t>;
 
-class Header {
+class QueryHeader {
  public:
   /// What is wrong with it, empty if nothing is.
   std::string read(std::string_view line) {
     separator_ = line.find(';') == std::string_view::npos ? ',' : ';';
-    auto names = fields_of(line, separator_);
+    auto names = query_fields(line, separator_);
     if (!names) return names.error();
     names_ = *std::move(names);
     for (auto it = names_.begin(); it != names_.end(); ++it) {
@@ -79,7 +80,7 @@ class Header {
 
   QueryRow row(std::string_view line, std::size_t number) const {
     QueryRow row{number, {}, {}, {}};
-    const auto fields = fields_of(line, separator_);
+    const auto fields = query_fields(line, separator_);
     if (!fields) {
       row.wrong = fields.error();
     } else if (fields->size() != names_.size()) {
@@ -140,7 +141,7 @@ class Header {
 Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
                                                          const std::string& file) {
   LineReader lines(text);
-  Header header;
+  QueryHeader header;
   const std::string wrong = header.read(lines.next().value_or(""));
   if (!wrong.empty()) return io_failure(file, 1, wrong);
   std::vector<QueryRow> rows;

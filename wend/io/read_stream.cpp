@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kPiece = std::size_t{64} << 10;
+constexpr std::size_t kStreamPiece = std::size_t{64} << 10;
 
 /// An open file that is closed again, unless it is standard input.
 class Descriptor {
@@ -62,8 +62,8 @@ Expected<std::string, IoError> read_stream(const fs::path& file, std::size_t lar
   std::string bytes;
   std::size_t size = 0;
   for (;;) {
-    if (bytes.size() - size < kPiece) bytes.resize(std::max(2 * bytes.size(), kPiece));
-    const ssize_t got = read(descriptor.number(), bytes.data() + size, kPiece);
+    if (bytes.size() - size < kStreamPiece) bytes.resize(std::max(2 * bytes.size(), kStreamPiece));
+    const ssize_t got = read(descriptor.number(), bytes.data() + size, kStreamPiece);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return failure("cannot be read: " + message_of(errno));
     if (got == 0) break;
