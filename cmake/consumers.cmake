@@ -10,7 +10,7 @@ function(wend_add_consumer_test name folder)
     NAME consumer.${name}
     COMMAND
       "${CMAKE_CTEST_COMMAND}" --build-and-test "${PROJECT_SOURCE_DIR}/tests/${folder}"
-      "${build_dir}" --build-generator "${CMAKE_GENERATOR}" #
+      "${build_dir}" --build-generator "${CMAKE_GENERATOR}" --build-target consumer #
       --build-options "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}"
       "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
       "-DCMAKE_CXX_FLAGS_DEBUG=${CMAKE_CXX_FLAGS_DEBUG}"
@@ -29,7 +29,8 @@ if(WEND_INSTALL)
   set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installed)
 endif()
 
-wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}")
+wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}"
+                       -DWEND_UNITY=ON -DWEND_PRECOMPILE=ON)
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # It compiles the library a second time.
   set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS long)
