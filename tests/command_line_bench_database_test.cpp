@@ -108,7 +108,6 @@ TEST_F(BenchDatabaseCommand, LeavesNothingBehindWhenItIsRefused) {
       {file, "--index", folder_ / "none.idx"},
       {folder_ / "none.scen"},
       {folder_ / "bad.scen"},
-      {scenario("", "empty.scen"), "--map", folder_ / "ok.map"},
       {file, folder_ / "rough.scen", "--planner", "jps"},
       {file, "--plot", folder_ / "plot.txt"}};
   for (std::vector<std::string> words : refused) {

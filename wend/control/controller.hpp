@@ -8,7 +8,8 @@
 //   if (!controller) report(controller.error().message());
 //
 // Metres, radians, seconds, in the map's frame. A controller remembers (integrals, filters), is for
-// one robot and one thread. It may allocate memory in begin(), and does not in command().
+// one robot and one thread. It may allocate memory in begin(), for a line longer
+// than all before, and does not in command().
 
 #include <cstddef>
 #include <functional>

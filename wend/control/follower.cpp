@@ -37,7 +37,8 @@ void Follower::follow(Route route) {
   state_ = FollowerState::driving;
   behind_ = 0;
   arrives_ = false;
-  begin_leg(0);
+  // The first leg last: the controller then has the memory that any leg needs.
+  for (std::size_t leg = route_.legs().size(); leg-- > 0;) begin_leg(leg);
 }
 
 void Follower::begin_leg(std::size_t leg) {

@@ -3,9 +3,7 @@
 // Path Tracking", 2023.
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <optional>
 
 #include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
@@ -44,17 +42,15 @@ class PurePursuitController final : public Controller {
   explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
 
   void begin(const Polyline& line, const VelocityLimits& limits) override {
-    profile_.emplace(line,
-                     SpeedProfileOptions{.limits = limits,
-                                         .lateral_acceleration = options_.lateral_acceleration,
-                                         .least_speed = options_.least_speed,
-                                         .window = options_.lookahead,
-                                         .lookahead = options_.lookahead,
-                                         .lookahead_time = options_.lookahead_time});
+    profile_.begin(line, {.limits = limits,
+                          .lateral_acceleration = options_.lateral_acceleration,
+                          .least_speed = options_.least_speed,
+                          .window = options_.lookahead,
+                          .lookahead = options_.lookahead,
+                          .lookahead_time = options_.lookahead_time});
   }
 
   Velocity command(const Situation& situation) override {
-    assert(profile_);
     const Pose& pose = situation.pose;
     const Point target = target_of(situation);
     const double turn = turn_to(pose, target);
@@ -86,7 +82,7 @@ class PurePursuitController final : public Controller {
     const VelocityLimits& limits = situation.limits;
     const double bend = std::abs(curvature);
     const double left = way_left(*situation.route, situation.along, situation.pose.point());
-    double speed = profile_->at(situation.along);
+    double speed = profile_.at(situation.along);
     if (bend * options_.slow_radius > 1) speed /= bend * options_.slow_radius;
     if (left < options_.approach) speed *= left / options_.approach;
     speed = std::max(speed, options_.least_speed);
@@ -94,7 +90,7 @@ class PurePursuitController final : public Controller {
   }
 
   PurePursuitOptions options_;
-  std::optional<SpeedProfile> profile_;  // of the line; none before the first
+  SpeedProfile profile_;
 };
 
 }  // namespace

@@ -10,19 +10,13 @@
 namespace wend {
 namespace {
 
-/// 1 / m, at so many places `step` apart.
-std::vector<double> curvatures_of(const Polyline& line, double window, double step,
-                                  std::size_t count) {
-  std::vector<double> curvatures(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double along = step * static_cast<double>(i);
-    const double from = std::max(along - window, 0.0);
-    const double to = std::min(along + window, line.length());
-    if (from >= to) continue;
-    const double turn = line.heading_at(to, window) - line.heading_at(from, window);
-    curvatures[i] = normalized_angle(turn) / (to - from);
-  }
-  return curvatures;
+/// 1 / m
+double curvature_at(const Polyline& line, double along, double window) {
+  const double from = std::max(along - window, 0.0);
+  const double to = std::min(along + window, line.length());
+  if (from >= to) return 0;
+  const double turn = line.heading_at(to, window) - line.heading_at(from, window);
+  return normalized_angle(turn) / (to - from);
 }
 
 /// In a bend, and where it changes by so much a metre.
@@ -36,31 +30,41 @@ double speed_in(double curvature, double change, const SpeedProfileOptions& opti
 
 }  // namespace
 
-SpeedProfile::SpeedProfile(const Polyline& line, const SpeedProfileOptions& options)
-    : least_speed_(options.least_speed) {
+void SpeedProfile::begin(const Polyline& line, const SpeedProfileOptions& options) {
   assert(options.window > 0);
   constexpr double kMostSamples = 1e5;
+  least_speed_ = options.least_speed;
   const double wanted = std::ceil(2 * line.length() / options.window);
   const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, kMostSamples)) + 1;
   step_ = line.length() / static_cast<double>(count - 1);
   squared_.assign(count, line.length() == 0 ? 0 : options.limits.speed * options.limits.speed);
   if (line.length() == 0) return;
-  const std::vector<double> curvatures = curvatures_of(line, options.window, step_, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double change = i + 1 < count ? (curvatures[i + 1] - curvatures[i]) / step_ : 0;
-    const double speed = speed_in(curvatures[i], change, options);
-    const double ahead = options.lookahead + options.lookahead_time * speed;
-    const auto before = static_cast<std::size_t>(std::min(ahead / step_, static_cast<double>(i)));
-    for (std::size_t k = i - before; k <= i; ++k)
-      squared_[k] = std::min(squared_[k], speed * speed);
-  }
+  slow_in_bends(line, options);
   squared_.back() = 0;
   for (std::size_t i = count - 1; i-- > 0;) {
     squared_[i] = std::min(squared_[i], squared_[i + 1] + 2 * options.limits.acceleration * step_);
   }
 }
 
+/// And the lookahead before them.
+void SpeedProfile::slow_in_bends(const Polyline& line, const SpeedProfileOptions& options) {
+  double curvature = curvature_at(line, 0, options.window);
+  for (std::size_t i = 0; i < squared_.size(); ++i) {
+    const double next = i + 1 < squared_.size()
+                            ? curvature_at(line, step_ * static_cast<double>(i + 1), options.window)
+                            : curvature;
+    const double speed = speed_in(curvature, (next - curvature) / step_, options);
+    const double ahead = options.lookahead + options.lookahead_time * speed;
+    const auto before = static_cast<std::size_t>(std::min(ahead / step_, static_cast<double>(i)));
+    for (std::size_t k = i - before; k <= i; ++k) {
+      squared_[k] = std::min(squared_[k], speed * speed);
+    }
+    curvature = next;
+  }
+}
+
 double SpeedProfile::at(double along) const {
+  assert(!squared_.empty());
   const double place =
       step_ > 0 ? std::clamp(along / step_, 0.0, static_cast<double>(squared_.size() - 1)) : 0;
   const auto i = std::min(static_cast<std::size_t>(place), squared_.size() - 2);

@@ -33,12 +33,20 @@ struct SpeedProfileOptions {
 
 class SpeedProfile {
  public:
-  SpeedProfile(const Polyline& line, const SpeedProfileOptions& options);
+  /// Of no line yet.
+  SpeedProfile() = default;
 
-  /// The greatest speed there, at least the least speed. O(1).
+  SpeedProfile(const Polyline& line, const SpeedProfileOptions& options) { begin(line, options); }
+
+  /// Of another line. Allocates memory only for a line longer than all before.
+  void begin(const Polyline& line, const SpeedProfileOptions& options);
+
+  /// The greatest speed there, at least the least speed. A line has begun. O(1).
   double at(double along) const;
 
  private:
+  void slow_in_bends(const Polyline& line, const SpeedProfileOptions& options);
+
   double step_ = 1;  // from sample to sample, m
   double least_speed_ = 0;
   std::vector<double> squared_;  // speeds, at multiples of the step
