@@ -92,8 +92,8 @@ void Contestant::check(const FreeSpace& space) const {
   const GridMap one_cell(Grid<CellState>(1, 1, CellState::free));
   const auto tried = info_.make(FreeSpace(one_cell), spec_.options);
   if (!tried) throw InputError(fmt::format("{}: {}", name(), tried.error().message()));
-  if (space.uniform_terrain() || terrain_in_words(info_) != "refused") return;
-  throw InputError(refused_terrain(name(), space)->message());
+  if (terrain_in_words(info_) != "refused") return;
+  if (const auto refused = refused_terrain(name(), space)) throw InputError(refused->message());
 }
 
 bool Contestant::takes(const GivenIndex& index) const {

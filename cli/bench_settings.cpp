@@ -29,7 +29,7 @@ std::string_view corner_text(CornerRule rule) {
 }  // namespace
 
 void BenchSettings::add_to(Parser& app) {
-  robot.add_to(app);
+  robot.add_robot_to(app);
   robot.add_keep_away_to(app);
   moves.add_to(app);
   add_count(

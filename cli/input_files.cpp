@@ -58,9 +58,9 @@ std::vector<QueryRow> read_queries(const std::string& file) {
 Path read_path(const std::string& file, const Frame& frame, PathStage stage) {
   auto path = load_path_or_stream(file, frame, stage);
   if (path) return *std::move(path);
-  if (path.error().failed_plan)
-    throw NoPathError(path.error().message(), *path.error().failed_plan);
-  throw InputError(path.error().message());
+  const auto& error = path.error();
+  if (error.failed_plan) throw NoPathError(error.message(), *error.failed_plan);
+  throw InputError(error.message());
 }
 
 }  // namespace wend::cli

@@ -40,7 +40,7 @@ LoadedMap MapFileArguments::load() const {
   return loaded;
 }
 
-void RobotArguments::add_to(Parser& app) {
+void RobotArguments::add_robot_to(Parser& app) {
   add_number(app, "--robot-radius", robot_radius, kDistances,
              "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
              "for others and with --cells (default 0, a point)");
@@ -79,7 +79,7 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 
 void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
-  RobotArguments::add_to(app);
+  add_robot_to(app);
   add_number(app, "--limit-memory", limit_memory, kMegabytes,
              "Refuse a map that needs more memory than so many megabytes (default: what the system "
              "has available)");

@@ -32,7 +32,7 @@ struct RobotArguments {
   std::optional<double> keep_away_cost;
   bool cells = false;
 
-  void add_to(Parser& app);
+  void add_robot_to(Parser& app);
 
   /// --keep-away and --keep-away-cost, for commands to which it matters what a cell costs.
   void add_keep_away_to(Parser& app);

@@ -17,6 +17,7 @@
 #include "picture.hpp"
 #include "picture_files.hpp"
 #include "shown_layers.hpp"
+#include "text_blocks.hpp"
 #include "wend/path/path_metrics.hpp"
 
 namespace wend::cli {

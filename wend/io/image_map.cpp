@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -80,6 +81,7 @@ void ImageMapRows::add(std::span<const std::uint16_t> values,
       if (!terrain_.empty()) terrain_[x] = 1;
     }
   }
+  assert(rows_);  // begin() comes first
   rows_->append(states_, terrain_);
 }
 

@@ -15,6 +15,7 @@
 // A free cell with the value v has the terrain multiplier 1 + scale_factor v / 100. In trinary and
 // scale mode a pixel that is not fully opaque is unknown.
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -54,7 +55,10 @@ class ImageMapRows final : public ImageRows {
            std::span<const unsigned char> transparent) override;
 
   /// After the last row.
-  GridMap finish(const Frame& frame) { return std::move(*rows_).finish(frame); }
+  GridMap finish(const Frame& frame) {
+    assert(rows_);
+    return std::move(*rows_).finish(frame);
+  }
 
  private:
   struct PixelMeaning {

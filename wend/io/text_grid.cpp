@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -63,6 +64,7 @@ class TextRows {
     }
     if (states_.size() > GridMap::kMaxCells) return "too many cells";
     if (!rows_) begin(line.size());
+    assert(rows_);
     const auto width = static_cast<std::size_t>(rows_->width());
     if (states_.size() != width) {
       return fmt::format("this row has {} cells, the first one has {}", states_.size(), width);
@@ -75,7 +77,12 @@ class TextRows {
   }
 
   bool empty() const { return !rows_; }
-  GridMap finish() { return std::move(*rows_).finish(); }
+
+  /// After the first row.
+  GridMap finish() {
+    assert(rows_);
+    return std::move(*rows_).finish();
+  }
 
  private:
   /// The text has at least a byte for a cell, so that its size says how much memory is in order.

@@ -24,6 +24,7 @@
 //   const wend::FreeSpace space(map, {.robot_radius = 0.2});
 //   if (const auto reason = space.why_blocked({3, 4})) ...
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -79,7 +80,10 @@ class FreeSpace {
 
   /// As given, but `outside` is set.
   const FreeSpaceOptions& options() const { return data_->options; }
-  OutsidePolicy outside() const { return *data_->options.outside; }
+  OutsidePolicy outside() const {
+    assert(data_->options.outside);
+    return *data_->options.outside;
+  }
   int width() const { return data_->passable.width(); }
   int height() const { return data_->passable.height(); }
   bool contains(Cell cell) const { return data_->passable.contains(cell); }

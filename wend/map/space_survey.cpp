@@ -26,9 +26,9 @@ GridMap rows_of(const GridMap& map, int begin, int end) {
     const auto row = map.terrain().row(y);
     terrain.insert(terrain.end(), row.begin(), row.end());
   }
-  return GridMap(std::move(occupied), std::move(unknown), map.frame(),
-                 terrain.empty() ? Grid<double>()
-                                 : Grid<double>(map.width(), end - begin, std::move(terrain)));
+  return {std::move(occupied), std::move(unknown), map.frame(),
+          terrain.empty() ? Grid<double>()
+                          : Grid<double>(map.width(), end - begin, std::move(terrain))};
 }
 
 /// How many rows away an obstacle can still matter.

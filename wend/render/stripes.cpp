@@ -55,10 +55,11 @@ void draw_stripes(cairo_t* context, const PictureArea& area, const Stripes& stri
   cairo_fill_preserve(context);
   cairo_clip(context);
   // Stripes lie where x + y is a multiple of the period.
-  const double first = std::floor((area.left + area.top) / kPeriod) * kPeriod;
-  const double last = area.left + area.width + area.top + area.height;
-  for (double sum = first; sum <= last; sum += kPeriod) {
-    cairo_move_to(context, sum - area.top, area.top);
+  const double nearest = area.left + area.top;
+  const auto first = static_cast<int>(std::floor(nearest / kPeriod));
+  const auto last = static_cast<int>((nearest + area.width + area.height) / kPeriod);
+  for (int i = first; i <= last; ++i) {
+    cairo_move_to(context, i * kPeriod - area.top, area.top);
     cairo_rel_line_to(context, -area.height, area.height);
   }
   set_source(context, stripes.stripe);
