@@ -27,8 +27,8 @@ const Clock& cpu_clock() {
 /// One of the planners that are compared, on one map.
 class Entry {
  public:
-  Entry(std::string name, PlannerInfo info, OptionValues options, const FreeSpace& space)
-      : info_(std::move(info)), options_(std::move(options)), space_(space) {
+  Entry(std::string name, PlannerInfo info, OptionValues options, FreeSpace space)
+      : info_(std::move(info)), options_(std::move(options)), space_(std::move(space)) {
     timing_.name = std::move(name);
   }
 
@@ -80,6 +80,7 @@ class Entry {
   /// would be learned by heart by the processor's caches and branch predictors.
   void time_later(const std::vector<ScenarioQuery>& queries) {
     std::vector<Query> asked;
+    asked.reserve(queries.size());
     for (const ScenarioQuery& query : queries) {
       asked.push_back(Query::between(query.start, query.goal));
     }

@@ -92,7 +92,7 @@ void PlanRun::search() {
     told.add(
         trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
   }
-  if (steps()) {
+  if (steps() && recorder_) {
     result_.status = search_in_steps(query, *recorder_, told);
   } else {
     search_to_the_end(query);

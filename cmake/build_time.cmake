@@ -2,12 +2,14 @@
 # at a time (a unity build). Templates of the JSON library, of gmock and of {fmt} are then instantiated
 # once for many sources, which is most of what a build does.
 #
-# A source never relies on either: it includes what it uses, and CI compiles every source by itself,
-# without precompiled headers, once (the preset clang). For a unity build, names in the anonymous
+# A source never relies on either: it includes what it uses, and CI compiles every source but the tests
+# by itself, without precompiled headers, once (the preset clang). For a unity build, names in the anonymous
 # namespaces of a folder differ from each other; tests and other sources are kept apart.
 
 option(WEND_PRECOMPILE "Precompile the headers of dependencies" ${PROJECT_IS_TOP_LEVEL})
 option(WEND_UNITY "Compile several sources at a time" ${PROJECT_IS_TOP_LEVEL})
+option(WEND_PRECOMPILE_TESTS "The same of the tests" ${PROJECT_IS_TOP_LEVEL})
+option(WEND_UNITY_TESTS "The same of the tests" ${PROJECT_IS_TOP_LEVEL})
 
 set(wend_unity_size 8)
 
@@ -39,7 +41,8 @@ set(wend_precompiled_test ${wend_precompiled_text} <gmock/gmock.h> <gtest/gtest.
 # wend_precompile(<target> <standard|text|test>): the first target of a kind compiles the headers, the
 # others use what it made. All targets of a kind are compiled with the same options.
 function(wend_precompile target kind)
-  if(NOT WEND_PRECOMPILE)
+  if((kind STREQUAL "test" AND NOT WEND_PRECOMPILE_TESTS)
+     OR (NOT kind STREQUAL "test" AND NOT WEND_PRECOMPILE))
     return()
   endif()
   get_property(owner GLOBAL PROPERTY wend_precompiled_${kind}_owner)
@@ -51,9 +54,10 @@ function(wend_precompile target kind)
   endif()
 endfunction()
 
-# wend_unite(<target>): sources of one folder are compiled together, some at a time.
-function(wend_unite target)
-  if(NOT WEND_UNITY)
+# wend_unite(<target> <option>): where the option is on, sources of one folder are compiled together, some
+# at a time.
+function(wend_unite target option)
+  if(NOT ${option})
     return()
   endif()
   get_target_property(sources ${target} SOURCES)

@@ -32,7 +32,7 @@ function(wend_add_module module)
     endif()
     # A planner is one file, and is compiled alone when it changes.
     if(NOT module STREQUAL "planner")
-      wend_unite(wend_${module})
+      wend_unite(wend_${module} WEND_UNITY)
     endif()
     # It gives a type of its anonymous namespace to a class of its header, which a unity source may not.
     if(module STREQUAL "render")

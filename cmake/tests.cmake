@@ -34,7 +34,7 @@ function(wend_add_test_program target name)
   target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
                                                WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   wend_precompile(${target} test)
-  wend_unite(${target})
+  wend_unite(${target} WEND_UNITY_TESTS)
   wend_add_shards(${target} ${name} ${arg_SHARDS} "-${wend_long_cases}" 900)
   wend_add_shards(${target} ${name}.long ${arg_SHARDS} "${wend_long_cases}" 3600 long)
 endfunction()

@@ -62,7 +62,7 @@ GridMap GridMapBuilder::finish(Frame frame) && {
       std::swap_ranges(row.begin(), row.end(), terrain.row(terrain.height() - 1 - y).begin());
     }
   }
-  return GridMap(std::move(occupied_), std::move(unknown_), frame, std::move(terrain));
+  return {std::move(occupied_), std::move(unknown_), frame, std::move(terrain)};
 }
 
 }  // namespace wend

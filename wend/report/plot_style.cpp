@@ -48,15 +48,13 @@ std::vector<std::size_t> plot_colours_of(std::span<const std::string> names) {
     colours[i] = own;
     taken[*own] = true;
   }
-  std::vector<std::size_t> all;
+  std::vector<std::size_t> all(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!colours[i]) {
-      const auto free = std::ranges::find(taken, false);
-      const bool any = free != taken.end();
-      colours[i] = any ? static_cast<std::size_t>(free - taken.begin()) : i % kColours;
-      taken[*colours[i]] = true;
-    }
-    all.push_back(*colours[i]);
+    const auto free = std::ranges::find(taken, false);
+    const auto other =
+        free != taken.end() ? static_cast<std::size_t>(free - taken.begin()) : i % kColours;
+    all[i] = colours[i].value_or(other);
+    taken[all[i]] = true;
   }
   return all;
 }
