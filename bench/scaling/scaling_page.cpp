@@ -17,8 +17,8 @@ Written by `./run scaling`, which measures for some minutes; `./run scaling --he
 
 Maps come from `wend generate`, seed 7; start and goal are random cells that a path joins, the same for every planner. Every
 planner is measured in a process of its own: its memory is what it has beside the map, with its index. Times are CPU
-time of the thread, means over all queries of a map, after one that is not counted: a planner that keeps what it finds out,
-as `jps`, is between its first query and its later ones. Who is slow answers fewer of the queries: none is begun after {} s.
+time of the thread and means over the queries of a map. A first query is that of a new planner, of ten planners; later queries
+were asked before, all of them in turn. Who is slow answers fewer of the queries: none is begun after {} s.
 Paths are compared: {}.
 
 {}
@@ -50,8 +50,12 @@ class Page {
     text_ += fmt::format("![Time, memory and build time against cells]({})\n\n", picture);
     text_ += fmt::format(fmt::runtime(kLeftOut), plan_.most_build_seconds, plan_.most_query_seconds,
                          plan_.largest_for_boost, plan_.largest_for_boost);
-    put_tables("A query, in microseconds", all(),
-               [](const PlannerScale& scale) { return digits(scale.mean_us); });
+    put_tables("To make a planner, in milliseconds", all(),
+               [](const PlannerScale& scale) { return digits(scale.prepare_ms); });
+    put_tables("Its first query, in microseconds", all(),
+               [](const PlannerScale& scale) { return digits(scale.first_us); });
+    put_tables("A later query, in microseconds", all(),
+               [](const PlannerScale& scale) { return digits(scale.later_us); });
     put_tables("Two threads", all(), [](const PlannerScale& scale) {
       return fmt::format("{:.2f}", scale.two_threads_gain);
     });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -24,8 +25,9 @@ using Error = Unexpected<std::string>;
 
 constexpr std::uint64_t kSeed = 7;
 constexpr std::size_t kMostQueries = 200;
-constexpr int kRounds = 5;     // through all queries, if there is time
+constexpr std::size_t kNewPlanners = 10;  // that are asked one query
 constexpr double kGrowth = 6;  // of a build from a size to the next, to be on the safe side
+constexpr double kMilliseconds = 1e3;
 constexpr double kMicroseconds = 1e6;
 constexpr const char* kBoost = "boost-astar";
 
@@ -69,34 +71,51 @@ class Team {
   double build_s_ = 0;
 };
 
-/// Asks as many of the queries as there is time for, and those again. Sets queries, time and costs.
+/// Asks as many of the queries as there is time for, and then those again. Sets their number, the time of
+/// later queries, and costs.
 void ask(Planner& planner, const std::vector<Query>& queries, double seconds, Measured& measured) {
   Plan plan;
-  planner.plan(queries.front(), plan);  // fresh memory
-  std::size_t count = queries.size();
-  std::size_t asked = 0;
-  double total = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double begin = thread_cpu_seconds();
-      planner.plan(queries[i], plan);
-      total += thread_cpu_seconds() - begin;
-      ++asked;
-      measured.costs[i] = plan.cost;
-      if (total > seconds && round == 0) count = i + 1;
-    }
-    if (total > seconds) break;
+  std::size_t count = 0;
+  const double begin = thread_cpu_seconds();
+  while (count < queries.size() && thread_cpu_seconds() - begin <= seconds) {
+    planner.plan(queries[count], plan);
+    measured.costs[count] = plan.cost;
+    ++count;
   }
   measured.scale.queries = count;
-  measured.scale.mean_us = kMicroseconds * total / static_cast<double>(asked);
+  const double later = least_seconds(thread_cpu_seconds, [&] {
+    for (std::size_t i = 0; i < count; ++i) planner.plan(queries[i], plan);
+  });
+  measured.scale.later_us = kMicroseconds * later / static_cast<double>(count);
+}
+
+/// Asks new planners one query each.
+void ask_first(const Team& team, std::span<const Query> queries, double seconds,
+               PlannerScale& scale) {
+  double total = 0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t asked = 0;
+  while (asked < std::min(kNewPlanners, queries.size()) && total <= seconds) {
+    Plan plan;
+    double prepared = 0;
+    const auto planner = timed(thread_cpu_seconds, prepared, [&] { return team.make(); });
+    double searched = 0;
+    timed(thread_cpu_seconds, searched, [&] { return planner->plan(queries[asked], plan); });
+    least = std::min(least, prepared);
+    total += searched;
+    ++asked;
+  }
+  scale.prepare_ms = kMilliseconds * least;
+  scale.first_us = kMicroseconds * total / static_cast<double>(asked);
 }
 
 /// Microseconds a query of the wall's clock when threads share them, each with a new planner. Quick
 /// queries go to them many at a time, so that it is not the sharing that is measured.
-double ask_on(unsigned threads, const Team& team, std::span<const Query> queries, double mean_us) {
+double ask_on(unsigned threads, const Team& team, std::span<const Query> queries, double query_us) {
   constexpr double kTask = 20'000;  // microseconds
   constexpr std::size_t kTasks = 10;
-  const std::size_t in_a_task = std::max<std::size_t>(1, static_cast<std::size_t>(kTask / mean_us));
+  const std::size_t in_a_task =
+      std::max<std::size_t>(1, static_cast<std::size_t>(kTask / query_us));
   const std::size_t tasks = in_a_task > 1 ? std::max(kTasks, queries.size() / in_a_task)
                                           : std::max<std::size_t>(threads, queries.size());
   std::vector<std::unique_ptr<Planner>> planners;
@@ -129,8 +148,9 @@ Measured measure(const PlannerInfo& info, const FreeSpace& space, const std::vec
   measured.scale.build_s = team.build_s();
   measured.scale.index_bytes = team.index_bytes();
   const auto answered = std::span(queries).first(measured.scale.queries);
-  const double one = ask_on(1, team, answered, measured.scale.mean_us);
-  measured.scale.two_threads_gain = one / ask_on(2, team, answered, measured.scale.mean_us);
+  ask_first(team, answered, seconds, measured.scale);
+  const double one = ask_on(1, team, answered, measured.scale.later_us);
+  measured.scale.two_threads_gain = one / ask_on(2, team, answered, measured.scale.later_us);
   return measured;
 }
 
@@ -185,7 +205,7 @@ class KindRun {
       return std::nullopt;
     }
     last_build = measured->scale.build_s;
-    last_queries_[planner] = measured->scale.mean_us / kMicroseconds;
+    last_queries_[planner] = measured->scale.later_us / kMicroseconds;
     for (std::size_t i = 0; i < measured->scale.queries; ++i) {
       if (i == costs.size()) costs.push_back(measured->costs[i]);
       measured->scale.wrong = measured->scale.wrong || !same(costs[i], measured->costs[i]);

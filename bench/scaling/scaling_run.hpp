@@ -37,7 +37,9 @@ struct PlannerScale {
   std::uint64_t index_bytes = 0;
   std::uint64_t memory_bytes = 0;  // all that it needs beside the map
   std::size_t queries = 0;
-  double mean_us = 0;           // a query, on one thread
+  double prepare_ms = 0;        // to make a planner, its index apart
+  double first_us = 0;          // the first query of a planner
+  double later_us = 0;          // a query after those that were asked before
   double two_threads_gain = 0;  // how many times as fast two threads answer all, by the wall
   bool wrong = false;           // some path was longer or shorter than another planner's
 };
