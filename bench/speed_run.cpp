@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "bench/boost/boost_planner.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/scenario_verdict.hpp"
 #include "wend/report/thread_time.hpp"

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "exit_code.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/planner_terrain.hpp"

@@ -13,6 +13,8 @@
 #include "output.hpp"
 #include "output_files.hpp"
 #include "planner_argument.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/report/json.hpp"
 

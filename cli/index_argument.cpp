@@ -8,6 +8,8 @@
 #include "exit_code.hpp"
 #include "flags.hpp"
 #include "progress_bar.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {

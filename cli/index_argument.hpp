@@ -5,6 +5,7 @@
 #include <string>
 
 #include "wend/base/workers.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/index/index_header.hpp"
 #include "wend/io/index_file.hpp"
 #include "wend/planner/planner_info.hpp"

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "planner_argument.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/thread_time.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "index_argument.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_spec.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/testing/trial.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/planner/search_recorder.hpp"
 

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/io/index_file.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/parallel/thread_workers.hpp"

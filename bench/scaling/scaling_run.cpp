@@ -12,6 +12,8 @@
 #include "bench/boost/boost_planner.hpp"
 #include "bench/measuring.hpp"
 #include "bench/scaling/child_process.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/planners.hpp"

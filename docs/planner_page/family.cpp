@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "wend/index/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::planner_page {

@@ -29,6 +29,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/choice.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/parse.hpp"
 
@@ -39,19 +40,6 @@ struct OptionText {
   std::string_view name;
   std::string_view help;
   std::array<std::string_view, 2> aliases = {};  // other names, from a textbook say
-};
-
-/// The closed range of a number.
-struct OptionRange {
-  double least;
-  double greatest;
-};
-
-/// One value of an enum option, and its name.
-template <class Enum>
-struct Choice {
-  std::string_view name;
-  Enum value;
 };
 
 enum class OptionKind { flag, integer, number, choice };

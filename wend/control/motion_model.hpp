@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/control/velocity.hpp"
 #include "wend/geometry/arc.hpp"
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/map/free_space.hpp"

@@ -11,8 +11,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "wend/index/index_bytes.hpp"
+
 namespace wend {
 
 #define WEND_PLANNER(name) PlannerInfo name##_planner();

@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <string>
 
+#include "wend/base/choice.hpp"
 #include "wend/base/expected.hpp"
-#include "wend/base/options.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/render/render_error.hpp"
 #include "wend/render/scene.hpp"

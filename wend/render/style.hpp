@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/render/scene.hpp"
 
 namespace wend {

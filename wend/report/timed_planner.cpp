@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

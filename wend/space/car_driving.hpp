@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 
 namespace wend {
 

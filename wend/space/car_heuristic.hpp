@@ -16,7 +16,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/geometry/car_move.hpp"
 
 namespace wend {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/map/connected_regions.hpp"
 
 namespace wend {

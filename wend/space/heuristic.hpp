@@ -17,7 +17,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "wend/base/options.hpp"
+#include "wend/base/choice.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/space/grid_moves.hpp"
 
