@@ -292,7 +292,9 @@ Command add_compare(Parser& app) {
       .type_name(kFileType);
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
-            if (arguments->random == 0) {
+            if (compare.given("--random")) {
+              check_positive("--random", arguments->random);
+            } else {
               refuse_idle(compare, {"--seed"}, "it chooses the queries of --random N");
             }
             if (!arguments->output.any_picture() && arguments->plot.empty()) {

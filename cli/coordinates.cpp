@@ -43,10 +43,11 @@ bool fits_cell(double number) {
 
 /// Four digits after the point are a tenth of a millimetre.
 std::string metres(Point point) {
-  const auto rounded = [](double value) {
-    return format_number(std::round(value * 1e4) / 1e4 + 0.0);
+  const auto digits = [](double value) {
+    const double rounded = std::round(value * 1e4) / 1e4 + 0.0;
+    return format_number(std::isfinite(rounded) ? rounded : value);
   };
-  return fmt::format("({},{}) m", rounded(point.x), rounded(point.y));
+  return fmt::format("({},{}) m", digits(point.x), digits(point.y));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
 void check_range(const std::string& flag, std::uint64_t value, std::uint64_t least,
                  std::uint64_t most) {
   if (value >= least && value <= most) return;
-  throw InputError(fmt::format("{} {}: from {} to {}", flag, value, least, most));
+  throw InputError(fmt::format("{} {}: must be from {} to {}", flag, value, least, most));
 }
 
 void check_positive(const std::string& flag, std::uint64_t count) {

@@ -75,6 +75,10 @@ int run_app(int argc, char** argv) {
     complain(usage_error(app, error));
     return bad_input;
   }
+  if (const std::string wrong = swallowed_flag(app); !wrong.empty()) {
+    complain(wrong);
+    return bad_input;
+  }
   for (const Command& command : commands) {
     if (command.parser.parsed()) return run(command);
   }

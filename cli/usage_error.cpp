@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Error.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include "flags.hpp"
@@ -41,6 +42,10 @@ std::string surplus(const std::vector<std::string>& arguments) {
   return arguments.front();
 }
 
+std::string needs_value(const CLI::Option& option) {
+  return fmt::format("{} needs a value: {}", option.get_name(), option.get_type_name());
+}
+
 /// Where a flag whose value is optional was given without one, how it takes one: what was meant as its
 /// value is an argument of its own.
 std::string equals_sign_text(const CLI::App& app) {
@@ -52,6 +57,29 @@ std::string equals_sign_text(const CLI::App& app) {
                        option->get_lnames().front());
   }
   return {};
+}
+
+/// "--start needs a value: X,Y", where the next flag was taken for the value of one.
+std::string swallowed_flag_text(const CLI::App& app) {
+  const std::vector<std::string> flags = flag_names(app);
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (std::ranges::find(flags, flag_name_of(value)) != flags.end()) return needs_value(*option);
+    }
+  }
+  return {};
+}
+
+/// A flag without its value, or one that was given too often.
+std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& error) {
+  const std::string what = error.what();  // "--start: 1 required X,Y missing"
+  const std::string name = what.substr(0, what.find(':'));
+  const CLI::Option* option = app.get_option_no_throw(name);
+  if (option == nullptr) return what;
+  if (option->results().size() > 1) {
+    return fmt::format("{} is given {} times, and takes one value", name, option->results().size());
+  }
+  return needs_value(*option);
 }
 
 std::string surplus_text(const CLI::App& app, const std::string& argument) {
@@ -67,23 +95,47 @@ std::string surplus_text(const CLI::App& app, const std::string& argument) {
   return text + (closest ? ": did you mean " + *closest + "?" : ": choose " + or_list(commands));
 }
 
-}  // namespace
-
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+/// The subcommand that was named last, or the program.
+const CLI::App& innermost(const CLI::App& app) {
   const CLI::App* at = &app;
-  std::string command = "wend";
   for (auto parsed = at->get_subcommands(); !parsed.empty(); parsed = at->get_subcommands()) {
     at = parsed.front();
-    command += " " + at->get_name();
   }
+  return *at;
+}
+
+std::string with_help(const CLI::App& command, const std::string& text) {
+  std::string name = command.get_name();
+  for (const CLI::App* above = command.get_parent(); above != nullptr;
+       above = above->get_parent()) {
+    name = above->get_name() + " " + name;
+  }
+  return fmt::format("{}\n`{} --help` says more", text, name);
+}
+
+}  // namespace
+
+std::string swallowed_flag(const CLI::App& app) {
+  const CLI::App& command = innermost(app);
+  const std::string text = swallowed_flag_text(command);
+  return text.empty() ? text : with_help(command, text);
+}
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* at = &innermost(app);
   const std::vector<std::string> left = at->remaining();
-  std::string text = error.what();
+  std::string text = swallowed_flag_text(*at);
+  if (!text.empty()) return with_help(*at, text);
+  text = error.what();
   if (!left.empty()) {
     text = surplus_text(*at, surplus(left));
-  } else if (!subcommand_names(*at).empty()) {
+  } else if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    text = mismatch_text(*at, *mismatch);
+  } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
+             !subcommand_names(*at).empty()) {
     text = "choose a subcommand: " + or_list(subcommand_names(*at));
   }
-  return fmt::format("{}\n`{} --help` says more", text, command);
+  return with_help(*at, text);
 }
 
 }  // namespace wend::cli

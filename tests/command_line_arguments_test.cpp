@@ -63,6 +63,58 @@ TEST_F(Arguments, WithAnOptionalValueSayHowItIsTyped) {
   EXPECT_THAT(in_folder("info grid.txt again.txt").err, Not(HasSubstr("equals sign")));
 }
 
+TEST_F(Arguments, WithoutTheirValueSayWhatItIs) {
+  struct Case {
+    std::string command;
+    std::string message;
+  };
+  for (const Case& wrong : {
+           Case{"plan grid.txt --start", "--start needs a value: X,Y[,HEADING]"},
+           Case{"plan grid.txt --start --goal 10,7", "--start needs a value: X,Y[,HEADING]"},
+           Case{"plan grid.txt --start --goal=10,7", "--start needs a value: X,Y[,HEADING]"},
+           Case{"plan grid.txt --goal 10,7 --start 1,1 -o", "--output needs a value: FILE"},
+           Case{"plan grid.txt --connectivity", "--connectivity needs a value: 4|8"},
+           Case{"plan grid.txt --start 1,1 --start 2,2",
+                "--start is given 2 times, and takes one value"},
+           Case{"info grid.txt --robot-radius 1 --robot-radius 2 --robot-radius 3",
+                "--robot-radius is given 3 times, and takes one value"},
+       }) {
+    const Outcome outcome = in_folder(wrong.command);
+    EXPECT_EQ(outcome.code, 2) << wrong.command;
+    EXPECT_THAT(outcome.err, HasSubstr("wend: " + wrong.message + "\n"));
+  }
+}
+
+TEST_F(Arguments, OutOfRangeAreRefusedWithTheRange) {
+  struct Case {
+    std::string command;
+    std::string message;
+  };
+  const std::string plan = "plan grid.txt --goal 10,7 ";
+  for (const Case& wrong : {
+           Case{plan + "--start 1,1 --robot-radius 1e308", "between 0 and 1e+09 metres"},
+           Case{plan + "--start 1,1 --robot-radius 0,2", "did you mean 0.2?"},
+           Case{"generate maze --size 9x9 --seed -1", "--seed: '-1' is not a whole number"},
+           Case{"compare grid.txt --random 0", "--random 0: must be at least 1"},
+           Case{"bench grid.txt --sample 0", "--sample 0: must be at least 1"},
+           Case{"bench grid.txt --passes 0", "--passes 0: must be from 1 to"},
+           Case{"index build grid.txt -o grid.idx --threads 0", "--threads 0: must be from 1 to"},
+           Case{plan + "--queries queries.csv --threads 0", "--threads 0: must be from 1 to"},
+       }) {
+    const Outcome outcome = in_folder(wrong.command);
+    EXPECT_EQ(outcome.code, 2) << wrong.command;
+    EXPECT_THAT(outcome.err, HasSubstr(wrong.message)) << wrong.command;
+  }
+}
+
+TEST_F(Arguments, FarOutsideTheMapAreNamedAsTheyAreTyped) {
+  ASSERT_EQ(in_folder("convert grid.txt grid.yaml").code, 0);
+  const Outcome outcome = in_folder("plan grid.yaml --start 1e308,1 --goal 10,7");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("the start (1e+308,1) m lies outside the map, which covers x"));
+}
+
 TEST_F(Arguments, ThatChangeNothingAreRefused) {
   const std::string plan = "plan grid.txt --start 1,1 --goal 10,7 ";
   const std::string follow = "follow grid.txt --path path.csv ";

@@ -222,7 +222,7 @@ TEST_F(BenchCommand, RefusesBadInput) {
   EXPECT_EQ(wend({"bench", scenario("0 ok.map 5 4 0 0 5 0 4\n")}).code, 2);
   EXPECT_EQ(wend({"bench", scenario("0 ok.map 50 40 0 0 4 0 4\n")}).code, 2);
   EXPECT_THAT(wend({"bench", scenario(kRight), "--threads", "0"}).err,
-              HasSubstr("--threads 0: from 1 to 1024"));
+              HasSubstr("--threads 0: must be from 1 to 1024"));
   EXPECT_EQ(wend({"bench", scenario(kRight), "--passes", "0"}).code, 2);
   EXPECT_THAT(wend({"bench", scenario(kRight), "--sample", "0"}).err,
               HasSubstr("--sample 0: must be at least 1"));

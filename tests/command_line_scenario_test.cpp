@@ -119,8 +119,8 @@ TEST_F(ScenarioCommand, RefusesBadInput) {
   };
   EXPECT_THAT(refused({}), HasSubstr("MAP"));
   EXPECT_THAT(refused({folder_ / "none.map"}), HasSubstr("none.map"));
-  EXPECT_THAT(refused({rooms, "--buckets", "0"}), HasSubstr("--buckets 0: from 1"));
-  EXPECT_THAT(refused({rooms, "--per-bucket", "0"}), HasSubstr("--per-bucket 0: from 1"));
+  EXPECT_THAT(refused({rooms, "--buckets", "0"}), HasSubstr("--buckets 0: must be from 1"));
+  EXPECT_THAT(refused({rooms, "--per-bucket", "0"}), HasSubstr("--per-bucket 0: must be from 1"));
   EXPECT_THAT(refused({rooms, "-o", folder_ / "a.map"}), HasSubstr(".scen"));
   const std::string walls = folder_.write("walls.txt", "#.#\n###\n");
   EXPECT_THAT(refused({walls}), HasSubstr("no two cells are joined by a path"));
