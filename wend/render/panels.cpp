@@ -64,19 +64,25 @@ std::optional<ScaleBar> shared_bar(std::span<const Panel> panels, const PanelLay
   return shared;
 }
 
-/// How many lines a caption may have: those it was written in, and two if it is one long line.
-std::size_t most_lines(std::string_view caption) {
-  constexpr std::ptrdiff_t kLeast = 2;
-  return static_cast<std::size_t>(std::max(kLeast, std::ranges::count(caption, '\n') + 1));
+constexpr std::size_t kMostCaptionLines = 6;
+
+/// For how many lines a caption has room however wide the panel is.
+std::size_t least_lines(std::string_view caption) {
+  if (caption.empty()) return 0;
+  return static_cast<std::size_t>(
+      std::max<std::ptrdiff_t>(2, std::ranges::count(caption, '\n') + 1));
 }
 
-/// The text's lines, broken between words, the last one shortened.
+double height_of_lines(std::size_t lines) {
+  return lines == 0 ? 0 : static_cast<double>(lines) * PanelLayout::kCaptionLine + 4;
+}
+
+/// The text's lines, broken between words; the last one that there may be is shortened.
 std::vector<std::string> caption_lines(cairo_t* context, std::string_view text, double room) {
-  const std::size_t most = most_lines(text);
   std::vector<std::string> lines;
-  while (!text.empty() && lines.size() < most) {
+  while (!text.empty() && lines.size() < kMostCaptionLines) {
     std::size_t end = std::min(text.find('\n'), text.size());
-    const bool last = lines.size() + 1 == most;
+    const bool last = lines.size() + 1 == kMostCaptionLines;
     while (!last && text_width(context, text.substr(0, end)) > room) {
       const std::size_t blank = text.substr(0, end).rfind(' ');
       if (blank == std::string_view::npos || blank == 0) break;
@@ -93,28 +99,35 @@ Footer own_footer(const Scene& scene, const Style& style, double width) {
   return {legend_of(scene, style), std::nullopt, width};
 }
 
-double caption_height(std::span<const Panel> panels) {
+/// How many lines the longest caption takes below the maps of this layout.
+std::size_t lines_of_captions(std::span<const Panel> panels, const PanelLayout& layout) {
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
+  const CairoContext context(cairo_create(surface.get()));
+  select_label_font(context.get(), kCaptionSize);
   std::size_t most = 0;
-  for (const Panel& panel : panels) {
-    if (!panel.caption.empty()) most = std::max(most, most_lines(panel.caption));
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::string& caption = panels[i].caption;
+    const auto lines = caption_lines(context.get(), caption, layout.places[i].width);
+    most = std::max({most, lines.size(), least_lines(caption)});
   }
-  return most == 0 ? 0 : static_cast<double>(most) * PanelLayout::kCaptionLine + 4;
+  return most;
 }
 
-/// Legends of panels need room below the maps, and how much depends on how wide the panels are.
+/// Captions and legends need room below the maps, and how much depends on how wide the panels are.
 PanelLayout layout_of(std::span<const Panel> panels) {
-  const double captions = caption_height(panels);
-  PanelLayout layout = panel_layout(panels, captions);
+  std::size_t captions = 0;
+  for (const Panel& panel : panels) captions = std::max(captions, least_lines(panel.caption));
+  const PanelLayout layout = panel_layout(panels, height_of_lines(captions));
   int lines = 0;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
     if (!panel.style) continue;
     lines = std::max(lines, own_footer(panel.scene, *panel.style, layout.places[i].width).lines());
   }
-  if (lines == 0) return layout;
   const auto columns = static_cast<int>(std::ranges::count_if(
       layout.places, [&](const PanelPlace& place) { return place.top == layout.places[0].top; }));
-  return panel_layout(panels, captions + lines * Footer::kLine, columns);
+  const double below = height_of_lines(lines_of_captions(panels, layout));
+  return panel_layout(panels, below + lines * Footer::kLine, columns);
 }
 
 void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, const Style& style,

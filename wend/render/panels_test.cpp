@@ -105,6 +105,19 @@ TEST(Panels, GrowByALegendAndCaptions) {
   EXPECT_EQ(png_of({{"a", bare}, {"b", marked}}).height(), plain) << "beside the scale bar";
 }
 
+TEST(Panels, HaveRoomForALongCaption) {
+  const Scene bare{.space = FreeSpace(map_of({"..", ".."}))};
+  std::string reason;
+  for (int i = 0; i < 30; ++i) reason += "no path ";
+  const int line = 22;
+  const int shorter = png_of({{"a", bare, "caption"}}).height();
+  const int longer = png_of({{"a", bare, reason}}).height();
+  EXPECT_GE(longer, shorter + line);
+  EXPECT_LE(png_of({{"a", bare, reason + reason + reason + reason + reason}}).height(),
+            shorter + 4 * line)
+      << "six lines at most";
+}
+
 TEST(Panels, CutNoTextHoweverLong) {
   const std::string words(3000, 'w');
   std::string sentence;
