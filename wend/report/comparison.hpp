@@ -57,8 +57,8 @@ struct Comparison {
 
 /// For people. Of one query: a line for each planner with what its path is, then one with what its
 /// search took, then why some found nothing; tables that are too wide go on below. Of many: a block
-/// for each measure, with a line for each planner. At most 80 columns where planners' names have no
-/// more than 24 characters. The best of what is compared is marked, unless all are equal; only
+/// for each measure, with a line for each planner. At most 80 columns where no option that a
+/// planner's name has is longer than 24 characters. The best of what is compared is marked, unless all are equal; only
 /// those that found a path compete. Lengths are in metres where people mean metres, in cells where
 /// they do not. Cars are compared by steps and reversals too.
 std::string comparison_table(const Comparison& comparison);

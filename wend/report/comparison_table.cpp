@@ -11,6 +11,7 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kWidth = 80;
+constexpr std::size_t kLongestName = 24;
 
 /// A column of numbers, the best of them marked.
 struct Column {
@@ -99,7 +100,7 @@ std::vector<Column> columns_of_one(const Comparison& comparison, bool of_path) {
 }
 
 TextTable table_of(const ComparedQuery& query, const std::vector<Column>& columns) {
-  std::vector<TextTable::Column> titles{{"planner"}};
+  std::vector<TextTable::Column> titles{{"planner", Align::left, kLongestName}};
   for (const Column& column : columns) titles.push_back({column.title(), Align::right});
   TextTable table(std::move(titles));
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
@@ -162,7 +163,7 @@ std::vector<Column> columns_of(const Comparison& comparison, const Measure& meas
 
 std::string solved_table(const Comparison& comparison, const std::vector<bool>& best) {
   const std::vector<std::string> planners = planners_of(comparison);
-  TextTable table({{"planner"}, {"solved", Align::right}});
+  TextTable table({{"planner", Align::left, kLongestName}, {"solved", Align::right}});
   for (std::size_t i = 0; i < planners.size(); ++i) {
     table.add({planners[i], fmt::format("{}{}", solved_by(comparison, i), best[i] ? '*' : ' ')});
   }
@@ -193,7 +194,7 @@ std::string title_with_unit(const Measure& measure) {
 std::string statistics_table(const std::vector<std::string>& planners,
                              const std::vector<std::vector<Column>>& blocks, bool more_is_better) {
   TextTable table({{"measure"},
-                   {"planner"},
+                   {"planner", Align::left, kLongestName},
                    {"median ", Align::right},
                    {"mean ", Align::right},
                    {more_is_better ? "1 % least " : "99 % ", Align::right}});

@@ -93,7 +93,8 @@ MarkedColumn column_of(std::span<const ControlledDrive> drives, const DriveMeasu
 
 std::string table_of_many(std::span<const ControlledDrive> drives) {
   bool marked = false;
-  std::vector<TextTable::Column> titles{{"controller"}, {"outcome"}};
+  constexpr std::size_t kLongestName = 16;
+  std::vector<TextTable::Column> titles{{"controller", Align::left, kLongestName}, {"outcome"}};
   std::vector<MarkedColumn> columns;
   for (const DriveMeasure& measure : kDriveMeasures) {
     if (measure.heading.empty()) continue;

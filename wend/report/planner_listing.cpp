@@ -12,33 +12,39 @@
 namespace wend {
 namespace {
 
-std::string option_text(const OptionInfo& option) {
-  const std::string alias =
-      option.aliases.empty() ? "" : fmt::format(" (or {})", fmt::join(option.aliases, ", "));
-  return fmt::format("    {}{} = {}: {}\n        {}\n", option.name, alias, option.default_value,
-                     range_text(option), option.help);
-}
-
 constexpr std::size_t kTitleWidth = 15;
-constexpr std::size_t kTextWidth = 73;
+constexpr std::size_t kLineWidth = 80;
 
-/// "  title   text", with the words of a long text below one another.
-std::string entry(std::string_view title, std::string_view text) {
-  std::string lines = fmt::format("  {:<{}}", title, kTitleWidth);
-  std::size_t column = 0;
+/// The head and the text, with the words of a long text below one another.
+std::string paragraph(const std::string& head, std::string_view text) {
+  std::string lines = head;
+  std::size_t column = head.size();
   while (!text.empty()) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(word.size() + 1, text.size()));
-    const bool fits = column + word.size() <= kTextWidth;
-    if (column > 0) lines += fits ? " " : "\n" + std::string(2 + kTitleWidth, ' ');
-    column = (fits ? column : 0) + word.size() + 1;
+    const bool fits = column + word.size() <= kLineWidth;
+    if (column > head.size()) lines += fits ? " " : "\n" + std::string(head.size(), ' ');
+    column = (fits ? column : head.size()) + word.size() + 1;
     lines += word;
   }
   return lines + '\n';
 }
 
+/// "  title   text"
+std::string entry(std::string_view title, std::string_view text) {
+  return paragraph(fmt::format("  {:<{}}", title, kTitleWidth), text);
+}
+
+std::string option_text(const OptionInfo& option) {
+  const std::string alias =
+      option.aliases.empty() ? "" : fmt::format(" (or {})", fmt::join(option.aliases, ", "));
+  return paragraph("    ", fmt::format("{}{} = {}: {}", option.name, alias, option.default_value,
+                                       range_text(option))) +
+         paragraph("        ", option.help);
+}
+
 std::string planner_text(const PlannerInfo& planner) {
-  std::string text = fmt::format("{}\n  {}\n", planner.name, planner.summary);
+  std::string text = planner.name + "\n" + paragraph("  ", planner.summary);
   text += entry("idea", planner.idea);
   text += entry("guarantee", planner.guarantee);
   text += entry("time", planner.time);

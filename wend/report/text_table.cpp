@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string_view>
 #include <utility>
 
 namespace wend {
@@ -18,8 +19,8 @@ std::size_t width_of(const std::string& text) {
 /// The titles as rows; those of fewer lines than others stand at the bottom.
 std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::Column>& columns) {
   std::size_t height = 1;
-  for (const auto& [title, align] : columns) {
-    const auto breaks = std::count(title.begin(), title.end(), '\n');
+  for (const TextTable::Column& column : columns) {
+    const auto breaks = std::count(column.title.begin(), column.title.end(), '\n');
     height = std::max(height, static_cast<std::size_t>(breaks) + 1);
   }
   std::vector<std::vector<std::string>> lines(height, std::vector<std::string>(columns.size()));
@@ -34,22 +35,49 @@ std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::C
   return lines;
 }
 
-/// Of each column.
-std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& fields : lines) {
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      widths[i] = std::max(widths[i], width_of(fields[i]));
+/// Broken after commas where that makes lines of at most so many characters.
+std::vector<std::string> broken(const std::string& field, std::size_t longest) {
+  constexpr std::string_view kIndent = "  ";
+  std::vector<std::string> lines{""};
+  for (std::size_t begin = 0; begin < field.size();) {
+    const std::size_t end = std::min(field.find(',', begin), field.size() - 1) + 1;
+    const std::string part = field.substr(begin, end - begin);
+    if (lines.back().size() > kIndent.size() && width_of(lines.back() + part) > longest) {
+      lines.emplace_back(kIndent);
     }
+    lines.back() += part;
+    begin = end;
   }
-  return widths;
+  return lines;
 }
 
 }  // namespace
 
 void TextTable::add(std::vector<std::string> row) {
   assert(row.size() == columns_.size());
-  rows_.push_back(std::move(row));
+  std::vector<std::vector<std::string>> lines{std::move(row)};
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].longest == 0 || width_of(lines[0][i]) <= columns_[i].longest) continue;
+    const std::vector<std::string> parts = broken(lines[0][i], columns_[i].longest);
+    lines.resize(std::max(lines.size(), parts.size()), std::vector<std::string>(columns_.size()));
+    for (std::size_t line = 0; line < parts.size(); ++line) lines[line][i] = parts[line];
+  }
+  for (std::size_t line = 1; line < lines.size(); ++line) further_.push_back(rows_.size() + line);
+  rows_.insert(rows_.end(), lines.begin(), lines.end());
+}
+
+/// Of each column. The further lines of a row have nothing beside them that they could push aside.
+std::vector<std::size_t> TextTable::widths(
+    const std::vector<std::vector<std::string>>& lines) const {
+  std::vector<std::size_t> widths(columns_.size(), 0);
+  const std::size_t titles = lines.size() - rows_.size();
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    if (line >= titles && std::ranges::binary_search(further_, line - titles)) continue;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(lines[line][i]));
+    }
+  }
+  return widths;
 }
 
 std::vector<std::vector<std::string>> TextTable::lines() const {
@@ -60,7 +88,7 @@ std::vector<std::vector<std::string>> TextTable::lines() const {
 
 std::size_t TextTable::width() const {
   const auto all = lines();
-  const std::vector<std::size_t> widths = widths_of(all);
+  const std::vector<std::size_t> widths = this->widths(all);
   std::size_t width = 0;
   for (const auto& fields : all) {
     width = std::max(width, width_of(line(fields, widths)) - 1);  // without its line end
@@ -70,7 +98,7 @@ std::size_t TextTable::width() const {
 
 std::string TextTable::text() const {
   const auto all = lines();
-  const std::vector<std::size_t> widths = widths_of(all);
+  const std::vector<std::size_t> widths = this->widths(all);
   std::string text;
   for (const auto& fields : all) text += line(fields, widths);
   return text;
@@ -80,7 +108,8 @@ std::string TextTable::line(const std::vector<std::string>& fields,
                             const std::vector<std::size_t>& widths) const {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string padding(widths[i] - width_of(fields[i]), ' ');
+    const std::size_t width = width_of(fields[i]);
+    const std::string padding(width < widths[i] ? widths[i] - width : 0, ' ');
     if (i > 0) line += "  ";
     line += columns_[i].align == Align::right ? padding + fields[i] : fields[i] + padding;
   }

@@ -19,11 +19,15 @@ class TextTable {
   struct Column {
     std::string title;  // may have several lines
     Align align = Align::left;
+    /// Longer fields are broken after commas; their other lines are indented, and may reach below
+    /// the columns beside. 0: never.
+    std::size_t longest = 0;
   };
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  /// As many fields as there are columns; UTF-8, one character a column of the terminal.
+  /// As many fields as there are columns; UTF-8, one character a column of the terminal. What is
+  /// beside a field of several lines stands in the first.
   void add(std::vector<std::string> row);
 
   /// Of the longest line.
@@ -34,11 +38,13 @@ class TextTable {
 
  private:
   std::vector<std::vector<std::string>> lines() const;
+  std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& lines) const;
   std::string line(const std::vector<std::string>& fields,
                    const std::vector<std::size_t>& widths) const;
 
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
+  std::vector<std::size_t> further_;  // rows that are further lines of one above
 };
 
 }  // namespace wend

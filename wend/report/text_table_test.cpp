@@ -38,6 +38,30 @@ TEST(TextTable, TitlesOfSeveralLinesEndAboveTheRows) {
             "astar        12     1.2\n");
 }
 
+TEST(TextTable, BreaksLongFieldsAfterCommas) {
+  TextTable table({{"planner", Align::left, 16}, {"us", Align::right}});
+  table.add({"astar:weight=2,heuristic=euclidean,w=3", "1.5"});
+  table.add({"random_walk_without_commas", "12.25"});
+  table.add({"a:b=1,c=2", "3"});
+  EXPECT_EQ(table.text(),
+            "planner                        us\n"
+            "astar:weight=2,               1.5\n"
+            "  heuristic=euclidean,\n"
+            "  w=3\n"
+            "random_walk_without_commas  12.25\n"
+            "a:b=1,c=2                       3\n");
+}
+
+TEST(TextTable, LetsFurtherLinesReachBelowOtherColumns) {
+  TextTable table({{"planner", Align::left, 8}, {"us", Align::right}});
+  table.add({"astar:w=2,heuristic=euclidean", "1.5"});
+  EXPECT_EQ(table.text(),
+            "planner      us\n"
+            "astar:w=2,  1.5\n"
+            "  heuristic=euclidean\n");
+  EXPECT_EQ(table.width(), 21U);
+}
+
 TEST(TextTable, IsItsTitlesWithoutRows) { EXPECT_EQ(TextTable({{"a"}, {"b"}}).text(), "a  b\n"); }
 
 }  // namespace
