@@ -11,7 +11,9 @@
 #include "path_file.hpp"
 #include "picture_files.hpp"
 #include "planner_argument.hpp"
+#include "search_frames.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/io/path_csv.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/report/drive_plot.hpp"
 
@@ -57,11 +59,20 @@ FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpac
       controllers_(arguments.drive.controllers(robot_)) {}
 
 bool FollowRun::find_path() {
-  std::optional<Path> path =
-      arguments_.path.empty() ? plan() : load_path_on(space_, arguments_.path, PathStage::smoothed);
+  std::optional<Path> path = arguments_.path.empty() ? plan() : loaded();
   if (!path) return false;
   path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
   return true;
+}
+
+/// Where the path's file says that there is none, so do the files to be written.
+Path FollowRun::loaded() const {
+  try {
+    return load_path_on(space_, arguments_.path, PathStage::smoothed);
+  } catch (const NoPathError& error) {
+    write_failure(error.plan(), Scene{.space = space_});
+    throw;
+  }
 }
 
 std::optional<Path> FollowRun::plan() {
@@ -77,11 +88,29 @@ std::optional<Path> FollowRun::plan() {
   Plan plan;
   const Status status = (*planner)->plan(query, plan);
   if (status == Status::found) return std::move(plan.path);
-  complain(fmt::format(
-      "{} (planned with a margin of {} around the robot)",
-      asked->reason(**planner, status, query.limits, plan.metrics),
-      coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells())));
+  const std::string margin =
+      coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
+  const FailedPlan failed{
+      std::string(to_string(status)),
+      fmt::format("{} (planned with a margin of {} around the robot, which these radii include)",
+                  asked->reason(**planner, status, query.limits, plan.metrics), margin)};
+  complain(failed.reason);
+  write_failure(failed, asked->scene_of_failure(status));
   return std::nullopt;
+}
+
+/// Writes why there is no drive in place of what earlier commands may have left in the files.
+void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const {
+  auto writers =
+      picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments_.pictures.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, failed_plan_json(plan));
+  };
+  writers[".csv"] = [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); };
+  writers[".gif"] = [&](const std::string& file) {
+    return write_picture(file, gif_of(scene, style_of(arguments_.pictures.style)));
+  };
+  arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
 }
 
 void FollowRun::drive() {

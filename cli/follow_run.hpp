@@ -56,6 +56,8 @@ class FollowRun {
 
  private:
   std::optional<Path> plan();
+  Path loaded() const;
+  void write_failure(const FailedPlan& plan, const Scene& scene) const;
   Scene scene_of_drive(const ControlledDrive& driven) const;
   Scene scene_of_path() const;
   std::vector<Panel> panels() const;

@@ -56,6 +56,23 @@ TEST_F(NoPath, TakesThePlaceOfAnOldPath) {
   EXPECT_EQ(failed.at("schema"), 1);
 }
 
+TEST_F(NoPath, TakesThePlaceOfAnOldDrive) {
+  const std::string csv = old("drive.csv");
+  const std::string in_json = old("drive.json");
+  const std::string svg = old("drive.svg");
+  const std::string gif = old("drive.gif");
+  const Outcome run = wend({"follow", map_, "--start", "0,0", "--goal", "6,0", "--margin", "0",
+                            "-o", csv, "-o", in_json, "-o", svg, "-o", gif});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(bytes_of(csv), StartsWith("# no path: unreachable: " + std::string(kReason)));
+  EXPECT_EQ(json::parse(bytes_of(in_json)).at("status"), "unreachable");
+  EXPECT_THAT(bytes_of(svg), StartsWith("<?xml"));
+  EXPECT_THAT(bytes_of(gif), StartsWith("GIF89a"));
+  const std::string next = old("next.csv");
+  EXPECT_EQ(wend({"follow", map_, "--path", csv, "-o", next}).code, 1);
+  EXPECT_EQ(bytes_of(next), bytes_of(csv));
+}
+
 TEST_F(NoPath, IsRefusedWithItsReasonByWhatTakesPaths) {
   const std::string csv = old("plan.csv");
   const std::string in_json = old("plan.json");

@@ -72,7 +72,9 @@ TEST_F(FollowCommand, SaysWhyTheGoalWasNotReached) {
 TEST_F(FollowCommand, SaysWhyThereIsNoPathWithTheMargin) {
   const Outcome outcome = follow({"--margin", "3"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("(planned with a margin of 3 cells around the robot)"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("(planned with a margin of 3 cells around the robot, which these radii include)"));
   EXPECT_THAT(outcome.out, IsEmpty());
 }
 
