@@ -37,8 +37,8 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
     std::error_code error;  // a file that is not there yet is no input
     const auto& read = input == "-" ? std::filesystem::path("/dev/stdin") : input;
     if (!std::filesystem::equivalent(file, read, error)) continue;
-    throw InputError(fmt::format(
-        "{}: the map was read from this file, and would be lost; choose another name", name));
+    throw InputError(
+        fmt::format("{}: this file is read, too, and would be lost; choose another name", name));
   }
 }
 

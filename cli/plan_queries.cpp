@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "input_files.hpp"
@@ -43,7 +44,8 @@ class QueryLane {
     try {
       ask(answer);
     } catch (const InputError& error) {
-      refuse(answer, error.what());
+      const std::string_view wrong = error.what();  // "--start: ..." of what a column says here
+      refuse(answer, wrong.substr(wrong.starts_with("--") ? 2 : 0));
     } catch (const std::bad_alloc&) {
       fail(answer, Status::memory_limit, std::string(describe(Status::memory_limit)));
     }
@@ -51,7 +53,7 @@ class QueryLane {
   }
 
  private:
-  static void refuse(QueryAnswer& answer, const std::string& wrong) {
+  static void refuse(QueryAnswer& answer, std::string_view wrong) {
     answer.status = kInvalidQuery;
     answer.reason = fmt::format("line {}: {}", answer.line, wrong);
   }
@@ -158,6 +160,7 @@ void check_queries(const PlanArguments& arguments) {
         "--queries answers many queries: leave out --show, --verbose, --step, --animate, --trace, "
         "--simplify, --smooth and --resample");
   }
+  arguments.output.check_not_among({arguments.queries});
   for (const std::string& file : arguments.output.files()) {
     if (file == kStandardOutput || OutputFiles::is(file, ".csv") ||
         OutputFiles::is(file, ".json")) {

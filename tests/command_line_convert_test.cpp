@@ -190,7 +190,7 @@ TEST_F(Convert, NeverWritesOverAFileThatTheMapWasReadFrom) {
     SCOPED_TRACE(std::string(in) + " to " + out);
     const Outcome refused = convert(in, out);
     EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, HasSubstr("the map was read from this file"));
+    EXPECT_THAT(refused.err, HasSubstr("this file is read, too"));
     EXPECT_EQ(files_in(folder_ / ""), before);
   }
 }

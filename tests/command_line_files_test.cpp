@@ -260,7 +260,7 @@ TEST_F(Streams, ErrorsNameStandardInput) {
 TEST_F(Streams, TheMapThatStandardInputCameFromIsNotWrittenOver) {
   const Outcome refused = bash("$WEND convert - grid.txt < grid.txt");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("the map was read from this file"));
+  EXPECT_THAT(refused.err, HasSubstr("this file is read, too"));
   EXPECT_EQ(bytes_of(map_), kGrid);
 }
 
@@ -300,7 +300,7 @@ TEST_F(Queries, EveryRowHasAnAnswerInItsPlace) {
   EXPECT_EQ(rows[0].at("path").size(), 7U);
   EXPECT_EQ(rows[0].at("cost"), rows[5].at("cost"));
   EXPECT_EQ(rows[2].at("reason"), "line 4: 3 columns, the header has 5");
-  EXPECT_THAT(rows[4].at("reason"), StartsWith("line 6: "));
+  EXPECT_EQ(rows[4].at("reason"), "line 6: start: '0,x' is not X,Y, two finite numbers");
   EXPECT_EQ(rows[5].at("line"), 8);
   EXPECT_EQ(rows[1].at("cost"), nullptr);
   const std::string csv = bytes_of(folder_ / "answers.csv");
@@ -370,10 +370,20 @@ TEST_F(Queries, RefuseWhatIsAboutOneQuery) {
     EXPECT_EQ(refused.code, 2) << flags;
     EXPECT_THAT(refused.out, IsEmpty()) << flags;
   }
+  EXPECT_THAT(bash("$WEND plan grid.txt --queries queries.csv -o queries.csv").err,
+              HasSubstr("-o queries.csv: this file is read, too, and would be lost"));
   folder_.write("bad.csv", "from,to\n1,2\n");
   EXPECT_THAT(bash("$WEND plan grid.txt --queries bad.csv").err,
               HasSubstr("bad.csv:1: the first line must name the columns start_x and start_y"));
   EXPECT_THAT(bash("$WEND plan grid.txt --start 0,0").err, HasSubstr("--goal is required"));
+}
+
+TEST_F(Queries, MayBeNone) {
+  folder_.write("none.csv", "start,goal\n");
+  const Outcome run = bash("$WEND plan grid.txt --queries none.csv -o answers.csv");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out, "0 queries\n");
+  EXPECT_THAT(bytes_of(folder_ / "answers.csv"), StartsWith("line,start,goal,status"));
 }
 
 class Memory : public Streams {

@@ -325,7 +325,7 @@ TEST_F(MetricPlan, DoesNotWriteOverTheMapItReads) {
   for (const std::string& name : {image, std::string(folder_ / "." / "made.png")}) {
     const Outcome outcome = plan("1,1", "6,6", {"-o", name});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("the map was read from this file"));
+    EXPECT_THAT(outcome.err, HasSubstr("this file is read, too"));
     EXPECT_EQ(bytes_of(image), before);
   }
 }

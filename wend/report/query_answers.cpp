@@ -82,7 +82,9 @@ std::string query_answers_text(std::span<const QueryAnswer> answers, const Frame
                std::to_string(answer.plan.metrics.expanded),
                fmt::format("{:.1f}", microseconds(answer))});
   }
-  return table.text() + fmt::format("{} queries: {}\n", answers.size(), counts_of(answers));
+  if (answers.empty()) return "0 queries\n";
+  return table.text() + fmt::format("{} {}: {}\n", answers.size(),
+                                    answers.size() == 1 ? "query" : "queries", counts_of(answers));
 }
 
 }  // namespace wend
