@@ -140,7 +140,10 @@ Command add_convert(Parser& app) {
   add_force(convert, arguments->force);
   add_format(convert, arguments->format);
   convert.footer(kConvertExamples);
-  return {convert, [arguments] { return run(*arguments); }};
+  return {convert, [convert, arguments] {
+            check_force(convert, {arguments->output});
+            return run(*arguments);
+          }};
 }
 
 }  // namespace wend::cli

@@ -69,6 +69,9 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   if (arguments.drive.compares()) {
     refuse_idle(follow, {"--controller"}, "--compare says what drives");
   }
+  if (arguments.drive.robot().drivetrain != Drivetrain::bicycle) {
+    refuse_idle(follow, {"--wheelbase", "--steering-limit"}, "add --drivetrain bicycle");
+  }
   const std::vector<std::string> noises{"--noise", "--actuation-noise", "--position-noise",
                                         "--heading-noise"};
   if (std::ranges::none_of(noises, [&](const auto& noise) { return follow.given(noise); })) {

@@ -158,8 +158,10 @@ Command add_generate(Parser& app) {
   arguments->options.add_to(generate);
   generate.footer(kGenerateExamples);
   const Command scenario = add_generate_scenario(generate);
-  return {generate, [arguments, scenario] {
-            return scenario.parser.parsed() ? scenario.run() : run(*arguments);
+  return {generate, [generate, arguments, scenario] {
+            if (scenario.parser.parsed()) return scenario.run();
+            check_force(generate, arguments->output.files());
+            return run(*arguments);
           }};
 }
 

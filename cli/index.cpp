@@ -59,6 +59,9 @@ Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)"
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
+  if (arguments.output == kStandardOutput) {
+    throw InputError("-o -: an index is used where its file lies: name a file");
+  }
   check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);

@@ -66,7 +66,7 @@ void RobotArguments::add_keep_away_to(Parser& app) {
 }
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
-  if (keep_away_cost && !keep_away) {
+  if (keep_away_cost && keep_away.value_or(0) == 0) {
     throw InputError("--keep-away-cost changes nothing: say from how far on with --keep-away");
   }
   const Coordinates units = coordinates(map);

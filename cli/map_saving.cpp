@@ -25,6 +25,12 @@ void check_picture(const std::string& file, const std::string& name) {
       name, picture->string(), file));
 }
 
+void check_force(const Parser& command, const std::vector<std::string>& names) {
+  const auto has_picture = [](const std::string& name) { return saved_files(name).size() > 1; };
+  if (std::ranges::any_of(names, has_picture)) return;
+  refuse_idle(command, {"--force"}, "it is for a map.yaml, which has a picture beside it");
+}
+
 std::vector<std::string> files_of_maps(const std::vector<std::string>& names) {
   std::vector<std::string> files;
   for (const std::string& name : names) {

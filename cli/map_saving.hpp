@@ -17,6 +17,9 @@ void add_force(Parser& app, bool& force);
 /// this name names. `name` is what the message calls the file.
 void check_picture(const std::string& file, const std::string& name);
 
+/// Throws InputError if --force was given and none of these names is that of a map.yaml.
+void check_force(const Parser& command, const std::vector<std::string>& names);
+
 /// The files that saving a map under each of these names writes, each once.
 std::vector<std::string> files_of_maps(const std::vector<std::string>& names);
 

@@ -43,14 +43,45 @@ std::string planner_text(const PlanArguments& arguments,
   return "hub_labels";  // only to say what is wrong with the index
 }
 
+/// Throws InputError where the constant of a heuristic is given and another heuristic is used.
+void check_constant(const PlannerSpec& planner) {
+  bool given = false;
+  std::string heuristic;
+  for (const auto& [name, value] : planner.options) {
+    given |= name == "constant";
+    if (name == "heuristic") heuristic = value;
+  }
+  if (!given || heuristic == "constant") return;
+  throw InputError("--constant changes nothing: it is that of --heuristic constant");
+}
+
 /// What the flags of the command say otherwise: a smoother has one, too.
 bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
+
+/// The only thing that is printed or written is the path as CSV.
+bool is_csv_alone(const PlanArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  const bool prints_csv = arguments.format == TableFormat::csv ||
+                          (output.print() && arguments.format == TableFormat::text);
+  return prints_csv && !output.any_picture() && !output.any(".json");
+}
 
 /// Throws InputError for flags that were given and change nothing.
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
-  const bool shows = arguments.format == TableFormat::text && arguments.queries.empty();
-  arguments.pictures.check(plan, output.any_picture(), shows && !output.print());
+  if (!arguments.queries.empty()) {
+    refuse_idle(plan, {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding"},
+                "--queries answers many queries, and draws and smooths none");
+  }
+  arguments.pictures.check(plan, output.any_picture(),
+                           arguments.format == TableFormat::text && !output.print());
+  if (is_csv_alone(arguments)) {
+    refuse_idle(plan, {"--show"}, "a path as CSV has no layers; -o FILE.png and JSON have them");
+  }
+  if (!arguments.refine.any()) {
+    refuse_idle(plan, {"--corner-rounding"},
+                "paths are measured with --simplify, --smooth or --resample");
+  }
   if (!arguments.watch.animate && !output.any(".gif")) {
     refuse_idle(plan, {"--speed"}, "it is that of --animate and of -o FILE.gif");
   }
@@ -100,6 +131,7 @@ int run(const PlanArguments& arguments) {
   PlannerSpec planner = parse_planner(planner_text(arguments, index));
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
+  check_constant(planner);
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));

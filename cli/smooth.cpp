@@ -80,6 +80,12 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   const OptionValues flags = arguments.options.values_for(choice.name);
   choice.options.insert(choice.options.end(), flags.begin(), flags.end());
   if (arguments.turning_radius) {
+    if (!has_option(smoothers().find(choice.name)->options, "radius")) {
+      throw InputError(
+          fmt::format("--turning-radius changes nothing: the smoother {} has none; add --smoother "
+                      "curvature",
+                      choice.name));
+    }
     choice.options.emplace_back("radius",
                                 format_number(coordinates.in_cells(*arguments.turning_radius)));
   }
