@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/index/index_header.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -1,10 +1,11 @@
 #pragma once
 
 // Choice: a value of an enum and its name. An enum that is an option, or is shown, has a function
-// `choice_names(Enum)` that returns an array of them; options.hpp finds it by its argument.
+// `choice_names(Enum)` that returns an array of them.
 
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 namespace wend {
 
@@ -13,6 +14,16 @@ struct Choice {
   std::string_view name;
   Enum value;
 };
+
+/// The name of a value.
+template <class Enum>
+  requires std::is_enum_v<Enum>
+std::string_view choice_name(Enum value) {
+  for (const auto& choice : choice_names(value)) {
+    if (choice.value == value) return choice.name;
+  }
+  return {};
+}
 
 /// The closed range of a number.
 struct OptionRange {

@@ -197,14 +197,4 @@ Expected<Options, OptionError> parse_options(const OptionValues& values) {
   return options;
 }
 
-/// The name of an enum option's value.
-template <class Enum>
-  requires std::is_enum_v<Enum>
-std::string_view choice_name(Enum value) {
-  for (const auto& choice : choice_names(value)) {
-    if (choice.value == value) return choice.name;
-  }
-  return {};
-}
-
 }  // namespace wend
