@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wend/path/corner_rounding.hpp"
 #include "wend/report/comparison_measures.hpp"
 #include "wend/report/text_table.hpp"
 #include "wend/report/thread_time.hpp"
@@ -127,6 +128,12 @@ std::string tables_of(const ComparedQuery& query, const std::vector<Column>& col
   return text + table_of(query, beside).text();
 }
 
+/// What the curvatures are.
+std::string curvature_note() {
+  return fmt::format("Curvatures and turning radii: corners are rounded within {} cells.\n",
+                     kCornerRounding);
+}
+
 /// What the times are.
 std::string_view times_note() {
   static const std::string note = fmt::format(
@@ -144,6 +151,7 @@ std::string table_of_one(const Comparison& comparison) {
   std::string text =
       tables_of(query, paths) + "\n" + tables_of(query, searches) + failures_of(query);
   if (marked) text += "* best of its column\n";
+  text += curvature_note();
   return text.append(times_note());
 }
 
@@ -243,6 +251,7 @@ std::string table_of_many(const Comparison& comparison) {
   });
   if (no_mean) text += "- there is no mean: some of the values are infinite\n";
   text += "99 %: what 99 of 100 queries do not exceed. 1 % least: what 99 of 100 reach.\n";
+  text += curvature_note();
   return text.append(times_note());
 }
 

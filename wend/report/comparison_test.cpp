@@ -79,6 +79,7 @@ greedy             20*         60*        40*      1.0*    6.0*      3.0*
 random_walk         3           4          1       0.5     2.0       1.0
 random_walk: step_limit: the walk used up its steps
 * best of its column
+Curvatures and turning radii: corners are rounded within 0.1 cells.
 Times are CPU time. prepare: to make the planner for the map. first query: one
 run of a planner just made. later queries: the quickest of runs that fill 5 ms.
 )");
@@ -95,6 +96,7 @@ astar    10.25    5.12       90       1.00       0.75       1.50
                                         prepare  query  queries
 planner  expanded  generated  frontier       us     us       us
 astar         120        200        80      2.0   45.7     12.3
+Curvatures and turning radii: corners are rounded within 0.1 cells.
 Times are CPU time. prepare: to make the planner for the map. first query: one
 run of a planner just made. later queries: the quickest of runs that fill 5 ms.
 )");
@@ -191,6 +193,7 @@ mean clearance, m  astar      1.50*  1.50*       1.50*
 
 * best of the planners
 99 %: what 99 of 100 queries do not exceed. 1 % least: what 99 of 100 reach.
+Curvatures and turning radii: corners are rounded within 0.1 cells.
 Times are CPU time. prepare: to make the planner for the map. first query: one
 run of a planner just made. later queries: the quickest of runs that fill 5 ms.
 )");
