@@ -9,6 +9,7 @@
 
 #include "picture.hpp"
 #include "terminal.hpp"
+#include "wend/base/expected.hpp"
 #include "wend/planner/search_recorder.hpp"
 #include "wend/render/render_error.hpp"
 #include "wend/render/scene.hpp"

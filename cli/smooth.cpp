@@ -19,6 +19,7 @@
 #include "path_file.hpp"
 #include "picture.hpp"
 #include "picture_files.hpp"
+#include "planner_argument.hpp"
 #include "refine_arguments.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/path_csv.hpp"
