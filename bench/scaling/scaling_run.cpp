@@ -91,13 +91,15 @@ void ask(Planner& planner, const std::vector<Query>& queries, double seconds, Me
   measured.scale.later_us = kMicroseconds * later / static_cast<double>(count);
 }
 
-/// Asks new planners one query each.
+/// Asks new planners one query each, as many as there is time for.
 void ask_first(const Team& team, std::span<const Query> queries, double seconds,
                PlannerScale& scale) {
   double total = 0;
   double least = std::numeric_limits<double>::infinity();
   std::size_t asked = 0;
-  while (asked < std::min(kNewPlanners, queries.size()) && total <= seconds) {
+  const double begin = thread_cpu_seconds();
+  while (asked < std::min(kNewPlanners, queries.size()) &&
+         thread_cpu_seconds() - begin <= seconds) {
     Plan plan;
     double prepared = 0;
     const auto planner = timed(thread_cpu_seconds, prepared, [&] { return team.make(); });
