@@ -13,12 +13,12 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/status.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {
 
-class IndexBytes;
-struct IndexBuilding;
 class Planner;
 
 /// What is true of every answer, whatever the options (where they matter, Plan::bound says what a
