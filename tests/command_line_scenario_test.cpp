@@ -66,7 +66,8 @@ TEST_F(ScenarioCommand, HasTenQueriesInEveryBucketThatBenchFindsRight) {
   const Outcome bench =
       wend({"bench", rooms + ".scen", "--planner", "astar,jps", "--format", "json"});
   EXPECT_EQ(bench.code, 0) << bench.err;
-  for (const json& row : json::parse(bench.out).at("rows")) EXPECT_EQ(row.at("solved"), 100);
+  const json rows = json::parse(bench.out).at("rows");
+  for (const json& row : rows) EXPECT_EQ(row.at("solved"), 100);
 }
 
 TEST_F(ScenarioCommand, IsForTheRobotAndItsMovesThatAreGiven) {
