@@ -58,7 +58,7 @@ bool BenchLane::time_later(const ScenarioQuery& query, BenchAnswer& answer) {
 }
 
 bool BenchLane::time_fresh(const ScenarioQuery& query, BenchAnswer& answer) {
-  if (!time_first(query, answer)) return false;
+  if (!time_first(query, answer) || !answer.first) return false;
   answer.seconds.push_back(answer.first->seconds);
   return true;
 }

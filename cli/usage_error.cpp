@@ -72,7 +72,7 @@ std::string swallowed_flag_text(const CLI::App& app) {
 
 /// A flag without its value, or one that was given too often.
 std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& error) {
-  const std::string what = error.what();  // "--start: 1 required X,Y missing"
+  std::string what = error.what();  // "--start: 1 required X,Y missing"
   const std::string name = what.substr(0, what.find(':'));
   const CLI::Option* option = app.get_option_no_throw(name);
   if (option == nullptr) return what;
@@ -108,7 +108,7 @@ std::string with_help(const CLI::App& command, const std::string& text) {
   std::string name = command.get_name();
   for (const CLI::App* above = command.get_parent(); above != nullptr;
        above = above->get_parent()) {
-    name = above->get_name() + " " + name;
+    name.insert(0, above->get_name() + " ");
   }
   return fmt::format("{}\n`{} --help` says more", text, name);
 }
