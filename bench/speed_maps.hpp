@@ -18,7 +18,7 @@ struct SpeedMap {
   std::vector<ScenarioQuery> queries;  // one at least
 };
 
-/// Of a folder with MovingAI scenarios. An error says what is wrong with a file.
+/// The maps of a folder with MovingAI scenarios. An error names the file and what is wrong with it.
 Expected<std::vector<SpeedMap>, std::string> maps_of_folder(const std::filesystem::path& folder);
 
 /// Rooms, an office and a maze of some 512 x 512 cells and noise of 256 x 256, the same everywhere.

@@ -99,7 +99,7 @@ std::optional<Path> FollowRun::plan() {
   return std::nullopt;
 }
 
-/// Writes why there is no drive in place of what earlier commands may have left in the files.
+/// Replaces files of earlier commands by the reason why there is no drive.
 void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const {
   auto writers =
       picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments_.pictures.style);

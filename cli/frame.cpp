@@ -34,8 +34,7 @@ std::string left_out(const std::vector<Layer>& layers, std::size_t shown) {
   return names.empty() ? "" : fmt::format("a larger terminal has room for: {}\n", names);
 }
 
-/// As text, with so many of the layers, and what stands beside the map in so many rows; nothing
-/// where that is too wide or too high.
+/// The map, its first layers and the text beside it; nothing if that is too wide or too high.
 std::optional<std::string> as_text(const Scene& scene, const std::vector<Layer>& layers,
                                    std::size_t shown, const std::string& beside,
                                    const Screen& screen, StyleName style, int rows) {

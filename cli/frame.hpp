@@ -14,7 +14,7 @@
 
 namespace wend::cli {
 
-/// What stands beside the map where there is room, else below it: lines, in at most so many rows.
+/// Text of at most `rows` lines, shown beside the map, or below it where there is no room.
 using BesideMap = std::function<std::string(int rows)>;
 
 /// `rows_below` rows of the terminal stay free for what is written below. Elsewhere there is room

@@ -17,10 +17,10 @@ void check_read_once(const std::vector<std::string>& names);
 /// Throws InputError if it cannot be read.
 LoadedMap read_map(const std::string& file, const LoadOptions& options = {});
 
-/// Throws InputError if it is no list of queries, not for a row of it that is none.
+/// Throws InputError if the file is not a list of queries. An invalid row is kept, with its error.
 std::vector<QueryRow> read_queries(const std::string& file);
 
-/// Throws NoPathError for a file that says why there is no path, InputError if it cannot be read.
+/// Throws NoPathError if the file holds the reason of a failed plan, InputError if it cannot be read.
 Path read_path(const std::string& file, const Frame& frame, PathStage stage);
 
 }  // namespace wend::cli

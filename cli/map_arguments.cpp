@@ -80,9 +80,10 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
   add_robot_to(app);
-  add_number(app, "--limit-memory", limit_memory, kMegabytes,
-             "Refuse a map that needs more memory than so many megabytes (default: what the system "
-             "has available)");
+  add_number(
+      app, "--limit-memory", limit_memory, kMegabytes,
+      "Limit on memory in megabytes; a map that needs more is refused (default: what the system "
+      "has available)");
 }
 
 void MapArguments::check_memory(const GridMap& map, double need) const {

@@ -51,8 +51,7 @@ struct MapArguments : MapFileArguments, RobotArguments {
   /// Throws NoPathError if more bytes are needed for that map than there are.
   void check_memory(const GridMap& map, double need) const;
 
-  /// Throws NoPathError if that and planners that take so many bytes for each cell do not fit into
-  /// memory.
+  /// Throws NoPathError if the free space and planners of this size do not fit into memory.
   FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
 };
 

@@ -18,10 +18,10 @@ namespace wend::cli {
 
 inline constexpr int kMostOpenEntries = 10;
 
-/// In at most so many rows, but no fewer than one entry takes.
+/// In at most `rows` rows, but with at least one entry.
 std::string open_list_text(const OpenList& list, int rows);
 
-/// With as many entries as it ever has.
+/// With kMostOpenEntries entries at most.
 std::string open_list_text(const OpenList& list);
 
 }  // namespace wend::cli

@@ -58,7 +58,7 @@ class SteppedSearch {
   /// One expansion. An outcome if the search is over.
   std::optional<Status> go_on();
 
-  /// To an earlier moment: after so many expansions. An outcome if the search is over (its time).
+  /// Goes back to the state after this number of expansions. An outcome if the search is over.
   std::optional<Status> go_back_to(std::uint64_t expansions);
 
   std::uint64_t expansions() const { return plan_.metrics.expanded; }

@@ -17,11 +17,11 @@ class Stepper {
   /// In place: each picture takes the place of the one before.
   explicit Stepper(bool in_place) : display_(in_place) {}
 
-  /// What the keys do: lines that belong below every picture, fitted into so many columns.
+  /// The help on keys that stands below every picture, folded to `columns`.
   static std::string keys(int columns);
 
-  /// Shows how the search stands after so many expansions and waits for a key: after how many to
-  /// show it next. Nothing if the person wants to stop, or has pressed Ctrl-C.
+  /// Shows the picture after `expansions` and waits for a key. The number of expansions to show next;
+  /// nothing if the user quits or presses Ctrl-C.
   std::optional<std::uint64_t> ask(const std::string& picture, std::uint64_t expansions);
 
   /// Makes room for the outcome.

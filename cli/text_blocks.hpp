@@ -11,13 +11,12 @@ namespace wend::cli {
 /// How many columns of a terminal a line takes: UTF-8, one column a character, colours none.
 int columns_of(std::string_view line);
 
-/// Words on as many lines as it takes, each but the first indented by so many columns. A word that
-/// is longer than a line has one of its own. No line end after the last.
+/// The text, broken into lines of at most `columns`; lines after the first are indented. A word longer
+/// than a line gets its own line. The last line has no line end.
 std::string folded(std::string_view text, int columns, int indent = 0);
 
-/// An aligned grid of cells without colours, each so many columns wide with the blank before it, in
-/// bands below each other that fit into the
-/// columns, each with a line that says which cells it has; as it is where it fits.
+/// An aligned grid of cells without colours, each `columns_a_cell` wide with the blank before it. A grid
+/// wider than `columns` is split into bands below each other; a line above each names its cells.
 std::string folded_grid(std::string_view grid, int columns_a_cell, int columns);
 
 /// Of the widest line.

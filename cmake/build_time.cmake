@@ -3,7 +3,7 @@
 # once for many sources, which is most of what a build does.
 #
 # A source never relies on either: it includes what it uses, and CI compiles every source but the tests
-# by itself, without precompiled headers, once (the preset clang). For a unity build, names in the anonymous
+# by itself, without precompiled headers, once (the preset sanitize). For a unity build, names in the anonymous
 # namespaces of a folder differ from each other; tests and other sources are kept apart.
 
 option(WEND_PRECOMPILE "Precompile the headers of dependencies" ${PROJECT_IS_TOP_LEVEL})
@@ -11,7 +11,9 @@ option(WEND_UNITY "Compile several sources at a time" ${PROJECT_IS_TOP_LEVEL})
 option(WEND_PRECOMPILE_TESTS "The same of the tests" ${PROJECT_IS_TOP_LEVEL})
 option(WEND_UNITY_TESTS "The same of the tests" ${PROJECT_IS_TOP_LEVEL})
 
-set(wend_unity_size 8)
+set(WEND_UNITY_SIZE
+    8
+    CACHE STRING "How many sources of a folder are compiled together")
 
 set(wend_precompiled_standard
     <algorithm>
@@ -70,12 +72,12 @@ function(wend_unite target option)
       set(count 0)
       set(last_folder "${folder}")
     endif()
-    math(EXPR group "${count} / ${wend_unity_size}")
+    math(EXPR group "${count} / ${WEND_UNITY_SIZE}")
     math(EXPR count "${count} + 1")
     cmake_path(GET folder FILENAME name)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name}_${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A name of a function may be that of another source's constant; the preset clang warns of the rest.
+  # A name of a function may be that of another source's constant; the preset sanitize warns of the rest.
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()

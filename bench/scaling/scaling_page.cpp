@@ -18,7 +18,7 @@ Written by `./run scaling`, which measures for some minutes; `./run scaling --he
 Maps come from `wend generate`, seed 7; start and goal are random cells that a path joins, the same for every planner. Every
 planner is measured in a process of its own: its memory is what it has beside the map, with its index. Times are CPU
 time of the thread and means over the queries of a map. A first query is that of a new planner, of up to ten; later queries
-were asked before, all of them in turn. Who is slow answers fewer of the queries: none is begun after {} s.
+are the same ones again, one after the other. A slow planner answers fewer queries: none begins after {} s.
 Paths are compared: {}.
 
 {}

@@ -16,15 +16,15 @@ namespace wend {
 namespace {
 
 /// A file that is open for as long as this lives.
-class OpenFile {
+class OpenIndexFile {
  public:
-  explicit OpenFile(const std::filesystem::path& file)
+  explicit OpenIndexFile(const std::filesystem::path& file)
       : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~OpenFile() {
+  ~OpenIndexFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
+  OpenIndexFile(const OpenIndexFile&) = delete;
+  OpenIndexFile& operator=(const OpenIndexFile&) = delete;
 
   int descriptor() const { return descriptor_; }
 
@@ -44,7 +44,7 @@ Expected<void, IoError> write_index(const std::filesystem::path& file, const Ind
 }
 
 Expected<IndexBytes, IoError> open_index(const std::filesystem::path& file) {
-  const OpenFile open_file(file);
+  const OpenIndexFile open_file(file);
   struct stat status{};
   if (open_file.descriptor() < 0 || ::fstat(open_file.descriptor(), &status) != 0) {
     return system_failure(file);

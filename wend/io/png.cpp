@@ -25,27 +25,27 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
 /// Deflate makes at most 1032 bytes from one.
 constexpr std::size_t kLargestExpansion = 1032;
 
-struct Source {
+struct PngSource {
   std::string_view rest;
   std::string warning;  // the last one: often more telling than the error that follows it
   std::string error;
 };
 
 void read_bytes(png_structp png, png_bytep to, std::size_t count) {
-  auto* const source = static_cast<Source*>(png_get_io_ptr(png));
+  auto* const source = static_cast<PngSource*>(png_get_io_ptr(png));
   if (source->rest.size() < count) png_error(png, "the file is truncated");
   std::memcpy(to, source->rest.data(), count);
   source->rest.remove_prefix(count);
 }
 
 void keep_error(png_structp png, png_const_charp what) {
-  auto* const source = static_cast<Source*>(png_get_error_ptr(png));
+  auto* const source = static_cast<PngSource*>(png_get_error_ptr(png));
   source->error = source->warning.empty() ? what : what + (" (" + source->warning + ")");
   png_longjmp(png, 1);
 }
 
 void keep_warning(png_structp png, png_const_charp what) {
-  static_cast<Source*>(png_get_error_ptr(png))->warning = what;
+  static_cast<PngSource*>(png_get_error_ptr(png))->warning = what;
 }
 
 /// Runs `call`, in which libpng may fail: false then, and the source has the error. libpng leaves
@@ -247,7 +247,7 @@ class PngDecoder {
 
   std::size_t size_;
   ImageRows& rows_;
-  Source source_;
+  PngSource source_;
   png_structp png_;
   png_infop info_;
   Layout layout_;

@@ -28,7 +28,7 @@ TEST(WriteFile, ReplacesAFile) {
   EXPECT_EQ(bytes_of(folder / "file"), "new");
 }
 
-/// In a process of its own: files may then have no more than so many bytes.
+/// Runs in its own process, because it limits the size of files to `limit` bytes.
 void write_with_a_limit(const fs::path& file, const std::string& bytes, rlim_t limit) {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit most{limit, limit};

@@ -4,49 +4,11 @@
 #include <functional>
 #include <numeric>
 
+#include "wend/map/disjoint_sets.hpp"
 #include "wend/map/row_runs.hpp"
 
 namespace wend {
 namespace {
-
-/// Disjoint sets with path halving; the smaller root wins, so labels come out in reading order.
-class DisjointSets {
- public:
-  std::uint32_t add() {
-    parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
-    return parents_.back();
-  }
-
-  std::uint32_t root(std::uint32_t set) {
-    while (parents_[set] != set) {
-      parents_[set] = parents_[parents_[set]];
-      set = parents_[set];
-    }
-    return set;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::size_t size() const { return parents_.size(); }
-
-  /// A number for every set: 0, 1, 2, ... in the order of their roots.
-  std::vector<std::uint32_t> numbered() {
-    std::vector<std::uint32_t> numbers(size());
-    std::uint32_t next = 0;
-    for (std::uint32_t set = 0; set < size(); ++set) {
-      const std::uint32_t its_root = root(set);
-      numbers[set] = its_root == set ? next++ : numbers[its_root];
-    }
-    return numbers;
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 constexpr std::uint32_t kNoSet = UINT32_MAX;
 

@@ -27,7 +27,7 @@ class RegionCounter {
  private:
   struct LabelledRun {
     RowRun run;
-    std::size_t region;  // an index of open_
+    std::uint32_t region;  // an index of open_
   };
 
   int width_;

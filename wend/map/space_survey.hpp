@@ -28,7 +28,7 @@ SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options);
 /// What it takes for that beside the map, in bytes.
 double survey_bytes(const GridMap& map, const FreeSpaceOptions& options);
 
-/// The same in bands of at least so many rows, and not less than the robot's reach.
+/// The same, computed in bands of at least `rows` rows and at least the robot's reach.
 SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options, int rows);
 
 }  // namespace wend

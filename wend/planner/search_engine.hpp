@@ -40,7 +40,7 @@ class SearchEngine {
 
   virtual const SearchMetrics& metrics() const = 0;
 
-  /// The states that would be expanded next, at most so many, and how many are open.
+  /// At most `most` states that would be expanded next, and the number of open states.
   virtual OpenList open_list(std::size_t most) const = 0;
 
   /// The estimate from a place to the goals of the search begun last.
@@ -75,7 +75,7 @@ OpenTie tie_between(const Key& before, const Key& key) {
   return OpenTie::none;
 }
 
-/// The states that a search would expand next, at most so many.
+/// At most `most` states that the search would expand next.
 template <class Names, class Search>
 OpenList open_list_of(const Search& search, std::size_t most) {
   using Key = typename Search::Key;

@@ -10,9 +10,8 @@
 
 namespace wend {
 
-/// The expanded cells without expanded neighbours, which need dots of so many pixels across in a
-/// picture of so many pixels a cell: none where cells are as large, or so many that the dots would
-/// hide the map. O(cells).
+/// The expanded cells without expanded neighbours, which a picture shows as dots. None if cells are at
+/// least as large as dots, or if the dots would hide the map. Sizes in pixels. O(cells).
 std::vector<Cell> sparse_cells(const MarkedCells& marked, double pixels_a_cell, double dot);
 
 }  // namespace wend

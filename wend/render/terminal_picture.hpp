@@ -38,8 +38,8 @@ Terminal detect_terminal(const char* const* environment);
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
                              const Style& style = {});
 
-/// What to say below that picture where it cannot show the map because so many cells share a pixel
-/// of it, with what would help; else empty.
+/// A note for below the picture if too many cells share a pixel to show the map, with what would help;
+/// else empty.
 std::string terminal_shortage(const Scene& scene, int columns, int rows, const Terminal& terminal);
 
 /// The style as terminal_picture() draws the scene in it: with sixteen colours the marks take the
