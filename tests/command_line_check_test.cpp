@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr const char* kGrid =
+constexpr const char* kSmallYard =
     ".......\n"
     ".......\n"
     "...#...\n"
@@ -35,7 +35,7 @@ class CheckCommand : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kGrid);
+  std::string map_ = folder_.write("grid.txt", kSmallYard);
 };
 
 TEST_F(CheckCommand, SaysThatAFreePathIsAndMeasuresIt) {

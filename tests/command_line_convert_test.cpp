@@ -232,9 +232,11 @@ std::vector<fs::path> real_maps() {
     if (extension != ".map" && extension != ".yaml" && extension != ".png" && extension != ".pgm") {
       continue;
     }
-    if (file.string().find("/bad/") != std::string::npos || !load_map(file)) continue;
-    fs::path& found = smallest[file.parent_path().string() + extension];
-    if (found.empty() || fs::file_size(file) < fs::file_size(found)) found = file;
+    if (file.string().find("/bad/") != std::string::npos) continue;
+    const std::string kind = file.parent_path().string() + extension;
+    const auto found = smallest.find(kind);
+    if (found != smallest.end() && fs::file_size(found->second) <= fs::file_size(file)) continue;
+    if (load_map(file)) smallest[kind] = file;
   }
   std::vector<fs::path> files;
   for (const auto& [folder, file] : smallest) files.push_back(file);

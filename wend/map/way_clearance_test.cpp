@@ -36,7 +36,7 @@ void on_random_spaces(int count, Check&& check) {
 
 TEST(WayClearance, OfANeighbourIsTheDistanceOfTheWholeWay) {
   int nearer_in_the_middle = 0;
-  on_random_spaces(250, [&](Random&, const FreeSpace& space) {
+  on_random_spaces(50, [&](Random&, const FreeSpace& space) {
     for (const Cell from : test::all_cells(space.width(), space.height())) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
@@ -60,7 +60,7 @@ TEST(WayClearance, OfANeighbourIsTheDistanceOfTheWholeWay) {
 }
 
 TEST(WayClearance, OfAnyTwoCellsIsTheDistanceOfTheWholeWay) {
-  on_random_spaces(400, [](Random& random, const FreeSpace& space) {
+  on_random_spaces(150, [](Random& random, const FreeSpace& space) {
     for (int i = 0; i < 20; ++i) {
       const Cell from = test::random_cell(random, space.width(), space.height());
       const Cell to = test::random_cell(random, space.width(), space.height());

@@ -108,7 +108,7 @@ void on_random_errands(int count, Check&& check) {
 TEST(WidestPath, HasTheLargestRadiusThatGetsThrough) {
   int points = 0;
   int discs = 0;
-  on_random_errands(1500, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_errands(800, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
     const std::optional<double> expected = truth.widest();
     ASSERT_EQ(widest.has_value(), expected.has_value());
     if (!expected) return;
