@@ -64,20 +64,20 @@ Size parse_size(const std::string& text) {
   return {*width, *height};
 }
 
-/// The parser cannot ask for these, because `wend generate scenario` has neither.
-void check_given(const GenerateArguments& arguments) {
+/// The parser cannot ask for it, because `wend generate scenario` has none.
+void check_kind(const GenerateArguments& arguments) {
   if (arguments.kind.empty()) {
     throw InputError(
         "generate: name a KIND of map, or `scenario`; `wend generate --help` lists them");
   }
-  if (arguments.size.empty())
-    throw InputError("generate: --size is required, as in --size 160x100");
 }
 
 GridMap generate(const GenerateArguments& arguments) {
   const GeneratorInfo* generator = generators().find(arguments.kind);
   if (generator == nullptr) throw InputError(generators().unknown("generator", arguments.kind));
-  const Size size = parse_size(arguments.size);
+  const Size size = arguments.size.empty()
+                        ? Size{generator->default_width, generator->default_height}
+                        : parse_size(arguments.size);
   auto map = generator->make(size.width, size.height, arguments.seed,
                              arguments.options.values_for(generator->name));
   if (!map) throw InputError(map.error().message());
@@ -112,7 +112,7 @@ std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
 }
 
 int run(const GenerateArguments& arguments) {
-  check_given(arguments);
+  check_kind(arguments);
   arguments.output.check();
   for (const std::string& file : arguments.output.files()) {
     if (!arguments.force) check_picture(file, "-o " + file);
@@ -132,6 +132,19 @@ int run(const GenerateArguments& arguments) {
   return success;
 }
 
+std::string default_sizes() {
+  std::string text = "Columns and rows, as in 160x100 (default";
+  const GeneratorInfo& first = *generators().begin();
+  const auto is_usual = [&](const GeneratorInfo& kind) {
+    return kind.default_width == first.default_width && kind.default_height == first.default_height;
+  };
+  for (const GeneratorInfo& kind : generators()) {
+    if (is_usual(kind)) continue;
+    text += fmt::format(" {}x{} for {},", kind.default_width, kind.default_height, kind.name);
+  }
+  return text + fmt::format(" {}x{} for others)", first.default_width, first.default_height);
+}
+
 }  // namespace
 
 Command add_generate(Parser& app) {
@@ -144,8 +157,7 @@ Command add_generate(Parser& app) {
     arguments->options.collect(kind.name, kind.options);
   }
   generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
-  generate.add_option("--size", arguments->size, "Columns and rows, as in 160x100")
-      .type_name("WxH");
+  generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
   add_format(generate, arguments->format);
   arguments->output.add_to(

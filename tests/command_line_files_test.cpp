@@ -202,6 +202,12 @@ TEST_F(Streams, EveryMapThatIsOneFileComesThroughAPipe) {
             "text grid");
 }
 
+TEST_F(Streams, AGeneratedMapIsPlannedOn) {
+  const Outcome planned = bash("$WEND generate maze | $WEND plan - --start 1,1 --goal 39,19 -o -");
+  EXPECT_EQ(planned.code, 0) << planned.err;
+  EXPECT_THAT(planned.out, AllOf(HasSubstr("\n1,1,1.5,1.5\n"), EndsWith("\n39,19,39.5,19.5\n")));
+}
+
 TEST_F(Streams, AMapYamlFindsItsImageInTheWorkingFolder) {
   ASSERT_EQ(bash("$WEND generate maze --size 21x11 -o m.yaml").code, 0);
   EXPECT_EQ(bash("$WEND info - < m.yaml").code, 0);
@@ -254,6 +260,7 @@ TEST_F(Streams, ErrorsNameStandardInput) {
             "wend: standard input:2: unknown letter 'x' in column 2\n");
   EXPECT_THAT(bash("printf 'hello' | $WEND info -").err,
               StartsWith("wend: standard input: unknown map format"));
+  EXPECT_EQ(bash("$WEND info - < /dev/null").err, "wend: standard input: empty, a map expected\n");
   EXPECT_EQ(bash("$WEND info . ").code, 2);
 }
 

@@ -104,6 +104,7 @@ Expected<LoadedMap, IoError> load(const Source& source, const LoadOptions& optio
   if (!wrong.empty()) return io_failure(file.string(), 0, wrong);
   std::optional<MapFormat> format = format_of_name(file);
   if (!format) format = format_of_content(bytes);
+  if (!format && bytes.empty()) return io_failure(file.string(), 0, "empty, a map expected");
   if (!format) {
     return io_failure(file.string(), 0, fmt::format("unknown map format; {} read", kSupported));
   }

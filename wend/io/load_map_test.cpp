@@ -63,6 +63,8 @@ TEST_F(LoadMap, NamesWhatItReadsWhenItReadsNothing) {
   EXPECT_THAT(error_of(load_map(folder_.write("m.scen", "version 1\n"))),
               EndsWith("m.scen: unknown map format; ROS map.yaml (.yaml .yml), MovingAI (.map), "
                        "text grids (.txt .grid) and images (.png .pgm .pbm .ppm .pnm) are read"));
+  EXPECT_THAT(error_of(load_map(folder_.write("nothing", ""))),
+              EndsWith("nothing: empty, a map expected"));
   EXPECT_THAT(error_of(load_map(folder_.write("m.bmp", "BM123456"))),
               EndsWith("m.bmp: BMP images are not supported, only PNG and PNM (P1 to P6) are"));
 }

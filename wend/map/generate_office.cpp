@@ -229,6 +229,8 @@ GeneratorInfo office_generator() {
   GeneratorInfo info = generator_info<OfficeOptions>(
       "office", "a floor of an office building, 0.1 m a cell", generate);
   info.free_corner = FloorPlan::kFreeCorner;
+  info.default_width = 160;
+  info.default_height = 100;
   return info;
 }
 

@@ -122,6 +122,8 @@ GeneratorInfo warehouse_generator() {
   GeneratorInfo info = generator_info<WarehouseOptions>(
       "warehouse", "racks in rows with aisles and a loading zone, 0.1 m a cell", generate);
   info.free_corner = FloorPlan::kFreeCorner;
+  info.default_width = 160;
+  info.default_height = 120;
   return info;
 }
 

@@ -36,6 +36,8 @@ struct GeneratorInfo {
   std::string summary;  // one line
   int least_width;      // in cells, with default options; a car's yard can also be narrow and long
   int least_height;
+  int default_width = 41;  // of `wend generate` without --size
+  int default_height = 21;
 
   /// All free cells are connected by their edges.
   bool connected;

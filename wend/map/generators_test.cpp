@@ -56,6 +56,11 @@ TEST_P(EachGenerator, SaysWhatItIs) {
   EXPECT_FALSE(info().options.empty());
 }
 
+TEST_P(EachGenerator, HasADefaultSizeThatItTakes) {
+  const auto map = info().make(info().default_width, info().default_height, 1, {});
+  EXPECT_TRUE(map.has_value()) << map.error().message();
+}
+
 TEST_P(EachGenerator, MakesTheSameMapFromTheSameSeed) {
   const auto text = [&](std::uint64_t seed) { return drawn(made(GetParam(), 170, 130, seed)); };
   EXPECT_EQ(text(7), text(7));
