@@ -15,6 +15,10 @@ set(WEND_UNITY_SIZE
     8
     CACHE STRING "How many sources of a folder are compiled together")
 
+set(WEND_TEXT_OPTIONS
+    ""
+    CACHE STRING "Options, besides the others, of sources that make text, and of tests")
+
 set(wend_precompiled_standard
     <algorithm>
     <array>
@@ -56,11 +60,20 @@ function(wend_precompile target kind)
   endif()
 endfunction()
 
-# wend_unite(<target> <option>): where the option is on, sources of one folder are compiled together, some
-# at a time.
+# wend_compile_text(<target>): most of what compiles slowly need not run fast.
+function(wend_compile_text target)
+  target_compile_options(${target} PRIVATE ${WEND_TEXT_OPTIONS})
+endfunction()
+
+# wend_unite(<target> <option> [<most>]): where the option is on, sources of one folder are compiled
+# together, some at a time, at most so many.
 function(wend_unite target option)
   if(NOT ${option})
     return()
+  endif()
+  set(size ${WEND_UNITY_SIZE})
+  if(ARGC GREATER 2 AND ARGV2 LESS size)
+    set(size ${ARGV2})
   endif()
   get_target_property(sources ${target} SOURCES)
   set(count 0)
@@ -72,7 +85,7 @@ function(wend_unite target option)
       set(count 0)
       set(last_folder "${folder}")
     endif()
-    math(EXPR group "${count} / ${WEND_UNITY_SIZE}")
+    math(EXPR group "${count} / ${size}")
     math(EXPR count "${count} + 1")
     cmake_path(GET folder FILENAME name)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name}_${group})

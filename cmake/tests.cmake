@@ -10,10 +10,6 @@ add_library(wend_rapidcheck INTERFACE)
 target_link_libraries(wend_rapidcheck INTERFACE rapidcheck rapidcheck_gtest rapidcheck_gmock
                                                 GTest::gtest fmt::fmt)
 
-set(WEND_TEST_OPTIONS
-    ""
-    CACHE STRING "What the tests are compiled with besides the options of the rest")
-
 set(wend_long_cases "All/*:*LongRun*")
 
 # wend_add_shards(<target> <name> <shards> <filter> <timeout> [<label>]): <name>.<shard> for each shard.
@@ -37,7 +33,7 @@ function(wend_add_test_program target name)
   target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} wend_rapidcheck GTest::gmock_main)
   target_compile_definitions(${target} PRIVATE WEND_DATA="${WEND_DATA}"
                                                WEND_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_compile_options(${target} PRIVATE ${WEND_TEST_OPTIONS})
+  wend_compile_text(${target})
   wend_precompile(${target} test)
   wend_unite(${target} WEND_UNITY_TESTS)
   wend_add_shards(${target} ${name} ${arg_SHARDS} "-${wend_long_cases}" 900)

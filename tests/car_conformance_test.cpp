@@ -21,7 +21,9 @@ namespace wend::test {
 namespace {
 
 constexpr double kRelative = 1e-9;
-constexpr int kYards = 3000;  // for each planner
+// For each planner.
+constexpr std::uint64_t kYards = 600;
+constexpr std::uint64_t kYardsOfALongRun = 10000;
 
 /// By how much an answer misses what was asked, where the textbook takes it.
 Shift shift_of(Point asked, std::optional<double> heading, const Pose& taken) {
@@ -91,12 +93,14 @@ class CarConformance : public ::testing::TestWithParam<std::string> {
     EXPECT_EQ(to_string(made.error().status), to_string(Status::unsupported_map));
     return nullptr;
   }
+
+  void expect_promises_on_random_yards(std::uint64_t yards) const;
 };
 
-TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) {
-  int found = 0;
-  int turned_away = 0;
-  for (std::uint64_t seed = 1; seed <= kYards && !HasFailure(); ++seed) {
+void CarConformance::expect_promises_on_random_yards(std::uint64_t yards) const {
+  std::uint64_t found = 0;
+  std::uint64_t turned_away = 0;
+  for (std::uint64_t seed = 1; seed <= yards && !HasFailure(); ++seed) {
     const Trial trial = random_car_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
@@ -113,8 +117,14 @@ TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) {
       turned_away += answer.status == Status::unreachable ? 1 : 0;
     }
   }
-  EXPECT_GT(found, kYards) << "too few drives to say anything";
-  EXPECT_GT(turned_away, kYards / 20);
+  EXPECT_GT(found, yards) << "too few drives to say anything";
+  EXPECT_GT(turned_away, yards / 20);
+}
+
+TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) { expect_promises_on_random_yards(kYards); }
+
+TEST_P(CarConformance, KeepsItsPromisesOnManyRandomYardsInALongRun) {
+  expect_promises_on_random_yards(kYardsOfALongRun);
 }
 
 /// All 512 yards of 3 x 3 cells, from everywhere on two sides to everywhere.

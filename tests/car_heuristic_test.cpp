@@ -15,7 +15,7 @@ namespace wend::test {
 namespace {
 
 constexpr double kHeuristicRelative = 1e-9;
-constexpr int kHeuristicYards = 1500;
+constexpr int kHeuristicYards = 500;
 
 /// The estimate of every stand, of a query begun last.
 std::vector<double> estimates(const Planner& planner, const CarTextbook& textbook) {

@@ -18,7 +18,9 @@ namespace wend::test {
 namespace {
 
 constexpr double kOptimalRelative = 1e-9;
-constexpr int kMaps = 3000;  // for each planner and test that walks random maps
+// For each planner and test that walks random maps.
+constexpr std::uint64_t kMaps = 600;
+constexpr std::uint64_t kMapsOfALongRun = 10000;
 
 /// Checks a path by itself: valid step by step, with the cost that it claims.
 void expect_honest(const Plan& plan, const PlannerInfo& info, const Textbook& textbook,
@@ -77,11 +79,13 @@ class Conformance : public ::testing::TestWithParam<std::string> {
     EXPECT_TRUE(may_refuse) << made.error().message();
     return nullptr;
   }
+
+  void expect_promises_on_random_maps(std::uint64_t maps) const;
 };
 
-TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) {
-  int found = 0;
-  for (std::uint64_t seed = 1; seed <= kMaps && !HasFailure(); ++seed) {
+void Conformance::expect_promises_on_random_maps(std::uint64_t maps) const {
+  std::uint64_t found = 0;
+  for (std::uint64_t seed = 1; seed <= maps && !HasFailure(); ++seed) {
     const Trial trial = random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
@@ -98,7 +102,13 @@ TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) {
                          errand);
     }
   }
-  EXPECT_GT(found, kMaps / 2) << "too few paths to say anything";
+  EXPECT_GT(found, maps / 2) << "too few paths to say anything";
+}
+
+TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) { expect_promises_on_random_maps(kMaps); }
+
+TEST_P(Conformance, KeepsItsPromisesOnManyRandomMapsInALongRun) {
+  expect_promises_on_random_maps(kMapsOfALongRun);
 }
 
 /// All 512 maps of 3 x 3 cells, from the middle and from a corner to everywhere.

@@ -166,7 +166,7 @@ class ThreeTerms {
 };
 
 TEST(FirstCorners, GiveTheDistanceOfAnyTwoCellsAsTheLeastOfThreeTerms) {
-  for_small_boards(200, [](const BitGrid& bits) {
+  for_small_boards(100, [](const BitGrid& bits) {
     SCOPED_TRACE(text_of(bits));
     const CornerGraph graph{Corners(bits)};
     const ThreeTerms terms(graph);

@@ -34,7 +34,7 @@ std::unique_ptr<IndexEngine> opened(const IndexBytes& index, const BitGrid& bits
 
 TEST(CornerHierarchy, AnswersAllPairsOfSmallBoards) {
   std::uint64_t board = 0;
-  for_small_boards(250, [&](const BitGrid& bits) {
+  for_small_boards(120, [&](const BitGrid& bits) {
     constexpr std::uint64_t kWork[] = {2000, 0, 30};  // all taken out, none, some
     const auto engine = opened(built(bits, {.work_per_node = kWork[++board % 3]}), bits);
     expect_all_pairs(bits, *engine);

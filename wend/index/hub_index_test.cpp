@@ -51,7 +51,7 @@ std::string opening_error(const IndexBytes& index, const BitGrid& bits) {
 }
 
 TEST(HubIndex, AnswersAllPairsOfSmallBoardsLikeDijkstra) {
-  for_small_boards(600, [](const BitGrid& bits) {
+  for_small_boards(250, [](const BitGrid& bits) {
     if (!testing::Test::HasFatalFailure())
       expect_all_pairs(bits, *opened_labels(built_labels(bits), bits));
   });

@@ -165,7 +165,7 @@ TEST(LeapGraph, LeapsGoWhereThereIsNoChoice) {
   Random random(51);
   int passed = 0;
   int dead = 0;
-  for (int map = 0; map < 150 && !::testing::Test::HasFailure(); ++map) {
+  for (int map = 0; map < 75 && !::testing::Test::HasFailure(); ++map) {
     SCOPED_TRACE("map " + std::to_string(map));
     expect_right_leaps(random_leap_map(random), passed, dead);
   }
