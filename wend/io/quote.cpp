@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t kLongest = 40;
 
 bool is_printable(char letter) { return letter >= ' ' && letter <= '~'; }
+/// Of a letter of several bytes in UTF-8, all but the first.
+bool continues_letter(char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; }
 unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
 
 }  // namespace
@@ -24,8 +26,9 @@ std::string printable(std::string_view text, std::size_t longest) {
 }
 
 std::string text_line(std::string_view text, std::size_t longest) {
+  while (longest < text.size() && longest > 0 && continues_letter(text[longest])) --longest;
   text = text.substr(0, longest);
-  if (first_non_text(text)) return printable(text, longest);
+  if (first_non_text(text)) return printable(text, longest / 4);
   std::string line(text);
   for (char& letter : line) {
     if (letter == '\n' || letter == '\r' || letter == '\t') letter = ' ';

@@ -17,12 +17,13 @@ std::string quote(std::string_view text);
 std::string printable(std::string_view text, std::size_t longest);
 
 /// The first `longest` bytes as one line for people: letters of other alphabets stay where the text
-/// is UTF-8, line ends and tabs become blanks; else as printable() shows it.
+/// is UTF-8, line ends and tabs become blanks; else a quarter of it, as printable() shows it, which
+/// is no longer.
 std::string text_line(std::string_view text, std::size_t longest);
 
 /// What is kept of a plan's status and reason that stand in a file.
 inline constexpr std::size_t kLongestStatus = 40;
-inline constexpr std::size_t kLongestReason = 2000;
+inline constexpr std::size_t kLongestReason = 1000;
 
 /// A single letter: 'x', or 0x09 where it is not printable ASCII.
 std::string quote(char letter);

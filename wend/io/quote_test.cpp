@@ -22,6 +22,13 @@ TEST(Quote, MakesWhatALibrarySaysPrintable) {
   EXPECT_EQ(printable("abcdef", 3), "abc");
 }
 
+TEST(Quote, KeepsALineOfTextShort) {
+  EXPECT_EQ(text_line("a\r\nb", 10), "a  b");
+  EXPECT_EQ(text_line("abc\xC3\xA9", 5), "abc\xC3\xA9");
+  EXPECT_EQ(text_line("abc\xC3\xA9", 4), "abc") << "no half of a letter";
+  EXPECT_EQ(text_line(std::string(100, '\x01'), 20).size(), 20U);
+}
+
 TEST(Quote, ShowsALetterOrItsCode) {
   EXPECT_EQ(quote('x'), "'x'");
   EXPECT_EQ(quote('\0'), "0x00");
