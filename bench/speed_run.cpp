@@ -9,6 +9,7 @@
 #include "bench/boost/boost_planner.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_bytes.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/scenario_verdict.hpp"
 #include "wend/report/thread_time.hpp"
@@ -37,10 +38,11 @@ class Entry {
   /// Builds the index, if there is one, and makes the planner that later queries are asked. What is
   /// wrong, empty if nothing is.
   std::string prepare() {
-    if (info_.build_index) {
+    if (info_.index_support) {
       Expected<IndexBytes, PlannerError> index;
-      timing_.prepare_us =
-          kMicroseconds * seconds_of(cpu_clock(), [&] { index = info_.build_index(space_, {}); });
+      timing_.prepare_us = kMicroseconds * seconds_of(cpu_clock(), [&] {
+                             index = info_.index_support->build(space_, {});
+                           });
       if (!index) return timing_.name + ": " + index.error().message();
       index_ = *std::move(index);
     }
@@ -97,7 +99,7 @@ class Entry {
 
  private:
   PlannerResult make() const {
-    return info_.make_on_index ? info_.make_on_index(space_, options_, index_)
+    return info_.index_support ? info_.index_support->make_planner(space_, options_, index_)
                                : info_.make(space_, options_);
   }
 

@@ -10,6 +10,7 @@
 #include "wend/index/index_bytes.hpp"
 #include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/thread_time.hpp"
@@ -99,12 +100,12 @@ void Contestant::check(const FreeSpace& space) const {
 }
 
 bool Contestant::takes(const GivenIndex& index) const {
-  return info_.make_on_index && index.header.planner_name() == info_.name;
+  return info_.index_support && index.header.planner_name() == info_.name;
 }
 
 Preparation Contestant::prepare(const FreeSpace& space,
                                 const std::vector<GivenIndex>& given) const {
-  if (!info_.build_index) return {};
+  if (!info_.index_support) return {};
   const auto fits = [&](const GivenIndex& index) { return takes(index) && is_for(index, space); };
   const auto found = std::find_if(given.begin(), given.end(), fits);
   if (found == given.end()) return build(space);
@@ -122,8 +123,9 @@ Preparation Contestant::build(const FreeSpace& space) const {
 }
 
 PlannerResult Contestant::try_make(const FreeSpace& space, const Preparation& preparation) const {
-  return info_.make_on_index ? info_.make_on_index(space, spec_.options, preparation.index)
-                             : info_.make(space, spec_.options);
+  return info_.index_support
+             ? info_.index_support->make_planner(space, spec_.options, preparation.index)
+             : info_.make(space, spec_.options);
 }
 
 std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space,

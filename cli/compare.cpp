@@ -66,7 +66,7 @@ std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace&
   const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
   for (const std::string& name : planner_names(motion)) {
     const PlannerInfo& info = *planners().find(name);
-    if (info.build_index) continue;
+    if (info.index_support) continue;
     if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
     specs.push_back({name, name, {}});
   }

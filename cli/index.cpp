@@ -65,7 +65,7 @@ int build(const BuildArguments& arguments) {
   check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
-  if (!planner.build_index) {
+  if (!planner.index_support) {
     throw InputError(fmt::format("--planner {}: it plans without an index; with one plan {}",
                                  planner.name, planners_with_index()));
   }

@@ -10,6 +10,7 @@
 #include "progress_bar.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_bytes.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {
@@ -28,13 +29,13 @@ Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const
   ProgressBar bar("index of " + planner.name, static_cast<std::uint64_t>(kSteps));
   const IndexBuilding building{
       &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); }};
-  return planner.build_index(space, building);
+  return planner.index_support->build(space, building);
 }
 
 std::string planners_with_index() {
   std::vector<std::string> names;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.build_index) names.push_back(planner.name);
+    if (planner.index_support) names.push_back(planner.name);
   }
   return or_list(names);
 }

@@ -6,6 +6,7 @@
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_bytes.hpp"
 #include "wend/parallel/thread_workers.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/thread_time.hpp"
 
@@ -20,7 +21,7 @@ PlannerResult PlannerMaker::make(WorkTimes& times) {
     return Unexpected<PlannerError>({Status::index_mismatch, given_->error()});
   }
   const PlannerInfo& info = info_of(spec_);
-  if (!given_ && !built_ && info.build_index) {
+  if (!given_ && !built_ && info.index_support) {
     ThreadWorkers workers;
     auto index = timed(process_cpu_seconds, times.index.emplace(0),
                        [&] { return build_index(info, space_, workers); });
@@ -29,7 +30,7 @@ PlannerResult PlannerMaker::make(WorkTimes& times) {
   }
   return timed(thread_cpu_seconds, times.planner.emplace(0), [&] {
     if (given_) return make_planner(spec_.name, space_, spec_.options, (*given_)->bytes);
-    return built_ ? info.make_on_index(space_, spec_.options, *built_)
+    return built_ ? info.index_support->make_planner(space_, spec_.options, *built_)
                   : info.make(space_, spec_.options);
   });
 }

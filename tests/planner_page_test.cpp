@@ -174,7 +174,7 @@ TEST_F(PlannerPage, MeasuresEveryPlanner) {
   ASSERT_GE(tables.size(), 10U);
   for (const Table& table : tables) {
     for (const PlannerInfo& planner : planners()) {
-      if (planner.motion != Motion::cells || planner.build_index) continue;
+      if (planner.motion != Motion::cells || planner.index_support) continue;
       if (planner.promise == Promise::none && table.heading != "Small rooms") continue;
       const bool is_for_all =
           table.heading != "Rooms, 4 neighbours" && table.heading != "Rough ground";

@@ -19,6 +19,7 @@
 #include "wend/io/index_file.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/parallel/thread_workers.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -70,7 +71,7 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
     SCOPED_TRACE(generator);
     const FreeSpace space = space_of(generator);
     ThreadWorkers workers(kThreads);
-    const auto built = info().build_index(space, {&workers, {}, nullptr});
+    const auto built = info().index_support->build(space, {&workers, {}, nullptr});
     ASSERT_TRUE(built) << built.error().message();
     ASSERT_TRUE(write_index(file_, *built));
     const auto mapped = open_index(file_);
@@ -80,7 +81,7 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
       std::vector<std::jthread> threads;
       for (int i = 0; i < kThreads; ++i) {
         threads.emplace_back([&, i] {
-          const auto planner = info().make_on_index(space, {}, *mapped);
+          const auto planner = info().index_support->make_planner(space, {}, *mapped);
           const auto astar = make_planner("astar", space);
           std::string& said = wrong[static_cast<std::size_t>(i)];
           said = planner ? wrong_answer(**planner, **astar, static_cast<std::uint64_t>(i))
@@ -96,8 +97,8 @@ TEST_P(SharedIndex, IsTheSameHoweverManyThreadsBuildIt) {
   const FreeSpace space = space_of("random", {{"density", "0.3"}});
   OneWorker one;
   ThreadWorkers many(kThreads);
-  const auto alone = info().build_index(space, {&one, {}, nullptr});
-  const auto together = info().build_index(space, {&many, {}, nullptr});
+  const auto alone = info().index_support->build(space, {&one, {}, nullptr});
+  const auto together = info().index_support->build(space, {&many, {}, nullptr});
   ASSERT_TRUE(alone && together);
   EXPECT_TRUE(std::ranges::equal(alone->bytes(), together->bytes()));
 }
@@ -106,26 +107,26 @@ TEST_P(SharedIndex, TellsHowFarItIsAndStopsWhenToldTo) {
   const FreeSpace space = space_of("random", {{"density", "0.3"}});
   std::atomic<bool> cancel{false};
   double last = 0;
-  const auto whole = info().build_index(space, {nullptr,
-                                                [&](double share) {
-                                                  EXPECT_GE(share, last);
-                                                  EXPECT_LE(share, 1);
-                                                  last = share;
-                                                },
-                                                &cancel});
+  const auto whole = info().index_support->build(space, {nullptr,
+                                                         [&](double share) {
+                                                           EXPECT_GE(share, last);
+                                                           EXPECT_LE(share, 1);
+                                                           last = share;
+                                                         },
+                                                         &cancel});
   ASSERT_TRUE(whole);
   EXPECT_GT(last, 0.9);
   cancel = true;
-  const auto stopped = info().build_index(space, {nullptr, {}, &cancel});
+  const auto stopped = info().index_support->build(space, {nullptr, {}, &cancel});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().status, Status::cancelled);
 }
 
 TEST_P(SharedIndex, OfAnotherMapIsAMismatch) {
   const FreeSpace space = space_of("office");
-  const auto built = info().build_index(space, {});
+  const auto built = info().index_support->build(space, {});
   ASSERT_TRUE(built);
-  const auto planner = info().make_on_index(space_of("maze"), {}, *built);
+  const auto planner = info().index_support->make_planner(space_of("maze"), {}, *built);
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::index_mismatch);
   EXPECT_NE(planner.error().message().find("another map"), std::string::npos);
@@ -134,7 +135,7 @@ TEST_P(SharedIndex, OfAnotherMapIsAMismatch) {
 std::vector<std::string> planners_with_index() {
   std::vector<std::string> names;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.build_index) names.push_back(planner.name);
+    if (planner.index_support) names.push_back(planner.name);
   }
   return names;
 }

@@ -44,6 +44,7 @@
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/cost_to_go.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/layer.hpp"
 #include "wend/planner/no_path.hpp"
 #include "wend/planner/planners.hpp"
@@ -432,6 +433,17 @@ void suggest(const wend::Way& way) {
   reported = way.smaller_robot ? "a smaller robot" : "something else";
 }
 
+TEST(Snippets, OfIndexSupport) {
+  const wend::FreeSpace space{wend::GridMap(wend::Grid<wend::CellState>(4, 3))};
+  reported.clear();
+  const wend::PlannerInfo& info = *wend::planners().find("hub_labels");
+  const auto index = info.index_support->build(space, {});
+  if (!index) report(index.error().message());
+  const auto planner = info.index_support->make_planner(space, {}, *index);
+  EXPECT_EQ(reported, "");
+  EXPECT_TRUE(planner);
+}
+
 TEST(Snippets, OfWidestPathAndNoPath) {
   wend::Grid<wend::CellState> cells(5, 3, wend::CellState::free);
   cells[{2, 0}] = cells[{2, 2}] = wend::CellState::occupied;
@@ -648,6 +660,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "io/load_map.hpp",
                                         "planner/planner.hpp",
                                         "planner/cost_to_go.hpp",
+                                        "planner/index_support.hpp",
                                         "planner/search_recorder.hpp",
                                         "planner/layer.hpp",
                                         "planner/open_list.hpp",

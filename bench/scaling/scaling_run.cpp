@@ -16,6 +16,7 @@
 #include "wend/index/index_bytes.hpp"
 #include "wend/map/generators.hpp"
 #include "wend/parallel/thread_workers.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/comparison_run.hpp"
 #include "wend/report/thread_time.hpp"
@@ -48,17 +49,17 @@ class Team {
  public:
   /// Builds the index, if it needs one. Ends the process if there is none.
   Team(const PlannerInfo& info, FreeSpace space) : info_(info), space_(std::move(space)) {
-    if (!info_.build_index) return;
+    if (!info_.index_support) return;
     const double begin = thread_cpu_seconds();
-    auto index = info_.build_index(space_, {});
+    auto index = info_.index_support->build(space_, {});
     if (!index) _exit(1);
     build_s_ = thread_cpu_seconds() - begin;
     index_ = *std::move(index);
   }
 
   std::unique_ptr<Planner> make() const {
-    auto planner =
-        info_.make_on_index ? info_.make_on_index(space_, {}, index_) : info_.make(space_, {});
+    auto planner = info_.index_support ? info_.index_support->make_planner(space_, {}, index_)
+                                       : info_.make(space_, {});
     if (!planner) _exit(1);
     return *std::move(planner);
   }

@@ -25,7 +25,7 @@ bool has_option(const PlannerInfo& planner, std::string_view name) {
 
 /// What looks its answers up has nothing to show of a search.
 bool searches(const PlannerInfo& planner) {
-  return planner.motion == Motion::cells && !planner.build_index;
+  return planner.motion == Motion::cells && !planner.index_support;
 }
 
 }  // namespace

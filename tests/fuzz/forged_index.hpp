@@ -13,6 +13,7 @@
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_bytes.hpp"
 #include "wend/index/index_header.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -70,7 +71,8 @@ inline const std::vector<WholeIndex>& whole_indexes(const FreeSpace& space) {
   static const std::vector<WholeIndex> indexes = [&] {
     std::vector<WholeIndex> built;
     for (const PlannerInfo& info : planners()) {
-      if (info.build_index) built.push_back({&info, info.build_index(space, {}).value()});
+      if (info.index_support)
+        built.push_back({&info, info.index_support->build(space, {}).value()});
     }
     return built;
   }();
@@ -82,7 +84,8 @@ inline std::string use_forged_indexes(std::string_view changes) {
   static const FreeSpace space = space_for_forgery();
   for (const WholeIndex& index : whole_indexes(space)) {
     const auto bytes = forged(index.bytes.bytes(), changes);
-    const auto planner = index.planner->make_on_index(space, {}, IndexBytes::copy_of(bytes));
+    const auto planner =
+        index.planner->index_support->make_planner(space, {}, IndexBytes::copy_of(bytes));
     if (planner) {
       ask(**planner);
     } else if (planner.error().status != Status::index_mismatch) {

@@ -4,6 +4,7 @@
 
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid_planner.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/no_options.hpp"
 
 namespace wend {
@@ -114,22 +115,48 @@ class IndexPlanner final : public Planner {
   GridQuery cells_;
 };
 
-Expected<IndexBytes, PlannerError> build_for(const IndexMethod& method, std::string_view name,
-                                             const FreeSpace& space,
-                                             const IndexBuilding& building) {
-  if (auto refused = refused_terrain(name, space)) return Unexpected<PlannerError>(*refused);
-  auto built = method.build(drawn_passable(space), building);
-  if (!built) return failure(built.error().status, built.error().what);
-  return *std::move(built);
-}
+class MethodSupport final : public IndexSupport {
+ public:
+  MethodSupport(IndexMethod method, std::string planner)
+      : method_(std::move(method)), planner_(std::move(planner)) {}
 
-EngineResult open_for(const IndexMethod& method, std::string_view name, const FreeSpace& space,
-                      IndexBytes index) {
-  if (auto refused = refused_terrain(name, space)) return Unexpected<PlannerError>(*refused);
-  auto opened = method.open(std::move(index), drawn_passable(space));
-  if (!opened) return failure(Status::index_mismatch, "the index is of no use: " + opened.error());
-  return *std::move(opened);
-}
+  Expected<IndexBytes, PlannerError> build(const FreeSpace& space,
+                                           const IndexBuilding& building) const override {
+    if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
+    auto built = method_.build(drawn_passable(space), building);
+    if (!built) return failure(built.error().status, built.error().what);
+    return *std::move(built);
+  }
+
+  PlannerResult make_planner(const FreeSpace& space, const OptionValues& options,
+                             IndexBytes index) const override {
+    if (auto refused = refused_options(options)) {
+      return Unexpected<PlannerError>(*std::move(refused));
+    }
+    auto engine = open(space, std::move(index));
+    if (!engine) return Unexpected<PlannerError>(engine.error());
+    // The planner may outlive this.
+    const auto make_engine = [method = method_, name = planner_](const FreeSpace& other) {
+      const MethodSupport self(method, name);
+      auto built = self.build(other, {});
+      if (!built) return EngineResult(Unexpected<PlannerError>(built.error()));
+      return self.open(other, *std::move(built));
+    };
+    return std::make_unique<IndexPlanner>(space, *std::move(engine), make_engine);
+  }
+
+ private:
+  EngineResult open(const FreeSpace& space, IndexBytes index) const {
+    if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
+    auto opened = method_.open(std::move(index), drawn_passable(space));
+    if (!opened)
+      return failure(Status::index_mismatch, "the index is of no use: " + opened.error());
+    return *std::move(opened);
+  }
+
+  IndexMethod method_;
+  std::string planner_;
+};
 
 }  // namespace
 
@@ -138,32 +165,12 @@ PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
   info.plans_on_terrain = false;
   info.can_step = false;
   info.jumps = true;
-  const auto build = [method, name = info.name](const FreeSpace& space,
-                                                const IndexBuilding& building) {
-    return build_for(method, name, space, building);
-  };
-  const auto make_on = [method, build, name = info.name](const FreeSpace& space,
-                                                         const OptionValues& options,
-                                                         IndexBytes index) -> PlannerResult {
-    if (auto refused = refused_options(options)) {
-      return Unexpected<PlannerError>(*std::move(refused));
-    }
-    auto engine = open_for(method, name, space, std::move(index));
-    if (!engine) return Unexpected<PlannerError>(engine.error());
-    const auto make_engine = [method, build, name](const FreeSpace& other) -> EngineResult {
-      auto built = build(other, {});
-      if (!built) return Unexpected<PlannerError>(built.error());
-      return open_for(method, name, other, *std::move(built));
-    };
-    return std::make_unique<IndexPlanner>(space, *std::move(engine), make_engine);
-  };
-  info.build_index = build;
-  info.make_on_index = make_on;
-  info.make = [build, make_on](const FreeSpace& space,
-                               const OptionValues& options) -> PlannerResult {
-    auto index = build(space, {});
+  const auto support = std::make_shared<const MethodSupport>(method, info.name);
+  info.index_support = support;
+  info.make = [support](const FreeSpace& space, const OptionValues& options) -> PlannerResult {
+    auto index = support->build(space, {});
     if (!index) return Unexpected<PlannerError>(index.error());
-    return make_on(space, options, *std::move(index));
+    return support->make_planner(space, options, *std::move(index));
   };
   return info;
 }

@@ -22,8 +22,8 @@ struct IndexMethod {
       open;
 };
 
-/// The info of a planner without options that answers by an index: sets make, build_index and
-/// make_on_index, and what is true of all of them.
+/// The info of a planner without options that answers by an index: sets make and index_support,
+/// and what is true of all of them.
 PlannerInfo with_index(PlannerInfo info, const IndexMethod& method);
 
 }  // namespace wend

@@ -13,12 +13,11 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/status.hpp"
-#include "wend/index/index_building.hpp"
-#include "wend/index/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {
 
+class IndexSupport;  // index_support.hpp
 class Planner;
 
 /// What is true of every answer, whatever the options (where they matter, Plan::bound says what a
@@ -83,12 +82,8 @@ struct PlannerInfo {
   /// Where there is preprocessing, this does it too, and alone.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
 
-  /// Of planners with preprocessing, else empty: what they need to know of a map, to be kept; and a
-  /// planner on it, which may share it with others. An index of something else is index_mismatch.
-  std::function<Expected<IndexBytes, PlannerError>(const FreeSpace&, const IndexBuilding&)>
-      build_index = {};
-  std::function<PlannerResult(const FreeSpace&, const OptionValues&, IndexBytes)> make_on_index =
-      {};
+  /// Of planners that look their answers up in an index of the map, else null.
+  std::shared_ptr<const IndexSupport> index_support = nullptr;
 };
 
 }  // namespace wend

@@ -35,7 +35,7 @@ class EveryPlanner : public ::testing::TestWithParam<std::string> {
   }
 
   /// Does it search, or look answers up in an index?
-  static bool searches() { return !planners().find(GetParam())->build_index; }
+  static bool searches() { return !planners().find(GetParam())->index_support; }
 };
 
 constexpr const char* kLooksUp = "it looks answers up: there is no search to watch or to limit";

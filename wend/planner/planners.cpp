@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "wend/index/index_bytes.hpp"
+#include "wend/planner/index_support.hpp"
 
 namespace wend {
 
@@ -48,11 +49,11 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options, IndexBytes index) {
   const auto info = planner_named(name);
   if (!info) return Unexpected<PlannerError>(info.error());
-  if (!(*info)->make_on_index) {
+  if (!(*info)->index_support) {
     return Unexpected<PlannerError>(
         {Status::invalid_option, std::string(name) + " plans without an index"});
   }
-  return (*info)->make_on_index(space, options, std::move(index));
+  return (*info)->index_support->make_planner(space, options, std::move(index));
 }
 
 }  // namespace wend

@@ -13,6 +13,8 @@
 
 namespace wend {
 
+class IndexBytes;  // wend/index/index_bytes.hpp
+
 const Registry<PlannerInfo>& planners();
 
 /// The names of those that move so.

@@ -5,6 +5,7 @@
 
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_bytes.hpp"
+#include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -23,20 +24,21 @@ TimedPlanner::TimedPlanner(FreeSpace space, PlannerSpec spec, Clock clock,
 PlannerResult TimedPlanner::make() {
   const PlannerInfo* const info = planners().find(spec_.name);
   preparation_ = 0;
-  if (info != nullptr && info->build_index) return make_on_index(*info);
+  if (info != nullptr && info->index_support) return make_on_index(*info);
   return timed(clock_, preparation_,
                [&] { return make_planner(spec_.name, space_, spec_.options); });
 }
 
 PlannerResult TimedPlanner::make_on_index(const PlannerInfo& info) {
   if (!index_) {
-    auto built = timed(clock_, index_seconds_, [&] { return info.build_index(space_, {}); });
+    auto built =
+        timed(clock_, index_seconds_, [&] { return info.index_support->build(space_, {}); });
     if (!built) return Unexpected<PlannerError>(built.error());
     index_ = *std::move(built);
   }
   preparation_ = index_seconds_;
   return timed(clock_, preparation_,
-               [&] { return info.make_on_index(space_, spec_.options, *index_); });
+               [&] { return info.index_support->make_planner(space_, spec_.options, *index_); });
 }
 
 Status TimedPlanner::answer(const Query& query, Plan& plan, QueryTimes& times) {
