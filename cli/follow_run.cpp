@@ -99,7 +99,7 @@ std::optional<Path> FollowRun::plan() {
   return std::nullopt;
 }
 
-/// Replaces files of earlier commands by the reason why there is no drive.
+/// Replaces output files of earlier commands with the reason for the failure.
 void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const {
   auto writers =
       picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments_.pictures.style);

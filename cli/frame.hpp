@@ -14,7 +14,7 @@
 
 namespace wend::cli {
 
-/// Text of at most `rows` lines, shown beside the map, or below it where there is no room.
+/// Text of at most `rows` lines, shown beside the map, or below it if it does not fit.
 using BesideMap = std::function<std::string(int rows)>;
 
 /// `rows_below` rows of the terminal stay free for what is written below. Elsewhere there is room

@@ -117,7 +117,7 @@ std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& spa
   return first_collision(path, space, refinement.adjacency);
 }
 
-/// Replaces files of earlier commands by the reason why there is no smooth path.
+/// Replaces output files of earlier commands with the reason for the failure.
 void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, const Scene& scene) {
   auto writers =
       picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments.pictures.style);

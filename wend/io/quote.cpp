@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLongest = 40;
 
 bool is_printable(char letter) { return letter >= ' ' && letter <= '~'; }
-/// Of a letter of several bytes in UTF-8, all but the first.
+/// Whether a byte is a continuation byte of UTF-8.
 bool continues_letter(char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; }
 unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
 

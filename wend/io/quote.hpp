@@ -17,8 +17,8 @@ std::string quote(std::string_view text);
 std::string printable(std::string_view text, std::size_t longest);
 
 /// The first `longest` bytes as one line for people: letters of other alphabets stay where the text
-/// is UTF-8, line ends and tabs become blanks; else a quarter of it, as printable() shows it, which
-/// is no longer.
+/// is UTF-8, line ends and tabs become blanks. Other bytes are shown as by printable(), and only the
+/// first quarter of them, so that the result has at most `longest` bytes.
 std::string text_line(std::string_view text, std::size_t longest);
 
 /// What is kept of a plan's status and reason that stand in a file.

@@ -15,7 +15,7 @@ class DisjointSets {
  public:
   DisjointSets() = default;
 
-  /// So many sets of one element each.
+  /// `count` sets of one element each.
   explicit DisjointSets(std::uint32_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
   }

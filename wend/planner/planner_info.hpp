@@ -82,7 +82,7 @@ struct PlannerInfo {
   /// Where there is preprocessing, this does it too, and alone.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
 
-  /// Of planners that look their answers up in an index of the map, else null.
+  /// Builds and opens the planner's index; null for planners without an index.
   std::shared_ptr<const IndexSupport> index_support = nullptr;
 };
 
