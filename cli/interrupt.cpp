@@ -1,10 +1,10 @@
-#include "interrupt.hpp"
+#include "cli/interrupt.hpp"
 
 #include <unistd.h>
 
 #include <csignal>
 
-#include "exit_code.hpp"
+#include "cli/exit_code.hpp"
 
 namespace wend::cli {
 namespace {

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
-#include "exit_code.hpp"
-#include "help_formatter.hpp"
-#include "interrupt.hpp"
-#include "output.hpp"
-#include "usage_error.hpp"
+#include "cli/arguments/help_formatter.hpp"
+#include "cli/arguments/usage_error.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output/output.hpp"
 
 namespace {
 

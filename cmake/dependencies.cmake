@@ -1,6 +1,6 @@
 # What the library needs from outside. The installed wendConfig.cmake looks for the same things.
 
-set(wend_packages Threads tl-expected fmt yaml-cpp PNG GIF nlohmann_json SQLite3)
+set(wend_packages Threads tl-expected fmt yaml-cpp PNG GIF nlohmann_json)
 set(wend_pkgconfig_modules cairo chafa)
 
 # Targets are global, for whoever links wend::wend from outside this folder.

@@ -16,10 +16,10 @@ macro(wend_read_modules)
   endforeach()
 endmacro()
 
-# wend_add_module(<module> <arrow>...): a static library of wend/<module>/*.cpp, or an interface
-# target where there is nothing to compile.
+# wend_add_module(<module> <arrow>...): a static library of the sources in wend/<module> and its folders, or an
+# interface target where there is nothing to compile.
 function(wend_add_module module)
-  file(GLOB sources CONFIGURE_DEPENDS ${module}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${module}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(TRANSFORM ARGN PREPEND wend_ OUTPUT_VARIABLE arrows)
 
@@ -39,7 +39,7 @@ function(wend_add_module module)
     endif()
     # It gives a type of its anonymous namespace to a class of its header, which a unity source may not.
     if(module STREQUAL "render")
-      set_source_files_properties(render/gif.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      set_source_files_properties(render/animation/gif.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
     set(scope PUBLIC)
   else()
@@ -64,7 +64,7 @@ function(wend_module_needs module scope)
 endfunction()
 
 # wend_check_listed(<list.def> <macro> [<suffix>]): a registry is made from the list; what stands there as
-# MACRO(name) has its own source file beside it, name<suffix>.cpp.
+# MACRO(name) has its own source file, name<suffix>.cpp, beside it or in a folder below.
 function(wend_check_listed list macro)
   if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${list}")
     return()
@@ -74,9 +74,10 @@ function(wend_check_listed list macro)
   file(STRINGS ${list} lines REGEX "^${macro}\\(")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "^${macro}\\( *([a-z0-9_]+).*" "\\1" name "${line}")
-    if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${name}${ARGV2}.cpp")
+    file(GLOB_RECURSE its_source "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${name}${ARGV2}.cpp")
+    if(NOT its_source)
       message(FATAL_ERROR "wend/${list} lists '${name}', but there is no file "
-                          "wend/${folder}/${name}${ARGV2}.cpp")
+                          "${name}${ARGV2}.cpp in wend/${folder} or below")
     endif()
   endforeach()
 endfunction()

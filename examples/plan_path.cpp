@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "wend/io/load_map.hpp"
+#include "wend/io/map/load_map.hpp"
 #include "wend/planner/planners.hpp"
 
 int main() {

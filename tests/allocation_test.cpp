@@ -16,7 +16,7 @@
 #include "tests/testing/random_map.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planner_spec.hpp"
 #include "wend/planner/planners.hpp"

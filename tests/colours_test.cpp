@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/plot/plot_style.hpp"
 #include "wend/render/style.hpp"
-#include "wend/report/plot_style.hpp"
 
 namespace wend {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "command_line/run_program.hpp"
-#include "wend/planner/layer.hpp"
+#include "wend/analysis/layer.hpp"
 
 namespace wend::test {
 namespace {

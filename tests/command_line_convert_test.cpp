@@ -9,9 +9,9 @@
 
 #include "command_line/run_program.hpp"
 #include "testing/random_map.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/losses.hpp"
-#include "wend/io/save_map.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/map/losses.hpp"
+#include "wend/io/map/save_map.hpp"
 
 namespace wend::test {
 namespace {

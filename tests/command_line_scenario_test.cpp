@@ -7,8 +7,8 @@
 
 #include "command_line/run_program.hpp"
 #include "testing/textbook.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/query/scenario.hpp"
 
 namespace wend::test {
 namespace {

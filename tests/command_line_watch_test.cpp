@@ -8,10 +8,10 @@
 #include "command_line/run_program.hpp"
 #include "command_line/terminal.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "wend/planner/layer.hpp"
+#include "wend/analysis/layer.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/render/drawing.hpp"
-#include "wend/render/gif_test_support.hpp"
+#include "wend/render/animation/gif_test_support.hpp"
+#include "wend/render/picture/drawing.hpp"
 
 namespace wend::test {
 namespace {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/io/load_map.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/query/scenario.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {

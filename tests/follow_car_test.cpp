@@ -11,8 +11,8 @@
 
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/map/generators.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"
 

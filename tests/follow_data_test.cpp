@@ -11,8 +11,8 @@
 
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/load_path.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/path/load_path.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"

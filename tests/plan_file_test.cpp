@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
-#include "wend/io/load_path.hpp"
+#include "wend/io/path/load_path.hpp"
 
 namespace wend::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tests/command_line/run_program.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/index/index_bytes.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {

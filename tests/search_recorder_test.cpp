@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "tests/testing/trial.hpp"
-#include "wend/index/index_bytes.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/planner/search_recorder.hpp"
 
 namespace wend::test {
 namespace {

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
+#include "wend/base/thread_workers.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/index/index_bytes.hpp"
 #include "wend/io/index_file.hpp"
-#include "wend/map/generators.hpp"
-#include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 

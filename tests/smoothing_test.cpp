@@ -16,7 +16,7 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"

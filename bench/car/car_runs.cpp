@@ -6,8 +6,8 @@
 #include <fstream>
 #include <limits>
 
+#include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 namespace {

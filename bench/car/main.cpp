@@ -7,8 +7,8 @@
 
 #include "bench/car/car_runs.hpp"
 #include "bench/car/reeds_shepp.hpp"
-#include "bench/measuring.hpp"
-#include "wend/map/generators.hpp"
+#include "bench/measure/measuring.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::bench {

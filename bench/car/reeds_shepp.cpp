@@ -12,7 +12,7 @@
 #include <cmath>
 #include <memory>
 
-#include "wend/report/thread_time.hpp"
+#include "wend/base/thread_time.hpp"
 
 namespace wend::bench {
 namespace {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "wend/base/random.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/map/generators.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::bench {

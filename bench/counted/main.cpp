@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/map/generators.hpp"
+#include "bench/comparison/comparison_run.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/comparison_run.hpp"
 
 namespace wend::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "wend/base/random.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/save_map.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/map/save_map.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

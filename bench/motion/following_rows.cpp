@@ -4,7 +4,7 @@
 
 #include "bench/motion/motion_row.hpp"
 #include "wend/control/simulation.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "bench/measuring.hpp"
+#include "bench/measure/measuring.hpp"
 #include "bench/motion/motion_row.hpp"
 
 namespace wend::bench {

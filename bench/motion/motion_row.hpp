@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/report/thread_time.hpp"
+#include "wend/base/thread_time.hpp"
 
 namespace wend::bench {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "bench/motion/motion_row.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/map/nearest_passable.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"

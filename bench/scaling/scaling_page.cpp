@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "wend/report/machine.hpp"
+#include "bench/measure/machine.hpp"
 
 namespace wend::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/plot/plot_style.hpp"
 #include "bench/scaling/scaling_run.hpp"
-#include "wend/report/plot_style.hpp"
 
 namespace wend::bench {
 

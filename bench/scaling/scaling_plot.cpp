@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "bench/plot/plot_page.hpp"
+#include "bench/plot/plot_panels.hpp"
 #include "bench/scaling/scaling_page.hpp"
-#include "wend/report/plot_page.hpp"
-#include "wend/report/plot_panels.hpp"
 
 namespace wend::bench {
 namespace {

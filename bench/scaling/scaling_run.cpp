@@ -10,16 +10,16 @@
 #include <utility>
 
 #include "bench/boost/boost_planner.hpp"
-#include "bench/measuring.hpp"
+#include "bench/comparison/comparison_run.hpp"
+#include "bench/measure/measuring.hpp"
 #include "bench/scaling/child_process.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/base/thread_workers.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/index/index_bytes.hpp"
-#include "wend/map/generators.hpp"
-#include "wend/parallel/thread_workers.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/comparison_run.hpp"
-#include "wend/report/thread_time.hpp"
 
 namespace wend::bench {
 namespace {

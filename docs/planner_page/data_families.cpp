@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "wend/io/load_map.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/query/scenario.hpp"
 
 namespace wend::planner_page {
 namespace {

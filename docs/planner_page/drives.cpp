@@ -8,12 +8,12 @@
 #include <limits>
 #include <memory>
 
+#include "bench/measure/statistics.hpp"
 #include "docs/planner_page/markdown.hpp"
 #include "docs/planner_page/measured_family.hpp"
 #include "wend/base/random.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/statistics.hpp"
 
 namespace wend::planner_page {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "wend/index/index_bytes.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::planner_page {

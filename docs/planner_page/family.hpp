@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/comparison/comparison_run.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner_spec.hpp"
-#include "wend/report/comparison_run.hpp"
 
 namespace wend::planner_page {
 

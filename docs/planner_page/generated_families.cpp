@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "wend/base/random.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 
 namespace wend::planner_page {
 namespace {

@@ -6,10 +6,10 @@
 #include <array>
 #include <cassert>
 
+#include "bench/measure/statistics.hpp"
 #include "docs/planner_page/markdown.hpp"
 #include "docs/planner_page/measured_family.hpp"
 #include "wend/path/path_metrics.hpp"
-#include "wend/report/statistics.hpp"
 
 namespace wend::planner_page {
 namespace {

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <limits>
 
-#include "wend/report/comparison_measures.hpp"
-#include "wend/report/statistics.hpp"
+#include "bench/comparison/comparison_measures.hpp"
+#include "bench/measure/statistics.hpp"
 
 namespace wend::planner_page {
 namespace {

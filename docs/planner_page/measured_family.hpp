@@ -10,7 +10,7 @@
 
 #include "docs/planner_page/family.hpp"
 #include "docs/planner_page/generated_families.hpp"
-#include "wend/report/thread_time.hpp"
+#include "wend/base/thread_time.hpp"
 
 namespace wend::planner_page {
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "bench/measure/machine.hpp"
 #include "docs/planner_page/findings.hpp"
 #include "docs/planner_page/registry_part.hpp"
 #include "docs/planner_page/tables.hpp"
-#include "wend/report/machine.hpp"
 
 namespace wend::planner_page {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "docs/planner_page/generated_families.hpp"
+#include "wend/analysis/layer.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/planner/layer.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/render/drawing.hpp"
+#include "wend/render/picture/drawing.hpp"
 
 namespace wend::planner_page {
 namespace {

@@ -6,8 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "bench/comparison/comparison_measures.hpp"
 #include "docs/planner_page/markdown.hpp"
-#include "wend/report/comparison_measures.hpp"
+#include "wend/report/text_table.hpp"
 
 namespace wend::planner_page {
 namespace {

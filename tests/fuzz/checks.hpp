@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
-#include "wend/io/grey_image.hpp"
-#include "wend/io/image_map.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/io/image/png.hpp"
+#include "wend/io/image/pnm.hpp"
 #include "wend/io/io_error.hpp"
-#include "wend/io/losses.hpp"
-#include "wend/io/moving_ai_map.hpp"
-#include "wend/io/png.hpp"
-#include "wend/io/pnm.hpp"
-#include "wend/io/text_grid.hpp"
+#include "wend/io/map/image_map.hpp"
+#include "wend/io/map/losses.hpp"
+#include "wend/io/map/moving_ai_map.hpp"
+#include "wend/io/map/text_grid.hpp"
 
 namespace wend::test {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/index/file/index_header.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/index/index_bytes.hpp"
-#include "wend/index/index_header.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "checks.hpp"
-#include "wend/io/map_yaml.hpp"
+#include "wend/io/map/map_yaml.hpp"
 
 namespace wend::test {
 

@@ -14,10 +14,10 @@
 #include "checks.hpp"
 #include "forged_index.hpp"
 #include "fuzzed_map_yaml.hpp"
-#include "wend/io/load_path.hpp"
-#include "wend/io/path_csv.hpp"
-#include "wend/io/query_csv.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/path/load_path.hpp"
+#include "wend/io/path/path_csv.hpp"
+#include "wend/io/query/query_csv.hpp"
+#include "wend/io/query/scenario.hpp"
 #include "wend/planner/planner_spec.hpp"
 
 namespace wend::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "loaders.hpp"
-#include "wend/io/png_test_support.hpp"
+#include "wend/io/image/png_test_support.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
 

@@ -14,8 +14,8 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/space/bit_lines.hpp"
-#include "wend/space/drawn_direction.hpp"
+#include "wend/jump/bit_lines.hpp"
+#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 

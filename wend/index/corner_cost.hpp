@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "wend/space/octile_way.hpp"
+#include "wend/space/grid/octile_way.hpp"
 
 namespace wend {
 

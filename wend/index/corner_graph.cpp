@@ -8,7 +8,7 @@
 
 #include "wend/index/diagonal_walk.hpp"
 #include "wend/index/rays.hpp"
-#include "wend/space/drawn_direction.hpp"
+#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "wend/index/diagonal_walk.hpp"
-#include "wend/space/drawn_direction.hpp"
+#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/index/index_reader.hpp"
-#include "wend/index/index_writer.hpp"
+#include "wend/index/file/index_reader.hpp"
+#include "wend/index/file/index_writer.hpp"
 
 namespace wend {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "wend/index/run_writer.hpp"
-#include "wend/space/octile_way.hpp"
+#include "wend/space/grid/octile_way.hpp"
 
 namespace wend {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/index/graph_contraction.hpp"
+#include "wend/index/corner_hierarchy/graph_contraction.hpp"
 
 namespace wend::test {
 

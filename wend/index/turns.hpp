@@ -35,7 +35,7 @@
 #include "wend/index/arrival_boards.hpp"
 #include "wend/index/corner_cost.hpp"
 #include "wend/index/corners.hpp"
-#include "wend/space/jump_boards.hpp"
+#include "wend/jump/jump_boards.hpp"
 
 namespace wend {
 

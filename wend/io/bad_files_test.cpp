@@ -7,10 +7,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "wend/io/grey_image.hpp"
+#include "wend/io/image/grey_image.hpp"
 #include "wend/io/io_test_support.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/query/scenario.hpp"
 
 namespace wend {
 namespace {

@@ -5,15 +5,15 @@
 
 #include <functional>
 
-#include "wend/io/grey_image.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/io/image/png.hpp"
+#include "wend/io/image/png_test_support.hpp"
 #include "wend/io/io_test_support.hpp"
-#include "wend/io/load_path.hpp"
-#include "wend/io/map_yaml.hpp"
-#include "wend/io/moving_ai_map.hpp"
-#include "wend/io/png.hpp"
-#include "wend/io/png_test_support.hpp"
-#include "wend/io/scenario.hpp"
-#include "wend/io/text_grid.hpp"
+#include "wend/io/map/map_yaml.hpp"
+#include "wend/io/map/moving_ai_map.hpp"
+#include "wend/io/map/text_grid.hpp"
+#include "wend/io/path/load_path.hpp"
+#include "wend/io/query/scenario.hpp"
 
 namespace wend {
 namespace {

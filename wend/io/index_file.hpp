@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "wend/base/expected.hpp"
-#include "wend/index/index_bytes.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/io/io_error.hpp"
 
 namespace wend {

@@ -9,9 +9,9 @@
 #include "wend/base/parse.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/line_reader.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/io/map_yaml.hpp"
-#include "wend/io/scenario.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/map/map_yaml.hpp"
+#include "wend/io/query/scenario.hpp"
 
 namespace wend {
 namespace {

@@ -9,8 +9,8 @@
 //   const auto planner = info.index_support->make_planner(space, {}, *index);
 
 #include "wend/base/options.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/index/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner_info.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

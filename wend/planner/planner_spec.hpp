@@ -10,7 +10,7 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/option_spec.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/space/grid_moves.hpp"
+#include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
 

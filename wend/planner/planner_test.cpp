@@ -2,7 +2,7 @@
 // every planner of the registry.
 
 #include "wend/planner/planner.hpp"
-#include "wend/index/index_bytes.hpp"
+#include "wend/index/file/index_bytes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wend/index/index_bytes.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/index_support.hpp"
 
 namespace wend {

@@ -13,7 +13,7 @@
 
 namespace wend {
 
-class IndexBytes;  // wend/index/index_bytes.hpp
+class IndexBytes;  // wend/index/file/index_bytes.hpp
 
 const Registry<PlannerInfo>& planners();
 

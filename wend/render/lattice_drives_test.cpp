@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "wend/render/car_scene_test.hpp"
-#include "wend/render/text_glyphs.hpp"
-#include "wend/render/text_picture.hpp"
+#include "wend/render/terminal/text_glyphs.hpp"
+#include "wend/render/terminal/text_picture.hpp"
 
 namespace wend {
 namespace {

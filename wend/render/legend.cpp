@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "wend/render/cell_paints.hpp"
-#include "wend/render/text_glyphs.hpp"
+#include "wend/render/picture/cell_paints.hpp"
+#include "wend/render/terminal/text_glyphs.hpp"
 
 namespace wend {
 namespace {

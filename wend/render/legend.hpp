@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/render/cell_paints.hpp"
+#include "wend/render/picture/cell_paints.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 

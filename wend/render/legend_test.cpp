@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "wend/render/cell_paints.hpp"
-#include "wend/render/text_map_test.hpp"
+#include "wend/render/picture/cell_paints.hpp"
+#include "wend/render/terminal/text_map_test.hpp"
 
 namespace wend {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "wend/render/text_map_test.hpp"
+#include "wend/render/terminal/text_map_test.hpp"
 
 namespace wend {
 namespace {

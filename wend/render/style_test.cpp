@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/render/cell_paints.hpp"
+#include "wend/render/picture/cell_paints.hpp"
 
 namespace wend {
 namespace {

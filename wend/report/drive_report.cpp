@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/report/comparison_measures.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {

@@ -6,15 +6,12 @@
 #include <sstream>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/report/drive_plot.hpp"
 
 namespace wend {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 constexpr Frame kFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
@@ -116,18 +113,6 @@ TEST(DriveCsv, HasALineForEachSample) {
             "p,12,0.5,2.5,1.5707963267948966,0.5,-1,1.5707963267948966,-0.25\n");
   EXPECT_THAT(drive_csv(std::vector{made_up("p:a=1,b=2", DriveOutcome::reached, 1)}, kFrame),
               HasSubstr("\n\"p:a=1,b=2\",1,"));
-}
-
-TEST(DrivePlot, HasAPanelForEachErrorAndALineForEachController) {
-  const std::string script = drive_plot(several(), PlotKind::svg);
-  EXPECT_THAT(script, StartsWith("set encoding utf8\nset terminal svg "));
-  for (const char* label : {"'speed, m/s'", "'heading error, degrees'", "'cross-track error, m'",
-                            "'time, s'", "'pure_pursuit'"}) {
-    EXPECT_THAT(script, HasSubstr(label));
-  }
-  EXPECT_THAT(script, HasSubstr("$drive1 << END\n0 0 0 0\n3 0.5 90 -0.25\nEND\n"));
-  EXPECT_THAT(script, HasSubstr("$drive2 using 1:4 with lines"));
-  EXPECT_THAT(script, Not(HasSubstr("$drive3")));
 }
 
 }  // namespace

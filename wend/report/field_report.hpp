@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/planner/cost_to_go.hpp"
+#include "wend/analysis/cost_to_go.hpp"
 #include "wend/report/plan_result.hpp"
 
 namespace wend {

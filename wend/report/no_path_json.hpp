@@ -13,8 +13,8 @@
 
 #include <string>
 
+#include "wend/analysis/no_path.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/planner/no_path.hpp"
 
 namespace wend {
 

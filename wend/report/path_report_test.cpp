@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "wend/io/load_path.hpp"
+#include "wend/io/path/load_path.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {

@@ -42,8 +42,8 @@
 #include <span>
 #include <string>
 
+#include "wend/analysis/layer.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/planner/layer.hpp"
 #include "wend/report/plan_result.hpp"
 
 namespace wend {

@@ -9,7 +9,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/io/load_path.hpp"
+#include "wend/io/path/load_path.hpp"
 
 namespace wend {
 namespace {

@@ -11,7 +11,6 @@
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/comparison_run.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -49,6 +51,12 @@ std::vector<std::string> broken(const std::string& field, std::size_t longest) {
     begin = end;
   }
   return lines;
+}
+
+/// Equal but for rounding: costs are sums.
+bool equal(double a, double b) {
+  if (std::isinf(a) || std::isinf(b)) return a == b;
+  return std::abs(a - b) <= 1e-9 * std::abs(a);
 }
 
 }  // namespace
@@ -115,6 +123,20 @@ std::string TextTable::line(const std::vector<std::string>& fields,
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
+}
+
+std::vector<bool> best_of(std::span<const double> values, bool more_is_better) {
+  std::vector<bool> marks(values.size(), false);
+  double best = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    if (std::isnan(best) || (more_is_better ? value > best : value < best)) best = value;
+  }
+  const auto is_worse = [best](double value) { return !std::isnan(value) && !equal(best, value); };
+  if (std::none_of(values.begin(), values.end(), is_worse)) return marks;
+  std::transform(values.begin(), values.end(), marks.begin(),
+                 [best](double value) { return equal(best, value); });
+  return marks;
 }
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 //   print(table.text());
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,9 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
   std::vector<std::size_t> further_;  // rows that are further lines of one above
 };
+
+/// Which of the values are the best: none if fewer than two compete (NaN does not) or if all that
+/// do are equal, but for rounding.
+std::vector<bool> best_of(std::span<const double> values, bool more_is_better);
 
 }  // namespace wend

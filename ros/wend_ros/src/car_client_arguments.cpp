@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/io/map/load_map.hpp"
 #include "wend_ros/car_planning.hpp"
 
 namespace wend_ros {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/thread_time.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/heading.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/thread_time.hpp"
 
 namespace wend_ros {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "wend/io/load_map.hpp"
+#include "wend/io/map/load_map.hpp"
 #include "wend_ros/map_message.hpp"
 #include "wend_ros/master_watch.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/load_map.hpp"
-#include "wend/report/thread_time.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/io/map/load_map.hpp"
 #include "wend_ros/feedback.hpp"
 #include "wend_ros/markers.hpp"
 #include "wend_ros/option_parameters.hpp"

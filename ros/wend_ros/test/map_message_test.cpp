@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "wend/map/generators.hpp"
+#include "wend/generate/generators.hpp"
 
 namespace wend_ros {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/planner/cost_to_go.hpp"
+#include "wend/analysis/cost_to_go.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend_ros/map_snapshot.hpp"
 #include "wend_ros/parameters.hpp"

@@ -1,0 +1,82 @@
+#pragma once
+
+// Comparison: how planners did on the same queries, one or many, for people and for programs.
+//
+// With many queries it is their statistics that are compared: the median, the mean and the 99th
+// percentile over the queries that every planner solved, so that all are measured by the same.
+// Percentiles are one of the values, the nearest rank (see statistics.hpp). The 99th is what 99 of
+// 100 queries do not exceed; of the clearance and the like, of which little is bad, it is the 1st,
+// below which 1 of 100 queries lies.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/comparison/timed_planner.hpp"
+#include "wend/base/status.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/planner/planner_info.hpp"
+#include "wend/planner/query.hpp"
+
+namespace wend {
+
+/// One planner on one query. What is said of the path means nothing where there is none.
+struct ComparisonRow {
+  std::string planner;  // as it was typed: "astar:weight=2"
+  Status status = Status::found;
+  std::string reason = {};        // of a failure, for people
+  double cost = 0;                // as in Plan::cost; of a car its fuel
+  double length = 0;              // cells
+  double turning = 0;             // degrees, all turns together
+  double largest_curvature = 0;   // 1 / cells; corners rounded by kCornerRounding
+  double smallest_clearance = 0;  // cells; infinite without obstacles
+  double mean_clearance = 0;      // the same, over the path's length
+  std::uint64_t steps = 0;        // moves
+  std::uint64_t reversals = 0;    // how often a car changes from ahead to reverse or back
+  std::uint64_t expanded = 0;
+  std::uint64_t generated = 0;
+  std::uint64_t max_frontier = 0;  // the most states that were open
+  QueryTimes times{};
+
+  bool found() const { return status == Status::found; }
+};
+
+/// What was asked, in grid coordinates.
+struct ComparedQuery {
+  Pose start;
+  Goal goal = Pose{};
+  std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
+};
+
+struct Comparison {
+  Frame frame;
+  std::vector<ComparedQuery> queries;
+  Motion motion = Motion::cells;  // of all planners
+};
+
+/// For people. Of one query: a line for each planner with what its path is, then one with what its
+/// search took, then why some found nothing; tables that are too wide go on below. Of many: a block
+/// for each measure, with a line for each planner. At most 80 columns where no option that a
+/// planner's name has is longer than 24 characters. The best of what is compared is marked, unless all are equal; only
+/// those that found a path compete. Lengths are in metres where people mean metres, in cells where
+/// they do not. Cars are compared by steps and reversals too.
+std::string comparison_table(const Comparison& comparison);
+
+/// {"schema", "queries": [{"start", "goal", "planners": [{"planner", "status", "cost",
+/// "length_cells", "length_m", "turning_degrees", "curvature_per_cell", "curvature_per_m",
+/// "turning_radius_cells", "turning_radius_m", "clearance_cells", "clearance_m",
+/// "mean_clearance_cells", "mean_clearance_m", "metrics", "times": {"preparation_us", "first_query_us", "later_query_us"}}]}],
+/// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
+/// ...}]}; of clearances and the turning radius "p1" instead of "p99". A failure has a "reason", and
+/// null for what is not known of it, as for what is infinite.
+/// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y], of
+/// cars [x,y,"E"] in grid coordinates (radians where it is none of the four headings, "any" where
+/// any will do); cars have "steps" and "reversals" besides. One line with its line end.
+std::string comparison_json(const Comparison& comparison);
+
+/// A line for each query and planner with the same columns, the names of the columns first. Fields of failures that mean
+/// nothing are empty; "inf" is infinite. Quotes as in RFC 4180.
+std::string comparison_csv(const Comparison& comparison);
+
+}  // namespace wend

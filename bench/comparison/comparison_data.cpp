@@ -1,0 +1,107 @@
+// A comparison as JSON and CSV.
+
+#include <cmath>
+
+#include "bench/comparison/comparison_measures.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/report/csv.hpp"
+#include "wend/report/json.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::string_view kRatio = "cost_ratio";  // follows from the costs
+
+Json row_json(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) {
+  const ComparisonRow& row = query.rows[planner];
+  Json json{{"planner", row.planner}, {"status", to_string(row.status)}};
+  if (!row.found()) json["reason"] = row.reason;
+  for (const Measure& measure : measures_of(comparison)) {
+    if (!measure.of_path || measure.key == kRatio) continue;
+    json[std::string(measure.key)] = measure.of(comparison, query, planner);
+  }
+  json["metrics"] = json_of(SearchMetrics{row.expanded, row.generated, row.max_frontier});
+  json["times"] = {{"preparation_us", in_microseconds(row.times.preparation)},
+                   {"first_query_us", in_microseconds(row.times.first)},
+                   {"later_query_us", in_microseconds(row.times.later)}};
+  return json;
+}
+
+/// [x, y] of a cell; of a car with its heading.
+Json json_of_end(const Comparison& comparison, const Goal& end) {
+  if (comparison.motion == Motion::cells) return json_of(cell_at(end.point));
+  Json json = json_of(end.point);
+  json.push_back(end.heading ? json_of_heading(*end.heading, comparison.frame.y_up) : Json("any"));
+  return json;
+}
+
+Json query_json(const Comparison& comparison, const ComparedQuery& query) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < query.rows.size(); ++i) {
+    rows.push_back(row_json(comparison, query, i));
+  }
+  return {{"start", json_of_end(comparison, query.start)},
+          {"goal", json_of_end(comparison, query.goal)},
+          {"planners", rows}};
+}
+
+Json statistics_json(const Comparison& comparison, const std::string& name, std::size_t planner) {
+  Json json{{"planner", name}, {"solved", solved_by(comparison, planner)}};
+  for (const Measure& measure : measures_of(comparison)) {
+    if (measure.key == "cost") continue;
+    const Summary summary = summary_of(comparison, measure, planner);
+    json[std::string(measure.key)] = {{"median", summary.median},
+                                      {"mean", summary.mean},
+                                      {measure.more_is_better ? "p1" : "p99", summary.p99}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) {
+  Json queries = Json::array();
+  for (const ComparedQuery& query : comparison.queries) {
+    queries.push_back(query_json(comparison, query));
+  }
+  Json statistics = Json::array();
+  const std::vector<std::string> planners = planners_of(comparison);
+  for (std::size_t i = 0; i < planners.size(); ++i) {
+    statistics.push_back(statistics_json(comparison, planners[i], i));
+  }
+  return text_of({{"queries", queries},
+                  {"solved_by_all", solved_by_all(comparison)},
+                  {"statistics", statistics}});
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+  const bool cars = comparison.motion == Motion::car;
+  std::string csv = cars ? "start_x,start_y,start_heading,goal_x,goal_y,goal_heading"
+                         : "start_x,start_y,goal_x,goal_y";
+  csv += ",planner,status";
+  for (const Measure& measure : measures_of(comparison)) {
+    if (measure.key != kRatio) csv.append(",").append(measure.key);
+  }
+  csv += ",reason\n";
+  for (const ComparedQuery& query : comparison.queries) {
+    for (std::size_t i = 0; i < query.rows.size(); ++i) {
+      const ComparisonRow& row = query.rows[i];
+      for (const Goal& end : {Goal(query.start), query.goal}) {
+        for (const Json& value : json_of_end(comparison, end)) {
+          csv += (value.is_string() ? value.get<std::string>() : value.dump()) + ',';
+        }
+      }
+      csv += csv_field(row.planner) + ',';
+      csv += to_string(row.status);
+      for (const Measure& measure : measures_of(comparison)) {
+        if (measure.key == kRatio) continue;
+        const double value = measure.of(comparison, query, i);
+        csv += ',' + (std::isnan(value) ? "" : format_number(value));
+      }
+      csv += ',' + csv_field(row.reason) + '\n';
+    }
+  }
+  return csv;
+}
+
+}  // namespace wend

@@ -1,0 +1,185 @@
+#include "bench/comparison/comparison_run.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "wend/base/random.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
+
+namespace wend {
+namespace {
+
+/// The cells of each region by its label, in the order of the map; those of one cell have no pairs.
+std::vector<std::vector<Cell>> regions_with_pairs(const BitGrid& cells,
+                                                  const ConnectedRegions& regions,
+                                                  Adjacency adjacency) {
+  std::vector<std::vector<Cell>> lists(regions.count(adjacency) + 1);
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      const Cell cell{x, y};
+      if (regions.size_of_region(cell, adjacency) < 2) continue;
+      lists[regions.region(cell, adjacency)].push_back(cell);
+    }
+  }
+  return lists;
+}
+
+/// Pairs of different cells of the same region; empty where there is none.
+std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedRegions& regions,
+                                      Adjacency adjacency, std::uint64_t count, Random& random) {
+  const std::vector<std::vector<Cell>> lists = regions_with_pairs(cells, regions, adjacency);
+  std::vector<Cell> starts;
+  for (const auto& list : lists) starts.insert(starts.end(), list.begin(), list.end());
+  std::vector<CellPair> pairs;
+  if (starts.empty()) return pairs;
+  pairs.reserve(count);
+  while (pairs.size() < count) {
+    const Cell start = starts[random.below(starts.size())];
+    const auto& region = lists[regions.region(start, adjacency)];
+    const Cell goal = region[random.below(region.size())];
+    if (goal != start) pairs.push_back({start, goal});
+  }
+  return pairs;
+}
+
+/// Whole eighths of a turn come out as whole degrees.
+double without_rounding(double degrees) {
+  constexpr double kDigits = 1e6;
+  return std::round(degrees * kDigits) / kDigits;
+}
+
+/// What the planners move; nothing if that differs.
+std::optional<Motion> motion_of(std::span<const PlannerSpec> specs) {
+  std::optional<Motion> motion;
+  for (const PlannerSpec& spec : specs) {
+    const PlannerInfo* const info = planners().find(spec.name);
+    if (info == nullptr) continue;
+    if (motion && *motion != info->motion) return std::nullopt;
+    motion = info->motion;
+  }
+  return motion.value_or(Motion::cells);
+}
+
+}  // namespace
+
+std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count,
+                                   std::uint64_t seed) {
+  Random random(seed);
+  return connected_pairs(space.passable(), space.regions(), Adjacency::edges, count, random);
+}
+
+std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
+                                 std::uint64_t seed) {
+  const CarDriving driving{.unit = unit};
+  std::vector<Query> queries;
+  if (!has_room_for(space.map(), driving)) return queries;
+  const CarLattice lattice(space, driving);
+  Random random(seed);
+  const auto pose = [&](Cell corner) {
+    return lattice.to_grid({corner, kAllHeadings[random.below(kHeadings)]});
+  };
+  const ConnectedRegions regions(lattice.passable());
+  for (const CellPair& corners :
+       connected_pairs(lattice.passable(), regions, Adjacency::edges_and_corners, count, random)) {
+    const Pose start = pose(corners.start);
+    queries.push_back({start, {pose(corners.goal)}});
+  }
+  return queries;
+}
+
+Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space,
+                                                          std::vector<PlannerSpec> specs,
+                                                          const Clock& clock,
+                                                          const RepetitionRule& rule) {
+  ComparisonRun run(space);
+  const auto motion = motion_of(specs);
+  if (!motion) {
+    return Unexpected<PlannerError>(
+        {Status::invalid_option,
+         "planners that move from cell to cell cannot be compared with those that drive a car"});
+  }
+  run.comparison_.frame = space.map().frame();
+  run.comparison_.motion = *motion;
+  for (PlannerSpec& spec : specs) {
+    const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
+    if (planner.error() && planner.error()->status == Status::invalid_option) {
+      return Unexpected<PlannerError>(
+          {Status::invalid_option, spec.text + ": " + planner.error()->message()});
+    }
+    run.specs_.push_back(std::move(spec));
+  }
+  return run;
+}
+
+void ComparisonRun::answer(const CellPair& cells, const Limits& limits) {
+  Query query = Query::between(cells.start, cells.goal);
+  query.limits = limits;
+  answer(std::move(query));
+}
+
+void ComparisonRun::answer(Query query) {
+  assert(query.goals.size() == 1);
+  query.observer = nullptr;  // planners would tell it all at once
+  ComparedQuery compared{query.start, query.goals.front(), {}};
+  for (std::size_t planner = 0; planner < specs_.size(); ++planner) {
+    compared.rows.push_back(answer_of(planner, query));
+  }
+  comparison_.queries.push_back(std::move(compared));
+}
+
+ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) {
+  ComparisonRow row{.planner = specs_[planner].text};
+  TimedPlanner& timed = planners_[planner];
+  if (const auto& error = timed.error()) {
+    row.status = error->status;
+    row.reason = error->what;
+    return row;
+  }
+  row.status = timed.answer(query, plan_, row.times);
+  row.cost = plan_.cost;
+  row.expanded = plan_.metrics.expanded;
+  row.generated = plan_.metrics.generated;
+  row.max_frontier = plan_.metrics.max_frontier;
+  if (!row.found()) {
+    if (comparison_.motion == Motion::car) row.reason = timed.planner()->reason(query, row.status);
+    return row;
+  }
+  const PathMetrics metrics = measure(plan_.path, space_);
+  row.length = metrics.length;
+  row.turning = without_rounding(degrees_from(metrics.turning));
+  row.largest_curvature = 1 / metrics.rounded_turning_radius;
+  row.smallest_clearance = metrics.smallest_clearance;
+  row.mean_clearance = metrics.mean_clearance;
+  row.steps = plan_.path.size() - 1;
+  row.reversals = static_cast<std::uint64_t>(metrics.reversals);
+  return row;
+}
+
+/// Runs a search again as far as it went: one that was stopped by the clock may go no further.
+Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
+  const ComparedQuery& asked = comparison_.queries[query];
+  Query same{asked.start, {asked.goal}};
+  same.limits.expansions = asked.rows[planner].expanded;
+  same.observer = observer;
+  Plan plan;
+  if (Planner* const made = planners_[planner].planner()) made->plan(same, plan);
+  return plan;
+}
+
+SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) const {
+  const Planner* const made = planners_[planner].planner();
+  SearchRecorder recorder(space_, made == nullptr ? 0 : made->corner_unit());
+  again(planner, query, &recorder);
+  return recorder;
+}
+
+Path ComparisonRun::path(std::size_t planner, std::size_t query) const {
+  return again(planner, query, nullptr).path;
+}
+
+}  // namespace wend

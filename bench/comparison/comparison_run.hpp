@@ -1,0 +1,88 @@
+#pragma once
+
+// ComparisonRun: runs planners on the same queries, one after the other, times and measures them.
+//
+//   auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
+//   if (!run) return report(run.error().message());
+//   for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
+//   const std::string table = wend::comparison_table(run->comparison());
+//
+// One thread. The clock is passed in; times are as good as it is. See timed_planner.hpp for what is
+// timed.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/comparison/comparison.hpp"
+#include "bench/comparison/timed_planner.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/base/expected.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/query.hpp"
+
+namespace wend {
+
+struct CellPair {
+  Cell start;
+  Cell goal;
+};
+
+/// Pairs of different cells that a path joins whatever the moves: the start is any cell that can be
+/// left, the goal any that can be reached from it. The same seed gives the same pairs. Empty where
+/// there is no such pair. O(cells + count).
+std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, std::uint64_t seed);
+
+/// Queries of a car, from a corner and heading to another corner and a heading. It can stand on
+/// both, and moves could join them if headings did not matter: most have a path, but not all. The
+/// coordinates are multiples of `unit`, 1 or more. The same seed gives the same queries. Empty where
+/// there is no such pair. O(cells + count).
+std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
+                                 std::uint64_t seed);
+
+class ComparisonRun {
+ public:
+  /// Fails for a planner that does not take its options, and for planners of different motions; one
+  /// that cannot be made for another reason answers every query with that.
+  static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
+                                                    std::vector<PlannerSpec> specs,
+                                                    const Clock& clock,
+                                                    const RepetitionRule& rule = {});
+
+  /// Every planner's answer to one query, added to the comparison. Limits are for each planner, each
+  /// time that it is asked.
+  void answer(const CellPair& cells, const Limits& limits = {});
+
+  /// The same of a query with one goal, in the grid coordinates of any motion, and its limits.
+  void answer(Query query);
+
+  /// `reason` is set for cars, of other planners only for those that could not be made.
+  Comparison& comparison() { return comparison_; }
+  const Comparison& comparison() const { return comparison_; }
+
+  const std::vector<PlannerSpec>& planners() const { return specs_; }
+
+  /// What a planner's search of an answered query looks like, as far as it went.
+  SearchRecorder record(std::size_t planner, std::size_t query) const;
+
+  /// The path that the planner finds for it; empty if it finds none.
+  Path path(std::size_t planner, std::size_t query) const;
+
+ private:
+  explicit ComparisonRun(FreeSpace space) : space_(std::move(space)) {}
+
+  ComparisonRow answer_of(std::size_t planner, const Query& query);
+  Plan again(std::size_t planner, std::size_t query, SearchObserver* observer) const;
+
+  FreeSpace space_;
+  std::vector<PlannerSpec> specs_;
+  std::vector<TimedPlanner> planners_;  // the same
+  Comparison comparison_;
+  Plan plan_;
+};
+
+}  // namespace wend

@@ -1,0 +1,67 @@
+#pragma once
+
+// TimedPlanner: a planner and what it takes: to make it for a map, to answer the first query on the
+// map, and to answer later ones.
+//
+//   wend::TimedPlanner planner(space, spec, wend::thread_cpu_seconds);
+//   if (planner.error()) return report(planner.error()->message());
+//   wend::QueryTimes times;
+//   const wend::Status status = planner.answer(query, plan, times);
+//
+// Planners touch memory for the first time when they first answer, and some keep what they find out,
+// so a first query takes longer. It is asked of a planner that was made for it alone, in one run. A
+// later query is asked again of a planner that has answered it, and all queries before it: the
+// quickest of as many runs counts as least_seconds() makes.
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "wend/base/limits.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planner_spec.hpp"
+
+namespace wend {
+
+/// In seconds; NaN of what there was not.
+struct QueryTimes {
+  double preparation =
+      std::numeric_limits<double>::quiet_NaN();  // making the planner, its index too
+  double first = std::numeric_limits<double>::quiet_NaN();
+  double later = std::numeric_limits<double>::quiet_NaN();
+};
+
+class TimedPlanner {
+ public:
+  /// Makes the planner; an index it needs is built once, by one thread.
+  TimedPlanner(FreeSpace space, PlannerSpec spec, Clock clock, const RepetitionRule& rule = {});
+
+  /// Why the planner could not be made.
+  const std::optional<PlannerError>& error() const { return error_; }
+
+  /// The planner that answers later queries; null if it could not be made.
+  Planner* planner() const { return planner_.get(); }
+
+  /// Answers a query several times. The planner must have been made.
+  Status answer(const Query& query, Plan& plan, QueryTimes& times);
+
+ private:
+  PlannerResult make();
+  PlannerResult make_on_index(const PlannerInfo& info);
+  void answer_first(const Query& query, Plan& plan, QueryTimes& times);
+
+  FreeSpace space_;
+  PlannerSpec spec_;
+  Clock clock_;
+  RepetitionRule rule_;
+  double preparation_ = 0;  // of the planner made last
+  double index_seconds_ = 0;
+  std::optional<IndexBytes> index_;
+  std::unique_ptr<Planner> planner_;
+  std::optional<PlannerError> error_;
+  bool is_new_ = true;  // no query has been answered
+};
+
+}  // namespace wend

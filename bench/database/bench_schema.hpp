@@ -1,0 +1,23 @@
+#pragma once
+
+// The tables of a BenchDatabase. Only for the sources of this module.
+
+#include <string>
+
+#include "bench/database/sqlite.hpp"
+
+namespace wend {
+
+/// Makes the tables in a new database, and checks one that is not new. What is wrong with it, empty
+/// if nothing is; then nothing was written.
+std::string prepare_bench_schema(SqliteConnection& connection);
+
+/// Sets what an experiment (?1) says of all its runs.
+inline constexpr const char* kSumUpExperiment =
+    "UPDATE experiments SET "
+    "totaltime = (SELECT total(passes.time) FROM passes INNER JOIN runs ON passes.runid = runs.id"
+    " WHERE experimentid = ?1), "
+    "runcount = (SELECT max(planned) FROM (SELECT count(*) AS planned FROM runs"
+    " WHERE experimentid = ?1 GROUP BY plannerid)) WHERE id = ?1";
+
+}  // namespace wend

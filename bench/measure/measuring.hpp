@@ -1,0 +1,14 @@
+#pragma once
+
+// What every benchmark needs to time things.
+
+namespace wend::bench {
+
+/// Seconds since some fixed moment, never going back: for work that several threads share. All else is
+/// measured in CPU time (wend/base/thread_time.hpp).
+double wall_seconds();
+
+/// Keeps this process on the processor that it runs on, as far as the system lets it.
+void stay_on_one_core();
+
+}  // namespace wend::bench

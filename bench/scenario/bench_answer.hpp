@@ -1,0 +1,46 @@
+#pragma once
+
+// BenchAnswer: what a planner answered to a query of a scenario, and how long that took. Times are
+// CPU time of the thread (wend/base/thread_time.hpp).
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wend/base/status.hpp"
+
+namespace wend {
+
+/// A query that a new planner is asked, one run.
+struct FirstQuery {
+  double prepare_s = 0;  // seconds to make the planner, without an index that it was given
+  double seconds = 0;    // of the query
+};
+
+struct BenchAnswer {
+  std::size_t line = 0;  // of the query in the scenario's file: tells the queries apart
+  Status status = Status::found;
+  double length = 0;  // of the path, in cells, or its cost on terrain; 0 without one
+  std::uint64_t expanded = 0;
+  bool wrong = false;
+  std::vector<double> seconds{};      // of every pass; planners answer the same again
+  std::optional<FirstQuery> first{};  // where it was measured
+
+  bool found() const { return status == Status::found; }
+
+  /// Of an answer with a pass at least.
+  double fastest() const { return *std::min_element(seconds.begin(), seconds.end()); }
+};
+
+/// What a planner answered on one map.
+struct BenchedMap {
+  std::string planner;
+  std::uint64_t free_cells = 0;
+  std::vector<BenchAnswer> answers{};  // each with a pass at least
+  std::string scen{};
+};
+
+}  // namespace wend

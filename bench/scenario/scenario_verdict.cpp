@@ -1,0 +1,32 @@
+#include "bench/scenario/scenario_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include "wend/base/parse.hpp"
+#include "wend/space/grid/grid_path.hpp"
+
+namespace wend {
+
+std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
+                         Status status, const Plan& plan) {
+  if (status == Status::time_limit) return {};
+  if (status != Status::found) {
+    if (query.says_no_path()) return {};
+    return fmt::format("found none ({}), expected one of length {}", describe(status),
+                       format_number(query.length));
+  }
+  const auto cells = plan.path.cells();
+  if (cells.empty() || cells.front() != query.start || cells.back() != query.goal) {
+    return "the path does not join start and goal";
+  }
+  const auto length = check_grid_path(space, moves, cells);
+  if (!length) return "not a valid path: " + length.error().what;
+  if (query.says_no_path()) {
+    return fmt::format("found a path of length {:.8g}, expected none", *length);
+  }
+  if (length_matches(query, *length)) return {};
+  return fmt::format("found a path of length {:.8f}, expected {}", *length,
+                     format_number(query.length));
+}
+
+}  // namespace wend

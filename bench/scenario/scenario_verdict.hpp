@@ -1,0 +1,22 @@
+#pragma once
+
+// Whether a planner's answer to a query of a MovingAI scenario is right.
+
+#include <string>
+
+#include "wend/base/status.hpp"
+#include "wend/io/query/scenario.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+/// What is wrong with an answer, empty if nothing is: none where the query has a length, one where it
+/// says that there is none, a path that does not join start and goal or is not valid cell by cell, or
+/// one of another length. On terrain the length is a cost. An answer that ran out of time is not
+/// wrong. O(length).
+std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
+                         Status status, const Plan& plan);
+
+}  // namespace wend

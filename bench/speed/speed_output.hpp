@@ -1,0 +1,18 @@
+#pragma once
+
+// What wend-speed prints.
+
+#include <string>
+#include <vector>
+
+#include "bench/speed/speed_run.hpp"
+
+namespace wend::bench {
+
+/// A table a map and the geometric means, 80 columns wide.
+std::string speed_text(const std::vector<MapTimings>& maps);
+
+/// The same for programs.
+std::string speed_json(const std::vector<MapTimings>& maps);
+
+}  // namespace wend::bench

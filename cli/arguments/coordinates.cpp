@@ -1,0 +1,165 @@
+#include "cli/arguments/coordinates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "cli/exit_code.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/line_reader.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend::cli {
+namespace {
+
+// Places so far away that no cell has their number are as much outside as this cell.
+constexpr Cell kFarOutside{-1, -1};
+
+/// The two finite numbers of "X,Y" or "X, Y".
+std::optional<Point> two_numbers(std::string_view typed) {
+  const std::size_t comma = typed.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto x = parse_number(trimmed(typed.substr(0, comma)));
+  const auto y = parse_number(trimmed(typed.substr(comma + 1)));
+  if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
+  return Point{*x, *y};
+}
+
+bool is_whole(double number) { return number == std::floor(number); }
+
+double whole_but_for_rounding(double number) {
+  constexpr double kRounding = 1e-9;
+  const double whole = std::round(number);
+  return std::abs(number - whole) < kRounding ? whole : number;
+}
+
+bool fits_cell(double number) {
+  return std::abs(number) <= static_cast<double>(std::numeric_limits<int>::max());
+}
+
+/// Four digits after the point are a tenth of a millimetre.
+std::string metres(Point point) {
+  const auto digits = [](double value) {
+    const double rounded = std::round(value * 1e4) / 1e4 + 0.0;
+    return format_number(std::isfinite(rounded) ? rounded : value);
+  };
+  return fmt::format("({},{}) m", digits(point.x), digits(point.y));
+}
+
+}  // namespace
+
+Place Coordinates::parse(const std::string& name, const std::string& typed) const {
+  if (has_heading(typed)) {
+    throw InputError(
+        fmt::format("--{}: {} has a heading, and a robot that moves from cell to cell has none: "
+                    "leave it out, or plan for a car (wend plan --planner car)",
+                    name, quote(typed)));
+  }
+  const Point point = parse_point(name, typed, "cell");
+  if (metric_) {
+    const auto cell = frame_.cell_at(point);
+    if (!cell) return {name, kFarOutside, metres(point)};
+    return {name, *cell, metres(point) + ", cell " + cell_text(*cell)};
+  }
+  if (!fits_cell(point.x) || !fits_cell(point.y)) return {name, kFarOutside, "(" + typed + ")"};
+  const Cell cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+  return {name, cell, cell_text(cell)};
+}
+
+Point Coordinates::parse_point(const std::string& name, const std::string& typed,
+                               std::string_view what) const {
+  const auto point = two_numbers(typed);
+  if (!point) {
+    throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
+  }
+  if (!metric_ && (!is_whole(point->x) || !is_whole(point->y))) {
+    throw InputError(fmt::format("--{0}: {1} is not a {2}: {2}s are counted in whole numbers{3}",
+                                 name, quote(typed), what,
+                                 frame_.metric ? "; without --cells, X,Y are metres" : ""));
+  }
+  return *point;
+}
+
+Point Coordinates::in_grid(Point typed) const {
+  if (!metric_) return typed;
+  const Point point = frame_.to_grid(typed);
+  return {whole_but_for_rounding(point.x), whole_but_for_rounding(point.y)};
+}
+
+std::string Coordinates::text(Cell cell) const {
+  if (!metric_) return cell_text(cell);
+  return text(centre_of(cell));
+}
+
+std::string Coordinates::text(Point point) const {
+  const Cell cell{static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
+  if (metric_) return metres(frame_.to_metres(point)) + ", cell " + cell_text(cell);
+  if (point == centre_of(cell)) return "cell " + cell_text(cell);
+  return fmt::format("({:g},{:g}), cell {}", point.x, point.y, cell_text(cell));
+}
+
+std::string Coordinates::radius_argument(double cells) const {
+  // What is a whole number of these but for rounding stays one.
+  constexpr double kDigits = 1e4;
+  const double radius = metric_ ? cells * frame_.resolution : cells;
+  return format_number(std::floor(radius * kDigits * (1 + 1e-9)) / kDigits);
+}
+
+std::string Coordinates::length(double cells) const {
+  if (metric_) return fmt::format("{:.3g} m", cells * frame_.resolution);
+  return fmt::format("{:.4g} {}", cells, cells == 1 ? "cell" : "cells");
+}
+
+std::string Coordinates::area(std::size_t cells) const {
+  std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
+  if (!frame_.metric) return count;
+  const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
+  return area < 100 ? fmt::format("{} ({:.3g} m2)", count, area)
+                    : fmt::format("{} ({:.0f} m2)", count, area);
+}
+
+std::string Coordinates::extent() const {
+  if (metric_) return metric_extent();
+  return fmt::format("the cells with x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
+}
+
+std::string Coordinates::extent_of_corners() const {
+  if (metric_) return metric_extent();
+  return fmt::format("the corners with x from 0 to {} and y from 0 to {}", width_, height_);
+}
+
+std::string Coordinates::metric_extent() const {
+  const double right = width_;
+  const double top = height_;
+  const std::array<Point, 4> corners{
+      frame_.to_metres(Point{0, 0}), frame_.to_metres(Point{right, 0}),
+      frame_.to_metres(Point{right, top}), frame_.to_metres(Point{0, top})};
+  if (frame_.origin.heading == 0) {
+    return fmt::format("x from {:.6g} to {:.6g} m and y from {:.6g} to {:.6g} m", corners[0].x,
+                       corners[2].x, corners[0].y, corners[2].y);
+  }
+  return fmt::format(
+      "the rectangle {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} m",
+      corners[0].x, corners[0].y, corners[1].x, corners[1].y, corners[2].x, corners[2].y,
+      corners[3].x, corners[3].y);
+}
+
+bool has_heading(std::string_view typed) { return std::count(typed.begin(), typed.end(), ',') > 1; }
+
+std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
+
+std::string size_text(const GridMap& map) {
+  const Frame& frame = map.frame();
+  std::string text = fmt::format("{} x {} cells", map.width(), map.height());
+  if (frame.metric) {
+    text += fmt::format(", {:.4g} x {:.4g} m", map.width() * frame.resolution,
+                        map.height() * frame.resolution);
+  }
+  return text;
+}
+
+}  // namespace wend::cli

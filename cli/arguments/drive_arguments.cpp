@@ -1,0 +1,131 @@
+#include "cli/arguments/drive_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/exit_code.hpp"
+#include "wend/base/parse.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr NumberRange kNoise{0, 10};
+
+/// --loop says it.
+bool is_closed(const OptionInfo& option) { return option.name == "closed"; }
+
+template <class Options>
+Options parsed(const OptionValues& values) {
+  auto options = parse_options<Options>(values);
+  if (!options) throw InputError(options.error().message());
+  return *options;
+}
+
+ChosenController made(const OptionSpec& spec, const MotionModel& robot) {
+  const ControllerInfo& info = *wend::controllers().find(spec.name);
+  if (const auto why = why_unfit(info, robot)) throw InputError(*why);
+  auto controller = info.make(spec.options);
+  if (!controller) throw InputError(spec.name + ": " + controller.error().message());
+  return {spec.text, *std::move(controller)};
+}
+
+std::vector<OptionSpec> parse_controllers(const std::string& list) {
+  auto specs = parse_option_specs(list, "controller", wend::controllers());
+  if (!specs) throw InputError(specs.error());
+  return *std::move(specs);
+}
+
+/// Every controller that the robot can obey.
+std::vector<OptionSpec> all_for(const MotionModel& robot) {
+  std::vector<OptionSpec> specs;
+  for (const ControllerInfo& info : wend::controllers()) {
+    if (!why_unfit(info, robot)) specs.push_back({info.name, info.name, {}});
+  }
+  return specs;
+}
+
+std::string summaries() {
+  std::string text;
+  for (const ControllerInfo& info : wend::controllers()) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", info.name, info.summary);
+  }
+  return text;
+}
+
+}  // namespace
+
+void DriveArguments::add_to(Parser& app) {
+  app.add_option("--controller", controller_,
+                 wrapped("What drives (default pure_pursuit); options may follow as in "
+                         "pid:heading_gain=3. " +
+                         summaries()))
+      .type_name(kControllerType);
+  const auto compare = [this](const std::string& text) { compared_ = text; };
+  app.add_option(
+         "--compare", compare,
+         wrapped("Drive with each of these controllers instead, or with all; options may follow "
+                 "each, as in --compare=p,pid:heading_gain=3"))
+      .optional_value()
+      .type_name("[" + std::string(kControllerType) + ",...]");
+  add_number(app, "--noise", noise_, kNoise,
+             "All noise at once: the same as --actuation-noise S --position-noise S (metres) "
+             "--heading-noise S (radians)")
+      .type_name("S");
+  for (const ControllerInfo& info : wend::controllers()) {
+    controller_options_.collect(info.name, info.options);
+  }
+  std::vector<OptionInfo> simulation = option_schema<SimulationOptions>();
+  std::erase_if(simulation, is_closed);
+  simulation_.collect("", simulation);
+  following_.collect("", option_schema<FollowerOptions>());
+  robot_.collect("", option_schema<MotionModel>());
+  for (OptionFlags* flags : {&simulation_, &robot_, &following_, &controller_options_}) {
+    flags->add_to(app);
+  }
+}
+
+SimulationOptions DriveArguments::simulation(bool loop) const {
+  OptionValues values;
+  for (const char* name : {"actuation_noise", "position_noise", "heading_noise"}) {
+    if (noise_) values.emplace_back(name, format_number(*noise_));
+  }
+  const OptionValues given = simulation_.values_for("");
+  values.insert(values.end(), given.begin(), given.end());
+  auto options = parsed<SimulationOptions>(values);
+  options.closed = loop;
+  return options;
+}
+
+FollowerOptions DriveArguments::following() const {
+  return parsed<FollowerOptions>(following_.values_for(""));
+}
+
+MotionModel DriveArguments::robot() const { return parsed<MotionModel>(robot_.values_for("")); }
+
+std::vector<ChosenController> DriveArguments::controllers(const MotionModel& robot) const {
+  std::vector<OptionSpec> specs;
+  if (compared_) {
+    specs = compared_->empty() ? all_for(robot) : parse_controllers(*compared_);
+    for (const OptionSpec& spec : specs) {
+      if (!controller_options_.values_for(spec.name).empty()) {
+        throw InputError("--compare: options follow each controller, as in pid:heading_gain=3");
+      }
+    }
+  } else {
+    specs = parse_controllers(controller_);
+    if (specs.size() > 1) {
+      throw InputError(fmt::format("--controller {}: name one, or use --compare", controller_));
+    }
+    const OptionValues flags = controller_options_.values_for(specs.front().name);
+    specs.front().options.insert(specs.front().options.end(), flags.begin(), flags.end());
+  }
+  std::vector<ChosenController> chosen;
+  chosen.reserve(specs.size());
+  for (const OptionSpec& spec : specs) chosen.push_back(made(spec, robot));
+  return chosen;
+}
+
+}  // namespace wend::cli

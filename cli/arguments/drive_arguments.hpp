@@ -1,0 +1,47 @@
+#pragma once
+
+// How a robot is to drive: controllers, the robot, what disturbs it, when it has arrived.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/option_flags.hpp"
+#include "wend/base/option_spec.hpp"
+#include "wend/control/controller.hpp"
+#include "wend/control/simulation.hpp"
+
+namespace wend::cli {
+
+/// A controller that was asked for, as it was typed.
+struct ChosenController {
+  std::string text;
+  std::unique_ptr<Controller> controller;
+};
+
+class DriveArguments {
+ public:
+  void add_to(Parser& app);
+
+  /// Throw InputError for what is out of range. `loop`: one lap.
+  SimulationOptions simulation(bool loop) const;
+  FollowerOptions following() const;
+  MotionModel robot() const;
+
+  /// One or more. Throws InputError for those that there are not or that the robot cannot obey.
+  std::vector<ChosenController> controllers(const MotionModel& robot) const;
+
+  bool compares() const { return compared_.has_value(); }
+
+ private:
+  std::string controller_ = "pure_pursuit";
+  std::optional<std::string> compared_;  // as typed; empty: all that fit the robot
+  std::optional<double> noise_;
+  OptionFlags controller_options_{"controller"};
+  OptionFlags simulation_{"simulation"};
+  OptionFlags following_{"follower"};
+  OptionFlags robot_{"robot"};
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,66 @@
+#include "cli/arguments/input_files.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/exit_code.hpp"
+#include "wend/io/read_stream.hpp"
+
+namespace wend::cli {
+namespace {
+
+Expected<LoadedMap, IoError> load_map_or_stream(const std::string& file,
+                                                const LoadOptions& options) {
+  if (!is_stream(file)) return load_map(file, options);
+  const auto bytes = read_stream(file);
+  if (!bytes) return Unexpected<IoError>(bytes.error());
+  auto loaded = parse_map(*bytes, stream_name(file), options);
+  // What standard input was redirected from is a file that must not be written over.
+  if (loaded) loaded->files.emplace_back(is_standard_input(file) ? "/dev/stdin" : file);
+  return loaded;
+}
+
+Expected<Path, IoError> load_path_or_stream(const std::string& file, const Frame& frame,
+                                            PathStage stage) {
+  if (!is_stream(file)) return load_path(file, frame, stage);
+  const auto text = read_stream(file, kLargestPathFile);
+  if (!text) return Unexpected<IoError>(text.error());
+  return parse_path(*text, stream_name(file), frame, stage);
+}
+
+Expected<std::vector<QueryRow>, IoError> load_queries_or_stream(const std::string& file) {
+  if (!is_stream(file)) return load_query_csv(file);
+  const auto text = read_stream(file, kLargestQueryFile);
+  if (!text) return Unexpected<IoError>(text.error());
+  return parse_query_csv(*text, stream_name(file));
+}
+
+}  // namespace
+
+void check_read_once(const std::vector<std::string>& names) {
+  const auto from_input = [](const std::string& name) { return is_standard_input(name); };
+  if (std::count_if(names.begin(), names.end(), from_input) < 2) return;
+  throw InputError("standard input can be read only once: name a file for all but one '-'");
+}
+
+LoadedMap read_map(const std::string& file, const LoadOptions& options) {
+  auto loaded = load_map_or_stream(file, options);
+  if (!loaded) throw InputError(loaded.error().message());
+  return *std::move(loaded);
+}
+
+std::vector<QueryRow> read_queries(const std::string& file) {
+  auto rows = load_queries_or_stream(file);
+  if (!rows) throw InputError(rows.error().message());
+  return *std::move(rows);
+}
+
+Path read_path(const std::string& file, const Frame& frame, PathStage stage) {
+  auto path = load_path_or_stream(file, frame, stage);
+  if (path) return *std::move(path);
+  const auto& error = path.error();
+  if (error.failed_plan) throw NoPathError(error.message(), *error.failed_plan);
+  throw InputError(error.message());
+}
+
+}  // namespace wend::cli

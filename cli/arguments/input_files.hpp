@@ -1,0 +1,26 @@
+#pragma once
+
+// Maps and paths that are read: files, standard input ("-") and pipes.
+
+#include <string>
+#include <vector>
+
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/path/load_path.hpp"
+#include "wend/io/query/query_csv.hpp"
+
+namespace wend::cli {
+
+/// Throws InputError if more than one of the names is standard input, which can be read only once.
+void check_read_once(const std::vector<std::string>& names);
+
+/// Throws InputError if it cannot be read.
+LoadedMap read_map(const std::string& file, const LoadOptions& options = {});
+
+/// Throws InputError if the file is not a list of queries. An invalid row is kept, with its error.
+std::vector<QueryRow> read_queries(const std::string& file);
+
+/// Throws NoPathError if the file holds the reason of a failed plan, InputError if it cannot be read.
+Path read_path(const std::string& file, const Frame& frame, PathStage stage);
+
+}  // namespace wend::cli

@@ -1,0 +1,103 @@
+#include "cli/arguments/map_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/input_files.hpp"
+#include "cli/arguments/memory_need.hpp"
+#include "cli/exit_code.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/available_memory.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
+constexpr NumberRange kDistances{0, 1e9, kMapUnit};
+constexpr NumberRange kCosts{0, 1e6};
+constexpr NumberRange kMegabytes{0, 1e9, "MB"};
+
+}  // namespace
+
+void MapFileArguments::add_to(Parser& app, const std::string& name) {
+  app.add_option(name, file,
+                 wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
+                         "or a bare PNG or PNM image; - reads one from standard input"))
+      .required()
+      .type_name(kFileType);
+  add_number(app, "--resolution", resolution, kResolutions,
+             "Metres a cell of a bare image, which then counts in metres");
+}
+
+LoadedMap MapFileArguments::load() const {
+  LoadOptions options;
+  options.resolution = resolution;
+  LoadedMap loaded = read_map(file, options);
+  if (resolution && loaded.format != MapFormat::image) {
+    throw InputError(fmt::format("--resolution is for bare images, and {} is a {} file", file,
+                                 to_string(loaded.format)));
+  }
+  return loaded;
+}
+
+void RobotArguments::add_robot_to(Parser& app) {
+  add_number(app, "--robot-radius", robot_radius, kDistances,
+             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
+             "for others and with --cells (default 0, a point)");
+  add_choice<UnknownPolicy>(app, "--unknown", unknown,
+                            {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
+                            "What unknown cells are (default blocked)");
+  add_choice<std::optional<OutsidePolicy>>(
+      app, "--outside", outside,
+      {{"blocked", OutsidePolicy::blocked}, {"free", OutsidePolicy::free}},
+      "What lies outside the map: whether the robot's disc may hang over the map's edge (default "
+      "blocked for maps in metres, free for maps in cells)");
+  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
+}
+
+void RobotArguments::add_keep_away_to(Parser& app) {
+  add_number(app, "--keep-away", keep_away, kDistances,
+             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
+             "more (units as --robot-radius; default 0, off)");
+  add_number(app, "--keep-away-cost", keep_away_cost, kCosts,
+             "How many times more a cell costs where the robot would touch an obstacle, fading to "
+             "nothing at --keep-away (default " +
+                 format_number(FreeSpaceOptions{}.keep_away_cost) + ")");
+}
+
+FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
+  if (keep_away_cost && keep_away.value_or(0) == 0) {
+    throw InputError("--keep-away-cost changes nothing: say from how far on with --keep-away");
+  }
+  const Coordinates units = coordinates(map);
+  return {.robot_radius = units.in_metres(robot_radius),
+          .unknown = unknown,
+          .outside = outside,
+          .keep_away = units.in_metres(keep_away.value_or(0)),
+          .keep_away_cost = keep_away_cost.value_or(FreeSpaceOptions{}.keep_away_cost)};
+}
+
+void MapArguments::add_to(Parser& app) {
+  MapFileArguments::add_to(app, "MAP");
+  add_robot_to(app);
+  add_number(
+      app, "--limit-memory", limit_memory, kMegabytes,
+      "Limit on memory in megabytes; a map that needs more is refused (default: what the system "
+      "has available)");
+}
+
+void MapArguments::check_memory(const GridMap& map, double need) const {
+  constexpr double kMegabyte = 1e6;
+  std::optional<double> available = available_memory();
+  if (limit_memory) available = *limit_memory * kMegabyte;
+  cli::check_memory(file, map, need, available);
+}
+
+FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_cell) const {
+  const FreeSpaceOptions robot = options(map);
+  const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
+  check_memory(map, per_cell * static_cast<double>(map.size()));
+  return FreeSpace(map, robot);
+}
+
+}  // namespace wend::cli

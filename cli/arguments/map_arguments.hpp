@@ -1,0 +1,58 @@
+#pragma once
+
+// The map file, as convert takes it too, and the robot on the map, as plan, field, info and bench do.
+
+#include <optional>
+#include <string>
+
+#include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/parser.hpp"
+#include "wend/io/map/loaded_map.hpp"
+#include "wend/map/free_space.hpp"
+
+namespace wend::cli {
+
+struct MapFileArguments {
+  std::string file;
+  std::optional<double> resolution;
+
+  /// `name` is what help calls the file.
+  void add_to(Parser& app, const std::string& name);
+
+  /// Throws InputError if the map cannot be read.
+  LoadedMap load() const;
+};
+
+/// The robot that is to be on a map.
+struct RobotArguments {
+  double robot_radius = 0;  // in the user's units
+  UnknownPolicy unknown = UnknownPolicy::blocked;
+  std::optional<OutsidePolicy> outside;
+  std::optional<double> keep_away;  // in the user's units
+  std::optional<double> keep_away_cost;
+  bool cells = false;
+
+  void add_robot_to(Parser& app);
+
+  /// --keep-away and --keep-away-cost, for commands to which it matters what a cell costs.
+  void add_keep_away_to(Parser& app);
+
+  Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
+  /// Throws InputError for a --keep-away-cost that costs nothing.
+  FreeSpaceOptions options(const GridMap& map) const;
+  FreeSpace free_space(const GridMap& map) const { return FreeSpace(map, options(map)); }
+};
+
+struct MapArguments : MapFileArguments, RobotArguments {
+  std::optional<double> limit_memory;  // megabytes
+
+  void add_to(Parser& app);
+
+  /// Throws NoPathError if more bytes are needed for that map than there are.
+  void check_memory(const GridMap& map, double need) const;
+
+  /// Throws NoPathError if the free space and planners of this size do not fit into memory.
+  FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,179 @@
+#include "cli/arguments/option_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/exit_code.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/base/parse_in_range.hpp"
+
+namespace wend::cli {
+namespace {
+
+std::string dashed(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+/// "--corner-rule,--corner_rule"
+std::string spellings(const std::string& name) {
+  const std::string dashes = dashed(name);
+  return "--" + dashes + (dashes == name ? "" : ",--" + name);
+}
+
+std::string upper_case(std::string text) {
+  for (char& letter : text) {
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  }
+  return text;
+}
+
+bool is_numeric(const OptionInfo& option) {
+  return option.kind == OptionKind::integer || option.kind == OptionKind::number;
+}
+
+/// What the flag takes: "none|one|both", "N", "NUMBER"; its name where owners have other choices.
+std::string type_of(const std::vector<OptionInfo>& options) {
+  const OptionInfo& first = options.front();
+  const auto all_are = [&options](auto&& property) {
+    return std::ranges::all_of(options, property);
+  };
+  if (!all_are([&](const OptionInfo& own) { return own.choices == first.choices; })) {
+    return upper_case(first.name);
+  }
+  if (all_are([](const OptionInfo& own) { return own.kind == OptionKind::integer; })) return "N";
+  if (all_are(is_numeric)) return "NUMBER";
+  return fmt::format("{}", fmt::join(first.choices, "|"));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// "default 1; astar, greedy", or the default of each owner where they differ.
+std::string defaults_of(const std::vector<std::string>& owners,
+                        const std::vector<OptionInfo>& options) {
+  const std::string& first = options.front().default_value;
+  if (std::ranges::all_of(options, [&](const auto& own) { return own.default_value == first; })) {
+    const std::string whose = owners.front().empty() ? "" : "; " + joined(owners);
+    return fmt::format("default {}{}", first, whose);
+  }
+  std::vector<std::string> defaults;
+  defaults.reserve(owners.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    defaults.push_back(options[i].default_value + " for " + owners[i]);
+  }
+  return "default " + joined(defaults);
+}
+
+/// "what it does; 0 to 10"
+std::string words_of(const OptionInfo& option) {
+  if (!is_numeric(option)) return option.help;
+  return fmt::format("{}; {} to {}", option.help, format_number(option.least),
+                     format_number(option.greatest));
+}
+
+/// The unit of a number, which its help names after a comma: "m/s" of "the greatest speed, m/s".
+std::string_view unit_in(std::string_view help) {
+  constexpr std::array<std::string_view, 10> kUnits{"m",       "m/s", "m/s^2", "rad",   "rad/s",
+                                                    "rad/s^2", "s",   "1/s",   "1/s^2", "cells"};
+  for (std::size_t comma = help.find(", "); comma != std::string_view::npos;
+       comma = help.find(", ", comma + 1)) {
+    std::string_view rest = help.substr(comma + 2);
+    if (rest.starts_with("in ")) rest.remove_prefix(3);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" ,;"));
+    if (std::ranges::find(kUnits, word) != kUnits.end()) return word;
+  }
+  return {};
+}
+
+/// What is wrong with a value; empty if nothing is, or the option's owner has to say it.
+std::string fault_of(const OptionInfo& option, const std::string& value) {
+  double number = 0;
+  if (option.kind != OptionKind::number) return {};
+  return parse_in_range(value, number, option.least, option.greatest, unit_in(option.help));
+}
+
+/// What the option does, and, unless its type says so, its choices.
+std::string help_of(const OptionInfo& option, bool with_choices) {
+  const bool listed = with_choices && !option.choices.empty();
+  return words_of(option) + (listed ? ": " + or_list(option.choices) : "");
+}
+
+/// The first owner's help, then that of owners who mean something else by it.
+std::string help_of(const std::vector<std::string>& owners,
+                    const std::vector<OptionInfo>& options) {
+  const bool with_choices = type_of(options) == upper_case(options.front().name);
+  const std::string first = help_of(options.front(), with_choices);
+  std::string text = first;
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const std::string own = help_of(options[i], with_choices);
+    if (own != first) text += fmt::format("; for {}: {}", owners[i], own);
+  }
+  return wrapped(fmt::format("{} ({})", text, defaults_of(owners, options)));
+}
+
+}  // namespace
+
+void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo>& options) {
+  for (const OptionInfo& option : options) {
+    auto flag = std::ranges::find(flags_, option.name, &Flag::name);
+    if (flag == flags_.end()) flag = flags_.insert(flag, {option.name, {}, {}});
+    flag->owners.push_back(owner);
+    flag->options.push_back(option);
+  }
+}
+
+void OptionFlags::add_to(Parser& app) {
+  for (const Flag& flag : flags_) add_flag(app, flag);
+}
+
+void OptionFlags::add_flag(Parser& app, const Flag& flag) {
+  const std::string name = flag.name;
+  const std::string help = help_of(flag.owners, flag.options);
+  if (flag.options.front().kind == OptionKind::flag) {
+    const auto give = [this, name](std::int64_t count) {
+      given_.emplace_back(name, option_text::format(count > 0));
+    };
+    app.add_flag(spellings(name) + ",!--no-" + dashed(name), give, help).group(group());
+    return;
+  }
+  std::string names = spellings(name);
+  for (const std::string& alias : flag.options.front().aliases) names += "," + spellings(alias);
+  const auto give = [this, name](const std::string& text) { given_.emplace_back(name, text); };
+  app.add_option(names, give, help).type_name(type_of(flag.options)).group(group());
+}
+
+std::string OptionFlags::group() const {
+  std::string group = kind_ + " options";
+  group[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(group[0])));
+  return group;
+}
+
+OptionValues OptionFlags::values_for(const std::string& owner) const {
+  for (const auto& [name, value] : given_) {
+    const Flag& flag = *find(name);
+    const std::vector<std::string>& owners = flag.owners;
+    const auto own = std::ranges::find(owners, owner);
+    if (own != owners.end()) {
+      const OptionInfo& option = flag.options[static_cast<std::size_t>(own - owners.begin())];
+      const std::string fault = fault_of(option, value);
+      if (fault.empty()) continue;
+      throw InputError(fmt::format("--{}: {}", dashed(name), fault));
+    }
+    throw InputError(fmt::format("the {} '{}' has no option --{}; {} {} it", kind_, owner,
+                                 dashed(name), joined(owners),
+                                 owners.size() == 1 ? "has" : "have"));
+  }
+  return given_;
+}
+
+const OptionFlags::Flag* OptionFlags::find(const std::string& name) const {
+  return &*std::ranges::find(flags_, name, &Flag::name);
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+// OptionFlags: the options of planners (or generators) as flags, made at run time from their
+// schemas. An option "corner_rule" is the flag --corner-rule, or --corner_rule; a yes-or-no option
+// "furniture" is --furniture and --no-furniture. Options of the same name share a flag;
+// where they have different choices, the flag takes a --heuristic HEURISTIC, say.
+
+#include <string>
+#include <vector>
+
+#include "cli/arguments/parser.hpp"
+#include "wend/base/options.hpp"
+
+namespace wend::cli {
+
+class OptionFlags {
+ public:
+  /// `kind` is what owners are called: "planner".
+  explicit OptionFlags(std::string kind) : kind_(std::move(kind)) {}
+  ~OptionFlags() = default;
+  OptionFlags(const OptionFlags&) = delete;  // the app's callbacks point here
+  OptionFlags& operator=(const OptionFlags&) = delete;
+
+  /// Takes up the options of one owner; an empty name is that of the only one.
+  void collect(const std::string& owner, const std::vector<OptionInfo>& options);
+
+  /// Adds a flag for every option collected.
+  void add_to(Parser& app);
+
+  /// The options given, by their names. Throws InputError for one that the owner does not have and for
+  /// a number that is out of its range.
+  OptionValues values_for(const std::string& owner) const;
+
+ private:
+  struct Flag {
+    std::string name;
+    std::vector<std::string> owners;
+    std::vector<OptionInfo> options;  // of each owner
+  };
+
+  void add_flag(Parser& app, const Flag& flag);
+  std::string group() const;
+  const Flag* find(const std::string& name) const;
+
+  std::string kind_;
+  std::vector<Flag> flags_;
+  OptionValues given_;
+};
+
+}  // namespace wend::cli

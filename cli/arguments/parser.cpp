@@ -1,0 +1,85 @@
+#include "cli/arguments/parser.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Error.hpp>
+
+namespace wend::cli {
+
+Argument Argument::required() const {
+  option_->required();
+  return *this;
+}
+
+Argument Argument::type_name(const std::string& name) const {
+  option_->type_name(name);
+  return *this;
+}
+
+Argument Argument::group(const std::string& name) const {
+  option_->group(name);
+  return *this;
+}
+
+Argument Argument::optional_value() const {
+  option_->expected(0, 0);  // and not expected(0), which is a flag that is "true"
+  return *this;
+}
+
+Argument Argument::one_at_a_time() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Argument Argument::separated_by_commas() const {
+  option_->delimiter(',')->allow_extra_args(false);
+  return *this;
+}
+
+Parser Parser::add_subcommand(const std::string& name, const std::string& description) {
+  return Parser(*app_->add_subcommand(name, description));
+}
+
+void Parser::require_subcommand() { app_->require_subcommand(1); }
+
+Argument Parser::add_option(const std::string& flags, std::string& value, const std::string& help) {
+  return Argument(*app_->add_option(flags, value, help));
+}
+
+Argument Parser::add_option(const std::string& flags, std::vector<std::string>& values,
+                            const std::string& help) {
+  return Argument(*app_->add_option(flags, values, help));
+}
+
+Argument Parser::add_option(const std::string& flags, const AssignText& assign,
+                            const std::string& help) {
+  return Argument(*app_->add_option_function<std::string>(flags, assign, help));
+}
+
+Argument Parser::add_list(const std::string& flags, const AssignTexts& assign,
+                          const std::string& help) {
+  return Argument(*app_->add_option_function<std::vector<std::string>>(flags, assign, help));
+}
+
+Argument Parser::add_flag(const std::string& flags, bool& value, const std::string& help) {
+  return Argument(*app_->add_flag(flags, value, help));
+}
+
+Argument Parser::add_flag(const std::string& flags, const AssignCount& assign,
+                          const std::string& help) {
+  return Argument(*app_->add_flag_function(flags, assign, help));
+}
+
+void Parser::footer(const std::string& text) { app_->footer(text); }
+
+bool Parser::parsed() const { return app_->parsed(); }
+
+bool Parser::given(const std::string& flag) const {
+  const CLI::Option* option = app_->get_option_no_throw(flag);
+  return option != nullptr && option->count() > 0;
+}
+
+void refuse_value(const std::string& flags, const std::string& what) {
+  throw CLI::ValidationError(flags, what);
+}
+
+}  // namespace wend::cli

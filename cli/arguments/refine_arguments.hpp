@@ -1,0 +1,71 @@
+#pragma once
+
+// What is to become of a path: --simplify, --smooth, --smoother, --unsafe,
+// --turning-radius and --resample; and --corner-rounding, with which it is measured.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/parser.hpp"
+#include "wend/path/refinement.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/report/path_report.hpp"
+
+namespace wend::cli {
+
+struct RefineArguments {
+  std::optional<std::string> simplify;  // as typed; empty: as by default
+  std::optional<std::string> smooth;    // the same: ALPHA,BETA
+  std::string smoother;                 // its name, options may follow; empty: none is named
+  bool unsafe = false;
+  // In the user's units.
+  std::optional<double> turning_radius;
+  std::optional<double> resample;
+  std::optional<double> corner_rounding;
+
+  /// All of them, for paths that are planned.
+  void add_to(Parser& app);
+
+  /// --simplify, --resample and --corner-rounding.
+  void add_points_to(Parser& app);
+
+  bool any() const { return simplify || smooth || !smoother.empty() || unsafe || resample; }
+
+  /// --turning-radius as an option of the planner, if it has one. Throws InputError if neither it nor
+  /// the smoother has.
+  void steer(PlannerSpec& planner, const Coordinates& coordinates) const;
+
+  /// Throws InputError for text that means nothing.
+  Refinement refinement(const Coordinates& coordinates, Adjacency adjacency) const;
+
+  /// What paths are measured with, in cells.
+  double rounding(const Coordinates& coordinates) const;
+
+ private:
+  std::optional<SmootherChoice> smoother_choice(const Coordinates& coordinates) const;
+};
+
+/// --corner-rounding, and what it is in cells.
+void add_corner_rounding(Parser& app, std::optional<double>& rounding);
+double corner_rounding_in_cells(const std::optional<double>& rounding,
+                                const Coordinates& coordinates);
+
+/// A smoother by name, options may follow: "curvature:turning_radius=0.4". Throws InputError for one that there
+/// is not.
+SmootherChoice parse_smoother(std::string_view text);
+
+/// Simplifies, smooths and resamples a path. Throws InputError where that cannot be done.
+RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
+                   double corner_rounding);
+
+/// What there is to draw of it: as it was, and what became of it.
+std::vector<SceneLine> lines_of(const RefinedPath& path);
+
+/// How the path was before and is now, and what smoothing did: lines.
+std::string refined_text(const RefinedPath& path, const Coordinates& coordinates);
+
+}  // namespace wend::cli

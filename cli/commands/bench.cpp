@@ -1,0 +1,315 @@
+// wend bench: MovingAI scenarios, solved, timed and checked.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "bench/scenario/bench_plot.hpp"
+#include "bench/scenario/bench_queries.hpp"
+#include "bench/scenario/bench_rows.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/commands/bench/bench_contestant.hpp"
+#include "cli/commands/bench/bench_course.hpp"
+#include "cli/commands/bench/bench_race.hpp"
+#include "cli/commands/bench/bench_reference.hpp"
+#include "cli/commands/bench/bench_settings.hpp"
+#include "cli/commands/bench/bench_shards.hpp"
+#include "cli/commands/bench/bench_store.hpp"
+#include "cli/commands/bench/ranks.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output/gnuplot.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct BenchArguments {
+  std::vector<std::string> scenarios;
+  std::string planners = "astar";
+  std::string map;
+  std::vector<std::string> indexes;
+  std::string database;
+  bool distributed = false;
+  BenchSettings settings;
+  std::uint64_t sample = std::numeric_limits<std::uint64_t>::max();
+  bool check = false;
+  std::string per_query;
+  std::string plot;
+  StyleName style = StyleName::light;
+  TableFormat format = TableFormat::text;
+};
+
+constexpr const char* kBenchExamples = R"(Examples:
+  wend generate rooms --size 128x128 --seed 3 -o rooms.map
+  wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
+  wend bench rooms.map.scen --planner astar,jps,hub_labels
+  wend bench rooms.map.scen --planner astar,jps --fresh --sample 20
+  wend bench . --planner astar,dijkstra --passes 2 --per-query queries.csv
+  wend bench rooms.map.scen --robot-radius 1.5 --connectivity 4
+  wend bench . --planner astar,dijkstra --database results.db --plot results.svg
+  wend bench queries.scen --map arena.map
+  mpirun -n 4 wend bench . --planner astar --database results.db --distributed
+
+Times are CPU time of the thread. A first query is one run of a new planner; of
+ten queries it is measured, of all with --fresh. Later queries take the least of
+as many runs as fill 5 ms. What a planner prepares is shown beside them: its
+index, and what it makes of the map.
+
+The map of X.map.scen is X.map, of X.yaml.scen X.yaml, of other scenarios the
+name in their map column; it lies in the scenario's folder. Cells are those of
+--cells: from the upper left one, of a ROS map from the lower left one. On
+terrain lengths are costs. Lengths in scenarios hold for a point on 8 neighbours
+without corner cutting: for other robots Dijkstra's algorithm finds them first.
+Wrong is: no path though there is a length; a path though there is none; another
+length; a path that is not valid cell by cell; another answer than in a pass
+before. A run with --database that was interrupted goes on where it was when it
+is started again; Planner Arena opens the file. Exit codes: 0 all right, 1
+something is wrong, 2 bad usage or input.)";
+
+struct BenchResults {
+  std::vector<BenchRow> rows{};
+  std::vector<BenchedMap> maps{};
+};
+
+std::string text_of(const BenchArguments& arguments, const std::vector<BenchRow>& rows) {
+  const BenchConditions conditions = arguments.settings.conditions();
+  switch (arguments.format) {
+    case TableFormat::text:
+      return bench_table(conditions, rows);
+    case TableFormat::json:
+      return bench_json(conditions, rows);
+    case TableFormat::csv:
+      return bench_csv(conditions, rows);
+  }
+  return {};
+}
+
+void check(const BenchArguments& arguments) {
+  arguments.settings.check();
+  check_positive("--sample", arguments.sample);
+  if (!arguments.database.empty()) {
+    check_folder(arguments.database, "--database " + arguments.database);
+  }
+  if (arguments.distributed && arguments.database.empty()) {
+    throw InputError("--distributed: name the file for the results of all ranks with --database");
+  }
+  if (!arguments.per_query.empty()) {
+    check_folder(arguments.per_query, "--per-query " + arguments.per_query);
+  }
+  if (arguments.plot.empty()) return;
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<std::filesystem::path> files_of(const std::vector<Course>& courses) {
+  std::vector<std::filesystem::path> files;
+  for (const Course& course : courses) {
+    files.emplace_back(course.scenario.file);
+    append(files, course.map_files);
+  }
+  return files;
+}
+
+/// Every index that was given is to be used.
+void check_used(const GivenIndex& index, const std::vector<Contestant>& contestants) {
+  const bool taken = std::ranges::any_of(
+      contestants, [&](const Contestant& contestant) { return contestant.takes(index); });
+  if (taken) return;
+  throw InputError(fmt::format("--index {}: it is for {}, which is not in --planner", index.file,
+                               index.header.planner_name()));
+}
+
+/// All that a benchmark needs, read and checked before anything is measured or written.
+struct BenchInput {
+  std::vector<Contestant> contestants;
+  std::vector<GivenIndex> indexes;
+  std::vector<Course> courses;
+};
+
+BenchInput load_input(const BenchArguments& arguments) {
+  const BenchSettings& settings = arguments.settings;
+  BenchInput input{parse_contestants(arguments.planners, settings.moves.moves),
+                   open_indexes(arguments.indexes),
+                   load_courses(arguments.scenarios, arguments.map, arguments.sample)};
+  for (const GivenIndex& index : input.indexes) check_used(index, input.contestants);
+  std::vector<bool> fits(input.indexes.size(), false);
+  for (const Course& course : input.courses) {
+    const FreeSpace space = settings.robot.free_space(course.map);
+    for (const Contestant& contestant : input.contestants) contestant.check(space);
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+      fits[i] = fits[i] || is_for(input.indexes[i], space);
+    }
+  }
+  const auto unused = std::ranges::find(fits, false);
+  if (unused != fits.end()) {
+    const auto at = static_cast<std::size_t>(unused - fits.begin());
+    throw InputError(fmt::format("--index {}: it is for another map", input.indexes[at].file));
+  }
+  return input;
+}
+
+/// Of the courses, or of a share of their queries.
+BenchResults run_races(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
+                       BenchShare share = {}) {
+  const BenchSettings& settings = arguments.settings;
+  std::uint64_t queries = 0;
+  for (const Course& course : input.courses) queries += course.scenario.queries.size();
+  const std::uint64_t answers = queries * input.contestants.size() * settings.passes;
+  BenchProgress progress{{"queries", answers}};
+  BenchResults results;
+  for (Course& course : input.courses) {
+    if (!settings.as_in_scenarios()) {
+      set_lengths(course.scenario.queries, settings.robot.free_space(course.map),
+                  settings.moves.moves);
+    }
+    BenchRace race(course, input.contestants, settings, store, share);
+    race.run(input.indexes, progress);
+    if (share.ranks > 1) continue;
+    append(results.rows, race.rows());
+    if (!arguments.plot.empty() || !arguments.per_query.empty()) {
+      append(results.maps, race.benched());
+    }
+  }
+  if (progress.known > 0 && !arguments.distributed) {
+    complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
+                         progress.known, answers));
+  }
+  return results;
+}
+
+void write_queries(const BenchArguments& arguments, const std::vector<BenchedMap>& maps) {
+  const std::string wrong =
+      write_bytes(arguments.per_query, bench_queries_csv(maps, arguments.settings.fresh));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+void write_plot(const BenchArguments& arguments, const std::vector<BenchedMap>& maps) {
+  const std::string script =
+      bench_plot(maps, plot_kind_of(arguments.plot), plot_colours_of(arguments.style));
+  const std::string wrong = write_bytes(arguments.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+/// Merges what the ranks of an earlier run left, does this rank's share, and merges those of all.
+void run_share(const BenchArguments& arguments, BenchInput& input, Ranks& ranks) {
+  const bool merges = ranks.rank() == 0;
+  if (merges) merge_shards(arguments.database);
+  ranks.wait_for_all();
+  {
+    BenchStore store(arguments.database, shard_file(arguments.database, ranks.rank()));
+    run_races(arguments, input, store,
+              {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
+  }
+  ranks.wait_for_all();
+  if (merges) merge_shards(arguments.database);
+}
+
+/// Is it for this rank to tell the results? They are all in the database then.
+bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
+  Ranks ranks;
+  try {
+    run_share(arguments, input, ranks);
+  } catch (const InputError& error) {
+    complain(error.what());
+    ranks.end_all(bad_input);
+  } catch (const Cancelled&) {
+    complain("cancelled; the same command goes on where the ranks were");
+    ranks.end_all(interrupted);
+  }
+  return ranks.rank() == 0;
+}
+
+int run(const BenchArguments& arguments) {
+  check(arguments);
+  try {
+    BenchInput input = load_input(arguments);
+    if (!arguments.per_query.empty()) {
+      check_not_among(files_of(input.courses), arguments.per_query,
+                      "--per-query " + arguments.per_query);
+    }
+    if (arguments.distributed && !run_distributed(arguments, input)) return success;
+    BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
+    const BenchResults results = run_races(arguments, input, store);
+    const std::vector<BenchRow>& rows = results.rows;
+    print(text_of(arguments, rows));
+    if (!arguments.per_query.empty()) write_queries(arguments, results.maps);
+    if (!arguments.plot.empty()) write_plot(arguments, results.maps);
+    const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
+    return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
+  } catch (const Cancelled&) {
+    complain(
+        arguments.database.empty()
+            ? "cancelled"
+            : fmt::format("cancelled; the same command goes on where {} ends", arguments.database));
+    return interrupted;
+  }
+}
+
+}  // namespace
+
+Command add_bench(Parser& app) {
+  Parser bench = app.add_subcommand("bench", "Solve, time and check MovingAI scenarios");
+  const auto arguments = std::make_shared<BenchArguments>();
+  bench
+      .add_option("SCEN", arguments->scenarios,
+                  wrapped("MovingAI scenarios, and folders with .scen files"))
+      .required()
+      .type_name(kFileType);
+  bench
+      .add_option("--planner", arguments->planners,
+                  wrapped("Planners with commas between, options after a colon: "
+                          "astar:weight=2,dijkstra (default astar)"))
+      .type_name(kPlannerType);
+  bench.add_option("--map", arguments->map, "The map, for all scenarios").type_name(kFileType);
+  arguments->settings.add_to(bench);
+  add_count(bench, "--sample", arguments->sample,
+            "Number of queries of every scenario, evenly spread (default: all)");
+  add_texts(bench, "--index", arguments->indexes,
+            "An index for one of the planners; may be given several times. One that is not given "
+            "is built first, by one thread")
+      .type_name(kFileType);
+  bench
+      .add_option("--database", arguments->database,
+                  wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
+                          "benchmarks; what it has is not done again"))
+      .type_name(kFileType);
+  bench.add_flag("--distributed", arguments->distributed,
+                 wrapped("Under mpirun: share the queries among the ranks, and put their answers "
+                         "together in the database"));
+  bench.add_flag("--check", arguments->check,
+                 wrapped("Check every path cell by cell: always done, whether asked for or not"));
+  add_table_format(bench, arguments->format);
+  bench
+      .add_option("--per-query", arguments->per_query,
+                  wrapped("Also write every query of every planner to this file, as CSV"))
+      .type_name(kFileType);
+  bench
+      .add_option("--plot", arguments->plot,
+                  wrapped("Time against length, distributions and, of several maps, time against "
+                          "size, as .png, .svg or .pdf; needs gnuplot"))
+      .type_name(kFileType);
+  add_style(bench, arguments->style, "Colours of the plot (default light)");
+  bench.footer(kBenchExamples);
+  return {bench, [bench, arguments] {
+            if (arguments->plot.empty()) {
+              refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");
+            }
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+// What `wend bench` runs planners on: scenarios, each with its map.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wend/io/query/scenario.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend::cli {
+
+struct Course {
+  Scenario scenario;
+  std::string map_name;  // of its file, without folder and extension
+  GridMap map;
+  std::vector<std::filesystem::path> map_files;  // read for it
+  std::uint64_t fingerprint = 0;                 // of map and queries, whether sampled or not
+};
+
+/// Those of scenario files and of folders with such; `map_file` is the map of all, unless it is
+/// empty. At most `sample` queries of each, evenly spread. Throws InputError.
+std::vector<Course> load_courses(const std::vector<std::string>& files_and_folders,
+                                 const std::string& map_file, std::size_t sample);
+
+}  // namespace wend::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+// BenchStore: where `wend bench` keeps answers while it runs, so that a run that was interrupted goes
+// on where it was. Without --database: nowhere. A file is made when the first answer is kept, so a
+// command that is refused leaves none behind.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bench/database/bench_database.hpp"
+#include "cli/commands/bench/bench_course.hpp"
+#include "cli/commands/bench/bench_settings.hpp"
+#include "wend/map/free_space.hpp"
+
+namespace wend::cli {
+
+class BenchStore {
+ public:
+  /// Keeps nothing.
+  BenchStore() = default;
+
+  /// Throws InputError, as all that follows, if the file cannot be used.
+  explicit BenchStore(const std::string& file);
+
+  /// The same for a rank among many: what is known comes from the file, what is new goes to a shard.
+  BenchStore(const std::string& file, const std::string& shard);
+
+  /// From now on answers are those on this course.
+  void begin(const Course& course, const FreeSpace& space, const BenchSettings& settings);
+
+  /// What is known of a contestant on the course.
+  BenchRecord known(const std::string& contestant);
+
+  void keep(const std::string& contestant, std::span<const BenchAnswer> answers,
+            const BenchIndex& index);
+
+ private:
+  BenchDatabase& written();
+
+  std::string file_;                    // where new answers go; empty: nowhere
+  std::optional<BenchDatabase> known_;  // none until the file exists
+  std::optional<BenchDatabase> shard_;  // the same
+  bool is_shard_ = false;               // do new answers go to the shard?
+  BenchExperiment experiment_;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,119 @@
+// wend check: is a path free, and where does it first collide?
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "cli/arguments/corner_rule.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/input_files.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/path_file.hpp"
+#include "cli/arguments/refine_arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/collision_text.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/output/picture_files.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/path/path_collision.hpp"
+#include "wend/report/path_report.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct CheckArguments {
+  MapArguments map;
+  std::string path;
+  GridMoves moves;
+  std::optional<double> corner_rounding;  // in the user's units
+  Format format = Format::text;
+  PictureArguments pictures;
+  OutputFiles output;
+};
+
+constexpr const char* kCheckExamples = R"(Examples:
+  wend check office.yaml plan.csv --robot-radius 0.2
+  wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
+  wend check track.yaml centerline.csv --robot-radius 0.3 --format json
+
+Paths are those that `wend plan -o` and `wend smooth -o` write (.csv, .json; of
+a plan with --smooth the smoothed one), or centrelines in metres. The robot's
+disc is swept along the path, exactly. Exit codes: 0 free, 1 not free (standard
+error says where the first collision is), 2 bad usage or input.)";
+
+/// Paths that leave the map are shown as far as they are on it.
+Scene scene_of(const FreeSpace& space, const Path& path,
+               const std::optional<PathCollision>& collision) {
+  Scene scene = wend::scene_of(space, path);
+  if (collision) scene.collision = collision->point;
+  return scene;
+}
+
+std::string text_of(const CheckArguments& arguments, const Scene& scene, const MeasuredPath& path,
+                    bool is_free) {
+  const Coordinates coordinates = arguments.map.coordinates(scene.space.map());
+  std::string text;
+  if (is_free) {
+    text += scene.space.radius_in_cells() > 0
+                ? fmt::format("free: the robot keeps its radius of {} from every obstacle\n",
+                              coordinates.length(scene.space.radius_in_cells()))
+                : "free: it enters no obstacle\n";
+  }
+  text += metrics_table(std::vector{path}, coordinates.unit());
+  return picture_above(text, scene, detect_screen(), arguments.pictures);
+}
+
+int run(const CheckArguments& arguments) {
+  arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  arguments.output.check_not_among({arguments.path});
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  const Path path = load_path_for(space, arguments.path, PathStage::smoothed);
+  const auto collision = first_collision(path, space, arguments.moves.adjacency());
+  const MeasuredPath measures = measured(
+      "path", path, space,
+      corner_rounding_in_cells(arguments.corner_rounding, arguments.map.coordinates(loaded.map)));
+  const Scene scene = scene_of(space, path, collision);
+  const std::string json = check_json(measures, collision, loaded.map.frame());
+  print(arguments.format == Format::json ? json : text_of(arguments, scene, measures, !collision));
+  auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
+  writers[".json"] = [&](const std::string& file) { return write_bytes(file, json); };
+  arguments.output.write(writers);
+  if (!collision) return success;
+  complain(fmt::format("the path is not free: {}",
+                       collision_text(*collision, arguments.map.coordinates(loaded.map))));
+  return no_plan;
+}
+
+}  // namespace
+
+Command add_check(Parser& app) {
+  Parser check = app.add_subcommand("check", "Check that a path is free, and measure it");
+  const auto arguments = std::make_shared<CheckArguments>();
+  arguments->map.add_to(check);
+  add_path_file(check, arguments->path);
+  add_corner_rule(check, arguments->moves.corner_rule);
+  add_corner_rounding(check, arguments->corner_rounding);
+  add_format(check, arguments->format);
+  arguments->pictures.add_to(check);
+  auto extensions = picture_extensions();
+  extensions.emplace_back(".json");
+  arguments->output.add_to(
+      check, std::move(extensions),
+      "Also write a picture (.png, .svg, .pdf) in which the first collision is "
+      "marked, or the JSON; may be given several times");
+  check.footer(kCheckExamples);
+  return {check, [check, arguments] {
+            arguments->pictures.check(check, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

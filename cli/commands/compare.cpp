@@ -1,0 +1,307 @@
+// wend compare: planners beside each other, on one query or on many.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "bench/comparison/comparison.hpp"
+#include "bench/comparison/comparison_plot.hpp"
+#include "bench/comparison/comparison_run.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/limit_arguments.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/typed_query.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/explainer.hpp"
+#include "cli/output/gnuplot.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/output/picture_files.hpp"
+#include "cli/output/plan_text.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/planner/planner_terrain.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct CompareArguments {
+  MapArguments map;
+  std::string start;
+  std::string goal;
+  std::string planners;  // empty: all
+  std::uint64_t random = 0;
+  std::uint64_t seed = 1;
+  LimitArguments limits;
+  TableFormat format = TableFormat::text;
+  StyleName style = StyleName::light;
+  OutputFiles output;
+  std::string plot;
+};
+
+constexpr std::uint64_t kMostQueries = 1'000'000;
+
+constexpr const char* kCompareExamples = R"(Examples:
+  wend compare office.yaml --start 1,1 --goal 15,9
+  wend compare office.yaml --start 1,1 --goal 15,9 -o compare.png
+  wend compare grid.txt --start 0,0 --goal 9,9 --planner astar:w=2,bfs
+  wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
+  wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
+
+All planners, or those named, on the same query or on N random connected pairs;
+cars are compared with cars. The picture has a panel for each planner, with what
+it expanded. Plots need gnuplot. Exit codes: 0 a path was found, 1 none was, 2
+bad usage or input.)";
+
+/// All that move as the typed start asks for (cars have a heading), need no index and take the map.
+std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
+  std::vector<PlannerSpec> specs;
+  const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
+  for (const std::string& name : planner_names(motion)) {
+    const PlannerInfo& info = *planners().find(name);
+    if (info.index_support) continue;
+    if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
+    specs.push_back({name, name, {}});
+  }
+  return specs;
+}
+
+/// The corners that all of the planners know, where they drive cars.
+int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
+  std::int64_t unit = 1;
+  for (const PlannerSpec& planner : planners) {
+    unit = std::lcm(unit, unit_of(planner, frame));
+    unit = std::min<std::int64_t>(unit, std::numeric_limits<int>::max());  // no map is so large
+  }
+  return static_cast<int>(unit);
+}
+
+void check(const CompareArguments& arguments) {
+  const bool pair = !arguments.start.empty() || !arguments.goal.empty();
+  if (pair && arguments.random > 0) {
+    throw InputError("--random chooses start and goal: leave out --start and --goal");
+  }
+  if (arguments.random == 0 && (arguments.start.empty() || arguments.goal.empty())) {
+    throw InputError("name a query with --start X,Y --goal X,Y, or many with --random N");
+  }
+  if (arguments.random > kMostQueries) {
+    throw InputError(fmt::format("--random {}: at most {}", arguments.random, kMostQueries));
+  }
+  const bool picture = std::ranges::any_of(picture_extensions(), [&](const std::string& extension) {
+    return arguments.output.any(extension);
+  });
+  if (picture && arguments.random > 0) {
+    throw InputError("-o with a picture is for one query; of many, --plot draws the statistics");
+  }
+  if (arguments.plot.empty()) return;
+  if (arguments.random == 0) throw InputError("--plot is for many queries: add --random N");
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
+/// What was asked as one of the planners understands it.
+std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareArguments& arguments,
+                                      const FreeSpace& space) {
+  return typed_query(planner, space, arguments.map.coordinates(space.map()),
+                     {arguments.start, {arguments.goal}});
+}
+
+std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
+                                  const FreeSpace& space) {
+  if (run.comparison().motion == Motion::car) {
+    auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
+                                arguments.random, arguments.seed);
+    if (drives.empty()) throw InputError("--random: no two corners of this map are connected");
+    return drives;
+  }
+  std::vector<Query> queries;
+  for (const CellPair& cells : random_pairs(space, arguments.random, arguments.seed)) {
+    queries.push_back(Query::between(cells.start, cells.goal));
+  }
+  if (queries.empty()) throw InputError("--random: no two cells of this map are connected");
+  return queries;
+}
+
+std::vector<Query> queries_of(const ComparisonRun& run, const CompareArguments& arguments,
+                              const FreeSpace& space) {
+  if (arguments.random > 0) return random_queries(run, arguments, space);
+  return {query_for(run.planners().front(), arguments, space)->query()};
+}
+
+void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArguments& limits) {
+  ProgressBar progress("comparing", queries.size());
+  ProgressBar within_a_query("", 0);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    queries[i].limits = limits.limits(within_a_query);
+    run.answer(std::move(queries[i]));
+    progress.update(i + 1);
+  }
+}
+
+/// Why a planner that moves from cell to cell found nothing.
+std::string reason_in_cells(const ComparedQuery& query, const ComparisonRow& row,
+                            const FreeSpace& space, const Coordinates& coordinates,
+                            GridMoves moves) {
+  const Ends ends{coordinates.place("start", cell_at(query.start.point())),
+                  coordinates.place("goal", cell_at(query.goal.point))};
+  return Explainer(space, coordinates, moves).explain(row.status, ends, {}, {});
+}
+
+/// Says why planners found nothing, as `wend plan` does; cars have said so, but for limits.
+void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
+  const Coordinates coordinates = arguments.map.coordinates(space.map());
+  Limits limits;
+  limits.expansions = arguments.limits.expansions;
+  limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
+  for (ComparedQuery& query : run.comparison().queries) {
+    for (std::size_t i = 0; i < query.rows.size(); ++i) {
+      ComparisonRow& row = query.rows[i];
+      const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
+      if (is_limit(row.status)) {
+        row.reason = explain_limit(row.status, limits, metrics);
+      } else if (!row.found() && row.reason.empty()) {
+        row.reason = reason_in_cells(query, row, space, coordinates, moves_of(run.planners()[i]));
+      }
+    }
+  }
+}
+
+std::string caption_of(const ComparisonRow& row, Motion motion) {
+  if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
+  return fmt::format("{} {:.6g}, {} expanded\nfirst query {}, later {}\nprepared in {} ({})",
+                     motion == Motion::car ? "fuel" : "cost", row.cost, row.expanded,
+                     time_text(row.times.first), time_text(row.times.later),
+                     time_text(row.times.preparation), thread_time_name());
+}
+
+/// A panel for each planner: what it expanded for the first query, and its path.
+std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& arguments,
+                             const FreeSpace& space) {
+  const ComparedQuery& query = run.comparison().queries.front();
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < query.rows.size(); ++i) {
+    const SearchSnapshot snapshot = run.record(i, 0).snapshot();
+    Scene scene = query_for(run.planners()[i], arguments, space)->scene();
+    scene.path = run.path(i, 0);
+    scene.marked = {{CellRole::expanded, snapshot.expanded},
+                    {CellRole::frontier, snapshot.frontier}};
+    panels.push_back({query.rows[i].planner, std::move(scene),
+                      caption_of(query.rows[i], run.comparison().motion)});
+  }
+  return panels;
+}
+
+void write_files(const CompareArguments& arguments, const ComparisonRun& run,
+                 const FreeSpace& space) {
+  const Comparison& comparison = run.comparison();
+  std::map<std::string, FileWriter> writers;
+  if (arguments.random == 0)
+    writers = picture_writers(panels_of(run, arguments, space), arguments.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, comparison_json(comparison));
+  };
+  writers[".csv"] = [&](const std::string& file) {
+    return write_bytes(file, comparison_csv(comparison));
+  };
+  arguments.output.write(writers);
+  if (arguments.plot.empty()) return;
+  const std::string script =
+      comparison_plot(comparison, plot_kind_of(arguments.plot), plot_colours_of(arguments.style));
+  const std::string wrong = write_bytes(arguments.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+std::string text_of(const Comparison& comparison, TableFormat format) {
+  switch (format) {
+    case TableFormat::text:
+      return comparison_table(comparison);
+    case TableFormat::json:
+      return comparison_json(comparison);
+    case TableFormat::csv:
+      return comparison_csv(comparison);
+  }
+  return {};
+}
+
+bool found_any(const Comparison& comparison) {
+  return std::any_of(comparison.queries.begin(), comparison.queries.end(), [](const auto& query) {
+    return std::any_of(query.rows.begin(), query.rows.end(),
+                       [](const ComparisonRow& row) { return row.found(); });
+  });
+}
+
+int run(const CompareArguments& arguments) {
+  arguments.output.check();
+  check(arguments);
+  std::vector<PlannerSpec> specs;
+  if (!arguments.planners.empty()) specs = parse_planners(arguments.planners);
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  if (!arguments.plot.empty()) {
+    check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
+  }
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  if (specs.empty()) specs = all_planners(arguments.start, space);
+  auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
+  if (!made) throw InputError(made.error().message());
+  ComparisonRun& run = *made;
+  answer_all(run, queries_of(run, arguments, space), arguments.limits);
+  give_reasons(run, arguments, space);
+  print(text_of(run.comparison(), arguments.format));
+  write_files(arguments, run, space);
+  return found_any(run.comparison()) ? success : no_plan;
+}
+
+}  // namespace
+
+Command add_compare(Parser& app) {
+  Parser compare = app.add_subcommand("compare", "Compare planners on the same query, or on many");
+  const auto arguments = std::make_shared<CompareArguments>();
+  arguments->map.add_to(compare);
+  arguments->map.add_keep_away_to(compare);
+  compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+      .type_name("X,Y[,HEADING]");
+  compare.add_option("--goal", arguments->goal, "To where").type_name("X,Y[,HEADING]");
+  compare
+      .add_option("--planner", arguments->planners,
+                  wrapped("Planners with commas between, options after a colon: "
+                          "astar:w=2,heuristic=euclidean,bfs (default: all that need no "
+                          "index and take the map; all of a car if the start has a heading)"))
+      .type_name(kPlannerType);
+  add_count(compare, "--random", arguments->random,
+            "Compare on so many random pairs of cells that a path joins");
+  add_count(compare, "--seed", arguments->seed, "Another seed, other pairs (default 1)");
+  arguments->limits.add_to(compare);
+  add_table_format(compare, arguments->format);
+  add_style(compare, arguments->style, "Colours of pictures and plots (default light)");
+  arguments->output.add_to(compare, {".png", ".svg", ".pdf", ".json", ".csv"},
+                           "Also write a picture with a panel for each planner (.png, .svg, "
+                           ".pdf), or the table (.csv, .json); may be given several times");
+  compare
+      .add_option("--plot", arguments->plot,
+                  wrapped("Of many queries: time and expansions against length, and their "
+                          "distributions, as .png, .svg or .pdf"))
+      .type_name(kFileType);
+  compare.footer(kCompareExamples);
+  return {compare, [compare, arguments] {
+            if (compare.given("--random")) {
+              check_positive("--random", arguments->random);
+            } else {
+              refuse_idle(compare, {"--seed"}, "it chooses the queries of --random N");
+            }
+            if (!arguments->output.any_picture() && arguments->plot.empty()) {
+              refuse_idle(compare, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+            }
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

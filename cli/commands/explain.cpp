@@ -1,0 +1,208 @@
+// wend explain: why there is no path, and what would make one.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/option_flags.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/explainer.hpp"
+#include "cli/output/no_path_scene.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/output/picture_files.hpp"
+#include "cli/output/text_blocks.hpp"
+#include "wend/analysis/no_path.hpp"
+#include "wend/report/no_path_json.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct ExplainArguments {
+  MapArguments map;
+  std::string start;
+  std::string goal;
+  OptionFlags options{"move"};
+  Format format = Format::text;
+  PictureArguments pictures;
+  OutputFiles output;
+};
+
+constexpr const char* kExplainExamples = R"(Examples:
+  wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6
+  wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
+  wend explain grid.txt --start 0,0 --goal 9,9 --format json
+
+The picture shows what can be reached from the start, from where the goal can be
+reached, and the nearest free cell where an end is blocked. A dashed line is the
+path that the least change would open, with its narrowest place. Exit codes: 0
+there is a path after all, 1 there is none, 2 bad usage or input.)";
+
+/// One question, from its arguments to its answer.
+class ExplainRun {
+ public:
+  ExplainRun(const ExplainArguments& arguments, GridMoves moves, FreeSpace space)
+      : arguments_(arguments),
+        moves_(moves),
+        space_(std::move(space)),
+        coordinates_(arguments.map.coordinates(space_.map())),
+        explainer_(space_, coordinates_, moves_),
+        ends_{coordinates_.parse("start", arguments.start),
+              coordinates_.parse("goal", arguments.goal)} {
+    for (const Place& place : {ends_.start, ends_.goal}) {
+      if (!space_.contains(place.cell)) throw InputError(explainer_.outside(place));
+    }
+    why_ = explain_no_path(space_, ends_.start.cell, ends_.goal.cell, moves_);
+  }
+
+  ExitCode report() const;
+
+ private:
+  std::string text() const;
+  std::string headline() const;
+  std::string region(const Place& place, std::size_t cells) const;
+  std::string causes() const;
+  std::string on_obstacles() const;
+  std::string parted() const;
+  Scene scene() const;
+
+  const ExplainArguments& arguments_;
+  GridMoves moves_;
+  FreeSpace space_;
+  Coordinates coordinates_;
+  Explainer explainer_;
+  Ends ends_;
+  NoPath why_;
+};
+
+constexpr int kColumns = 80;
+constexpr int kNameColumns = 16;
+
+std::string line(std::string_view name, const std::string& what) {
+  const std::string text = fmt::format("{:<{}}{}", name, kNameColumns, what);
+  return folded(text, kColumns, kNameColumns) + "\n";
+}
+
+std::string ExplainRun::headline() const {
+  const std::string text =
+      why_.path_exists()
+          ? fmt::format("there is a path from {} to {}", ends_.start.text, ends_.goal.text)
+          : fmt::format("no path joins start {} and goal {}", ends_.start.text, ends_.goal.text);
+  return folded(text, kColumns) + "\n";
+}
+
+std::string ExplainRun::region(const Place& place, std::size_t cells) const {
+  const std::string blocked = explainer_.blocked(place);
+  return blocked.empty() ? coordinates_.area(cells) : blocked;
+}
+
+/// What is in the way, and what is not, by every reason that there could be.
+std::string ExplainRun::causes() const {
+  const auto says = [this](bool Way::* change, std::string_view what, std::string_view otherwise) {
+    const auto has = [change](const Way& way) { return way.*change; };
+    const auto way = std::find_if(why_.ways.begin(), why_.ways.end(), has);
+    if (way == why_.ways.end()) return line(what, "not the cause");
+    if (way->changes() > 1) return line(what, "a part of the cause");
+    return line(what, fmt::format("the cause: {}", otherwise));
+  };
+  return says(&Way::smaller_robot, "robot's size", "a smaller robot gets through") +
+         says(&Way::unknown_free, "unknown cells", "a way leads through them") +
+         says(&Way::squeeze, "corner rule",
+              "a way leads between obstacles that touch with their corners") +
+         line("connectivity", "not the cause: unless corners are cut, 4 moves reach what 8 do");
+}
+
+/// The ends that lie on an obstacle: "start and goal"; empty where none does.
+std::string ExplainRun::on_obstacles() const {
+  std::string names;
+  for (const Place& place : {ends_.start, ends_.goal}) {
+    if (space_.why_blocked(place.cell) != BlockReason::obstacle) continue;
+    names += (names.empty() ? "" : " and ") + place.name;
+  }
+  return names;
+}
+
+/// Why no robot of any size gets from one to the other.
+std::string ExplainRun::parted() const {
+  const std::string names = on_obstacles();
+  return names.empty() ? "obstacles part the two" : "an obstacle lies on " + names;
+}
+
+std::string ExplainRun::text() const {
+  std::string text = headline();
+  text += picture(scene(), detect_screen(), arguments_.pictures);
+  text += line("start's region", region(ends_.start, why_.start_region)) +
+          line("goal's region", region(ends_.goal, why_.goal_region));
+  text += line("widest path", why_.widest ? "robot " + explainer_.width(*why_.widest)
+                                          : "none, whatever the robot's size: " + parted());
+  if (why_.path_exists()) return text;
+  text += causes();
+  for (const Way& way : why_.ways) {
+    text += line(way.widest.path.empty() ? "" : "would help", explainer_.change(way));
+  }
+  if (why_.ways.empty()) {
+    text += line("would help",
+                 on_obstacles().empty() ? "nothing but another map" : "another " + on_obstacles());
+  }
+  return text;
+}
+
+Scene ExplainRun::scene() const {
+  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, coordinates_, why_);
+}
+
+ExitCode ExplainRun::report() const {
+  if (arguments_.format == Format::json) {
+    print(no_path_json(why_, space_.map().frame()));
+  } else {
+    print(text());
+  }
+  auto writers = picture_writers({{{}, scene(), {}}}, arguments_.pictures.style);
+  writers[".json"] = [this](const std::string& file) {
+    return write_bytes(file, no_path_json(why_, space_.map().frame()));
+  };
+  arguments_.output.write(writers);
+  return why_.path_exists() ? success : no_plan;
+}
+
+int run(const ExplainArguments& arguments) {
+  arguments.output.check();
+  const auto moves = parse_options<GridMoves>(arguments.options.values_for("explain"));
+  if (!moves) throw InputError(moves.error().message());
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  return ExplainRun(arguments, *moves, arguments.map.free_space(loaded.map)).report();
+}
+
+}  // namespace
+
+Command add_explain(Parser& app) {
+  Parser explain = app.add_subcommand("explain", "Say why there is no path, and what would help");
+  const auto arguments = std::make_shared<ExplainArguments>();
+  arguments->map.add_to(explain);
+  explain.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+      .required()
+      .type_name("X,Y");
+  explain.add_option("--goal", arguments->goal, "To where").required().type_name("X,Y");
+  add_format(explain, arguments->format);
+  arguments->pictures.add_to(explain);
+  arguments->output.add_to(explain, {".png", ".svg", ".pdf", ".json"},
+                           "Also write a picture (.png, .svg, .pdf) or the JSON; may be given "
+                           "several times");
+  arguments->options.collect("explain", option_schema<GridMoves>());
+  arguments->options.add_to(explain);
+  explain.footer(kExplainExamples);
+  return {explain, [explain, arguments] {
+            arguments->pictures.check(explain, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

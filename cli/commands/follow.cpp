@@ -1,0 +1,171 @@
+// wend follow: a simulated robot follows a path.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/input_files.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/follow_run.hpp"
+#include "cli/output/gnuplot.hpp"
+#include "wend/base/parse.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr double kMargin = 0.1;  // m
+constexpr NumberRange kMargins{0, 1e6, kMapUnit};
+constexpr NumberRange kDriveSpeeds{1e-3, 1e6, "times the robot's speed"};
+
+constexpr const char* kFollowExamples = R"(Examples:
+  wend follow office.yaml --start 1,1 --goal 15,9 --smooth -o drive.png
+  wend follow office.yaml --start 1,1 --goal 15,9 --controller pid --noise 0.02
+  wend follow office.yaml --start 1,1 --goal 15,9 --compare --plot drive.svg
+  wend follow office.yaml --path smooth.csv --compare=p_moving,pure_pursuit
+  wend follow track.yaml --path centerline.csv --loop --speed 3 -o lap.gif
+
+The path is planned with the radius and the margin, then simplified, smoothed
+and resampled as asked; the robot drives with its true radius. Metres, radians
+and seconds, except for what --robot-radius and the like count in cells on maps
+without a resolution, where a cell is a metre. Red is planned, green smoothed,
+blue driven. Exit codes: 0 reached the goal (one of several controllers did), 1
+not (standard error says why), 2 bad usage or input.)";
+
+void check(const FollowArguments& arguments) {
+  arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
+  const bool asked = !arguments.ends.start.empty() || !arguments.ends.goals.empty();
+  if (asked && !arguments.path.empty()) {
+    throw InputError("--path is driven as it is: leave out --start and --goal");
+  }
+  if (arguments.path.empty() && (arguments.ends.start.empty() || arguments.ends.goals.empty())) {
+    throw InputError(
+        "name --start X,Y and --goal X,Y to plan a path, or one to follow with --path");
+  }
+  if (arguments.loop && arguments.path.empty()) {
+    throw InputError("--loop is for a path that is read with --path");
+  }
+  if (arguments.drive.compares() && arguments.output.any(".gif")) {
+    throw InputError("-o with a .gif is for one drive: leave out --compare");
+  }
+  if (arguments.plot.empty()) return;
+  plot_kind_of(arguments.plot);
+  check_folder(arguments.plot, "--plot " + arguments.plot);
+  require_gnuplot();
+}
+
+/// Throws InputError for flags that were given and change nothing.
+void check_idle(const Parser& follow, const FollowArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  arguments.pictures.check(follow, output.any_picture() || !arguments.plot.empty(),
+                           arguments.format != Format::json);
+  if (arguments.format != Format::json) {
+    refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has them");
+  }
+  if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it is that of -o FILE.gif");
+  if (arguments.drive.compares()) {
+    refuse_idle(follow, {"--controller"}, "--compare says what drives");
+  }
+  if (arguments.drive.robot().drivetrain != Drivetrain::bicycle) {
+    refuse_idle(follow, {"--wheelbase", "--steering-limit"}, "add --drivetrain bicycle");
+  }
+  const std::vector<std::string> noises{"--noise", "--actuation-noise", "--position-noise",
+                                        "--heading-noise"};
+  if (std::ranges::none_of(noises, [&](const auto& noise) { return follow.given(noise); })) {
+    refuse_idle(follow, {"--seed"}, "it is that of the noise; add --noise S");
+  }
+  if (arguments.path.empty()) return;
+  refuse_idle(
+      follow,
+      {"--nearest", "--limit-expansions", "--limit-time", "--keep-away", "--keep-away-cost"},
+      "with --path nothing is planned");
+  if (!arguments.refine.any()) {
+    refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is driven as it is");
+  }
+}
+
+/// The map for a robot that is larger by the margin.
+FreeSpace planning_space(const FollowArguments& arguments, const GridMap& map) {
+  MapArguments larger = arguments.map;
+  const double per_unit = arguments.map.coordinates(map).in_metres(1);
+  larger.robot_radius += arguments.margin.value_or(kMargin / per_unit);
+  return larger.free_space(map);
+}
+
+int run(const FollowArguments& arguments) {
+  check(arguments);
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  if (!arguments.path.empty()) arguments.output.check_not_among({arguments.path});
+  FollowRun run(arguments, arguments.map.free_space(loaded.map),
+                planning_space(arguments, loaded.map));
+  if (!run.find_path()) return no_plan;
+  run.drive();
+  return run.report();
+}
+
+void add_path(Parser& app, FollowArguments& arguments) {
+  app.add_option("--start", arguments.ends.start,
+                 wrapped("Where a path is planned from, as for `wend plan`"))
+      .type_name("X,Y[,HEADING]");
+  add_texts(app, "--goal", arguments.ends.goals, "Where to; of several the cheapest to reach")
+      .type_name("X,Y[,HEADING]");
+  app.add_flag(
+      "--nearest", arguments.nearest,
+      wrapped("Where start or goal is blocked, with the margin, take the nearest free cell "
+              "that is connected to the other end (not of a car)"));
+  app.add_option("--planner", arguments.planner,
+                 wrapped("The planner (default astar); options may follow as in astar:weight=2"))
+      .type_name(kPlannerType);
+  add_number(app, "--margin", arguments.margin, kMargins,
+             "Plan as if the robot's radius were larger by this: room for what a controller is off "
+             "the path (units as --robot-radius; default 0.1 m)");
+  app.add_option(
+         "--path", arguments.path,
+         wrapped("Follow this path instead: as `wend plan -o` and `wend smooth -o` write it "
+                 "(.csv, .json; of a plan with --smooth the smoothed one), or a centreline in "
+                 "metres"))
+      .type_name(kFileType);
+  app.add_flag("--loop", arguments.loop, wrapped("Drive one lap of that path, back to its start"));
+  arguments.refine.add_to(app);
+  arguments.limits.add_to(app);
+}
+
+}  // namespace
+
+Command add_follow(Parser& app) {
+  Parser follow = app.add_subcommand("follow", "Let a simulated robot follow a path");
+  const auto arguments = std::make_shared<FollowArguments>();
+  arguments->map.add_to(follow);
+  arguments->map.add_keep_away_to(follow);
+  add_path(follow, *arguments);
+  add_format(follow, arguments->format);
+  follow.add_flag("--samples", arguments->samples,
+                  wrapped("With --format json: where the robot was at every command, too"));
+  arguments->pictures.add_to(follow);
+  add_number(follow, "--film-speed", arguments->speed, kDriveSpeeds,
+             "How many times as fast as the robot a .gif is (default: as fast as makes it take up "
+             "to 8 s)");
+  follow
+      .add_option("--plot", arguments->plot,
+                  wrapped("Plot speed, heading error and cross-track error over time with gnuplot "
+                          "(.png, .svg, .pdf)"))
+      .type_name(kFileType);
+  arguments->output.add_to(
+      follow, {".png", ".svg", ".pdf", ".gif", ".json", ".csv"},
+      "Also write a picture of the paths (.png, .svg, .pdf), a film of the drive "
+      "(.gif), or where the robot was at every command (.json, .csv); may be "
+      "given several times",
+      "where the robot was (JSON with --format json, else CSV)");
+  arguments->drive.add_to(follow);
+  follow.footer(kFollowExamples);
+  return {follow, [follow, arguments] {
+            check_idle(follow, *arguments);
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,203 @@
+#include "cli/commands/follow_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/plot/drive_plot.hpp"
+#include "cli/arguments/path_file.hpp"
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/output/gnuplot.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/picture_files.hpp"
+#include "cli/watching/drive_frames.hpp"
+#include "cli/watching/search_frames.hpp"
+#include "wend/control/simulation.hpp"
+#include "wend/io/path/path_csv.hpp"
+#include "wend/planner/planner.hpp"
+
+namespace wend::cli {
+namespace {
+
+bool reached(const ControlledDrive& driven) {
+  return driven.drive.outcome == DriveOutcome::reached;
+}
+
+std::string oscillation(const ControlledDrive& driven) {
+  return fmt::format(
+      "{}: it oscillates, {} swings to and fro in {:.2f} s: its gains are too high for this rate, "
+      "latency or noise",
+      driven.controller, driven.drive.swings, driven.drive.time);
+}
+
+/// "reached the goal in 32.1 s, cross-track 0.021 m rms"
+std::string caption_of(const Drive& drive) {
+  return fmt::format("{} in {:.1f} s\ncross-track {:.3f} m rms, {:.3f} m at most",
+                     describe(drive.outcome), drive.time, drive.cross_track_rms,
+                     drive.cross_track_largest);
+}
+
+PlannerSpec steered(const FollowArguments& arguments, const Coordinates& coordinates) {
+  PlannerSpec planner = parse_planner(arguments.planner);
+  arguments.refine.steer(planner, coordinates);
+  return planner;
+}
+
+}  // namespace
+
+FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space)
+    : arguments_(arguments),
+      space_(std::move(space)),
+      planning_space_(std::move(planning_space)),
+      coordinates_(arguments.map.coordinates(space_.map())),
+      planner_(steered(arguments, coordinates_)),
+      refinement_(arguments.refine.refinement(coordinates_, moves_of(planner_).adjacency())),
+      robot_(arguments.drive.robot()),
+      simulation_(arguments.drive.simulation(arguments.loop)),
+      following_(arguments.drive.following()),
+      controllers_(arguments.drive.controllers(robot_)) {}
+
+bool FollowRun::find_path() {
+  std::optional<Path> path = arguments_.path.empty() ? plan() : loaded();
+  if (!path) return false;
+  path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
+  return true;
+}
+
+/// Where the path's file says that there is none, so do the files to be written.
+Path FollowRun::loaded() const {
+  try {
+    return load_path_on(space_, arguments_.path, PathStage::smoothed);
+  } catch (const NoPathError& error) {
+    write_failure(error.plan(), Scene{.space = space_});
+    throw;
+  }
+}
+
+std::optional<Path> FollowRun::plan() {
+  const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
+  if (arguments_.nearest) {
+    for (const auto& note : asked->move_to_nearest()) complain(note);
+  }
+  auto planner = info_of(planner_).make(planning_space_, planner_.options);
+  if (!planner) throw InputError(planner.error().message());
+  ProgressBar progress("planning", (*planner)->state_count());
+  Query query = asked->query();
+  query.limits = arguments_.limits.limits(progress);
+  Plan plan;
+  const Status status = (*planner)->plan(query, plan);
+  if (status == Status::found) return std::move(plan.path);
+  const std::string margin =
+      coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
+  const FailedPlan failed{
+      std::string(to_string(status)),
+      fmt::format("{} (planned with a margin of {} around the robot, which these radii include)",
+                  asked->reason(**planner, status, query.limits, plan.metrics), margin)};
+  complain(failed.reason);
+  write_failure(failed, asked->scene_of_failure(status));
+  return std::nullopt;
+}
+
+/// Replaces output files of earlier commands with the reason for the failure.
+void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const {
+  auto writers =
+      picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments_.pictures.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, failed_plan_json(plan));
+  };
+  writers[".csv"] = [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); };
+  writers[".gif"] = [&](const std::string& file) {
+    return write_picture(file, gif_of(scene, style_of(arguments_.pictures.style)));
+  };
+  arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
+}
+
+void FollowRun::drive() {
+  for (ChosenController& chosen : controllers_) {
+    drives_.push_back({chosen.text, simulate(space_, path_.refined.path, *chosen.controller, robot_,
+                                             simulation_, following_)});
+  }
+}
+
+Scene FollowRun::scene_of_path() const {
+  std::vector<SceneLine> lines = lines_of(path_);
+  if (!arguments_.refine.any()) lines.pop_back();
+  for (SceneLine& line : lines) {
+    if (arguments_.loop) line.points.push_back(line.points.front());
+  }
+  return scene_of(space_, std::move(lines));
+}
+
+Scene FollowRun::scene_of_drive(const ControlledDrive& driven) const {
+  Scene scene = scene_of_path();
+  SceneLine line{LineRole::driven, {}};
+  for (const DriveSample& sample : driven.drive.samples) line.points.push_back(sample.pose.point());
+  scene.lines.push_back(std::move(line));
+  scene.collision = driven.drive.first_collision;
+  return scene;
+}
+
+/// One drive is a picture of its own.
+std::vector<Panel> FollowRun::panels() const {
+  std::vector<Panel> panels;
+  for (const ControlledDrive& driven : drives_) {
+    const bool alone = drives_.size() == 1;
+    panels.push_back({alone ? "" : driven.controller, scene_of_drive(driven),
+                      alone ? "" : caption_of(driven.drive)});
+  }
+  return panels;
+}
+
+std::string FollowRun::text() const {
+  const std::string path =
+      arguments_.refine.any()
+          ? refined_text(path_, coordinates_)
+          : metrics_table(std::vector{path_.measured_before}, coordinates_.unit());
+  std::string text = path + "\n" + drive_table(drives_);
+  if (drives_.size() > 1) return text;
+  return picture_above(text, scene_of_drive(drives_.front()), detect_screen(), arguments_.pictures);
+}
+
+void FollowRun::write_files() const {
+  const Frame& frame = space_.map().frame();
+  const StyleName style = arguments_.pictures.style;
+  auto writers = picture_writers(panels(), style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, drive_json(path_, drives_, frame, DriveSamples::all));
+  };
+  writers[".csv"] = [&](const std::string& file) {
+    return write_bytes(file, drive_csv(drives_, frame));
+  };
+  writers[".gif"] = [&](const std::string& file) {
+    return write_picture(file, gif_of_drive(scene_of_path(), drives_.front().drive,
+                                            arguments_.speed, style_of(style)));
+  };
+  arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
+  if (arguments_.plot.empty()) return;
+  const std::string script =
+      drive_plot(drives_, plot_kind_of(arguments_.plot), plot_colours_of(style));
+  const std::string wrong = write_bytes(arguments_.plot, drawn_by_gnuplot(script));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+ExitCode FollowRun::report() const {
+  const DriveSamples samples = arguments_.samples ? DriveSamples::all : DriveSamples::none;
+  if (!arguments_.output.print()) {
+    print(arguments_.format == Format::json
+              ? drive_json(path_, drives_, space_.map().frame(), samples)
+              : text());
+  }
+  write_files();
+  for (const ControlledDrive& driven : drives_) {
+    if (driven.drive.oscillates()) complain(oscillation(driven));
+    if (reached(driven)) continue;
+    const Point end = driven.drive.samples.back().pose.point();
+    complain(fmt::format("{}: it {} after {:.2f} s, at {}", driven.controller,
+                         describe(driven.drive.outcome), driven.drive.time,
+                         coordinates_.text(end)));
+  }
+  return std::ranges::any_of(drives_, reached) ? success : no_plan;
+}
+
+}  // namespace wend::cli

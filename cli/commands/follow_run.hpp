@@ -1,0 +1,81 @@
+#pragma once
+
+// One run of `wend follow`: plans or reads a path, drives along it, reports.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/drive_arguments.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/limit_arguments.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/typed_query.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "wend/planner/planner_spec.hpp"
+#include "wend/render/picture/panels.hpp"
+#include "wend/report/drive_report.hpp"
+
+namespace wend::cli {
+
+struct FollowArguments {
+  MapArguments map;
+  EndArguments ends;  // empty where a path is read
+  std::string planner = "astar";
+  bool nearest = false;
+  std::string path;
+  bool loop = false;
+  std::optional<double> margin;  // in the user's units
+  RefineArguments refine;
+  DriveArguments drive;
+  LimitArguments limits;
+  Format format = Format::text;
+  bool samples = false;
+  PictureArguments pictures;
+  std::optional<double> speed;
+  std::string plot;
+  OutputFiles output;
+};
+
+class FollowRun {
+ public:
+  /// The map as the robot is, and as it is planned with a margin around it. Throws InputError for
+  /// options out of range.
+  FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space);
+
+  /// Finds the path; says so and returns false if there is none.
+  bool find_path();
+
+  void drive();
+
+  /// Prints and writes what came out.
+  ExitCode report() const;
+
+ private:
+  std::optional<Path> plan();
+  Path loaded() const;
+  void write_failure(const FailedPlan& plan, const Scene& scene) const;
+  Scene scene_of_drive(const ControlledDrive& driven) const;
+  Scene scene_of_path() const;
+  std::vector<Panel> panels() const;
+  std::string text() const;
+  void write_files() const;
+
+  const FollowArguments& arguments_;
+  FreeSpace space_;
+  FreeSpace planning_space_;
+  Coordinates coordinates_;
+  PlannerSpec planner_;
+  Refinement refinement_;
+  MotionModel robot_;
+  SimulationOptions simulation_;
+  FollowerOptions following_;
+  std::vector<ChosenController> controllers_;
+  RefinedPath path_;
+  std::vector<ControlledDrive> drives_;
+};
+
+}  // namespace wend::cli

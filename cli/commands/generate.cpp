@@ -1,0 +1,180 @@
+// wend generate: a map made from a seed.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/option_flags.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/map_saving.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/io/map/save_map.hpp"
+#include "wend/io/map/text_grid.hpp"
+#include "wend/io/quote.hpp"
+#include "wend/report/json.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct GenerateArguments {
+  std::string kind;
+  std::string size;
+  std::uint64_t seed = 1;
+  bool force = false;
+  OptionFlags options{"generator"};
+  Format format = Format::text;
+  OutputFiles output;
+};
+
+constexpr const char* kGenerateExamples = R"(Examples:
+  wend generate office --size 160x100 --seed 7 -o office.yaml
+  wend generate maze --size 41x21 --seed 3
+  wend generate random --size 512x512 --density 0.35 -o random.map -o random.png
+  wend generate car --size 20x20 --obstacles 25 --rough 25 --seed 3 -o yard.txt
+  wend generate parking --size 60x40 --occupied 0.8 -o parking.yaml
+  wend generate scenario random.map --buckets 10 --seed 1 -o random.map.scen
+
+The same kind, size, options and seed give the same map everywhere.)";
+
+/// Where a format cannot hold the terrain.
+constexpr const char* kWayOut =
+    "; a .txt can, and `wend convert` then rounds it and says what is lost";
+
+struct Size {
+  int width;
+  int height;
+};
+
+Size parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto width = parse_integer<int>(std::string_view(text).substr(0, cross));
+  const auto height = cross == std::string::npos
+                          ? std::nullopt
+                          : parse_integer<int>(std::string_view(text).substr(cross + 1));
+  if (!width || !height) {
+    throw InputError(fmt::format("--size: {} is not WIDTHxHEIGHT, as in 160x100", quote(text)));
+  }
+  return {*width, *height};
+}
+
+/// The parser cannot ask for it, because `wend generate scenario` has none.
+void check_kind(const GenerateArguments& arguments) {
+  if (arguments.kind.empty()) {
+    throw InputError(
+        "generate: name a KIND of map, or `scenario`; `wend generate --help` lists them");
+  }
+}
+
+GridMap generate(const GenerateArguments& arguments) {
+  const GeneratorInfo* generator = generators().find(arguments.kind);
+  if (generator == nullptr) throw InputError(generators().unknown("generator", arguments.kind));
+  const Size size = arguments.size.empty()
+                        ? Size{generator->default_width, generator->default_height}
+                        : parse_size(arguments.size);
+  auto map = generator->make(size.width, size.height, arguments.seed,
+                             arguments.options.values_for(generator->name));
+  if (!map) throw InputError(map.error().message());
+  return *std::move(map);
+}
+
+double free_share(const GridMap& map) {
+  const std::size_t blocked = map.occupied().count() + map.unknown().count();
+  return 1 - static_cast<double>(blocked) / static_cast<double>(map.size());
+}
+
+std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
+  return wend::text_of({{"kind", arguments.kind},
+                        {"width", map.width()},
+                        {"height", map.height()},
+                        {"seed", arguments.seed},
+                        {"free_share", free_share(map)},
+                        {"files", files_of_maps(arguments.output.files())}});
+}
+
+std::string text_grid_of(const GridMap& map) {
+  auto text = format_text_grid(map);
+  if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
+  return *std::move(text);
+}
+
+std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
+  if (arguments.output.files().empty()) return text_grid_of(map);
+  return fmt::format("{}: {} x {} cells, seed {}, {:.1f} % free\nwritten: {}\n", arguments.kind,
+                     map.width(), map.height(), arguments.seed, 100 * free_share(map),
+                     fmt::join(files_of_maps(arguments.output.files()), ", "));
+}
+
+int run(const GenerateArguments& arguments) {
+  check_kind(arguments);
+  arguments.output.check();
+  for (const std::string& file : arguments.output.files()) {
+    if (!arguments.force) check_picture(file, "-o " + file);
+  }
+  const GridMap map = generate(arguments);
+  arguments.output.write_all([&map](const std::string& file) {
+    if (file == kStandardOutput) {
+      print(text_grid_of(map));
+      return std::string();
+    }
+    const auto saved = save_map(map, file);
+    if (saved) return std::string();
+    return saved.error().message() + (map.uniform_terrain() ? "" : kWayOut);
+  });
+  if (arguments.output.print()) return success;
+  print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));
+  return success;
+}
+
+std::string default_sizes() {
+  std::string text = "Columns and rows, as in 160x100 (default";
+  const GeneratorInfo& first = *generators().begin();
+  const auto is_usual = [&](const GeneratorInfo& kind) {
+    return kind.default_width == first.default_width && kind.default_height == first.default_height;
+  };
+  for (const GeneratorInfo& kind : generators()) {
+    if (is_usual(kind)) continue;
+    text += fmt::format(" {}x{} for {},", kind.default_width, kind.default_height, kind.name);
+  }
+  return text + fmt::format(" {}x{} for others)", first.default_width, first.default_height);
+}
+
+}  // namespace
+
+Command add_generate(Parser& app) {
+  Parser generate = app.add_subcommand("generate", "Make a map from a seed, or a scenario for one");
+  const auto arguments = std::make_shared<GenerateArguments>();
+  std::string kinds;
+  for (const GeneratorInfo& kind : generators()) {
+    if (!kinds.empty()) kinds += '\n';
+    kinds += wrapped(kind.name + ": " + kind.summary);
+    arguments->options.collect(kind.name, kind.options);
+  }
+  generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
+  generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
+  add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
+  add_format(generate, arguments->format);
+  arguments->output.add_to(
+      generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
+      "Save the map: a ROS map (.yaml and its picture), MovingAI (.map), a text grid (.txt, .grid) "
+      "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
+      "text grid",
+      "the text grid");
+  add_force(generate, arguments->force);
+  arguments->options.add_to(generate);
+  generate.footer(kGenerateExamples);
+  const Command scenario = add_generate_scenario(generate);
+  return {generate, [generate, arguments, scenario] {
+            if (scenario.parser.parsed()) return scenario.run();
+            check_force(generate, arguments->output.files());
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,115 @@
+// wend generate scenario: queries on a map, with the length of a shortest path for each.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bench/scenario/scenario_queries.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/moves_arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "wend/io/quote.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::uint64_t kMostBuckets = 1'000'000;
+constexpr std::uint64_t kMostPerBucket = 10'000;
+
+struct ScenarioArguments {
+  MapArguments map;
+  MovesArguments moves;
+  std::uint64_t buckets = kMostBuckets;
+  std::uint64_t per_bucket = ScenarioPlan{}.per_bucket;
+  std::uint64_t seed = 1;
+  Format format = Format::text;
+  OutputFiles output;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  wend generate rooms --size 128x128 --seed 3 -o rooms.map
+  wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
+  wend bench rooms.map.scen --planner astar,jps
+
+Queries in MovingAI's format: pairs of cells that a path joins, and the cost of
+a cheapest path, found by Dijkstra's algorithm. Bucket 0 has lengths below 4
+cells, bucket 1 those below 8, and so on. Cells are those of --cells: from the
+upper left one, of a ROS map from the lower left one. The last buckets may hold
+fewer queries than asked for, and a small map fewer buckets. Exit codes: 0
+written, 2 bad usage or input.)";
+
+std::vector<ScenarioQuery> make_queries(const ScenarioArguments& arguments, const GridMap& map) {
+  const FreeSpace space = arguments.map.free_space(map);
+  const ScenarioPlan plan{arguments.seed, arguments.buckets, arguments.per_bucket};
+  auto queries = scenario_queries(space, arguments.moves.moves, plan);
+  if (!queries) throw InputError(std::string(describe(queries.error())));
+  if (queries->empty()) {
+    throw InputError(fmt::format("{}: no two cells are joined by a path", arguments.map.file));
+  }
+  const std::string name = std::filesystem::path(arguments.map.file).filename().string();
+  if (name.find_first_of("\t\r\n") != std::string::npos) {
+    throw InputError(
+        fmt::format("{}: a scenario cannot hold a name with tabs or line ends", quote(name)));
+  }
+  for (ScenarioQuery& query : *queries) query.map = name;
+  return *std::move(queries);
+}
+
+std::string json_of(const ScenarioArguments& arguments, const std::vector<ScenarioQuery>& queries) {
+  const nlohmann::ordered_json json{
+      {"map", arguments.map.file},        {"seed", arguments.seed},
+      {"queries", queries.size()},        {"buckets", queries.back().bucket + 1},
+      {"longest", queries.back().length}, {"files", arguments.output.files()}};
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string text_of(const ScenarioArguments& arguments, const std::vector<ScenarioQuery>& queries) {
+  if (arguments.output.files().empty()) return format_scenario(queries);
+  const int buckets = queries.back().bucket + 1;
+  return fmt::format("{} queries in {} bucket{} on {}, seed {}\n", queries.size(), buckets,
+                     buckets == 1 ? "" : "s", arguments.map.file, arguments.seed);
+}
+
+int run(const ScenarioArguments& arguments) {
+  arguments.output.check();
+  check_range("--buckets", arguments.buckets, 1, kMostBuckets);
+  check_range("--per-bucket", arguments.per_bucket, 1, kMostPerBucket);
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  const std::vector<ScenarioQuery> queries = make_queries(arguments, loaded.map);
+  arguments.output.write_all(
+      [&](const std::string& file) { return write_bytes(file, format_scenario(queries)); });
+  print(arguments.format == Format::json ? json_of(arguments, queries)
+                                         : text_of(arguments, queries));
+  return success;
+}
+
+}  // namespace
+
+Command add_generate_scenario(Parser& generate) {
+  Parser scenario =
+      generate.add_subcommand("scenario", "Make queries for a map, a MovingAI scenario");
+  const auto arguments = std::make_shared<ScenarioArguments>();
+  arguments->map.add_to(scenario);
+  arguments->moves.add_to(scenario);
+  add_count(scenario, "--buckets", arguments->buckets,
+            "Number of buckets, each of lengths in a range of 4 cells, from the shortest paths on "
+            "(default: all that the map has)");
+  add_count(scenario, "--per-bucket", arguments->per_bucket, "Queries in a bucket (default 10)");
+  add_count(scenario, "--seed", arguments->seed, "Another seed, other queries (default 1)");
+  add_format(scenario, arguments->format);
+  arguments->output.add_to(scenario, {".scen"},
+                           "Write the scenario; without it the scenario is printed");
+  scenario.footer(kExamples);
+  return {scenario, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

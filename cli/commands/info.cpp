@@ -1,0 +1,49 @@
+// wend info: what a map file holds.
+
+#include <memory>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/output.hpp"
+#include "wend/io/read_stream.hpp"
+#include "wend/report/map_info.hpp"
+
+namespace wend::cli {
+namespace {
+
+struct InfoArguments {
+  MapArguments map;
+  Format format = Format::text;
+};
+
+constexpr const char* kInfoExamples = R"(Examples:
+  wend info office.yaml
+  wend info office.yaml --robot-radius 0.25
+  wend info arena.map --format json
+
+Exit codes: 0 the map loads, 2 it does not (standard error says why).)";
+
+int run(const InfoArguments& arguments) {
+  const LoadedMap loaded = arguments.map.load();
+  const FreeSpaceOptions robot = arguments.map.options(loaded.map);
+  arguments.map.check_memory(loaded.map, survey_bytes(loaded.map, robot));
+  const MapInfo info = map_info(stream_name(arguments.map.file), loaded, robot);
+  print(arguments.format == Format::json ? map_info_json(info) : map_info_text(info));
+  return success;
+}
+
+}  // namespace
+
+Command add_info(Parser& app) {
+  Parser info = app.add_subcommand("info", "Say what a map file holds");
+  const auto arguments = std::make_shared<InfoArguments>();
+  arguments->map.add_to(info);
+  arguments->map.add_keep_away_to(info);
+  add_format(info, arguments->format);
+  info.footer(kInfoExamples);
+  return {info, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace wend::cli

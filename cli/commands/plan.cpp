@@ -1,0 +1,211 @@
+// wend plan: a path from a start to a goal.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/plan_queries.hpp"
+#include "cli/commands/plan_run.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr const char* kPlanExamples = R"(Examples:
+  wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
+  wend plan arena.map --start 1,11 --goal 40,30 --planner astar --weight 2
+  wend plan grid.txt --start 0,0 --goal 9,9 --connectivity 4 --format json
+  wend plan office.yaml --cells --start 10,10 --goal 145,85 --nearest
+  wend plan grid.txt --start 0,0 --goal 9,9 --show expansion,heuristic,policy
+  wend plan grid.txt --start 0,0 --goal 9,9 --step --show g
+  wend plan office.yaml --start 1,1 --goal 15,9 --trace office.trace.yaml
+  wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
+  wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
+  wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
+  wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
+  wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
+
+Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
+with arrows; large ones a summary and, on a terminal, a picture. A car stands on
+the corners of cells; its steps are told as commands. Exit codes: 0 found, 1 no
+plan (standard error says why), 2 bad usage or input.)";
+
+/// The planner that was asked for, else the one that the index is for.
+std::string planner_text(const PlanArguments& arguments,
+                         const std::optional<Expected<GivenIndex, std::string>>& index) {
+  if (!arguments.planner.empty()) return arguments.planner;
+  if (!index) return "astar";
+  const bool known = *index && planners().find((*index)->header.planner_name()) != nullptr;
+  if (known) return std::string((*index)->header.planner_name());
+  return "hub_labels";  // only to say what is wrong with the index
+}
+
+/// Throws InputError where the constant of a heuristic is given and another heuristic is used.
+void check_constant(const PlannerSpec& planner) {
+  bool given = false;
+  std::string heuristic;
+  for (const auto& [name, value] : planner.options) {
+    given |= name == "constant";
+    if (name == "heuristic") heuristic = value;
+  }
+  if (!given || heuristic == "constant") return;
+  throw InputError("--constant changes nothing: it is that of --heuristic constant");
+}
+
+/// What the flags of the command say otherwise: a smoother has one, too.
+bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
+
+/// The only thing that is printed or written is the path as CSV.
+bool is_csv_alone(const PlanArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  const bool prints_csv = arguments.format == TableFormat::csv ||
+                          (output.print() && arguments.format == TableFormat::text);
+  return prints_csv && !output.any_picture() && !output.any(".json");
+}
+
+/// Throws InputError for flags that were given and change nothing.
+void check_idle(const Parser& plan, const PlanArguments& arguments) {
+  const OutputFiles& output = arguments.output;
+  if (!arguments.queries.empty()) {
+    refuse_idle(plan, {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding"},
+                "--queries answers many queries, and draws and smooths none");
+  }
+  arguments.pictures.check(plan, output.any_picture(),
+                           arguments.format == TableFormat::text && !output.print());
+  if (is_csv_alone(arguments)) {
+    refuse_idle(plan, {"--show"}, "a path as CSV has no layers; -o FILE.png and JSON have them");
+  }
+  if (!arguments.refine.any()) {
+    refuse_idle(plan, {"--corner-rounding"},
+                "paths are measured with --simplify, --smooth or --resample");
+  }
+  if (!arguments.watch.animate && !output.any(".gif")) {
+    refuse_idle(plan, {"--speed"}, "it is that of --animate and of -o FILE.gif");
+  }
+  if (arguments.watch.trace.empty()) {
+    refuse_idle(plan, {"--trace-limit"}, "name the trace with --trace FILE");
+  }
+  if (arguments.queries.empty()) {
+    refuse_idle(plan, {"--threads"}, "name the queries with --queries FILE");
+  }
+}
+
+void check(const PlanArguments& arguments) {
+  arguments.output.check();
+  if (!arguments.queries.empty()) return check_queries(arguments);
+  if (arguments.ends.start.empty()) throw InputError("--start is required, or --queries FILE");
+  if (arguments.ends.goals.empty()) throw InputError("--goal is required, or --queries FILE");
+  arguments.watch.check(detect_screen());
+  if (arguments.watch.step && arguments.format != TableFormat::text) {
+    throw InputError("--step and --format json or csv: choose one");
+  }
+  if (arguments.output.print() && (arguments.watch.step || arguments.watch.animate)) {
+    throw InputError("-o - writes the path and nothing else: leave out --step and --animate");
+  }
+}
+
+/// Where a map does not fit into memory, files that are to hold a path say so.
+FreeSpace space_for(const PlanArguments& arguments, const GridMap& map,
+                    const PlannerSpec& planner) {
+  const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;
+  try {
+    return arguments.map.free_space(
+        map, static_cast<double>(planners) * info_of(planner).bytes_per_cell);
+  } catch (const NoPathError& error) {
+    write_failed_plan(arguments, error.plan());
+    throw;
+  }
+}
+
+int run(const PlanArguments& arguments) {
+  check(arguments);
+  WorkTimes times;
+  std::optional<Expected<GivenIndex, std::string>> index;
+  if (!arguments.index.empty()) {
+    index = timed(thread_cpu_seconds, times.index.emplace(0),
+                  [&] { return read_given_index(arguments.index); });
+  }
+  PlannerSpec planner = parse_planner(planner_text(arguments, index));
+  const OptionValues flags = arguments.options.values_for(planner.name);
+  planner.options.insert(planner.options.end(), flags.begin(), flags.end());
+  check_constant(planner);
+  const LoadedMap loaded =
+      timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
+  arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
+  arguments.output.check_not_among(loaded.files);
+  check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
+  const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
+                                [&] { return space_for(arguments, loaded.map, planner); });
+  PlannerMaker maker(std::move(planner), space, std::move(index));
+  if (!arguments.queries.empty()) return run_queries(arguments, maker, space);
+  PlanRun run(arguments, std::move(maker), space, times);
+  run.plan();
+  return run.report();
+}
+
+}  // namespace
+
+Command add_plan(Parser& app) {
+  Parser plan = app.add_subcommand("plan", "Plan a path from a start to a goal");
+  const auto arguments = std::make_shared<PlanArguments>();
+  arguments->map.add_to(plan);
+  arguments->map.add_keep_away_to(plan);
+  plan.add_option("--start", arguments->ends.start,
+                  wrapped("Where the path begins: metres in the map's frame for a map with a "
+                          "resolution, a cell for others and with --cells; of a car a corner, and "
+                          "the heading N, W, E, S or an angle as 45deg"))
+      .type_name("X,Y[,HEADING]");
+  add_texts(plan, "--goal", arguments->ends.goals,
+            "Where it ends; of several the cheapest to reach. A car's heading may be any")
+      .type_name("X,Y[,HEADING]");
+  plan.add_option("--queries", arguments->queries,
+                  wrapped("Answer every row of a CSV file instead: its header names the columns "
+                          "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
+                          "status, a reason and the path's cost and length"))
+      .type_name(kFileType);
+  add_count(plan, "--threads", arguments->threads,
+            "Number of threads that answer --queries, each with its planner (default: all cores)");
+  plan.add_flag("--nearest", arguments->nearest,
+                wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
+                        "that is connected to the other end (not of a car)"));
+  plan.add_option(
+          "--planner", arguments->planner,
+          wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
+                  "in astar:weight=2"))
+      .type_name(kPlannerType);
+  plan.add_option("--index", arguments->index,
+                  wrapped("An index of the map that `wend index build` made; the planner is its "
+                          "own unless --planner says another"))
+      .type_name(kFileType);
+  arguments->refine.add_to(plan);
+  arguments->limits.add_to(plan);
+  add_choice<TableFormat>(
+      plan, "--format", arguments->format,
+      {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
+      "Results for people (the default) or for programs: all of them as JSON, or the path as CSV");
+  arguments->layers.add_to(plan);
+  arguments->pictures.add_to(plan);
+  arguments->output.add_to(plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
+                           "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
+                           "the path (.csv, smoothed or the like if that is asked for) or the "
+                           "JSON; may be given several "
+                           "times. Where there is no path, the file says why instead",
+                           "the path (JSON with --format json, else CSV)");
+  arguments->watch.add_to(plan);
+  for (const PlannerInfo& planner : planners()) {
+    std::vector<OptionInfo> options = planner.options;
+    std::erase_if(options, has_flag_of_its_own);
+    arguments->options.collect(planner.name, options);
+  }
+  arguments->options.add_to(plan);
+  plan.footer(kPlanExamples);
+  return {plan, [plan, arguments] {
+            check_idle(plan, *arguments);
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,194 @@
+#include "cli/commands/plan_queries.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "cli/arguments/input_files.hpp"
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output/output.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/base/thread_workers.hpp"
+#include "wend/report/query_answers.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::size_t kMostRowsTold = 5;
+
+/// Answers rows one after the other; one for each thread.
+class QueryLane {
+ public:
+  QueryLane(const PlanArguments& arguments, const PlannerSpec& spec, FreeSpace space,
+            std::unique_ptr<Planner> planner)
+      : arguments_(arguments),
+        spec_(spec),
+        space_(std::move(space)),
+        coordinates_(arguments.map.coordinates(space_.map())),
+        planner_(std::move(planner)) {}
+
+  /// Throws nothing: a row that is wrong has an answer that says so.
+  QueryAnswer answer(const QueryRow& row) {
+    QueryAnswer answer{
+        .line = row.line, .start = row.start, .goal = row.goal, .status = {}, .reason = {}};
+    if (!row.wrong.empty()) {
+      refuse(answer, row.wrong);
+      return answer;
+    }
+    try {
+      ask(answer);
+    } catch (const InputError& error) {
+      const std::string_view wrong = error.what();  // "--start: ..." of what a column says here
+      refuse(answer, wrong.substr(wrong.starts_with("--") ? 2 : 0));
+    } catch (const std::bad_alloc&) {
+      fail(answer, Status::memory_limit, std::string(describe(Status::memory_limit)));
+    }
+    return answer;
+  }
+
+ private:
+  static void refuse(QueryAnswer& answer, std::string_view wrong) {
+    answer.status = kInvalidQuery;
+    answer.reason = fmt::format("line {}: {}", answer.line, wrong);
+  }
+
+  static void fail(QueryAnswer& answer, Status status, std::string reason) {
+    answer.status = to_string(status);
+    answer.reason = std::move(reason);
+  }
+
+  void ask(QueryAnswer& answer) {
+    const auto asked = typed_query(spec_, space_, coordinates_, {answer.start, {answer.goal}});
+    if (arguments_.nearest)
+      answer.reason = fmt::format("{}", fmt::join(asked->move_to_nearest(), "; "));
+    Query query = asked->query();
+    query.limits.expansions = arguments_.limits.expansions;
+    if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
+    query.limits.clock = steady_seconds;
+    query.limits.cancel = &Interruptible::cancelled();
+    const Status status = timed(thread_cpu_seconds, answer.seconds,
+                                [&] { return planner_->plan(query, answer.plan); });
+    answer.status = to_string(status);
+    if (status == Status::found) return;
+    // What would help is worth a search of its own for one query, not for each of thousands.
+    fail(answer, status,
+         status == Status::unreachable
+             ? fmt::format("{}; `wend explain` says why", describe(status))
+             : asked->reason(*planner_, status, query.limits, answer.plan.metrics));
+  }
+
+  const PlanArguments& arguments_;
+  const PlannerSpec& spec_;
+  FreeSpace space_;
+  Coordinates coordinates_;
+  std::unique_ptr<Planner> planner_;
+};
+
+std::vector<QueryLane> lanes_of(const PlanArguments& arguments, PlannerMaker& maker,
+                                const FreeSpace& space, unsigned count) {
+  std::vector<QueryLane> lanes;
+  for (unsigned i = 0; i < count; ++i) {
+    WorkTimes times;  // the answers tell those of the searches alone
+    auto planner = maker.make(times);
+    if (!planner) throw InputError(planner.error().message());
+    lanes.emplace_back(arguments, maker.spec(), space, *std::move(planner));
+  }
+  return lanes;
+}
+
+std::vector<QueryAnswer> answers_to(const std::vector<QueryRow>& rows,
+                                    std::vector<QueryLane>& lanes) {
+  std::vector<QueryAnswer> answers(rows.size());
+  const Interruptible interruptible;  // what is answered until then is reported
+  ProgressBar progress("queries", rows.size());
+  std::atomic<std::uint64_t> done = 0;
+  ThreadWorkers workers(static_cast<unsigned>(lanes.size()));
+  workers.run(rows.size(), [&](std::size_t row, unsigned worker) {
+    answers[row] = lanes[worker].answer(rows[row]);
+    ++done;
+    if (worker == 0) progress.update(done);
+  });
+  return answers;
+}
+
+std::string text_of(const PlannerSpec& planner, const std::vector<QueryAnswer>& answers,
+                    const Frame& frame, TableFormat format) {
+  switch (format) {
+    case TableFormat::text:
+      return query_answers_text(answers, frame);
+    case TableFormat::json:
+      return query_answers_json(planner.name, answers, frame, info_of(planner).motion);
+    case TableFormat::csv:
+      break;
+  }
+  return query_answers_csv(answers, frame);
+}
+
+/// The first of the rows without a path; the answers have all of them.
+void complain_of(const std::string& file, const std::vector<QueryAnswer>& answers) {
+  std::size_t complaints = 0;
+  for (const QueryAnswer& answer : answers) {
+    if (answer.found()) continue;
+    if (++complaints > kMostRowsTold) {
+      complain("... and more of these; the answers have all of them");
+      return;
+    }
+    const std::string line = fmt::format("line {}: ", answer.line);
+    const bool named = answer.reason.starts_with(line);
+    complain(fmt::format("{}: {}{}", file, named ? "" : line, answer.reason));
+  }
+}
+
+}  // namespace
+
+void check_queries(const PlanArguments& arguments) {
+  check_range("--threads", arguments.threads, 1, kMostThreads);
+  check_read_once({arguments.map.file, arguments.queries});
+  const WatchArguments& watch = arguments.watch;
+  const bool watched = watch.verbose || watch.step || watch.animate || !watch.trace.empty();
+  if (!arguments.ends.start.empty() || !arguments.ends.goals.empty()) {
+    throw InputError("--queries has the starts and goals: leave out --start and --goal");
+  }
+  if (watched || !arguments.layers.empty() || arguments.refine.any()) {
+    throw InputError(
+        "--queries answers many queries: leave out --show, --verbose, --step, --animate, --trace, "
+        "--simplify, --smooth and --resample");
+  }
+  arguments.output.check_not_among({arguments.queries});
+  for (const std::string& file : arguments.output.files()) {
+    if (file == kStandardOutput || OutputFiles::is(file, ".csv") ||
+        OutputFiles::is(file, ".json")) {
+      continue;
+    }
+    throw InputError(fmt::format("-o {}: with --queries the name must end in .csv or .json", file));
+  }
+}
+
+ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const FreeSpace& space) {
+  const std::vector<QueryRow> rows = read_queries(arguments.queries);
+  const auto most =
+      static_cast<unsigned>(std::clamp<std::size_t>(rows.size(), 1, arguments.threads));
+  std::vector<QueryLane> lanes = lanes_of(arguments, maker, space, most);
+  const std::vector<QueryAnswer> answers = answers_to(rows, lanes);
+  const auto text = [&](TableFormat format) {
+    return text_of(maker.spec(), answers, space.map().frame(), format);
+  };
+  if (!arguments.output.print()) print(text(arguments.format));
+  arguments.output.write(
+      {{".csv", [&](const std::string& file) { return write_bytes(file, text(TableFormat::csv)); }},
+       {".json",
+        [&](const std::string& file) { return write_bytes(file, text(TableFormat::json)); }}},
+      arguments.format == TableFormat::json ? ".json" : ".csv");
+  complain_of(arguments.queries, answers);
+  const bool all = std::all_of(answers.begin(), answers.end(),
+                               [](const QueryAnswer& answer) { return answer.found(); });
+  return all ? success : no_plan;
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+// `wend plan --queries`: many queries on one map, by as many planners as there are threads.
+
+#include "cli/commands/plan_run.hpp"
+#include "cli/exit_code.hpp"
+
+namespace wend::cli {
+
+/// Throws InputError for flags that are about a single query.
+void check_queries(const PlanArguments& arguments);
+
+/// Answers every row of the file, and prints and writes the answers. Throws InputError if the file
+/// cannot be read, not for a row of it.
+ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const FreeSpace& space);
+
+}  // namespace wend::cli

@@ -1,0 +1,350 @@
+#include "cli/commands/plan_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/picture_files.hpp"
+#include "cli/watching/frame.hpp"
+#include "cli/watching/observer_list.hpp"
+#include "cli/watching/open_list_text.hpp"
+#include "cli/watching/search_frames.hpp"
+#include "cli/watching/stepped_search.hpp"
+#include "cli/watching/stepper.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/io/path/path_csv.hpp"
+#include "wend/report/plan_json.hpp"
+
+namespace wend::cli {
+
+namespace {
+
+constexpr int kRowsOfStep = 2;  // what is expanded, and the cursor
+
+}  // namespace
+
+void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
+  if (!arguments.queries.empty()) return;
+  arguments.output.write(
+      {{".csv", [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); }},
+       {".json",
+        [&](const std::string& file) { return write_bytes(file, failed_plan_json(plan)); }}},
+      arguments.format == TableFormat::json ? ".json" : ".csv");
+}
+
+PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
+                 const WorkTimes& times)
+    : arguments_(arguments),
+      maker_(std::move(planner)),
+      space_(std::move(space)),
+      asked_(typed_query(maker_.spec(), space_, arguments.map.coordinates(space_.map()),
+                         arguments.ends)),
+      refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
+                                              moves_of(maker_.spec()).adjacency())) {
+  result_.times = times;
+  asked_->check(arguments.layers);
+  if (!arguments.refine.any() || info_of(maker_.spec()).motion == Motion::cells) return;
+  throw InputError(fmt::format(
+      "--simplify, --smooth and --resample are for paths from cell to cell: what the planner {} "
+      "drives is made of arcs, which are to stay as they are",
+      maker_.spec().name));
+}
+
+/// On large maps a search is slowed down only for those who ask for what it did.
+bool PlanRun::records() const {
+  const WatchArguments& watch = arguments_.watch;
+  return is_small(space_.map(), Screen{}) || steps() || watch.animate ||
+         arguments_.layers.any_from(LayerSource::search) || arguments_.output.any(".gif");
+}
+
+void PlanRun::plan() {
+  result_.planner = maker_.spec().name;
+  result_.motion = info_of(maker_.spec()).motion;
+  if (arguments_.nearest) {
+    for (const auto& note : asked_->move_to_nearest()) complain(note);
+  }
+  auto planner = maker_.make(result_.times);
+  if (planner) {
+    planner_ = *std::move(planner);
+    result_.states = planner_->state_count();
+    result_.unit = planner_->corner_unit();
+    search();
+  } else if (planner.error().status == Status::invalid_option) {
+    throw InputError(planner.error().message());
+  } else {
+    fail(planner.error().status, planner.error().message());
+  }
+}
+
+void PlanRun::search() {
+  ProgressBar progress("planning", result_.states);
+  Query query = asked_->query();
+  query.limits = arguments_.limits.limits(progress);
+  ObserverList told;
+  Narrator narrator;
+  if (arguments_.watch.verbose) told.add(narrator);
+  if (records()) recorder_.emplace(asked_->recorder());
+  std::optional<PosthocTrace> trace;
+  if (!arguments_.watch.trace.empty()) {
+    told.add(
+        trace.emplace(asked_->trace(arguments_.watch.trace_form(), arguments_.watch.trace_limit)));
+  }
+  if (steps() && recorder_) {
+    result_.status = search_in_steps(query, *recorder_, told);
+  } else {
+    search_to_the_end(query);
+    if (recorder_) told.add(*recorder_);
+    const bool cancelled = result_.status == Status::cancelled;
+    if (!told.empty() && !cancelled) search_for(told, query);
+  }
+  if (result_.status != Status::found) {
+    fail(result_.status,
+         asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
+  }
+  if (result_.status == Status::found && arguments_.refine.any()) refine_path();
+  if (trace && result_.status != Status::cancelled) write_trace(*trace);
+  make_layers(query.limits);
+}
+
+void PlanRun::search_to_the_end(const Query& query) {
+  const Interruptible interruptible;  // what it did until then is reported
+  result_.status = timed(thread_cpu_seconds, result_.times.search,
+                         [&] { return planner_->plan(query, result_.plan); });
+}
+
+/// The same search again, as far as it went: what an observer does takes time that is none of the
+/// search's. Ctrl-C ends the program meanwhile.
+void PlanRun::search_for(SearchObserver& observer, Query query) {
+  query.limits = {};
+  query.limits.expansions = result_.plan.metrics.expanded;
+  query.observer = &observer;
+  Plan plan;
+  planner_->plan(query, plan);
+}
+
+/// Is the search looked at before it is over?
+bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.open_list; }
+
+/// Only the search is timed, not the person.
+Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
+  if (!info_of(maker_.spec()).can_step) {
+    throw InputError(fmt::format("--step: the planner {} cannot be stepped", maker_.spec().name));
+  }
+  SteppedSearch search(*planner_, query, recorder, told, result_.plan);
+  const Status status =
+      arguments_.watch.step ? step_by_keys(search, recorder) : step_to_the_end(search);
+  result_.times.search = search.seconds();
+  return status;
+}
+
+/// Tells the open list on the way, if that is asked for.
+std::optional<Status> PlanRun::go_on(SteppedSearch& search) {
+  if (arguments_.watch.open_list && search.expansions() == open_lists_told_) {
+    tell(open_list_text(planner_->open_list(kMostOpenEntries)));
+    ++open_lists_told_;
+  }
+  return search.go_on();
+}
+
+Status PlanRun::step_to_the_end(SteppedSearch& search) {
+  auto outcome = search.begin();
+  while (!outcome) outcome = go_on(search);
+  return *outcome;
+}
+
+Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& recorder) {
+  auto outcome = search.begin();
+  if (outcome) return *outcome;
+  // Lines of --verbose would come in between.
+  Stepper stepper(screen_.is_terminal && !(arguments_.watch.verbose && progress_is_seen()));
+  std::uint64_t next = 1;  // after how many expansions to show it
+  while (!outcome) {
+    if (search.expansions() < next) {
+      outcome = go_on(search);
+      continue;
+    }
+    const auto wanted = stepper.ask(step_text(search, recorder), search.expansions());
+    if (!wanted) {
+      outcome_is_shown_ = stepper.in_place();
+      return Status::cancelled;
+    }
+    next = *wanted;
+    if (next < search.expansions()) outcome = search.go_back_to(next);
+  }
+  stepper.finish();
+  return *outcome;
+}
+
+void PlanRun::refine_path() {
+  result_.refined = refine(result_.plan.path, space_, refinement_,
+                           arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
+}
+
+void PlanRun::make_layers(const Limits& limits) {
+  std::optional<CostToGo> field;
+  if (arguments_.layers.any_from(LayerSource::cost_to_go)) field = asked_->cost_to_go(limits);
+  const bool searched = recorder_ && !recorder_->expansions().empty();
+  layers_.clear();
+  for (const LayerKind kind : arguments_.layers.kinds()) {
+    switch (source_of(kind)) {
+      case LayerSource::search:
+        if (searched) layers_.push_back(search_layer(kind, *planner_, *recorder_));
+        break;
+      case LayerSource::cost_to_go:
+        if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
+        break;
+      case LayerSource::map:
+        layers_.push_back(map_layer(kind, space_));
+        break;
+    }
+  }
+}
+
+void PlanRun::fail(Status status, std::string reason) {
+  result_.status = status;
+  result_.reason = std::move(reason);
+}
+
+/// A random walk crosses itself, which arrows cannot show, and a search that was stopped has no
+/// path: the cells that they visited are shown instead.
+Scene PlanRun::outcome() const {
+  Scene scene = asked_->scene();
+  if (result_.refined) {
+    scene.lines = lines_of(*result_.refined);
+    return scene;
+  }
+  const bool walked = maker_.spec().name == "random_walk" && recorder_;
+  if (!walked && !result_.plan.path.empty()) {
+    scene.path = result_.plan.path;
+  } else if (recorder_ && !recorder_->expansions().empty()) {
+    scene.marked = {{CellRole::expanded, recorder_->snapshot().expanded}};
+  }
+  return scene;
+}
+
+std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder& recorder) const {
+  const SearchSnapshot snapshot = recorder.snapshot();
+  std::vector<Layer> layers;
+  for (const LayerKind kind : arguments_.layers.kinds()) {
+    if (source_of(kind) == LayerSource::search) {
+      layers.push_back(search_layer(kind, *planner_, recorder));
+    }
+  }
+  const OpenList open = planner_->open_list(kMostOpenEntries);
+  const std::string keys = Stepper::keys(screen_.columns);
+  const auto rows_below =
+      kRowsOfStep + static_cast<int>(std::count(keys.begin(), keys.end(), '\n'));
+  const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
+                                      arguments_.pictures.style, rows_below,
+                                      [&open](int rows) { return open_list_text(open, rows); });
+  const auto& event = search.last_expansion();
+  return text +
+         fmt::format("expansion {}: {}, frontier {}\n", search.expansions(),
+                     event ? event_text(*event) : "not begun", open.count) +
+         keys;
+}
+
+std::string PlanRun::text() const {
+  std::string text;
+  const bool found = result_.status == Status::found;
+  const bool small = is_small(space_.map(), screen_);
+  const bool quit = arguments_.watch.step && outcome_is_shown_;
+  if (quit) return text;
+  if (found) text += asked_->steps(result_.plan, screen_);
+  for (const Layer& layer : layers_) {
+    text += layer_text(outcome(), layer, screen_, arguments_.pictures);
+  }
+  std::string summary;
+  if (found) summary += asked_->summary(result_);
+  if (found && maker_.built_index()) {
+    summary += "index     built for this query and not kept: `wend index build` keeps it\n";
+  }
+  if (result_.refined) {
+    summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
+  }
+  // Of a failure there is something to see where a search has begun.
+  const bool shows_map = layers_.empty() && !outcome_is_shown_ &&
+                         (found || (small && result_.plan.metrics.expanded > 0));
+  if (!shows_map) return text + summary;
+  return text + picture_above(summary, outcome(), screen_, arguments_.pictures);
+}
+
+void PlanRun::write_trace(PosthocTrace& trace) const {
+  const WatchArguments& watch = arguments_.watch;
+  const std::string wrong = write_bytes(watch.trace, trace.finish(result_.plan.path));
+  if (!wrong.empty()) throw InputError(wrong);
+  if (trace.dropped() == 0) return;
+  complain(fmt::format("{}: the trace ends after {} events, {} more are left out (--trace-limit)",
+                       watch.trace, watch.trace_limit, trace.dropped()));
+}
+
+std::string PlanRun::csv() const {
+  if (result_.status != Status::found) {
+    return no_path_csv({std::string(to_string(result_.status)), result_.reason});
+  }
+  const Path& path = result_.refined ? result_.refined->refined.path : result_.plan.path;
+  return path_csv(path, space_.map().frame());
+}
+
+std::string PlanRun::json() const { return plan_json(result_, space_.map().frame(), layers_); }
+
+/// Of a failure: what there is to see of the reason, and the reason in words.
+std::vector<Panel> PlanRun::panels() const {
+  if (result_.status == Status::found) return layer_panels(outcome(), layers_);
+  const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
+  std::vector<Panel> panels{{fmt::format("no path: {}", to_string(result_.status)),
+                             gave_up ? outcome() : asked_->scene_of_failure(result_.status),
+                             result_.reason}};
+  if (layers_.empty()) return panels;
+  for (Panel& panel : layer_panels(outcome(), layers_)) panels.push_back(std::move(panel));
+  return panels;
+}
+
+Expected<std::string, RenderError> PlanRun::film() const {
+  const Style style = style_of(arguments_.pictures.style);
+  const bool searched = recorder_ && !recorder_->expansions().empty();
+  return searched ? gif_of(outcome(), *recorder_, arguments_.watch.speed, style)
+                  : gif_of(panels().front().scene, style);
+}
+
+/// Every file is replaced, also where there is no path: what an earlier command left there is not to
+/// be taken for the answer.
+void PlanRun::write_files() const {
+  std::map<std::string, FileWriter> writers;
+  if (arguments_.output.any_of(picture_extensions())) {
+    writers = picture_writers(panels(), arguments_.pictures.style);
+  }
+  writers[".json"] = [this](const std::string& file) { return write_bytes(file, json()); };
+  writers[".csv"] = [this](const std::string& file) { return write_bytes(file, csv()); };
+  writers[".gif"] = [this](const std::string& file) { return write_picture(file, film()); };
+  arguments_.output.write(writers, arguments_.format == TableFormat::json ? ".json" : ".csv");
+}
+
+void PlanRun::print_results() {
+  const bool searched = recorder_ && !recorder_->expansions().empty();
+  if (arguments_.watch.animate && searched) {
+    play(outcome(), *recorder_, screen_, arguments_.pictures, arguments_.watch.speed);
+    outcome_is_shown_ = true;
+  }
+  switch (arguments_.format) {
+    case TableFormat::text:
+      return print(text());
+    case TableFormat::json:
+      return print(json());
+    case TableFormat::csv:
+      return print(csv());
+  }
+}
+
+ExitCode PlanRun::report() {
+  if (!arguments_.output.print()) print_results();
+  write_files();
+  if (result_.status == Status::found) return success;
+  complain(result_.reason);
+  return no_plan;
+}
+
+}  // namespace wend::cli

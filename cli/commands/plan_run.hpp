@@ -1,0 +1,104 @@
+#pragma once
+
+// One query of `wend plan`, from its arguments to its outcome.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/limit_arguments.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/option_flags.hpp"
+#include "cli/arguments/planner_maker.hpp"
+#include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/typed_query.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/watching/observer_list.hpp"
+#include "cli/watching/shown_layers.hpp"
+#include "cli/watching/stepped_search.hpp"
+#include "cli/watching/watching.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/base/thread_workers.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/report/plan_result.hpp"
+
+namespace wend::cli {
+
+struct PlanArguments {
+  MapArguments map;
+  EndArguments ends;
+  std::string queries;  // a file with many starts and goals, instead of `ends`
+  std::uint64_t threads = ThreadWorkers().count();  // that answer them
+  std::string planner;                              // nothing: the index's, or else astar
+  std::string index;
+  OptionFlags options{"planner"};
+  LimitArguments limits;
+  bool nearest = false;
+  TableFormat format = TableFormat::text;
+  RefineArguments refine;
+  PictureArguments pictures;
+  ShownLayers layers;
+  WatchArguments watch;
+  OutputFiles output;
+};
+
+/// Writes that there is no path, into the files that are to hold one, where nothing can be planned.
+void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
+
+class PlanRun {
+ public:
+  /// `times` are those of what was done for the query so far.
+  PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
+          const WorkTimes& times);
+
+  /// Plans. Throws InputError for options out of range.
+  void plan();
+
+  /// Prints and writes what came out.
+  ExitCode report();
+
+ private:
+  void search();
+  void search_to_the_end(const Query& query);
+  void search_for(SearchObserver& observer, Query query);
+  Status search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told);
+  std::optional<Status> go_on(SteppedSearch& search);
+  Status step_to_the_end(SteppedSearch& search);
+  Status step_by_keys(SteppedSearch& search, const SearchRecorder& recorder);
+  void refine_path();
+  void make_layers(const Limits& limits);
+  void fail(Status status, std::string reason);
+
+  bool records() const;
+  bool steps() const;
+  Scene outcome() const;
+  std::string text() const;
+  std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
+  std::vector<Panel> panels() const;
+  std::string csv() const;
+  std::string json() const;
+  Expected<std::string, RenderError> film() const;
+  void print_results();
+  void write_files() const;
+  void write_trace(PosthocTrace& trace) const;
+
+  const PlanArguments& arguments_;
+  Screen screen_ = detect_screen();
+  PlannerMaker maker_;
+  FreeSpace space_;
+  std::unique_ptr<TypedQuery> asked_;
+  std::unique_ptr<Planner> planner_;
+  std::optional<SearchRecorder> recorder_;
+  std::vector<Layer> layers_;
+  Refinement refinement_;
+  PlanResult result_;
+  std::uint64_t open_lists_told_ = 0;
+  bool outcome_is_shown_ = false;  // on the terminal, by what was watched
+};
+
+}  // namespace wend::cli

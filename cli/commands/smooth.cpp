@@ -1,0 +1,223 @@
+// wend smooth: a path simplified, smoothed and resampled.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "cli/arguments/corner_rule.hpp"
+#include "cli/arguments/flags.hpp"
+#include "cli/arguments/input_files.hpp"
+#include "cli/arguments/map_arguments.hpp"
+#include "cli/arguments/option_flags.hpp"
+#include "cli/arguments/path_file.hpp"
+#include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/refine_arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output/collision_text.hpp"
+#include "cli/output/output.hpp"
+#include "cli/output/output_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/output/picture_files.hpp"
+#include "wend/base/parse.hpp"
+#include "wend/io/path/path_csv.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr std::string_view kNoSmoother = "none";
+constexpr NumberRange kSmoothedRadii{0, 1e6, kMapUnit};
+
+struct SmoothArguments {
+  MapArguments map;
+  std::string path;
+  GridMoves moves;
+  std::string smoother = "gradient";
+  OptionFlags options{"smoother"};
+  std::optional<double> turning_radius;  // in the user's units
+  RefineArguments points;
+  Format format = Format::text;
+  PictureArguments pictures;
+  OutputFiles output;
+};
+
+constexpr const char* kSmoothExamples = R"(Examples:
+  wend smooth office.yaml plan.csv --robot-radius 0.2 -o smooth.csv -o both.png
+  wend smooth office.yaml plan.json --alpha 0.02 --simplify=sight --resample 0.1
+  wend smooth office.yaml plan.csv --smoother curvature --turning-radius 0.5
+  wend smooth office.yaml plan.csv --smoother none --simplify=sight -o taut.csv
+  wend smooth office.yaml plan.csv --unsafe --format json
+
+Paths are those that `wend plan -o` writes (.csv, .json; of a plan the path as
+planned), or centrelines in metres. First points are left out (--simplify), then
+the path is smoothed, then resampled. Unless --unsafe is given, no part of the
+result touches an obstacle. Exit codes: 0 done, 1 the path is not free to begin
+with (standard error says where), 2 bad usage or input.)";
+
+/// What the flags of the command say otherwise.
+bool is_said_by_a_flag(const OptionInfo& option) {
+  return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius";
+}
+
+bool is_unsafe(const SmootherChoice& choice) {
+  bool unsafe = false;
+  for (const auto& [name, value] : choice.options) {
+    if (name == "unsafe") unsafe = value == option_text::format(true);
+  }
+  return unsafe;
+}
+
+std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
+                                          const Coordinates& coordinates) {
+  if (arguments.smoother == kNoSmoother) {
+    arguments.options.values_for(arguments.smoother);  // refuses them
+    if (arguments.turning_radius)
+      throw InputError("--turning-radius: --smoother none smooths nothing");
+    return std::nullopt;
+  }
+  SmootherChoice choice = parse_smoother(arguments.smoother);
+  const OptionValues flags = arguments.options.values_for(choice.name);
+  choice.options.insert(choice.options.end(), flags.begin(), flags.end());
+  if (arguments.turning_radius) {
+    if (!has_option(smoothers().find(choice.name)->options, "radius")) {
+      throw InputError(
+          fmt::format("--turning-radius changes nothing: the smoother {} has none; add --smoother "
+                      "curvature",
+                      choice.name));
+    }
+    choice.options.emplace_back("radius",
+                                format_number(coordinates.in_cells(*arguments.turning_radius)));
+  }
+  return choice;
+}
+
+/// What -o - is written as.
+std::string printed_extension(Format format) { return format == Format::json ? ".json" : ".csv"; }
+
+std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
+                                             const RefinedPath& path, const FreeSpace& space,
+                                             const Scene& scene) {
+  const Frame& frame = space.map().frame();
+  auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
+  writers[".json"] = [&path, frame](const std::string& file) {
+    return write_bytes(file, smoothing_json(path, frame));
+  };
+  writers[".csv"] = [&path, frame](const std::string& file) {
+    return write_bytes(file, path_csv(path.refined.path, frame));
+  };
+  return writers;
+}
+
+/// Where a path is in the way of safe smoothing, if that is asked for.
+std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& space,
+                                          const Refinement& refinement) {
+  if (!refinement.smoother || is_unsafe(*refinement.smoother)) return std::nullopt;
+  return first_collision(path, space, refinement.adjacency);
+}
+
+/// Replaces output files of earlier commands with the reason for the failure.
+void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, const Scene& scene) {
+  auto writers =
+      picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments.pictures.style);
+  writers[".json"] = [&](const std::string& file) {
+    return write_bytes(file, failed_plan_json(plan));
+  };
+  writers[".csv"] = [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); };
+  arguments.output.write(writers, printed_extension(arguments.format));
+}
+
+/// The path to smooth. Where its file says that there is none, so do the files to be written.
+Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space) {
+  try {
+    return load_path_on(space, arguments.path, PathStage::planned);
+  } catch (const NoPathError& error) {
+    write_failure(arguments, error.plan(), Scene{.space = space});
+    throw;
+  }
+}
+
+void refuse_collision(const SmoothArguments& arguments, const FreeSpace& space, const Path& path,
+                      const PathCollision& collision, const Coordinates& coordinates) {
+  const FailedPlan failed{
+      "not_free", fmt::format("the path is not free, and can only be smoothed with --unsafe: {}",
+                              collision_text(collision, coordinates))};
+  Scene scene = scene_of(space, path);
+  scene.collision = collision.point;
+  write_failure(arguments, failed, scene);
+  throw NoPathError(failed.reason, failed);
+}
+
+int run(const SmoothArguments& arguments) {
+  arguments.output.check();
+  check_read_once({arguments.map.file, arguments.path});
+  const LoadedMap loaded = arguments.map.load();
+  arguments.output.check_not_among(loaded.files);
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  const Coordinates coordinates = arguments.map.coordinates(loaded.map);
+  const Path path = path_to_smooth(arguments, space);
+  Refinement refinement = arguments.points.refinement(coordinates, arguments.moves.adjacency());
+  refinement.smoother = smoother_of(arguments, coordinates);
+  if (const auto collision = collision_of(path, space, refinement)) {
+    refuse_collision(arguments, space, path, *collision, coordinates);
+  }
+  const RefinedPath refined =
+      refine(path, space, refinement, arguments.points.rounding(coordinates));
+  const Scene scene = scene_of(space, lines_of(refined));
+  if (!arguments.output.print()) {
+    print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
+                                           : picture(scene, detect_screen(), arguments.pictures) +
+                                                 refined_text(refined, coordinates));
+  }
+  arguments.output.write(writers_of(arguments, refined, space, scene),
+                         printed_extension(arguments.format));
+  return success;
+}
+
+void add_smoothers(Parser& app, SmoothArguments& arguments) {
+  std::string names;
+  for (const SmootherInfo& smoother : smoothers()) {
+    names += fmt::format("{}: {}; ", smoother.name, smoother.summary);
+    std::vector<OptionInfo> options = smoother.options;
+    std::erase_if(options, is_said_by_a_flag);
+    arguments.options.collect(smoother.name, options);
+  }
+  app.add_option("--smoother", arguments.smoother,
+                 wrapped("How to smooth (default gradient). " + names + "none"))
+      .type_name(kSmootherType);
+  add_number(app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
+             "No bend is to be tighter than this (units as --robot-radius; curvature)");
+  arguments.points.add_points_to(app);
+  arguments.options.add_to(app);
+}
+
+}  // namespace
+
+Command add_smooth(Parser& app) {
+  Parser smooth = app.add_subcommand("smooth", "Smooth or simplify a path, clear of obstacles");
+  const auto arguments = std::make_shared<SmoothArguments>();
+  arguments->map.add_to(smooth);
+  add_path_file(smooth, arguments->path);
+  add_corner_rule(smooth, arguments->moves.corner_rule);
+  add_format(smooth, arguments->format);
+  arguments->pictures.add_to(smooth);
+  arguments->output.add_to(smooth, {".csv", ".json", ".png", ".svg", ".pdf"},
+                           "Also write the path (.csv, .json) or a picture of both (.png, .svg, "
+                           ".pdf); may be given several times. Where the path is not free, the "
+                           "file says so instead",
+                           "the path (JSON with --format json, else CSV)");
+  add_smoothers(smooth, *arguments);
+  smooth.footer(kSmoothExamples);
+  return {smooth, [smooth, arguments] {
+            arguments->pictures.check(smooth, arguments->output.any_picture(),
+                                      arguments->format != Format::json);
+            if (arguments->smoother == kNoSmoother && !arguments->points.any() &&
+                !smooth.given("--corner-rounding")) {
+              throw InputError("--smoother none changes nothing: add --simplify or --resample");
+            }
+            return run(*arguments);
+          }};
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,61 @@
+#pragma once
+
+// Why there is no plan, in words: which cell, why, how far, how large.
+
+#include <string>
+
+#include "cli/arguments/coordinates.hpp"
+#include "wend/analysis/no_path.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/base/status.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/planner/plan.hpp"
+
+namespace wend::cli {
+
+/// Where a query goes from and to.
+struct Ends {
+  Place start;
+  Place goal;
+};
+
+class Explainer {
+ public:
+  /// All must outlive the explainer.
+  Explainer(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves)
+      : space_(space), coordinates_(coordinates), moves_(moves) {}
+
+  /// Why a query failed, in one or more sentences.
+  std::string explain(Status status, const Ends& ends, const Limits& limits,
+                      const SearchMetrics& metrics) const;
+
+  /// "the start (3,4) lies outside the map, which covers ..."
+  std::string outside(const Place& place) const;
+
+  /// "the start (3,4) is blocked: it lies on an obstacle"
+  std::string blocked(const Place& place) const;
+
+  /// What would make a path: "unknown cells taken as free (--unknown free)".
+  std::string change(const Way& way) const;
+
+  /// The widest path, how wide and where it is narrowest: "a robot with a radius of up to 0.3 m".
+  std::string width(const WidestPath& widest) const;
+
+ private:
+  std::string blocked_end(const Place& place, const Place& other) const;
+  std::string nearest(const Place& place, const Place& other) const;
+  std::string unreachable(const Ends& ends) const;
+  std::string why(const Place& place, BlockReason reason) const;
+
+  const FreeSpace& space_;
+  const Coordinates& coordinates_;
+  GridMoves moves_;
+};
+
+/// Did a search end because it had no more of something, or because somebody cancelled it?
+bool is_limit(Status status);
+
+/// Why a search was stopped: "gave up after 1000 expansions, the limit".
+std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics);
+
+}  // namespace wend::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+// A cost-to-go field for people: costs and moves of a small map, and what the field is like.
+
+#include <string>
+
+#include "cli/output/terminal.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/report/field_report.hpp"
+
+namespace wend::cli {
+
+std::string field_text(const CostToGo& field, const FreeSpace& space, const FieldReport& report,
+                       const Screen& screen);
+
+}  // namespace wend::cli

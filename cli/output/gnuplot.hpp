@@ -1,0 +1,23 @@
+#pragma once
+
+// gnuplot, run as a program.
+
+#include <string>
+
+#include "bench/comparison/comparison_plot.hpp"
+#include "wend/render/style.hpp"
+
+namespace wend::cli {
+
+/// What a file's name asks for. Throws InputError for a name that is no plot's.
+PlotKind plot_kind_of(const std::string& file);
+
+PlotColours plot_colours_of(StyleName style);
+
+/// Throws InputError if gnuplot is not installed.
+void require_gnuplot();
+
+/// The bytes that gnuplot writes for a script. Throws InputError with what it complains about.
+std::string drawn_by_gnuplot(const std::string& script);
+
+}  // namespace wend::cli

@@ -1,0 +1,144 @@
+#include "cli/output/plan_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/thread_time.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/report/drive_commands.hpp"
+
+namespace wend::cli {
+namespace {
+
+std::string named_line(std::string_view name, const std::string& what) {
+  return fmt::format("{:<10}{}\n", name, what);
+}
+
+std::string length_text(double cells, const Frame& frame) {
+  std::string text = fmt::format("{:.6g} cells", cells);
+  if (frame.metric) text += fmt::format(", {:.6g} m", cells * frame.resolution);
+  return text;
+}
+
+std::string bound_text(const Plan& plan) {
+  if (plan.optimal()) return "no path is cheaper";
+  if (std::isfinite(plan.bound)) return fmt::format("at most {:g} times the optimum", plan.bound);
+  return "no claim: a cheaper path may exist";
+}
+
+std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
+
+/// "18: 10 turns, 2 in reverse"; of a drive mostly in reverse how to have another one.
+std::string steps_text(const Plan& plan) {
+  int turns = 0;
+  for (const std::string_view name : plan.moves) {
+    const auto move = car_move_from_string(name);
+    turns += move && is_turn(*move) ? 1 : 0;
+  }
+  const std::size_t reverse = steps_in_reverse(plan);
+  const bool mostly = 2 * reverse > plan.moves.size();
+  return fmt::format("{}: {} {}, {} in reverse{}", plan.moves.size(), turns,
+                     turns == 1 ? "turn" : "turns", reverse,
+                     mostly ? " (--reverse-factor makes these cost more)" : "");
+}
+
+/// "0.4 m, 8 cells"
+std::string radius_text(int unit, const Coordinates& coordinates) {
+  const std::string cells = fmt::format("{} {}", unit, unit == 1 ? "cell" : "cells");
+  return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(unit), cells) : cells;
+}
+
+/// "1 cell and 40 degrees from what was asked"; empty for what is no more than rounding.
+std::string shift_text(const Shift& shift, const Coordinates& coordinates) {
+  constexpr double kRounding = 1e-9;
+  std::vector<std::string> parts;
+  if (shift.distance > kRounding) parts.push_back(coordinates.length(shift.distance));
+  if (shift.turn > kRounding) {
+    parts.push_back(fmt::format("{:.3g} degrees", degrees_from(shift.turn)));
+  }
+  if (parts.empty()) return {};
+  return fmt::format("{} from what was asked", fmt::join(parts, " and "));
+}
+
+/// Where a drive begins or ends, if there is more to say of it than the steps do.
+std::string end_line(std::string_view name, const Pose& pose, const Shift& shift, std::size_t ends,
+                     const Coordinates& coordinates) {
+  std::vector<std::string> remarks;
+  if (ends > 1) remarks.push_back(one_of(ends));
+  if (auto shifted = shift_text(shift, coordinates); !shifted.empty()) {
+    remarks.push_back(std::move(shifted));
+  }
+  if (remarks.empty()) return {};
+  return named_line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame().y_up),
+                                      fmt::join(remarks, ", ")));
+}
+
+/// "map 1.20 ms, free space 540.0 us, planner 3.2 us"
+std::string preparation_text(const WorkTimes& times) {
+  std::string text =
+      fmt::format("map {}, free space {}", time_text(times.load), time_text(times.free_space));
+  if (times.index) text += ", index " + time_text(*times.index);
+  if (times.planner) text += ", planner " + time_text(*times.planner);
+  return text;
+}
+
+}  // namespace
+
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
+  if (seconds < 1) return fmt::format("{:.2f} ms", seconds * 1e3);
+  return fmt::format("{:.2f} s", seconds);
+}
+
+std::string path_line(const Path& path) {
+  std::string text;
+  for (const Cell cell : path.cells()) {
+    if (!text.empty()) text += '>';
+    text += cell_text(cell);
+  }
+  return text + '\n';
+}
+
+std::string goal_line(const std::string& goal, std::size_t goals) {
+  return named_line("goal", fmt::format("{}, {}", goal, one_of(goals)));
+}
+
+std::string plan_summary(const PlanResult& result, const Frame& frame) {
+  const Plan& plan = result.plan;
+  return named_line("planner", result.planner) +
+         named_line("cost", fmt::format("{:.6g}", plan.cost)) +
+         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("quality", bound_text(plan)) + work_lines(plan.metrics, result.times);
+}
+
+std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
+                          std::size_t goals) {
+  const Plan& plan = result.plan;
+  const std::vector<Pose> poses = plan.path.poses();
+  const Frame& frame = coordinates.frame();
+  return end_line("start", poses.front(), plan.start_shift, 1, coordinates) +
+         end_line("goal", poses.back(), plan.goal_shift, goals, coordinates) +
+         named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
+         named_line("turns in", radius_text(result.unit, coordinates)) +
+         named_line("fuel", fmt::format("{:.6g}", plan.cost)) +
+         named_line("length", length_text(plan.path.length(), frame)) +
+         named_line("quality", bound_text(plan)) +
+         work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));
+}
+
+std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
+                       const std::string& states) {
+  return named_line("expanded",
+                    fmt::format("{} {} ({} generated, frontier up to {})", metrics.expanded, states,
+                                metrics.generated, metrics.max_frontier)) +
+         named_line("time", fmt::format("{} to search, {} in all ({})", time_text(times.search),
+                                        time_text(times.preparation() + times.search),
+                                        thread_time_name())) +
+         named_line("before", preparation_text(times));
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+// A plan for people.
+
+#include <string>
+
+#include "cli/arguments/coordinates.hpp"
+#include "wend/report/plan_result.hpp"
+
+namespace wend::cli {
+
+/// "3.5 us", "12.25 ms", "1.50 s"
+std::string time_text(double seconds);
+
+/// "(1,1)>(2,1)>(3,1)" and a line end
+std::string path_line(const Path& path);
+
+/// Which of several goals was reached: a line.
+std::string goal_line(const std::string& goal, std::size_t goals);
+
+/// What was found and what it took, a line for each thing.
+std::string plan_summary(const PlanResult& result, const Frame& frame);
+
+/// The same of a car's drive. The coordinates are those that people typed.
+std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
+                          std::size_t goals);
+
+/// What the search took and what came before it, for a failure too. `states` is what was expanded:
+/// "cells".
+std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
+                       const std::string& states = "cells");
+
+}  // namespace wend::cli

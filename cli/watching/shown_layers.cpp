@@ -1,0 +1,140 @@
+#include "cli/watching/shown_layers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/output/text_blocks.hpp"
+#include "wend/render/terminal/text_layers.hpp"
+
+namespace wend::cli {
+namespace {
+
+constexpr int kColumnsAnArrow = 2;
+
+const char* const kHelp =
+    "Show this of every cell, as numbers or arrows where the map is small, else as a picture; "
+    "several with commas between. Of the search: expansion, generation (orders), g, heuristic, f, "
+    "closed, frontier, parent; of the costs to the goal: cost, policy; of the map: occupied, "
+    "clearance, terrain";
+
+std::vector<std::string> layer_names() {
+  std::vector<std::string> names;
+  for (const auto& choice : choice_names(LayerKind{})) names.emplace_back(choice.name);
+  return names;
+}
+
+LayerKind parse_layer(const std::string& text) {
+  for (const auto& choice : choice_names(LayerKind{})) {
+    if (choice.name == text) return choice.value;
+  }
+  refuse_value("--show", option_text::unknown_choice(text, layer_names()));
+}
+
+/// Are the numbers only yes or no? Then a picture marks the cells.
+std::optional<CellRole> role_of(LayerKind kind) {
+  if (kind == LayerKind::closed) return CellRole::expanded;
+  if (kind == LayerKind::frontier) return CellRole::frontier;
+  return std::nullopt;
+}
+
+BitGrid cells_that_are_one(const Grid<double>& numbers) {
+  BitGrid cells(numbers.width(), numbers.height());
+  for (int y = 0; y < numbers.height(); ++y) {
+    for (int x = 0; x < numbers.width(); ++x) cells.set({x, y}, numbers[{x, y}] == 1);
+  }
+  return cells;
+}
+
+/// The layer's numbers, lengths in metres where the map has them.
+Heatmap heatmap_of(const Layer& layer, const Frame& frame) {
+  Heatmap heatmap{layer_title(layer.kind, frame), layer.numbers};
+  if (!is_length(layer.kind) || !frame.metric) return heatmap;
+  for (int y = 0; y < heatmap.values.height(); ++y) {
+    for (double& value : heatmap.values.row(y)) value *= frame.resolution;
+  }
+  return heatmap;
+}
+
+int columns_a_cell_of(const Layer& layer, const Frame& frame) {
+  if (layer.numbers.empty()) return kColumnsAnArrow;
+  return columns_a_number(heatmap_of(layer, frame).values);
+}
+
+std::string grid_text(Scene scene, const Layer& layer, TerminalColours colours,
+                      const Style& style) {
+  if (layer.numbers.empty()) {
+    scene.arrows = layer.arrows;
+    return text_arrows(scene, colours, style);
+  }
+  scene.heatmap = heatmap_of(layer, scene.space.map().frame());
+  return text_numbers(scene, colours, style);
+}
+
+}  // namespace
+
+std::string layer_title(LayerKind kind, const Frame& frame) {
+  return std::string(title_of(kind)) +
+         (is_length(kind) ? (frame.metric ? " in m" : " in cells") : "");
+}
+
+void ShownLayers::add_to(Parser& app) {
+  const auto add = [this](const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      const LayerKind kind = parse_layer(name);
+      if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
+    }
+  };
+  app.add_list("--show", add, wrapped(kHelp)).separated_by_commas().type_name(kLayerType);
+}
+
+bool ShownLayers::any_from(LayerSource source) const {
+  return std::any_of(kinds_.begin(), kinds_.end(),
+                     [source](LayerKind kind) { return source_of(kind) == source; });
+}
+
+Scene with_layer(Scene scene, const Layer& layer) {
+  if (layer.kind == LayerKind::occupied) return scene;
+  if (const auto role = role_of(layer.kind)) {
+    scene.marked.push_back({*role, cells_that_are_one(layer.numbers)});
+  } else if (layer.numbers.empty()) {
+    scene.arrows = layer.arrows;
+  } else {
+    scene.heatmap = heatmap_of(layer, scene.space.map().frame());
+  }
+  return scene;
+}
+
+std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, const Screen& screen,
+                                      StyleName style) {
+  const Frame& frame = scene.space.map().frame();
+  const int columns_a_cell = columns_a_cell_of(layer, frame);
+  const bool too_wide = scene.space.width() * columns_a_cell > screen.columns;
+  if (!is_small(scene.space.map(), screen) || (screen.is_terminal && too_wide)) return std::nullopt;
+  const std::string grid = grid_text(scene, layer, screen.terminal.colours, style_of(style));
+  return layer_title(layer.kind, frame) + "\n" +
+         (screen.is_terminal ? grid : folded_grid(grid, columns_a_cell, screen.columns));
+}
+
+std::string layer_text(const Scene& scene, const Layer& layer, const Screen& screen,
+                       const PictureArguments& arguments) {
+  if (const auto grid = layer_grid(scene, layer, screen, arguments.style)) return *grid + "\n";
+  const std::string drawn = large_picture(with_layer(scene, layer), screen, arguments);
+  if (drawn.empty()) return {};
+  const bool no_room = layer.numbers.empty() && !has_pixels(screen.terminal);
+  return layer_title(layer.kind, scene.space.map().frame()) +
+         (no_room ? " (no room for arrows here: -o FILE.png draws them)\n" : "\n") + drawn + "\n";
+}
+
+std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {
+  std::vector<Panel> panels;
+  panels.reserve(layers.size());
+  for (const Layer& layer : layers) {
+    panels.push_back(
+        {layer_title(layer.kind, scene.space.map().frame()), with_layer(scene, layer), {}});
+  }
+  if (panels.empty()) panels.push_back({{}, scene, {}});
+  return panels;
+}
+
+}  // namespace wend::cli

@@ -1,0 +1,83 @@
+#pragma once
+
+// SteppedSearch: a search that goes on and back, an expansion at a time. Searches are deterministic:
+// to go back is to begin again and to stop earlier, so that the recorder, the plan and the open list
+// are those of that moment.
+
+#include <cstdint>
+#include <optional>
+
+#include "cli/watching/narrator.hpp"
+#include "cli/watching/observer_list.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/planner/planner.hpp"
+
+namespace wend::cli {
+
+/// Passes on what an observer has not been told yet, of searches that are begun again and again.
+class ToldOnce final : public SearchObserver {
+ public:
+  /// It must outlive this.
+  explicit ToldOnce(SearchObserver& observer) : observer_(observer) {}
+
+  /// The search begins again.
+  void begin() { events_ = 0; }
+
+  void on_generate(const SearchEvent& event) override {
+    if (is_new()) observer_.on_generate(event);
+  }
+  void on_expand(const SearchEvent& event) override {
+    if (is_new()) observer_.on_expand(event);
+  }
+  void on_relax(const SearchEvent& event) override {
+    if (is_new()) observer_.on_relax(event);
+  }
+
+ private:
+  bool is_new() {
+    if (++events_ <= told_) return false;
+    told_ = events_;
+    return true;
+  }
+
+  SearchObserver& observer_;
+  std::uint64_t events_ = 0;  // of the search as it goes now
+  std::uint64_t told_ = 0;    // the most events of all
+};
+
+class SteppedSearch {
+ public:
+  /// Of a planner that can be stepped. `told` hears of every event once, however often the search
+  /// goes back. All must outlive this; the query's own observer is not used.
+  SteppedSearch(Planner& planner, Query query, SearchRecorder& recorder, SearchObserver& told,
+                Plan& plan);
+
+  /// To before the first expansion. An outcome if the search is over.
+  std::optional<Status> begin();
+
+  /// One expansion. An outcome if the search is over.
+  std::optional<Status> go_on();
+
+  /// Goes back to the state after this number of expansions. An outcome if the search is over.
+  std::optional<Status> go_back_to(std::uint64_t expansions);
+
+  std::uint64_t expansions() const { return plan_.metrics.expanded; }
+
+  /// What was expanded last; nothing before the first expansion.
+  const std::optional<SearchEvent>& last_expansion() const { return last_.event(); }
+
+  /// The CPU time that the search took, with all who watch it, since it began last.
+  double seconds() const { return seconds_; }
+
+ private:
+  Planner& planner_;
+  Query query_;
+  SearchRecorder& recorder_;
+  Plan& plan_;
+  ToldOnce told_;
+  LastExpansion last_;
+  ObserverList observers_;
+  double seconds_ = 0;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,150 @@
+#include "wend/analysis/no_path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "wend/analysis/cost_to_go.hpp"
+
+namespace wend {
+namespace {
+
+constexpr GridMoves kSqueezing{Connectivity::eight, CornerRule::both};
+
+/// What can be changed, as a set.
+struct Changes {
+  bool unknown_free = false;
+  bool squeeze = false;
+  bool smaller_robot = false;
+
+  bool contain(const Way& way) const {
+    return unknown_free >= way.unknown_free && squeeze >= way.squeeze &&
+           smaller_robot >= way.smaller_robot;
+  }
+};
+
+/// All sets, smaller ones first.
+constexpr std::array<Changes, 8> kAllChanges{{{},
+                                              {.unknown_free = true},
+                                              {.squeeze = true},
+                                              {.smaller_robot = true},
+                                              {.unknown_free = true, .squeeze = true},
+                                              {.unknown_free = true, .smaller_robot = true},
+                                              {.squeeze = true, .smaller_robot = true},
+                                              {true, true, true}}};
+
+FreeSpace with_unknown_free(const FreeSpace& space) {
+  FreeSpaceOptions options = space.options();
+  if (options.unknown == UnknownPolicy::free || space.map().unknown().count() == 0) return space;
+  options.unknown = UnknownPolicy::free;
+  return FreeSpace(space.map(), options);
+}
+
+/// How wide a robot gets from start to goal under each change but that of its size.
+class Widths {
+ public:
+  Widths(const FreeSpace& space, Cell start, Cell goal, GridMoves moves)
+      : space_(space),
+        with_unknown_free_(with_unknown_free(space)),
+        start_(start),
+        goal_(goal),
+        moves_(moves) {
+    for (const bool unknown_free : {false, true}) {
+      for (const bool squeeze : {false, true}) {
+        const Changes changes{unknown_free, squeeze};
+        width(changes) =
+            squared_half_cell_width(space_with(changes), start, goal, moves_with(changes));
+      }
+    }
+  }
+
+  /// Is there a path under these changes?
+  bool path_under(const Changes& changes) {
+    const std::optional<std::uint32_t> widest = width(changes);
+    if (!widest) return false;
+    return changes.smaller_robot || space_.radius_in_cells() == 0 || space_.far_enough(*widest);
+  }
+
+  std::optional<WidestPath> path(const Changes& changes) const {
+    return widest_path(space_with(changes), start_, goal_, moves_with(changes));
+  }
+
+ private:
+  std::optional<std::uint32_t>& width(const Changes& changes) {
+    return widths_[(changes.unknown_free ? 2U : 0U) + (changes.squeeze ? 1U : 0U)];
+  }
+
+  const FreeSpace& space_with(const Changes& changes) const {
+    return changes.unknown_free ? with_unknown_free_ : space_;
+  }
+
+  GridMoves moves_with(const Changes& changes) const {
+    return changes.squeeze ? kSqueezing : moves_;
+  }
+
+  FreeSpace space_;
+  FreeSpace with_unknown_free_;
+  Cell start_;
+  Cell goal_;
+  GridMoves moves_;
+  std::array<std::optional<std::uint32_t>, 4> widths_;
+};
+
+/// Do the labels of the regions say what this robot can reach?
+bool labels_are_exact(const FreeSpace& space, GridMoves moves) {
+  return moves.adjacency() == Adjacency::edges || space.radius_in_cells() == 0;
+}
+
+/// The cells of the map that `holds` is true of.
+template <class Holds>
+BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
+  BitGrid cells(space.width(), space.height());
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) cells.set({x, y}, holds(Cell{x, y}));
+  }
+  return cells;
+}
+
+}  // namespace
+
+BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves) {
+  assert(space.contains(cell));
+  if (labels_are_exact(space, moves)) {
+    const ConnectedRegions& regions = space.regions();
+    return cells_where(
+        space, [&](Cell other) { return regions.connected(cell, other, moves.adjacency()); });
+  }
+  const auto field = CostToGo::make(space, std::span(&cell, 1), moves);
+  return cells_where(space, [&](Cell other) { return field && std::isfinite(field->cost(other)); });
+}
+
+std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves) {
+  assert(space.contains(cell));
+  return labels_are_exact(space, moves) ? space.regions().size_of_region(cell, moves.adjacency())
+                                        : region_of(space, cell, moves).count();
+}
+
+NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
+  assert(space.contains(start) && space.contains(goal));
+  Widths widths(space, start, goal, moves);
+  NoPath why{.start_region = region_size(space, start, moves),
+             .goal_region = region_size(space, goal, moves),
+             .widest = widths.path({}),
+             .ways = {}};
+  for (const Changes& changes : kAllChanges) {
+    const bool minimal = std::none_of(why.ways.begin(), why.ways.end(),
+                                      [&](const Way& way) { return changes.contain(way); });
+    if (!minimal || !widths.path_under(changes)) continue;
+    if (auto widest = widths.path(changes)) {
+      why.ways.push_back(
+          {changes.unknown_free, changes.squeeze, changes.smaller_robot, *std::move(widest)});
+    }
+  }
+  return why;
+}
+
+}  // namespace wend

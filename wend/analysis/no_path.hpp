@@ -1,0 +1,69 @@
+#pragma once
+
+// NoPath: why no path joins two cells, as data: how large the two regions are, how wide a robot
+// would get through, and what would have to change.
+//
+// Three things can change without another map: unknown cells count as free, the robot squeezes
+// diagonally between two obstacles (8 neighbours, corner rule `both`), the robot is smaller. More
+// neighbours alone and the corner rule `one` never make a path where there is none: around a
+// diagonal step with a passable cell beside it lead two straight ones.
+//
+//   const wend::NoPath why = wend::explain_no_path(space, start, goal);
+//   for (const wend::Way& way : why.ways) suggest(way);
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "wend/analysis/widest_path.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+/// A set of changes under which there is a path, though there is none under a part of them.
+struct Way {
+  bool unknown_free = false;
+  bool squeeze = false;
+  bool smaller_robot = false;
+
+  int changes() const { return int{unknown_free} + int{squeeze} + int{smaller_robot}; }
+
+  /// Under these changes, for a robot of any size. Its radius is smaller than the robot's if
+  /// smaller_robot is set, else at least as large.
+  WidestPath widest;
+};
+
+struct NoPath {
+  /// Cells that can be reached from each (see region_of), itself among them; 0 where the robot
+  /// cannot stand.
+  std::size_t start_region = 0;
+  std::size_t goal_region = 0;
+
+  /// For a robot of any size, and nothing else changed.
+  std::optional<WidestPath> widest;
+
+  /// Is there a path after all?
+  bool path_exists() const {
+    return start_region > 0 && !ways.empty() && ways.front().changes() == 0;
+  }
+
+  /// Fewest changes first. Empty if nothing of this helps: an obstacle is on the start or goal, or
+  /// walls surround one of them. If there is a path after all: one way, without any change.
+  std::vector<Way> ways;
+};
+
+/// The cells that the robot can reach from a cell of the map, itself among them; none where it
+/// cannot stand. Exact, as the planners are, where ConnectedRegions counts too much: a disc does not
+/// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
+/// the corner rule `both`.
+BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
+
+/// How many cells region_of has. O(1) but for a disc under the corner rule `both`.
+std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
+
+/// Both cells are on the map and may be blocked. O(cells log cells).
+NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {});
+
+}  // namespace wend

@@ -1,0 +1,179 @@
+#include "wend/analysis/widest_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/base/options.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/map/distance_field.hpp"
+#include "wend/map/way_clearance.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/search/min_heap.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::int64_t kNotReached = -1;
+
+// No detour over wide cells is as long as this.
+constexpr double kDear = 1e9;
+
+/// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
+/// the goal.
+struct Reached {
+  std::uint32_t width;  // as squared half-cells
+  int to_goal;
+  Cell cell;
+
+  friend bool operator<(const Reached& a, const Reached& b) {
+    if (a.width != b.width) return a.width > b.width;
+    if (a.to_goal != b.to_goal) return a.to_goal < b.to_goal;
+    return a.cell < b.cell;
+  }
+};
+
+/// Prim's algorithm from the start, until it reaches the goal.
+class WidestSearch {
+ public:
+  WidestSearch(const FreeSpace& space, Cell goal, Adjacency adjacency)
+      : space_(space),
+        goal_(goal),
+        stride_(adjacency == Adjacency::edges ? 2 : 1),  // even directions are straight
+        widths_(space.width(), space.height(), kNotReached) {}
+
+  std::optional<std::uint32_t> run(Cell start) {
+    const auto& clearance = space_.squared_half_cell_clearance();
+    if (clearance[start] == 0 || clearance[goal_] == 0) return std::nullopt;
+    // No path is wider than this. Capped by it, all that is wide enough is equally wide.
+    reach(start, std::min(clearance[start], clearance[goal_]));
+    while (!frontier_.empty()) {
+      const Reached next = min_heap::pop(frontier_);
+      if (next.cell == goal_) return next.width;
+      if (widths_[next.cell] == next.width) expand(next);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void expand(const Reached& from) {
+    for (int direction = 0; direction < kDirections; direction += stride_) {
+      const Cell to = step(from.cell, static_cast<Direction>(direction), false);
+      if (!space_.contains(to) || space_.obstacles()[to]) continue;
+      reach(to, std::min(from.width, squared_half_cell_way_clearance(space_, from.cell, to)));
+    }
+  }
+
+  void reach(Cell cell, std::uint32_t width) {
+    if (widths_[cell] >= width) return;
+    widths_[cell] = width;
+    const int to_goal = std::abs(cell.x - goal_.x) + std::abs(cell.y - goal_.y);
+    min_heap::push(frontier_, Reached{width, to_goal, cell});
+  }
+
+  const FreeSpace& space_;
+  Cell goal_;
+  int stride_;
+  Grid<std::int64_t> widths_;
+  std::vector<Reached> frontier_;
+};
+
+/// The map with the cells on which no wider robot can stand so dear that the cheapest path enters as
+/// few of them as it can.
+GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
+  const GridMap& map = space.map();
+  const auto& clearance = space.squared_half_cell_clearance();
+  Grid<CellState> states(map.width(), map.height());
+  Grid<double> terrain(map.width(), map.height(), 1);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const Cell cell{x, y};
+      states[cell] = map.state(cell);
+      if (clearance[cell] <= width) terrain[cell] = kDear;
+    }
+  }
+  return GridMap(states, map.frame(), std::move(terrain));
+}
+
+Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
+  const OptionValues options{{"connectivity", std::string(choice_name(moves.connectivity))},
+                             {"corner_rule", std::string(choice_name(moves.corner_rule))}};
+  const auto planner = make_planner("astar", space, options);
+  if (!planner) return {};
+  auto plan = (*planner)->plan(Query::between(start, goal));
+  return plan ? std::move(plan->path) : Path{};
+}
+
+/// The cells that a robot wider than `width` can reach from the start. O(cells).
+BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t width,
+                               Adjacency adjacency) {
+  const int stride = adjacency == Adjacency::edges ? 2 : 1;
+  BitGrid reached(space.width(), space.height());
+  std::vector<Cell> open;
+  const auto reach = [&](Cell from, Cell to) {
+    if (reached[to] || squared_half_cell_way_clearance(space, from, to) <= width) return;
+    reached.set(to, true);
+    open.push_back(to);
+  };
+  reach(start, start);
+  while (!open.empty()) {
+    const Cell from = open.back();
+    open.pop_back();
+    for (int direction = 0; direction < kDirections; direction += stride) {
+      const Cell to = step(from, static_cast<Direction>(direction), false);
+      if (space.contains(to)) reach(from, to);
+    }
+  }
+  return reached;
+}
+
+/// Where a wider robot is stuck that comes along the path as far as it can.
+Point narrowest_point(const FreeSpace& space, std::span<const Cell> cells, std::uint32_t width,
+                      Adjacency adjacency) {
+  if (cells.empty()) return {};
+  const auto& clearance = space.squared_half_cell_clearance();
+  const BitGrid wider = reach_of_a_wider_robot(space, cells.front(), width, adjacency);
+  std::size_t next = cells.size() - 1;
+  while (next > 0 && !wider[cells[next - 1]]) --next;
+  const Cell to = cells[next];
+  if (next == 0 || clearance[to] <= width) return centre_of(to);
+  const Cell from = cells[next - 1];
+  if (squared_half_cell_way_clearance(space, from, to) <= width) {
+    return {(from.x + to.x + 1) / 2.0, (from.y + to.y + 1) / 2.0};
+  }
+  // A diagonal step: the ways around it lead over the cells beside it.
+  const Cell beside{from.x, to.y};
+  return centre_of(clearance[beside] <= width ? beside : Cell{to.x, from.y});
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
+                                                     GridMoves moves) {
+  assert(space.contains(start) && space.contains(goal));
+  return WidestSearch(space, goal, moves.adjacency()).run(start);
+}
+
+std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
+                                      GridMoves moves) {
+  const auto width = squared_half_cell_width(space, start, goal, moves);
+  if (!width) return std::nullopt;
+  // Where there is no obstacle, the farthest that a FreeSpace looks.
+  const double cells = std::sqrt(static_cast<double>(*width)) / 2;
+  const FreeSpace widest(with_narrow_cells_dear(space, *width),
+                         {.robot_radius = cells * space.map().frame().resolution,
+                          .unknown = space.options().unknown,
+                          .outside = space.outside()});
+  Path path = cheapest_path(widest, start, goal, moves);
+  const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
+  return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};
+}
+
+}  // namespace wend

@@ -1,0 +1,41 @@
+// Random obstacles: every cell is blocked with the same probability.
+
+#include "wend/generate/generator_kinds.hpp"
+
+namespace wend {
+namespace {
+
+struct RandomMapOptions {
+  double density = 0.2;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"density", "the share of blocked cells"}, self.density, {0, 1});
+  }
+
+  MapSize least_size() const { return {1, 1}; }
+};
+
+GridMap generate(MapSize size, const RandomMapOptions& options, Random& random) {
+  Grid<CellState> cells(size.width, size.height, CellState::free);
+  for (int y = 0; y < size.height; ++y) {
+    for (CellState& cell : cells.row(y)) {
+      if (random.chance(options.density)) cell = CellState::occupied;
+    }
+  }
+  for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
+    if (cells.contains(corner)) cells[corner] = CellState::free;
+  }
+  return GridMap(cells);
+}
+
+}  // namespace
+
+GeneratorInfo random_generator() {
+  GeneratorInfo info = generator_info<RandomMapOptions>(
+      "random", "obstacles strewn at random; regions may be cut off", generate);
+  info.connected = false;
+  return info;
+}
+
+}  // namespace wend

@@ -1,0 +1,60 @@
+// Square rooms in rows and columns, with doors one cell wide.
+
+#include "wend/generate/chambers.hpp"
+#include "wend/generate/generator_kinds.hpp"
+
+namespace wend {
+namespace {
+
+struct RoomsOptions {
+  std::int64_t room_size = 8;
+  double loops = 0.4;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"room_size",
+           "cells from wall to wall; where the size does not fit, some rooms are "
+           "larger"},
+          self.room_size, {1, 1000});
+    field({"loops",
+           "the share of walls with a door that nobody would need: 0 leaves one way "
+           "between any two rooms"},
+          self.loops, {0, 1});
+  }
+
+  MapSize least_size() const { return {3, 3}; }
+};
+
+/// A door somewhere in a wall that has none.
+void open_door(Grid<CellState>& cells, const Block& wall, Random& random) {
+  const int x = random.between(wall.x, wall.x_end() - 1);
+  const int y = random.between(wall.y, wall.y_end() - 1);
+  if (all_equal(cells, wall, CellState::occupied)) cells[{x, y}] = CellState::free;
+}
+
+GridMap generate(MapSize size, const RoomsOptions& options, Random& random) {
+  Chambers rooms(size.width, size.height, static_cast<int>(options.room_size));
+  for (const auto& [a, b] : random_spanning_tree(rooms.columns(), rooms.rows(), random)) {
+    open_door(rooms.cells(), rooms.wall_between(a, b), random);
+  }
+  for (int y = 0; y < rooms.rows(); ++y) {
+    for (int x = 0; x < rooms.columns(); ++x) {
+      for (const Cell next : {Cell{x + 1, y}, Cell{x, y + 1}}) {
+        if (next.x == rooms.columns() || next.y == rooms.rows()) continue;
+        if (random.chance(options.loops)) {
+          open_door(rooms.cells(), rooms.wall_between({x, y}, next), random);
+        }
+      }
+    }
+  }
+  return GridMap(rooms.cells());
+}
+
+}  // namespace
+
+GeneratorInfo rooms_generator() {
+  return generator_info<RoomsOptions>(
+      "rooms", "rooms in rows and columns with doors in their walls", generate);
+}
+
+}  // namespace wend

@@ -1,0 +1,72 @@
+// Rough terrain: smooth hills whose cells cost 2 to 9 on easy ground, and some rocks.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "wend/generate/block.hpp"
+#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/hills.hpp"
+
+namespace wend {
+namespace {
+
+struct RoughOptions {
+  double roughness = 0.55;
+  double rocks = 0.06;
+  std::int64_t hill_size = 24;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"roughness", "the share of cells that cost more than 1"}, self.roughness, {0, 1});
+    field({"rocks", "the share of blocked cells"}, self.rocks, {0, 1});
+    field({"hill_size", "cells from one hill to the next, roughly"}, self.hill_size, {2, 10000});
+  }
+
+  MapSize least_size() const { return {3, 3}; }
+};
+
+/// 1 up to the share of easy cells, then 2 to 9 in bands of the same size.
+double cost_of_share(double share, double roughness) {
+  const double easy = 1 - roughness;
+  return share < easy ? 1 : 2 + std::floor(8 * (share - easy) / roughness);
+}
+
+Grid<double> terrain_of(MapSize size, const RoughOptions& options, Random& random) {
+  const Hills hills(size.width, size.height, static_cast<int>(options.hill_size), random);
+  Grid<double> terrain(size.width, size.height, 1);
+  if (options.roughness == 0) return terrain;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      terrain[{x, y}] = std::min(9.0, cost_of_share(hills.share_below({x, y}), options.roughness));
+    }
+  }
+  return terrain;
+}
+
+GridMap generate(MapSize size, const RoughOptions& options, Random& random) {
+  Grid<double> terrain = terrain_of(size, options, random);
+  const int rock_spacing = std::max(1, static_cast<int>(options.hill_size) / 2);
+  const Hills rocks(size.width, size.height, rock_spacing, random);
+  Grid<CellState> cells(size.width, size.height, CellState::free);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (rocks.share_below({x, y}) >= 1 - options.rocks) cells[{x, y}] = CellState::occupied;
+    }
+  }
+  for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
+    fill(cells, Block{corner.x, corner.y, 1, 1}.grown(1), CellState::free);
+  }
+  return GridMap(cells, {}, std::move(terrain));
+}
+
+}  // namespace
+
+GeneratorInfo rough_generator() {
+  GeneratorInfo info = generator_info<RoughOptions>(
+      "rough", "hills whose cells cost 2 to 9, with rocks; regions may be cut off", generate);
+  info.connected = false;
+  return info;
+}
+
+}  // namespace wend

@@ -1,0 +1,35 @@
+#pragma once
+
+// The index of the planner corner_hierarchy: the turns of a map, contracted.
+//
+// A query starts at the turns that a path from its start may come to first, and ends at those that
+// one to its goal may come to last; in between it climbs the hierarchy from both sides, guided by
+// the octile distance. See turns.hpp for why that is a shortest path, contraction_hierarchy.hpp for
+// the climbing. The file holds the hierarchy; the turns are found anew on opening, which takes a
+// few milliseconds.
+//
+// Costs are 32-bit: maps on which a path may be longer than 2^32 - 1 of them, some 128,000 cells,
+// are refused. Passable cells are those of a drawn board, y down.
+
+#include <memory>
+#include <string>
+
+#include "wend/base/expected.hpp"
+#include "wend/index/corner_hierarchy/graph_contraction.hpp"
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_engine.hpp"
+#include "wend/map/bit_grid.hpp"
+
+namespace wend {
+
+/// Fails where it is cancelled, or paths may be too long.
+Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
+                                                        const IndexBuilding& building,
+                                                        const ContractionEffort& effort = {});
+
+/// An engine on an index of these cells, or what is wrong with it.
+Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
+                                                                          const BitGrid& passable);
+
+}  // namespace wend

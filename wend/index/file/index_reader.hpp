@@ -1,0 +1,52 @@
+#pragma once
+
+// IndexReader: the sections of an index, used where they lie.
+//
+// What is opened is whole, and of this map, planner and version. Whoever reads the sections checks
+// what they say of each other, so that no file, however made, makes it read out of bounds.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "wend/base/expected.hpp"
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/index/file/index_header.hpp"
+
+namespace wend {
+
+class IndexReader {
+ public:
+  /// Or what is wrong: of index_mismatch.
+  static Expected<IndexReader, std::string> open(IndexBytes index, std::string_view planner,
+                                                 std::uint32_t version, const BitGrid& passable);
+
+  std::size_t sections() const { return static_cast<std::size_t>(header_.sections); }
+
+  /// A section by its number, in the order in which they were added; nothing if there is none or if
+  /// it is no array of T. It lives as long as the index does.
+  template <class T>
+  std::optional<std::span<const T>> section(std::size_t number) const {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= IndexBytes::kAlignment);
+    if (number >= sections() || header_.table[number].bytes % sizeof(T) != 0) return std::nullopt;
+    const IndexSection& where = header_.table[number];
+    const std::byte* const begin = index_.bytes().data() + where.offset;
+    return std::span<const T>(reinterpret_cast<const T*>(begin), where.bytes / sizeof(T));
+  }
+
+  const IndexBytes& index() const { return index_; }
+
+ private:
+  IndexReader(IndexBytes index, const IndexHeader& header)
+      : index_(std::move(index)), header_(header) {}
+
+  IndexBytes index_;
+  IndexHeader header_;
+};
+
+}  // namespace wend

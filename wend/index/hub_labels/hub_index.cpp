@@ -1,0 +1,214 @@
+#include "wend/index/hub_labels/hub_index.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "wend/index/cell_regions.hpp"
+#include "wend/index/corner_graph.hpp"
+#include "wend/index/file/index_writer.hpp"
+#include "wend/index/first_corners.hpp"
+#include "wend/index/hub_labels/heavy_paths.hpp"
+#include "wend/index/hub_labels/hub_engine.hpp"
+#include "wend/index/hub_labels/hub_labelling.hpp"
+#include "wend/index/hub_labels/hub_record.hpp"
+#include "wend/index/hub_labels/hub_sections.hpp"
+#include "wend/index/hub_labels/label_order.hpp"
+#include "wend/index/hub_labels/region_hubs.hpp"
+#include "wend/index/octile_steps.hpp"
+
+namespace wend {
+namespace {
+
+using Failure = Unexpected<IndexError>;
+
+constexpr int kMostRows = 65536;                 // cells are kept in twice 16 bits
+constexpr std::size_t kMostCounted = 65535;      // hubs and corners of a record
+constexpr double kLabelsShare = 0.9;             // of the work, about
+constexpr std::uint32_t kHubsBetweenLooks = 64;  // at whether to stop
+constexpr std::size_t kRegionsATask = 256;
+
+Failure unsupported(std::string what) {
+  return Failure({Status::unsupported_map, std::move(what)});
+}
+
+Failure cancelled() { return Failure({Status::cancelled, "the index was not finished"}); }
+
+/// Labels all corners. False if it was cancelled.
+bool label_corners(const CornerGraph& graph, const AllFirstCorners& first, HubLabelling& labelling,
+                   const IndexBuilding& building) {
+  LabelOrder order(graph, first, labelling);
+  for (std::uint32_t hub = 0; hub < graph.size(); ++hub) {
+    if (hub % kHubsBetweenLooks == 0) {
+      if (building.cancelled()) return false;
+      building.tell(kLabelsShare * hub / static_cast<double>(graph.size()));
+    }
+    labelling.add_hub(order.next());
+  }
+  building.tell(kLabelsShare);
+  return !building.cancelled();
+}
+
+/// The records of all corners and regions, and which cell has which.
+template <class Hub>
+class RecordWriter {
+ public:
+  RecordWriter(const Corners& corners, const AllFirstCorners& first, const HubLabelling& labelling)
+      : corners_(corners), first_(first), labelling_(labelling) {
+    const BitGrid& passable = corners.passable();
+    record_of_cell_.assign(
+        static_cast<std::size_t>(passable.width()) * static_cast<std::size_t>(passable.height()),
+        HubSections::kNoRecord);
+  }
+
+  const std::vector<std::uint32_t>& words() const { return words_; }
+  const std::vector<std::uint32_t>& record_of_cell() const { return record_of_cell_; }
+
+  void add_corners(const HeavyPaths& paths) {
+    std::vector<typename HubRecord<Hub>::Part> parts(1);
+    for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {
+      fill(parts[0], corner, labelling_.label(corner));
+      set_record(corners_.cell(corner), words_.size());
+      HubRecord<Hub>::append(words_, parts, paths.places(corner), true);
+    }
+  }
+
+  /// False if it was cancelled.
+  bool add_regions(const CellRegions& regions, const IndexBuilding& building) {
+    OneWorker alone;
+    Workers& workers = building.workers != nullptr ? *building.workers : alone;
+    std::vector<RegionHubs> hubs(workers.count(), RegionHubs(corners_, labelling_));
+    const std::size_t tasks = (regions.size() + kRegionsATask - 1) / kRegionsATask;
+    std::vector<Written> written(tasks);
+    workers.run(tasks, [&](std::size_t task, unsigned worker) {
+      if (building.cancelled()) return;
+      const std::size_t begin = task * kRegionsATask;
+      const std::size_t end = std::min(begin + kRegionsATask, regions.size());
+      for (std::size_t region = begin; region < end; ++region) {
+        write_region(regions.cells(region), hubs[worker], written[task]);
+      }
+    });
+    for (std::size_t task = 0; task < tasks; ++task) append(written[task], regions, task);
+    return !building.cancelled();
+  }
+
+ private:
+  struct Written {
+    std::vector<std::uint32_t> words;
+    std::vector<std::size_t> begins;  // by region of the task
+  };
+
+  void write_region(std::span<const Cell> cells, RegionHubs& hubs, Written& written) const {
+    const auto first = first_.of(cells.front());
+    const auto chosen = hubs.choose(cells, first);
+    std::vector<typename HubRecord<Hub>::Part> parts(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) fill(parts[i], first[i], chosen[i]);
+    written.begins.push_back(written.words.size());
+    HubRecord<Hub>::append(written.words, parts, {}, false);
+  }
+
+  void append(const Written& written, const CellRegions& regions, std::size_t task) {
+    for (std::size_t i = 0; i < written.begins.size(); ++i) {
+      for (const Cell cell : regions.cells(task * kRegionsATask + i)) {
+        set_record(cell, words_.size() + written.begins[i]);
+      }
+    }
+    words_.insert(words_.end(), written.words.begin(), written.words.end());
+  }
+
+  void fill(typename HubRecord<Hub>::Part& part, std::uint32_t corner,
+            std::span<const HubEntry> entries) const {
+    part.cell = corners_.cell(corner);
+    part.hubs.clear();
+    part.costs.clear();
+    for (const HubEntry& entry : entries) {
+      part.hubs.push_back(static_cast<Hub>(entry.hub));
+      part.costs.push_back(entry.cost);
+    }
+  }
+
+  void set_record(Cell cell, std::size_t word) {
+    const auto width = static_cast<std::size_t>(corners_.passable().width());
+    record_of_cell_[static_cast<std::size_t>(cell.y) * width + static_cast<std::size_t>(cell.x)] =
+        static_cast<std::uint32_t>(word);
+  }
+
+  const Corners& corners_;
+  const AllFirstCorners& first_;
+  const HubLabelling& labelling_;
+  std::vector<std::uint32_t> words_;
+  std::vector<std::uint32_t> record_of_cell_;
+};
+
+template <class Hub>
+Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const AllFirstCorners& first,
+                                             const HubLabelling& labelling,
+                                             const IndexBuilding& building) {
+  const HeavyPaths paths(graph.corners(), labelling);
+  const CellRegions regions(graph.corners(), first);
+  RecordWriter<Hub> records(graph.corners(), first, labelling);
+  records.add_corners(paths);
+  if (!records.add_regions(regions, building)) return cancelled();
+  if (records.words().size() >= HubSections::kNoRecord || paths.words().size() >= run_word::kHub) {
+    return unsupported("the map has too many corners for a label index");
+  }
+  const std::vector<std::uint64_t> hub_count{labelling.hubs()};
+  IndexWriter writer(kHubLabels, HubSections::kVersion, graph.corners().passable());
+  writer.add(std::span(hub_count));
+  writer.add(std::span(records.record_of_cell()));
+  writer.add(std::span(records.words()));
+  writer.add(paths.words());
+  building.tell(1);
+  return writer.finish();
+}
+
+/// What a record cannot hold, if there is anything.
+std::optional<std::string> fault_of(const CornerGraph& graph, const HubLabelling& labelling) {
+  const BitGrid& passable = graph.corners().passable();
+  const auto across = octile_cost<CornerCost>({0, 0}, {passable.width(), passable.height()});
+  if (labelling.greatest_cost() + across >= kCostsOfOneKindOfPath / 2) {
+    return "its paths are too long for a label index";
+  }
+  for (std::uint32_t corner = 0; corner < graph.size(); ++corner) {
+    if (labelling.label(corner).size() > kMostCounted) {
+      return "the map has too many corners for a label index";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Expected<IndexBytes, IndexError> build_hub_index(const BitGrid& passable,
+                                                 const IndexBuilding& building) {
+  if (passable.width() >= kMostRows / 2 || passable.height() >= kMostRows / 2) {
+    return unsupported("a label index is for maps of fewer than 32768 rows and columns");
+  }
+  building.tell(0);
+  const CornerGraph graph{Corners(passable)};
+  const AllFirstCorners first(graph.corners());
+  HubLabelling labelling(graph);
+  if (!label_corners(graph, first, labelling, building)) return cancelled();
+  if (const auto fault = fault_of(graph, labelling)) return unsupported(*fault);
+  return labelling.hubs() <= HubSections::kMostShortHubs
+             ? write_index<std::uint16_t>(graph, first, labelling, building)
+             : write_index<std::uint32_t>(graph, first, labelling, building);
+}
+
+Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes index,
+                                                                   const BitGrid& passable) {
+  const auto reader =
+      IndexReader::open(std::move(index), kHubLabels, HubSections::kVersion, passable);
+  if (!reader) return Unexpected<std::string>(reader.error());
+  const auto sections = HubSections::of(*reader, passable);
+  if (!sections) return Unexpected<std::string>(sections.error());
+  if (sections->hub_count <= HubSections::kMostShortHubs) {
+    return std::make_unique<HubEngine<std::uint16_t>>(reader->index(), *sections, passable);
+  }
+  return std::make_unique<HubEngine<std::uint32_t>>(reader->index(), *sections, passable);
+}
+
+}  // namespace wend

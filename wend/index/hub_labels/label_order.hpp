@@ -1,0 +1,53 @@
+#pragma once
+
+// LabelOrder: which corner should be the next hub, so that labels become small: the one that
+// most shortest ways pass that no hub covers yet, as SampledTrees tell.
+//
+// The number of nodes in the trees is kept up: as hubs cut them short, more are grown. Once new
+// trees have a few nodes only, which is when nearly all ways are covered, the rest of the order
+// matters little, and what the trees tell is used up. The order is the same at every run.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "wend/index/corner_graph.hpp"
+#include "wend/index/first_corners.hpp"
+#include "wend/index/hub_labels/hub_labelling.hpp"
+#include "wend/index/hub_labels/sampled_trees.hpp"
+
+namespace wend {
+
+class LabelOrder {
+ public:
+  /// All three must outlive it.
+  LabelOrder(const CornerGraph& graph, const AllFirstCorners& first, const HubLabelling& labelling);
+
+  /// A corner that is no hub yet; there must be one. It is to be made one before the next call.
+  std::uint32_t next();
+
+ private:
+  struct Candidate {
+    std::uint64_t total;  // at least the corner's
+    std::uint32_t corner;
+
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return a.total != b.total ? a.total > b.total : a.corner < b.corner;
+    }
+  };
+
+  void grow_trees();
+  void push(std::uint32_t corner, std::uint64_t total);
+
+  const HubLabelling& labelling_;
+  SampledTrees trees_;
+  std::size_t wanted_nodes_;
+  std::size_t grown_ = 0;
+  double nodes_of_late_;  // a tree, in the running mean
+  bool all_told_ = false;
+  std::vector<Candidate> queue_;
+  std::vector<std::uint64_t> queued_;  // by corner: its total in the queue, 0 if it is in none
+  std::uint32_t rest_ = 0;             // corners from here on may not be hubs, once all is told
+};
+
+}  // namespace wend

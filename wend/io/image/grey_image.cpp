@@ -1,0 +1,81 @@
+#include "wend/io/image/grey_image.hpp"
+
+#include <array>
+
+#include "wend/io/image/png.hpp"
+#include "wend/io/image/pnm.hpp"
+
+namespace wend {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Signature {
+  std::string_view begin;
+  std::string_view name;
+};
+
+/// Formats that map servers or people may hand us, and that we do not read.
+constexpr std::array kUnsupported = {
+    Signature{"\xFF\xD8\xFF"sv, "JPEG"}, Signature{"BM"sv, "BMP"},
+    Signature{"GIF8"sv, "GIF"},          Signature{"II*\0"sv, "TIFF"},
+    Signature{"MM\0*"sv, "TIFF"},        Signature{"RIFF"sv, "WebP"},
+    Signature{"P7"sv, "PAM (P7)"},       Signature{"Pf"sv, "PFM (Pf)"},
+    Signature{"PF"sv, "PFM (PF)"},       Signature{"%PDF"sv, "PDF"},
+    Signature{"<svg"sv, "SVG"},          Signature{"\x1F\x8B"sv, "gzip"},
+};
+
+/// The name of a format that we do not read; empty for what is none.
+std::string_view unsupported_format(std::string_view bytes) {
+  for (const Signature& signature : kUnsupported) {
+    if (bytes.starts_with(signature.begin)) return signature.name;
+  }
+  return {};
+}
+
+struct WholeImage final : ImageRows {
+  void begin(int width, int height, int maximum) override {
+    image.width = width;
+    image.height = height;
+    image.maximum = maximum;
+  }
+
+  void add(std::span<const std::uint16_t> values,
+           std::span<const unsigned char> transparent) override {
+    image.values.insert(image.values.end(), values.begin(), values.end());
+    image.transparent.insert(image.transparent.end(), transparent.begin(), transparent.end());
+  }
+
+  GreyImage image;
+};
+
+}  // namespace
+
+bool looks_like_image(std::string_view bytes) {
+  return looks_like_png(bytes) || looks_like_pnm(bytes) || !unsupported_format(bytes).empty();
+}
+
+Expected<GreyImage, std::string> whole_image(std::string_view bytes,
+                                             DecodedRows (*decode)(std::string_view bytes,
+                                                                   ImageRows& rows)) {
+  WholeImage whole;
+  auto notes = decode(bytes, whole);
+  if (!notes) return Unexpected<std::string>(notes.error());
+  whole.image.notes = *std::move(notes);
+  return std::move(whole.image);
+}
+
+Expected<GreyImage, std::string> decode_image(std::string_view bytes) {
+  return whole_image(bytes, decode_image);
+}
+
+DecodedRows decode_image(std::string_view bytes, ImageRows& rows) {
+  if (looks_like_png(bytes)) return decode_png(bytes, rows);
+  if (looks_like_pnm(bytes)) return decode_pnm(bytes, rows);
+  const std::string name(unsupported_format(bytes));
+  return Unexpected<std::string>(
+      name.empty() ? "unknown image format, PNG or PNM (P1 to P6) expected"
+                   : name + " images are not supported, only PNG and PNM (P1 to P6) are");
+}
+
+}  // namespace wend

@@ -1,0 +1,41 @@
+#include "wend/io/image/grey_image.hpp"
+
+#include "wend/io/image/png_test_support.hpp"
+#include "wend/io/io_test_support.hpp"
+
+namespace wend {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Luma, WeighsTheChannelsAndRounds) {
+  EXPECT_EQ(luma(255, 0, 0), 76);
+  EXPECT_EQ(luma(0, 255, 0), 150);
+  EXPECT_EQ(luma(0, 0, 255), 29);
+  EXPECT_EQ(luma(65535, 65535, 65535), 65535);
+}
+
+TEST(Luma, LeavesGreyAsItIs) {
+  for (unsigned grey = 0; grey <= 65535; ++grey) ASSERT_EQ(luma(grey, grey, grey), grey);
+}
+
+TEST(DecodeImage, TellsTheFormatByItsContent) {
+  EXPECT_TRUE(decode_image("P5 1 1 255\na"));
+  EXPECT_TRUE(decode_image(
+      png_file::file(png_file::header(1, 1, 8, png_file::grey) + png_file::image_data("\0\0"s))));
+}
+
+TEST(DecodeImage, RefusesOtherFormatsByName) {
+  EXPECT_EQ(error_of(decode_image("\xFF\xD8\xFF\xE0")),
+            "JPEG images are not supported, only PNG and PNM (P1 to P6) are");
+  EXPECT_EQ(error_of(decode_image("BM....")),
+            "BMP images are not supported, only PNG and PNM (P1 to P6) are");
+  EXPECT_EQ(error_of(decode_image("P7\nWIDTH 1")),
+            "PAM (P7) images are not supported, only PNG and PNM (P1 to P6) are");
+  EXPECT_EQ(error_of(decode_image("image: map.pgm")),
+            "unknown image format, PNG or PNM (P1 to P6) expected");
+  EXPECT_EQ(error_of(decode_image("")), "unknown image format, PNG or PNM (P1 to P6) expected");
+}
+
+}  // namespace
+}  // namespace wend

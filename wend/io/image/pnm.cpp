@@ -1,0 +1,238 @@
+#include "wend/io/image/pnm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "wend/base/parse.hpp"
+#include "wend/io/quote.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+namespace {
+
+constexpr int kLargestMaximum = 65535;
+
+bool is_white_space(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
+
+struct Header {
+  bool text;     // samples are decimal numbers
+  bool bitmap;   // one bit a pixel, 1 is black
+  int channels;  // 1 or 3
+  int width = 0;
+  int height = 0;
+  int maximum = 1;
+
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  std::size_t samples() const { return pixels() * static_cast<std::size_t>(channels); }
+  std::size_t sample_bytes() const { return maximum > 255 ? 2 : 1; }
+
+  /// The fewest bytes that the samples can take, and in a binary file exactly that many.
+  std::size_t least_bytes() const {
+    if (text) return bitmap ? samples() : 2 * samples() - 1;
+    if (!bitmap) return samples() * sample_bytes();
+    return (static_cast<std::size_t>(width) + 7) / 8 * static_cast<std::size_t>(height);
+  }
+};
+
+class PnmDecoder {
+ public:
+  PnmDecoder(std::string_view bytes, ImageRows& rows) : rest_(bytes), rows_(rows) {}
+
+  DecodedRows decode() {
+    auto header = read_header();
+    if (!header) return Unexpected<std::string>(header.error());
+    if (rest_.size() < header->least_bytes()) {
+      return failure(fmt::format("pixel data truncated: {} bytes, at least {} expected",
+                                 rest_.size(), header->least_bytes()));
+    }
+    rows_.begin(header->width, header->height, header->maximum);
+    row_.resize(static_cast<std::size_t>(header->width));
+    for (int y = 0; y < header->height; ++y) {
+      const std::string wrong = header->text     ? read_text(*header, y)
+                                : header->bitmap ? read_bits()
+                                                 : read_binary(*header);
+      if (!wrong.empty()) return failure(wrong);
+      rows_.add(row_, {});
+    }
+    return notes(*header);
+  }
+
+ private:
+  static Unexpected<std::string> failure(std::string what) {
+    return Unexpected<std::string>(std::move(what));
+  }
+
+  void skip_space_and_comments() {
+    while (!rest_.empty()) {
+      if (rest_.front() == '#') {
+        rest_.remove_prefix(std::min(rest_.size(), rest_.find('\n')));
+      } else if (is_white_space(rest_.front())) {
+        rest_.remove_prefix(1);
+      } else {
+        return;
+      }
+    }
+  }
+
+  /// The next word; empty at the end of the file.
+  std::string_view next_word() {
+    skip_space_and_comments();
+    std::size_t length = 0;
+    while (length < rest_.size() && !is_white_space(rest_[length]) && rest_[length] != '#') {
+      ++length;
+    }
+    const std::string_view word = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return word;
+  }
+
+  Expected<int, std::string> read_number(std::string_view name, int largest) {
+    const std::string_view word = next_word();
+    if (word.empty()) return failure(fmt::format("header truncated: {} is missing", name));
+    const auto value = parse_integer<int>(word);
+    if (!value || *value < 1 || *value > largest) {
+      return failure(
+          fmt::format("{} must be a whole number in 1..{}, not {}", name, largest, quote(word)));
+    }
+    return *value;
+  }
+
+  Expected<Header, std::string> read_header() {
+    const int kind = rest_[1] - '0';
+    rest_.remove_prefix(2);
+    Header header{kind <= 3, kind % 3 == 1, kind % 3 == 0 ? 3 : 1};
+    const auto width = read_number("width", static_cast<int>(GridMap::kMaxCells));
+    if (!width) return Unexpected<std::string>(width.error());
+    const auto height = read_number("height", static_cast<int>(GridMap::kMaxCells));
+    if (!height) return Unexpected<std::string>(height.error());
+    header.width = *width;
+    header.height = *height;
+    if (!header.bitmap) {
+      const auto maximum = read_number("the maximum value", kLargestMaximum);
+      if (!maximum) return Unexpected<std::string>(maximum.error());
+      header.maximum = *maximum;
+    }
+    if (header.pixels() > GridMap::kMaxCells) {
+      return failure(fmt::format("{} x {} pixels are too many", header.width, header.height));
+    }
+    if (!header.text) skip_line_end(header);
+    return header;
+  }
+
+  /// Between the header and binary samples stands a single white space, which a comment may
+  /// precede. A CRLF counts as one where the samples are complete without its LF.
+  void skip_line_end(const Header& header) {
+    if (rest_.starts_with('#')) rest_.remove_prefix(std::min(rest_.size(), rest_.find('\n')));
+    const bool windows = rest_.starts_with("\r\n") && rest_.size() >= header.least_bytes() + 2;
+    rest_.remove_prefix(std::min<std::size_t>(rest_.size(), windows ? 2 : 1));
+  }
+
+  std::string read_text(const Header& header, int y) {
+    for (std::uint16_t& value : row_) {
+      unsigned samples[3] = {};
+      for (int i = 0; i < header.channels; ++i) {
+        const std::string_view word = header.bitmap ? next_digit() : next_word();
+        if (word.empty()) {
+          return fmt::format("pixel data truncated: {} pixels, {} expected",
+                             static_cast<std::size_t>(y) * row_.size() +
+                                 static_cast<std::size_t>(&value - row_.data()),
+                             header.pixels());
+        }
+        const auto sample = parse_integer<unsigned>(word);
+        if (!sample)
+          return fmt::format("pixel value {} is not a non-negative integer", quote(word));
+        if (*sample > static_cast<unsigned>(header.maximum)) return above_maximum(*sample, header);
+        samples[i] = *sample;
+      }
+      value = grey(header, samples);
+    }
+    return {};
+  }
+
+  /// In a text bitmap the digits may stand without blanks between them.
+  std::string_view next_digit() {
+    skip_space_and_comments();
+    const std::string_view digit = rest_.substr(0, 1);
+    rest_.remove_prefix(digit.size());
+    return digit;
+  }
+
+  std::string read_bits() {
+    for (std::size_t x = 0; x < row_.size(); ++x) {
+      row_[x] = ((byte(x / 8) >> (7 - x % 8)) & 1U) != 0 ? 0 : 1;
+    }
+    rest_.remove_prefix((row_.size() + 7) / 8);
+    return {};
+  }
+
+  std::string read_binary(const Header& header) {
+    const bool wide = header.sample_bytes() == 2;
+    const auto maximum = static_cast<unsigned>(header.maximum);
+    std::size_t at = 0;
+    for (std::uint16_t& value : row_) {
+      unsigned samples[3] = {};
+      for (int i = 0; i < header.channels; ++i, at += wide ? 2 : 1) {
+        samples[i] = wide ? byte(at) << 8 | byte(at + 1) : byte(at);
+        if (samples[i] > maximum) return above_maximum(samples[i], header);
+      }
+      value = grey(header, samples);
+    }
+    rest_.remove_prefix(at);
+    return {};
+  }
+
+  unsigned byte(std::size_t at) const { return static_cast<unsigned char>(rest_[at]); }
+
+  static std::uint16_t grey(const Header& header, const unsigned (&samples)[3]) {
+    if (header.bitmap) return samples[0] == 0 ? 1 : 0;
+    if (header.channels == 1) return static_cast<std::uint16_t>(samples[0]);
+    return luma(samples[0], samples[1], samples[2]);
+  }
+
+  static std::string above_maximum(unsigned sample, const Header& header) {
+    return fmt::format("pixel value {} above the maximum value {}", sample, header.maximum);
+  }
+
+  std::vector<std::string> notes(const Header& header) {
+    if (header.text) skip_space_and_comments();
+    if (rest_.empty() || (rest_.size() == 1 && is_white_space(rest_.front()))) return {};
+    return {fmt::format("{} bytes after the last pixel of the image are ignored", rest_.size())};
+  }
+
+  std::string_view rest_;
+  ImageRows& rows_;
+  std::vector<std::uint16_t> row_;  // at hand
+};
+
+}  // namespace
+
+bool looks_like_pnm(std::string_view bytes) {
+  return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+         (is_white_space(bytes[2]) || bytes[2] == '#');
+}
+
+Expected<GreyImage, std::string> decode_pnm(std::string_view bytes) {
+  return whole_image(bytes, decode_pnm);
+}
+
+DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows) {
+  return PnmDecoder(bytes, rows).decode();
+}
+
+std::string encode_pgm(const GreyImage& image) {
+  assert(image.maximum == 255);
+  std::string bytes = fmt::format("P5\n{} {}\n255\n", image.width, image.height);
+  bytes.reserve(bytes.size() + image.values.size());
+  for (const std::uint16_t value : image.values) bytes += static_cast<char>(value);
+  return bytes;
+}
+
+}  // namespace wend

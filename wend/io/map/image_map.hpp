@@ -1,0 +1,96 @@
+#pragma once
+
+// From grey values to a map and back, as ROS map servers do it; where ROS 1 and Nav2 differ, as
+// Nav2 does.
+//
+// A pixel's occupancy p is 1 for black and 0 for white, or the other way round with `negate`.
+//
+//   mode      p <= free threshold   p >= occupied threshold   between the two
+//   trinary   free                  occupied                  unknown
+//   scale     free                  occupied                  free, v = 1..100 by p, rounded
+//
+//   raw: the grey value itself (0..255) is v: 100 is occupied, above it unknown, below it free.
+//   Thresholds, negate and alpha do not matter.
+//
+// A free cell with the value v has the terrain multiplier 1 + scale_factor v / 100. In trinary and
+// scale mode a pixel that is not fully opaque is unknown.
+
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/map/grid_map.hpp"
+#include "wend/map/grid_map_builder.hpp"
+
+namespace wend {
+
+enum class ImageMode { trinary, scale, raw };
+
+/// The defaults are those of bare images and of most map savers.
+struct ImageMeaning {
+  ImageMode mode = ImageMode::trinary;
+  bool negate = false;
+  double occupied_threshold = 0.65;  // in 0..1
+  double free_threshold = 0.196;     // in 0..1, below the occupied one
+  double scale_factor = 4;           // in 0..1e6
+};
+
+/// What a unit of length costs in a cell of the value v, 0..100.
+inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_factor * v / 100; }
+
+/// Makes the map of an image that is decoded row by row.
+class ImageMapRows final : public ImageRows {
+ public:
+  explicit ImageMapRows(const ImageMeaning& meaning) : meaning_(meaning) {}
+
+  void begin(int width, int height, int maximum) override;
+  void add(std::span<const std::uint16_t> values,
+           std::span<const unsigned char> transparent) override;
+
+  /// After the last row.
+  GridMap finish(const Frame& frame) {
+    assert(rows_);
+    return std::move(*rows_).finish(frame);
+  }
+
+ private:
+  struct PixelMeaning {
+    CellState state = CellState::unknown;
+    double terrain = 1;
+  };
+
+  static PixelMeaning raw_meaning(double shade, double scale_factor);
+  PixelMeaning meaning_of(int value, int maximum) const;
+
+  ImageMeaning meaning_;
+  std::vector<PixelMeaning> table_;  // by value
+  std::optional<GridMapBuilder> rows_;
+  std::vector<CellState> states_;  // of the row at hand
+  std::vector<double> terrain_;
+};
+
+/// The map of an image. With a frame that has y up, row 0 is the image's bottom row.
+GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);
+
+/// The image that map savers write, drawn as the map is: 0 occupied, 254 free, 205 unknown. It
+/// reads back with the defaults of ImageMeaning. An error for a map with terrain.
+Expected<GreyImage, std::string> trinary_image(const GridMap& map);
+
+/// What scale_image() is written for.
+inline constexpr ImageMeaning kScaleMeaning = {ImageMode::scale, false, 1, 0, 4};
+
+/// The value 0..100 whose terrain is nearest to this one, with kScaleMeaning.
+int nearest_scale_value(double terrain);
+
+/// An image that reads back with kScaleMeaning: 0 occupied, transparent unknown, from 255 to 1 the
+/// terrain. An error says which terrain is none of scaled_terrain(4, 0..100).
+Expected<GreyImage, std::string> scale_image(const GridMap& map);
+
+}  // namespace wend

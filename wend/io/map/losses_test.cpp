@@ -1,0 +1,200 @@
+#include "wend/io/map/losses.hpp"
+
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/testing/random_map.hpp"
+#include "wend/io/io_test_support.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/io/map/save_map.hpp"
+
+namespace wend {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::vector<std::string> kNames{"m.yaml", "m.yml", "m.map", "m.txt",
+                                      "m.grid", "m.png", "m.pgm", "m.pnm"};
+
+/// A frame that differs from the default one here and there, often in one thing alone.
+Frame any_frame(Random& random) {
+  Frame frame;
+  if (random.chance(0.3)) frame.resolution = 0.01 + random.uniform();
+  if (random.chance(0.3)) frame.y_up = true;
+  if (random.chance(0.3)) frame.metric = true;
+  if (random.chance(0.2)) frame.origin = {random.uniform(), -random.uniform(), 0};
+  if (random.chance(0.2)) frame.origin.heading = random.uniform();
+  return frame;
+}
+
+/// Terrain that all formats hold, that some do, and that none does; also under obstacles.
+Grid<double> any_terrain(Random& random, int width, int height) {
+  if (random.chance(0.5)) return {};
+  Grid<double> terrain(width, height, 1);
+  const int kind = random.between(0, 3);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (random.chance(0.5)) continue;
+      terrain[{x, y}] = kind == 0   ? random.between(1, 10)
+                        : kind == 1 ? 1 + 4.0 * random.between(0, 100) / 100
+                        : kind == 2 ? 1 + 10 * random.uniform()
+                                    : random.between(1, 5);
+    }
+  }
+  return terrain;
+}
+
+GridMap any_map() {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const int width = random.between(1, 12);
+  const int height = random.between(1, 12);
+  Grid<double> terrain = any_terrain(random, width, height);
+  Grid<CellState> states = test::random_states(random, width, height);
+  if (random.chance(0.5)) {  // a map whose obstacles have no terrain
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        if (!terrain.empty() && terrain[{x, y}] != 1) states[{x, y}] = CellState::free;
+      }
+    }
+  }
+  return GridMap(states, any_frame(random), std::move(terrain));
+}
+
+bool same(const GridMap& a, const GridMap& b) {
+  return a.occupied() == b.occupied() && a.unknown() == b.unknown() && a.terrain() == b.terrain() &&
+         a.frame() == b.frame();
+}
+
+GridMap reloaded(const GridMap& map, const std::filesystem::path& file) {
+  const auto saved = save_map(map, file);
+  if (!saved) RC_FAIL(error_of(saved));
+  const auto loaded = load_map(file);
+  if (!loaded) RC_FAIL(error_of(loaded));
+  return loaded->map;
+}
+
+RC_GTEST_PROP(Losses, AreToldIfAndOnlyIfAnotherMapComesBack, ()) {
+  const GridMap map = any_map();
+  const TemporaryFolder folder;
+  for (const std::string& name : kNames) {
+    const MapFormat format = *saved_format(name);
+    const GridMap again = reloaded(nearest_map(map, format), folder / name);
+    RC_ASSERT(losses(map, format).empty() == same(map, again));
+  }
+}
+
+RC_GTEST_PROP(NearestMap, IsWhatComesBack, ()) {
+  const GridMap map = any_map();
+  const TemporaryFolder folder;
+  for (const std::string& name : kNames) {
+    const GridMap nearest = nearest_map(map, *saved_format(name));
+    RC_ASSERT(same(nearest, reloaded(nearest, folder / name)));
+    RC_ASSERT(losses(nearest, *saved_format(name)).empty());
+  }
+}
+
+RC_GTEST_PROP(NearestMap, IsDrawnLikeTheMap, ()) {
+  const GridMap map = any_map();
+  for (const MapFormat format : {MapFormat::ros_yaml, MapFormat::text_grid, MapFormat::image}) {
+    RC_ASSERT(test::drawing_of(nearest_map(map, format)) == test::drawing_of(map));
+  }
+}
+
+/// No terrain that the format holds is nearer.
+RC_GTEST_PROP(NearestMap, RoundsToTheNearestTerrain, ()) {
+  const double terrain = 1 + *rc::gen::inRange(0, 12000) / 1000.0;
+  const GridMap map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));
+  const double in_text = nearest_map(map, MapFormat::text_grid).terrain({0, 0});
+  for (int held = 1; held <= 9; ++held) {
+    RC_ASSERT(std::abs(in_text - terrain) <= std::abs(held - terrain));
+  }
+  const double in_yaml = nearest_map(map, MapFormat::ros_yaml).terrain({0, 0});
+  for (int v = 0; v <= 100; ++v) {
+    RC_ASSERT(std::abs(in_yaml - terrain) <= std::abs(1 + 0.04 * v - terrain) + 1e-9);
+  }
+}
+
+RC_GTEST_PROP(SaveMap, RefusesAMapThatWouldComeBackWithOtherFreeOrUnknownCells, ()) {
+  const GridMap map = any_map();
+  const TemporaryFolder folder;
+  for (const std::string& name : kNames) {
+    if (!save_map(map, folder / name)) continue;
+    const GridMap again = load_map(folder / name)->map;
+    RC_ASSERT(test::drawing_of(again) == test::drawing_of(map));
+  }
+}
+
+/// A map of four cells in a column, drawn from the top: free at a cost of 1.5, free at 12, unknown
+/// at 2, occupied.
+GridMap odd_map(Frame frame) {
+  Grid<CellState> states(1, 4, CellState::free);
+  Grid<double> terrain(1, 4, 1);
+  const auto row = [&](int from_top) { return frame.y_up ? 3 - from_top : from_top; };
+  terrain[{0, row(0)}] = 1.49;
+  terrain[{0, row(1)}] = 12;
+  states[{0, row(2)}] = CellState::unknown;
+  terrain[{0, row(2)}] = 2;
+  states[{0, row(3)}] = CellState::occupied;
+  return GridMap(states, frame, terrain);
+}
+
+constexpr Frame kRosFrame = {0.05, {-1, 2.5, 0.5}, true, true};
+
+TEST(Losses, OfAMovingAiMap) {
+  EXPECT_THAT(
+      losses(odd_map(kRosFrame), MapFormat::moving_ai),
+      ElementsAre("unknown cells become occupied (1 cell): a MovingAI map has no unknown ones",
+                  "terrain is lost (3 cells): a MovingAI map has none, all cells cost the same",
+                  "the resolution of 0.05 m a cell is lost: a MovingAI map counts in cells",
+                  "the origin [-1, 2.5, 0.5] is lost: a MovingAI map has none",
+                  "y points down, as in every MovingAI map: cell (x, y) becomes (x, 3 - y)"));
+}
+
+TEST(Losses, OfATextGrid) {
+  EXPECT_THAT(
+      losses(odd_map({}), MapFormat::text_grid),
+      ElementsAre("terrain above 9 becomes 9 (1 cell): a text grid holds no more",
+                  "terrain is rounded, by 0.49 at most (1 cell): a text grid holds whole numbers",
+                  "the terrain of occupied and unknown cells is lost (1 cell): a text grid holds "
+                  "that of free ones"));
+  EXPECT_THAT(losses(odd_map({0.5, {}, false, false}), MapFormat::text_grid).back(),
+              "the length of a cell, 0.5, is lost: in a text grid it is 1");
+}
+
+TEST(Losses, OfAMapYaml) {
+  EXPECT_THAT(
+      losses(odd_map(kRosFrame), MapFormat::ros_yaml),
+      ElementsAre("terrain above 5 becomes 5 (1 cell): a ROS map.yaml holds no more, a text grid "
+                  "up to 9",
+                  "terrain is rounded, by 0.01 at most (1 cell): a ROS map.yaml holds "
+                  "1 + 4 v/100 for whole v",
+                  "the terrain of occupied and unknown cells is lost (1 cell): a ROS map.yaml "
+                  "holds that of free ones"));
+}
+
+TEST(Losses, OfAFrameWithYDownInAMapYaml) {
+  const GridMap map(Grid<CellState>(1, 5), {0.5, {1, 0, 0}, false, false});
+  EXPECT_THAT(
+      losses(map, MapFormat::ros_yaml),
+      ElementsAre("cells are no longer the unit: a ROS map.yaml counts in metres, here 0.5 a cell",
+                  "the origin [1, 0, 0] is lost: a ROS map.yaml has one only where y was up before",
+                  "y points up, as in every ROS map.yaml: cell (x, y) becomes (x, 4 - y)"));
+}
+
+TEST(Losses, OfAnImage) {
+  const GridMap map(Grid<CellState>(1, 1), {0.5, {}, false, true});
+  EXPECT_THAT(losses(map, MapFormat::image),
+              ElementsAre("the resolution of 0.5 m a cell is lost: an image counts in cells"));
+}
+
+TEST(Losses, AreNoneWhereTheFormatHoldsTheMap) {
+  const GridMap plain(Grid<CellState>(3, 2));
+  for (const MapFormat format : {MapFormat::moving_ai, MapFormat::text_grid, MapFormat::image}) {
+    EXPECT_THAT(losses(plain, format), IsEmpty());
+  }
+  EXPECT_THAT(losses(plain.with_frame(kRosFrame), MapFormat::ros_yaml), IsEmpty());
+}
+
+}  // namespace
+}  // namespace wend

@@ -1,0 +1,53 @@
+#pragma once
+
+// ROS `map.yaml` files: an image, and how to read it as a map.
+//
+//   key              value                                                        without it
+//   image            path of a PNG or PNM file, seen from the yaml's folder       error
+//   resolution       metres a cell, > 0                                           error
+//   origin           [x, y, yaw] of the lower-left corner of the lower-left       error
+//                    cell: metres, and radians counter-clockwise
+//   negate           0, 1, false, true: whether white is occupied                 error
+//   occupied_thresh  occupancies from here on are occupied, in 0..1               error
+//   free_thresh      occupancies up to here are free, in 0..1, below the other    error
+//   mode             trinary, scale, raw (image_map.hpp says what they mean)      trinary
+//
+// What ROS 1 and Nav2 read differently is read as Nav2 reads it. Other keys get a note. The grid
+// has y up: row 0 is the image's bottom row.
+//
+// Nothing in the file is run, fetched or expanded: aliases that name a value are followed, a
+// document is at most 64 KiB, unknown tags and keys that stand twice are errors.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/geometry/frame.hpp"
+#include "wend/io/io_error.hpp"
+#include "wend/io/map/image_map.hpp"
+#include "wend/io/map/loaded_map.hpp"
+
+namespace wend {
+
+/// What a map.yaml says.
+struct MapYaml {
+  std::filesystem::path image;  // as it stands in the file
+  Frame frame;
+  ImageMeaning meaning;
+  std::vector<std::string> notes;
+};
+
+/// `file` is the name for errors.
+Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file);
+
+/// The map that the text of `file` describes: reads its image too, from `folder` where its name is
+/// not absolute. An error about the image names both files.
+Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const std::string& file,
+                                           const std::filesystem::path& folder,
+                                           double scale_factor);
+
+/// The text of a map.yaml.
+std::string format_map_yaml(const MapYaml& yaml);
+
+}  // namespace wend

@@ -1,0 +1,463 @@
+#include "wend/io/path/load_path.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
+#include "wend/io/io_test_support.hpp"
+#include "wend/io/path/path_csv.hpp"
+
+namespace wend {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const Frame kTurned{0.05, {-3, 7.5, 0.25}, true, true};
+
+constexpr std::string_view kWrongHeader =
+    "the first line must be 'x,y,x_m,y_m', 'x,y,heading,x_m,y_m,yaw' or "
+    "'x_grid,y_grid,x_m,y_m,yaw', or name columns x_m and y_m, not ";
+
+/// Of numbers that few digits cannot write.
+Path any_waypoints() {
+  std::vector<Point> points;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    points.push_back({*rc::gen::inRange(0, 1 << 30) / 7.0, *rc::gen::inRange(0, 1 << 30) / 997.0});
+  }
+  return Path::along(points);
+}
+
+std::string list_of(const Path& path) {
+  std::string list;
+  for (const Point point : path.points()) {
+    list += fmt::format("[{:.17g},{:.17g}],", point.x, point.y);
+  }
+  list.pop_back();
+  return "[" + list + "]";
+}
+
+Path any_path() {
+  std::vector<Cell> cells;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    cells.push_back({*rc::gen::inRange(0, 1 << 30), *rc::gen::inRange(0, 1 << 30)});
+  }
+  return Path(cells);
+}
+
+std::string json_of(const Path& path) {
+  std::string cells;
+  for (const Cell cell : path.cells()) cells += fmt::format("[{},{}],", cell.x, cell.y);
+  cells.pop_back();
+  return R"({"planner":"astar","status":"found","cost":1.5,"path":[)" + cells +
+         R"(],"path_m":[[0.5,0.5],[1e3,-2]],"metrics":{"expanded":2,"path":7}})";
+}
+
+/// On corners facing one of the four headings, or anywhere facing anywhere.
+Path any_driven_path(bool y_up) {
+  std::vector<Pose> poses;
+  const int count = *rc::gen::inRange(1, 40);
+  for (int i = 0; i < count; ++i) {
+    const Cell corner{*rc::gen::inRange(0, (1 << 30) + 1), *rc::gen::inRange(0, (1 << 30) + 1)};
+    const auto heading = *rc::gen::elementOf(kAllHeadings);
+    const double aside = *rc::gen::inRange(0, 2) * *rc::gen::inRange(0, 1000) / 997.0;
+    const Pose pose = pose_of({corner, heading}, y_up);
+    poses.push_back({std::max(0.0, pose.x - aside), pose.y, pose.heading + 7 * aside});
+  }
+  return Path::through(poses);
+}
+
+/// Written here with another library than the one that writes plans.
+std::string json_of_driven(const Path& path, bool y_up) {
+  std::string points;
+  std::string headings;
+  for (const Pose& pose : path.poses()) {
+    points += fmt::format("[{:.17g},{:.17g}],", pose.x, pose.y);
+    const auto letter = nearest_heading(pose.heading, y_up);
+    headings += pose.heading == radians_of(letter, y_up) ? fmt::format("\"{}\",", to_string(letter))
+                                                         : fmt::format("{:.17g},", pose.heading);
+  }
+  points.pop_back();
+  headings.pop_back();
+  const std::string path_list = "\"path\":[" + points + "]";
+  const std::string heading_list = "\"headings\":[" + headings + "]";
+  const bool path_first = points.size() % 2 == 0;
+  return R"({"status":"found","moves":["FWD"],)" + (path_first ? path_list : heading_list) + "," +
+         (path_first ? heading_list : path_list) + R"(,"yaw":[0.25]})";
+}
+
+RC_GTEST_PROP(LoadPath, ACsvGivesTheCellsBack, ()) {
+  const Path path = any_path();
+  const auto parsed = parse_path_csv(path_csv(path, kTurned), "p.csv", kTurned);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, ACsvGivesThePosesBack, (bool y_up)) {
+  Frame frame = kTurned;
+  frame.y_up = y_up;
+  const Path path = any_driven_path(y_up);
+  const auto parsed = parse_path_csv(path_csv(path, frame), "p.csv", frame);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, ACsvGivesTheWaypointsBack, ()) {
+  const Path path = any_waypoints();
+  const auto parsed = parse_path_csv(path_csv(path, kTurned), "p.csv", kTurned);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesWhatWasPlannedOrSmoothed, (bool smoothed_first)) {
+  const Path planned = any_path();
+  const Path smoothed = any_waypoints();
+  std::string json = json_of(planned);
+  const std::string list = "\"path_smoothed\":" + list_of(smoothed);
+  if (smoothed_first) {
+    json = "{" + list + "," + json.substr(1);
+  } else {
+    json.back() = ',';
+    json += list + "}";
+  }
+  RC_ASSERT(*parse_path_json(json, "p", kTurned, PathStage::planned) == planned);
+  RC_ASSERT(*parse_path_json(json, "p", kTurned, PathStage::smoothed) == smoothed);
+}
+
+RC_GTEST_PROP(LoadPath, JsonWithOnePathGivesThatOne, ()) {
+  const Path planned = any_path();
+  const Path smoothed = any_waypoints();
+  const std::string only_smoothed = "{\"path_smoothed\":" + list_of(smoothed) + "}";
+  for (const PathStage stage : {PathStage::planned, PathStage::smoothed}) {
+    RC_ASSERT(*parse_path_json(json_of(planned), "p", kTurned, stage) == planned);
+    RC_ASSERT(*parse_path_json(only_smoothed, "p", kTurned, stage) == smoothed);
+  }
+}
+
+RC_GTEST_PROP(LoadPath, ACentrelineGivesItsPointsInGridCoordinates, (bool semicolons)) {
+  const Path path = any_waypoints();
+  const Frame frame{0.05, {-3, 7.5, 0}, true, true};
+  const std::string separator = semicolons ? " ; " : ",";
+  std::string text = "# made by hand\n# s_m" + separator + "y_m" + separator + "x_m\n";
+  for (const Point point : path.points_in_metres(frame)) {
+    text += fmt::format("1{0}{2:.17g}{0}{1:.17g}\n", separator, point.x, point.y);
+  }
+  const auto parsed = parse_path_csv(text, "p.csv", frame);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(parsed->waypoints().size() == path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    RC_ASSERT(distance(parsed->waypoints()[i], path.waypoints()[i]) <
+              1e-6 * (1 + distance({}, path.waypoints()[i])));
+  }
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesThePosesBack, (bool y_up)) {
+  Frame frame = kTurned;
+  frame.y_up = y_up;
+  const Path path = any_driven_path(y_up);
+  const auto parsed = parse_path_json(json_of_driven(path, y_up), "p.json", frame);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+RC_GTEST_PROP(LoadPath, JsonGivesTheCellsBack, ()) {
+  const Path path = any_path();
+  const auto parsed = parse_path_json(json_of(path), "p.json", kTurned);
+  RC_ASSERT(error_of(parsed) == "no error");
+  RC_ASSERT(*parsed == path);
+}
+
+TEST(LoadPath, GoesByTheNameThenByTheContent) {
+  const TemporaryFolder folder;
+  const Path path({{3, 4}, {4, 4}});
+  const std::string csv = path_csv(path, {});
+  for (const auto& [name, text] : {std::pair{"p.csv", csv},
+                                   {"p.CSV", csv},
+                                   {"p.json", json_of(path)},
+                                   {"plan", "\n " + json_of(path)},
+                                   {"path", csv}}) {
+    const auto loaded = load_path(folder.write(name, text), {});
+    ASSERT_TRUE(loaded) << error_of(loaded);
+    EXPECT_EQ(*loaded, path) << name;
+  }
+  EXPECT_THAT(error_of(load_path(folder.write("q.csv", json_of(path)), {})),
+              HasSubstr(fmt::format("q.csv:1: {}'{{\"planner\"", kWrongHeader)));
+  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv), {})), HasSubstr("q.json:1: no JSON"));
+  EXPECT_THAT(error_of(load_path(folder / "missing.csv", {})), HasSubstr("cannot be opened"));
+  EXPECT_THAT(error_of(load_path("/dev/zero", {})), HasSubstr("not a regular file"));
+}
+
+TEST(LoadPath, RefusesAFileThatIsTooLargeWithoutReadingIt) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("large.csv", "x,y,x_m,y_m\n");
+  std::filesystem::resize_file(file, std::uintmax_t{10} << 30);  // a hole, no disk is used
+  EXPECT_THAT(error_of(load_path(file, {})), HasSubstr("bytes are too many"));
+}
+
+struct Malformed {
+  std::string text;
+  std::string error;
+};
+
+TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
+  const std::string header = "x,y,x_m,y_m\n";
+  const std::vector<Malformed> cases{
+      {"", fmt::format("p:1: {}''", kWrongHeader)},
+      {"x,y\n1,2\n", fmt::format("p:1: {}'x,y'", kWrongHeader)},
+      {"1,1,0.5,0.5\n", "p:1: the first line must be"},
+      {header, "p: no cells: a path has at least one"},
+      {header + "1,1,0.5,0.5\n2,1\n", "p:3: 2 columns, expected 4: x,y,x_m,y_m"},
+      {header + "1,1,0.5,0.5,9\n", "p:2: 5 columns, expected 4"},
+      {header + "1;1;0.5;0.5\n", "p:2: 1 columns, expected 4"},
+      {header + "\n1,1,0.5,0.5\n", "p:2: 1 columns, expected 4"},
+      {header + "-1,1,0.5,0.5\n", "p:2: x must be a whole number in 0..1073741823, not '-1'"},
+      {header + "1,2147483648,0,0\n", "p:2: y must be a whole number in 0..1073741823, not"},
+      {header + "1,1073741824,0,0\n", "p:2: y must be a whole number in 0..1073741823, not"},
+      {header + "1.5,1,0,0\n", "p:2: x must be a whole number"},
+      {header + " 1,1,0,0\n", "p:2: x must be a whole number"},
+      {header + "1,1,nan,0\n", "p:2: x_m must be a finite number, not 'nan'"},
+      {header + "1,1,0,\n", "p:2: y_m must be a finite number, not ''"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, SaysWhatIsWrongWithPoses) {
+  const std::string header = "x,y,heading,x_m,y_m,yaw\n";
+  const std::string good = "1,0,E,0.05,0,0\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no poses: a path has at least one"},
+      {header + good + "2,1,0.1,0.05,1.5\n", "p:3: 5 columns, expected 6: x,y,heading,x_m,y_m,yaw"},
+      {header + "1,1,0.5,0.5\n", "p:2: 4 columns, expected 6"},
+      {header + "1,1,E,0,0,0,0\n", "p:2: 7 columns, expected 6"},
+      {header + "-0.5,1,E,0,0,0\n", "p:2: x must be a number in 0..1073741824, not '-0.5'"},
+      {header + "1,1073741824.5,E,0,0,0\n", "p:2: y must be a number in 0..1073741824, not"},
+      {header + "nan,1,E,0,0,0\n", "p:2: x must be a number in"},
+      {header + "1,1,,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not ''"},
+      {header + "1,1,e,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'e'"},
+      {header + "1,1,NE,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'NE'"},
+      {header + "1,1,inf,0,0,0\n", "p:2: heading must be N, W, E, S or radians, not 'inf'"},
+      {header + good + "1,1,E,x,0,0\n", "p:3: x_m must be a finite number, not 'x'"},
+      {header + "1,1,E,0,inf,0\n", "p:2: y_m must be a finite number, not 'inf'"},
+      {header + "1,1,E,0,0,nan\n", "p:2: yaw must be a finite number, not 'nan'"},
+      {"x,y,x_m,y_m\n" + good, "p:2: 6 columns, expected 4"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, SaysWhatIsWrongWithWaypoints) {
+  const std::string header = "x_grid,y_grid,x_m,y_m,yaw\n";
+  const std::string good = "1.5,0.25,0.05,0,0\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no points: a path has at least one"},
+      {header + good + "2,1,0.1,0.05\n", "p:3: 4 columns, expected 5: x_grid,y_grid,x_m,y_m,yaw"},
+      {header + "-0.5,1,0,0,0\n", "p:2: x_grid must be a number in 0..1073741824, not '-0.5'"},
+      {header + "1,1073741824.5,0,0,0\n", "p:2: y_grid must be a number in 0..1073741824, not"},
+      {header + "1,nan,0,0,0\n", "p:2: y_grid must be a number in"},
+      {header + good + "1,1,x,0,0\n", "p:3: x_m must be a finite number, not 'x'"},
+      {header + "1,1,0,0,inf\n", "p:2: yaw must be a finite number, not 'inf'"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error));
+  }
+}
+
+TEST(ParsePathCsv, ReadsCentrelinesWhoseHeaderNamesMetres) {
+  const Path path = Path::along({{1, 2}, {3, 2.5}});
+  for (const std::string text :
+       {"# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.0, 2.0, 1.1, 1.1\n3, 2.5, 1, 1\n",
+        "# 17b4de0d\n# 603fd398\n# s_m; x_m; y_m; psi_rad\n0;1;2;0.5\n1; 3.0 ;2.5;0.5\n",
+        "x_m,y_m\n1,2\n3,2.5\n", "# by hand\ny_m;x_m\n2;1\n2.5;3\n",
+        "\t#x_m,y_m\r\n1,2\r\n3,2.5\r\n"}) {
+    const auto parsed = parse_path_csv(text, "p", {});
+    ASSERT_TRUE(parsed) << error_of(parsed) << text;
+    EXPECT_EQ(*parsed, path) << text;
+  }
+}
+
+TEST(ParsePathCsv, SaysWhatIsWrongWithCentrelines) {
+  const std::string header = "# x_m, y_m, w\n";
+  const std::vector<Malformed> cases{
+      {header, "p: no points: a path has at least one"},
+      {"# x_m, y_m\n# x, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
+      {"# x_m, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
+      {header + "1, 2\n", "p:2: 2 columns, expected 3: x_m, y_m, w"},
+      {header + "1, 2, 3\n1;2;3\n", "p:3: 1 columns, expected 3"},
+      {header + "1, 2, 3\n\n", "p:3: 1 columns, expected 3"},
+      {header + "1, two, 3\n", "p:2: y_m must be a finite number, not 'two'"},
+      {header + "1, 2, nan\n", "p:2: w must be a finite number, not 'nan'"},
+      {header + "1, 2, 3\n-1, 2, 3\n",
+       "p:3: x_m -1 and y_m 2 are (-1,2) in grid coordinates, which must be in 0..1073741824"},
+      {header + "1, 2e9, 3\n", "p:2: x_m 1 and y_m 2e+09 are (1,2e+09) in grid coordinates"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_csv(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathCsv, TurnsNorthAsTheMapDoes) {
+  const std::string text = "x,y,heading,x_m,y_m,yaw\n4,5,N,0,0,0\n4,5,1,0,0,0\n";
+  EXPECT_EQ(*parse_path_csv(text, "p", {.y_up = true}),
+            Path::through({{4, 5, kPi / 2}, {4, 5, 1}}));
+  EXPECT_EQ(*parse_path_csv(text, "p", {.y_up = false}),
+            Path::through({{4, 5, -kPi / 2}, {4, 5, 1}}));
+}
+
+TEST(ParsePathCsv, TakesWindowsLineEnds) {
+  EXPECT_EQ(*parse_path_csv("x,y,x_m,y_m\r\n1,2,0,0\r\n", "p", {}), Path({{1, 2}}));
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
+  const std::vector<Malformed> cases{
+      {"", "p:1: the JSON is cut short"},
+      {"{\"path\":\n[[1,2]\n", "p:3: the JSON is cut short"},
+      {"{\"path\":\n\n[[1,2] [3,4]]}", "p:3: no JSON from "},
+      {"{\"path\":[[1,2]]} x", "p:1: "},
+      {"{\"path\":[[1,1e999]]}", "p:1: "},
+      {"{\"path\":[[1,2]],\"a\":\"\xff\"}", "p:1: "},
+      {"7", "p: the top level must be an object, with a list 'path'"},
+      {"[[1,2]]", "p: the top level must be an object"},
+      {"{}", "p: 'path' is missing, a list of [x,y]"},
+      {R"({"a":{"path":[[1,2]]}})", "p: 'path' is missing"},
+      {R"({"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
+      {R"({"path":7})", "p: 'path' must be a list of [x,y], not '7'"},
+      {R"({"path":null})", "p: 'path' must be a list of [x,y], not 'null'"},
+      {R"({"path":{"x":1}})", "p: 'path' must be a list of [x,y], not '{'"},
+      {R"({"path":[7]})", "p: path[0] must be [x,y], not '7'"},
+      {R"({"path":[[1,2],{"x":1}]})", "p: path[1] must be [x,y], not '{'"},
+      {R"({"path":[[1,2],[3]]})", "p: path[1] must be [x,y], not 1 numbers"},
+      {R"({"path":[[1,2,3]]})", "p: path[0] must be [x,y], not 3 numbers"},
+      {R"({"path":[[1,[2]]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '['"},
+      {R"({"path":[[1,2.0]]})", "p: path[0][1] must be a whole number in 0..1073741823, not '2.0'"},
+      {R"({"path":[[-1,2]]})", "p: path[0][0] must be a whole number in 0..1073741823, not '-1'"},
+      {R"({"path":[[1,2147483648]]})", "p: path[0][1] must be a whole number"},
+      {R"({"path":[[1,99999999999999999999]]})", "p: path[0][1] must be a whole number"},
+      {R"({"path":[["1",2]]})", "p: path[0][0] must be a whole number"},
+      {R"({"path":[[true,2]]})", "p: path[0][0] must be a whole number"},
+      {R"({"path":[[1,2]],"path":[[1,2]]})", "p: two keys 'path'"},
+      {R"({"path":[[1,2.5]],"a":[7},"b":1})", "p:1: no JSON from "},
+      {R"({"path":[[1,-2.5]],"a":[7},"b":1})", "p: path[0][1] must be a whole number"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
+  const std::vector<Malformed> cases{
+      {R"({"path":[[1,2],[2,3]],"headings":["E"]})",
+       "p: 'headings' has 1, 'path' has 2 points: one for each expected"},
+      {R"({"headings":["E","S"],"path":[[1,2]]})", "p: 'headings' has 2, 'path' has 1 points"},
+      {R"({"headings":["E"],"path":[]})", "p: 'headings' has 1, 'path' has 0 points"},
+      {R"({"headings":[],"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
+      {R"({"headings":["E"]})", "p: 'path' is missing, a list of [x,y]"},
+      {R"({"path":[[1,2]],"headings":null})", "p: 'headings' must be a list, not 'null'"},
+      {R"({"path":[[1,2]],"headings":"E"})", "p: 'headings' must be a list, not 'E'"},
+      {R"({"path":[[1,2]],"headings":7})", "p: 'headings' must be a list, not '7'"},
+      {R"({"path":[[1,2]],"headings":{"E":1}})", "p: 'headings' must be a list, not '{'"},
+      {R"({"path":[[1,2]],"headings":["e"]})",
+       "p: headings[0] must be N, W, E, S or radians, not 'e'"},
+      {R"({"path":[[1,2],[2,3]],"headings":["E",["S"]]})",
+       "p: headings[1] must be N, W, E, S or radians, not '['"},
+      {R"({"path":[[1,2]],"headings":[null]})", "p: headings[0] must be N, W, E, S or radians"},
+      {R"({"path":[[1,2]],"headings":["E"],"headings":["E"]})", "p: two keys 'headings'"},
+      {R"({"path":[[-0.5,2]],"headings":["E"]})",
+       "p: path[0][0] must be a number in 0..1073741824, not '-0.5'"},
+      {R"({"headings":["E"],"path":[[1,1073741825]]})",
+       "p: path[0][1] must be a number in 0..10737"},
+      {R"({"headings":["E"],"path":[[1,"2"]]})", "p: path[0][1] must be a number in 0..1073741824"},
+      {R"({"headings":["E"],"path":[[1,2,3]]})", "p: path[0] must be [x,y], not 3 numbers"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {})), testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, SaysWhatIsWrongWithSmoothedPaths) {
+  const std::vector<Malformed> cases{
+      {R"({"path":[[1,2]],"path_smoothed":[]})", "p: 'path_smoothed' is empty, at least one [x,y]"},
+      {R"({"path_smoothed":7})", "p: 'path_smoothed' must be a list of [x,y], not '7'"},
+      {R"({"path_smoothed":[[1,2],7]})", "p: path_smoothed[1] must be [x,y], not '7'"},
+      {R"({"path_smoothed":[[1]]})", "p: path_smoothed[0] must be [x,y], not 1 numbers"},
+      {R"({"path":[[1,2]],"path_smoothed":[[1,-2.5]]})",
+       "p: path_smoothed[0][1] must be a number in 0..1073741824, not '-2.5'"},
+      {R"({"path_smoothed":[[1,2]],"path_smoothed":[[1,2]]})", "p: two keys 'path_smoothed'"},
+  };
+  for (const Malformed& wrong : cases) {
+    EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {}, PathStage::smoothed)),
+                testing::StartsWith(wrong.error))
+        << wrong.text;
+  }
+}
+
+TEST(ParsePathJson, OfAPlanThatFailedSaysSo) {
+  for (const std::string text :
+       {R"({"planner":"astar","status":"unreachable","reason":"","path":[],"path_m":[]})",
+        R"({"path":[[1,2]],"status":"unreachable"})", R"({"status":"unreachable"})"}) {
+    EXPECT_EQ(error_of(parse_path_json(text, "p", {})),
+              "p: no path: the plan's status is 'unreachable'");
+  }
+}
+
+TEST(ParsePathJson, IsNotToldByDepth) {
+  const std::string deep(1 << 20, '[');
+  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p", {})), HasSubstr("cut short"));
+  EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p", {})),
+              HasSubstr("path[0][0] must be a whole number"));
+}
+
+TEST(LoadPath, SaysWhyThereIsNoPath) {
+  const FailedPlan plan{"unreachable", "no path joins start (1,1): and, goal \"8\""};
+  const std::string csv = no_path_csv(plan);
+  EXPECT_EQ(csv,
+            "# no path: unreachable: no path joins start (1,1): and, goal \"8\"\nx,y,x_m,y_m\n");
+  const auto from_csv = parse_path_csv(csv, "plan.csv", {});
+  EXPECT_EQ(error_of(from_csv), "plan.csv: no path: " + plan.reason);
+  EXPECT_EQ(from_csv.error().failed_plan, plan);
+  const auto from_json = parse_path_json(
+      R"({"status": "unreachable", "reason": "no path joins start (1,1): and, goal \"8\"",
+          "path": []})",
+      "plan.json", {});
+  EXPECT_EQ(error_of(from_json), "plan.json: no path: " + plan.reason);
+  EXPECT_EQ(from_json.error().failed_plan, plan);
+  EXPECT_EQ(error_of(parse_path_csv("# no path: time_limit", "plan.csv", {})),
+            "plan.csv: no path: the plan's status is 'time_limit'");
+  EXPECT_EQ(parse_path_csv("x,y\n", "plan.csv", {}).error().failed_plan, std::nullopt);
+}
+
+TEST(LoadPath, KeepsTheReasonInOneLine) {
+  EXPECT_EQ(no_path_csv({"not_free", "a\r\nb"}), "# no path: not_free: a  b\nx,y,x_m,y_m\n");
+  const auto json =
+      parse_path_json(R"({"status": "not_free", "reason": "a\n\u00e9"})", "p.json", {});
+  EXPECT_EQ(error_of(json), "p.json: no path: a \xC3\xA9");
+  const auto csv = parse_path_csv("# no path: x: \x1b[2J", "p.csv", {});
+  EXPECT_EQ(error_of(csv), "p.csv: no path: \\x1B[2J");
+}
+
+TEST(LoadPath, SkipsAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const TemporaryFolder folder;
+  const Path cells = *load_path(folder.write("cells.csv", mark + "x,y,x_m,y_m\n3,4,3,4\n"), {});
+  EXPECT_EQ(cells.cells().front(), (Cell{3, 4}));
+  const std::string metres = mark + "# x_m, y_m\n1.5,2\n";
+  EXPECT_EQ(load_path(folder.write("line.csv", metres), {})->points().front(), (Point{1.5, 2}));
+  for (const char* const name : {"plan.json", "plan"}) {
+    const auto plan = load_path(folder.write(name, mark + "{\"path\": [[3,4]]}"), {});
+    EXPECT_EQ(error_of(plan), "no error");
+  }
+}
+
+}  // namespace
+}  // namespace wend

@@ -1,0 +1,88 @@
+#include "wend/jump/bit_lines.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace wend {
+namespace {
+
+constexpr int kBlock = 64;
+using Block = std::array<std::uint64_t, kBlock>;
+
+/// Swaps ever smaller squares: 32 x 32, 16 x 16, ... 1 x 1. (H. Warren, "Hacker's Delight", 7-3.)
+void transpose(Block& block) {
+  std::uint64_t mask = 0x00000000FFFFFFFFU;
+  for (unsigned size = kBlock / 2; size > 0; size /= 2, mask ^= mask << size) {
+    for (unsigned row = 0; row < kBlock; row = ((row | size) + 1) & ~size) {
+      const std::uint64_t swapped = ((block[row] >> size) ^ block[row | size]) & mask;
+      block[row] ^= swapped << size;
+      block[row | size] ^= swapped;
+    }
+  }
+}
+
+/// 64 bits of a line from `at` on; beyond its end zeros, whatever the border is.
+std::uint64_t bits_at(const BitLines& board, int line, int at) {
+  const auto words = board.words(line);
+  const auto bit = static_cast<std::size_t>(at + 1);
+  std::uint64_t bits = words[bit / kBlock] >> (bit % kBlock);
+  if (bit % kBlock != 0 && bit / kBlock + 1 < words.size()) {
+    bits |= words[bit / kBlock + 1] << (kBlock - bit % kBlock);
+  }
+  const int rest = board.length() - at;
+  return rest < kBlock ? bits & ((std::uint64_t{1} << rest) - 1) : bits;
+}
+
+/// Sets bits of a line from `at` on, where they were zero.
+void put_bits(std::span<std::uint64_t> words, int at, std::uint64_t bits) {
+  const auto bit = static_cast<std::size_t>(at + 1);
+  words[bit / kBlock] |= bits << (bit % kBlock);
+  if (bit % kBlock == 0) return;
+  const std::uint64_t rest = bits >> (kBlock - bit % kBlock);
+  if (rest != 0) words[bit / kBlock + 1] |= rest;
+}
+
+}  // namespace
+
+BitLines::BitLines(int lines, int length)
+    : lines_(lines),
+      length_(length),
+      words_per_line_((static_cast<std::size_t>(length) + 2 + kWordBits - 1) / kWordBits),
+      words_((static_cast<std::size_t>(lines) + 2) * words_per_line_ + 2 * kSlackWords) {}
+
+BitLines::BitLines(const BitGrid& drawn) : BitLines(drawn.height(), drawn.width()) {
+  for (int y = 0; y < lines_; ++y) {
+    std::copy_n(drawn.row_words(y).begin(), words_per_line_, words(y).begin());
+  }
+}
+
+BitLines BitLines::transposed() const {
+  BitLines turned(length_, lines_);
+  Block block;
+  for (int line = 0; line < lines_; line += kBlock) {
+    for (int at = 0; at < length_; at += kBlock) {
+      for (int i = 0; i < kBlock; ++i) {
+        const bool inside = line + i < lines_;
+        block[static_cast<std::size_t>(i)] = inside ? bits_at(*this, line + i, at) : 0;
+      }
+      transpose(block);
+      for (int i = 0; i < std::min(kBlock, length_ - at); ++i) {
+        put_bits(turned.words(at + i), line, block[static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+  return turned;
+}
+
+BitLines BitLines::diagonals(Diagonals which) const {
+  BitLines sheared(lines_, lines_ + length_ - 1);
+  for (int line = 0; line < lines_; ++line) {
+    const int shift = which == Diagonals::falling_right ? lines_ - 1 - line : line;
+    for (int at = 0; at < length_; at += kBlock) {
+      put_bits(sheared.words(line), at + shift, bits_at(*this, line, at));
+    }
+  }
+  return sheared.transposed();
+}
+
+}  // namespace wend

@@ -1,0 +1,55 @@
+#include "wend/jump/jump_graph.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace wend {
+namespace {
+
+constexpr std::size_t kWordBits = 64;
+constexpr int kTileRows = 32;
+
+}  // namespace
+
+JumpGraph::JumpGraph(std::shared_ptr<const JumpBoards> boards)
+    : boards_(std::move(boards)), board_(boards_->jump_points()) {
+  const std::size_t row_words = board_.words(0).size();
+  before_.resize(row_words * static_cast<std::size_t>(board_.lines()));
+  for (int top = 0; top < board_.lines(); top += kTileRows) {
+    for (std::size_t word = 0; word < row_words; ++word) {
+      for (int y = top; y < std::min(top + kTileRows, board_.lines()); ++y) number_word(y, word);
+    }
+  }
+  forced_.reserve(cells_.size());
+  for (const Cell cell : cells_) forced_.push_back(forced_at(cell));
+}
+
+void JumpGraph::number_word(int y, std::size_t word) {
+  const auto words = board_.words(y);
+  before_[static_cast<std::size_t>(y) * words.size() + word] =
+      static_cast<std::uint32_t>(cells_.size());
+  for (std::uint64_t bits = words[word]; bits != 0; bits &= bits - 1) {
+    const auto bit = word * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
+    cells_.push_back({static_cast<int>(bit) - 1, y});
+  }
+}
+
+/// Which obstacles beside a cell one can turn around, for each direction it is reached in.
+std::uint8_t JumpGraph::forced_at(Cell cell) const {
+  unsigned forced = 0;
+  for (unsigned arrival = 0; arrival < kArrivals; ++arrival) {
+    const auto ahead = static_cast<Direction>(2 * arrival);
+    const Cell last = moved(cell, ahead, -1);
+    if (!boards_->passable(last)) continue;
+    for (const int eighths : {2, -2}) {
+      const Direction side = turned(ahead, eighths);
+      const bool open = boards_->passable(moved(cell, side, 1));
+      if (!open || boards_->passable(moved(last, side, 1))) continue;
+      forced |= (eighths > 0 ? 1U : 2U) << (2 * arrival);
+    }
+  }
+  return static_cast<std::uint8_t>(forced);
+}
+
+}  // namespace wend

@@ -1,0 +1,155 @@
+#pragma once
+
+// JumpGraph: the jump points of a map, numbered, and from each of them the ones that come next.
+//
+// A jump point is left straight on in the direction it was reached in, and past the obstacles beside
+// it. What comes next does not depend on where a path began. Between a jump point and the next one a
+// path takes its diagonal steps first, so its length is the octile distance of the two.
+//
+//   const wend::JumpGraph graph(boards);
+//   graph.append_jumps(graph.cell(jump.number()), graph.directions(jump), jumps);
+//
+// Jump points are numbered tile by tile, so that near ones lie near each other in memory. Immutable.
+// 12 bytes for 64 cells and 9 a jump point, of which there may be 2^29.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/jump/jump_boards.hpp"
+
+namespace wend {
+
+/// To which jump point, and in which straight direction it is reached.
+class Jump {
+ public:
+  Jump() = default;
+  constexpr explicit Jump(std::uint32_t code) : code_(code) {}
+  constexpr Jump(std::uint32_t number, unsigned arrival) : code_(number << 2U | arrival) {}
+
+  constexpr std::uint32_t number() const { return code_ >> 2U; }
+  /// 0 to 3 for down, right, up and left.
+  constexpr unsigned arrival() const { return code_ & 3U; }
+  /// Both in one number, below 2^31.
+  constexpr std::uint32_t code() const { return code_; }
+
+  friend bool operator==(Jump, Jump) = default;
+
+ private:
+  std::uint32_t code_ = 0;
+};
+
+constexpr unsigned kArrivals = 4;
+
+class JumpGraph {
+ public:
+  explicit JumpGraph(std::shared_ptr<const JumpBoards> boards);
+
+  const JumpBoards& boards() const { return *boards_; }
+
+  /// How many jump points there are.
+  std::size_t size() const { return cells_.size(); }
+  Cell cell(std::uint32_t number) const { return cells_[number]; }
+
+  /// The directions in which a jump point is left that was reached so: straight on, and past the
+  /// obstacles beside it.
+  DirectionSet directions(Jump jump) const {
+    // Bit 0 of `forced`: past the obstacle on the counter-clockwise side, bit 1 on the other.
+    constexpr auto kLeaving = [] {
+      std::array<std::array<DirectionSet, 4>, kArrivals> sets{};
+      for (unsigned from = 0; from < kArrivals; ++from) {
+        const auto ahead = static_cast<Direction>(2 * from);
+        for (unsigned forced = 0; forced < 4; ++forced) {
+          unsigned set = set_of(ahead);
+          if ((forced & 1U) != 0) set |= set_of(turned(ahead, 1)) | set_of(turned(ahead, 2));
+          if ((forced & 2U) != 0) set |= set_of(turned(ahead, -1)) | set_of(turned(ahead, -2));
+          sets[from][forced] = static_cast<DirectionSet>(set);
+        }
+      }
+      return sets;
+    }();
+    return kLeaving[jump.arrival()][forced_[jump.number()] >> (2 * jump.arrival()) & 3U];
+  }
+
+  /// Calls visit(jump) for what comes next from any cell in these directions, as long as it says
+  /// true.
+  template <class Visit>
+  void visit_jumps(Cell from, DirectionSet directions, Visit&& visit) const;
+
+  void append_jumps(Cell from, DirectionSet directions, std::vector<Jump>& jumps) const {
+    visit_jumps(from, directions, [&](Jump jump) {
+      jumps.push_back(jump);
+      return true;
+    });
+  }
+
+ private:
+  void number_word(int y, std::size_t word);
+  std::uint32_t number_of(Cell cell) const;
+  std::uint8_t forced_at(Cell cell) const;
+
+  template <Direction kStraight>
+  Jump shoot(Cell from) const;
+  template <Direction kDiagonal, class Visit>
+  bool sweep(Cell from, Visit& visit) const;
+
+  std::shared_ptr<const JumpBoards> boards_;
+  BitLines board_;  // the jump points, by rows
+  std::vector<std::uint32_t>
+      before_;                        // by word of the board: what its first jump point's number is
+  std::vector<Cell> cells_;           // by number
+  std::vector<std::uint8_t> forced_;  // by number: two bits for each arrival
+};
+
+inline std::uint32_t JumpGraph::number_of(Cell cell) const {
+  constexpr std::size_t kWordBits = 64;
+  const auto words = board_.words(cell.y);
+  const auto bit = static_cast<std::size_t>(cell.x + 1);
+  const std::uint64_t below = (std::uint64_t{1} << (bit % kWordBits)) - 1;
+  const std::size_t word = bit / kWordBits;
+  return before_[static_cast<std::size_t>(cell.y) * words.size() + word] +
+         static_cast<std::uint32_t>(std::popcount(words[word] & below));
+}
+
+template <Direction kStraight>
+Jump JumpGraph::shoot(Cell from) const {
+  const Cell stop = moved(from, kStraight, boards_->distance_to_stop<kStraight>(from));
+  return {number_of(stop), static_cast<unsigned>(quarter(kStraight))};
+}
+
+/// A diagonal run sends out straight ones along its way; where it turns no search has to stop.
+template <Direction kDiagonal, class Visit>
+bool JumpGraph::sweep(Cell from, Visit& visit) const {
+  constexpr Direction kOne = turned(kDiagonal, -1);
+  constexpr Direction kOther = turned(kDiagonal, 1);
+  Cell at = from;
+  DirectionSet moves = 0;
+  do {
+    at = moved(at, kDiagonal, boards_->distance_to_diagonal_stop<kDiagonal>(at));
+    moves = boards_->moves(at);
+    if ((moves & set_of(kOne)) != 0 && !visit(shoot<kOne>(at))) return false;
+    if ((moves & set_of(kOther)) != 0 && !visit(shoot<kOther>(at))) return false;
+  } while ((moves & set_of(kDiagonal)) != 0);
+  return true;
+}
+
+template <class Visit>
+void JumpGraph::visit_jumps(Cell from, DirectionSet directions, Visit&& visit) const {
+  using enum Direction;
+  directions &= boards_->moves(from);
+  if ((directions & set_of(down)) != 0 && !visit(shoot<down>(from))) return;
+  if ((directions & set_of(right)) != 0 && !visit(shoot<right>(from))) return;
+  if ((directions & set_of(up)) != 0 && !visit(shoot<up>(from))) return;
+  if ((directions & set_of(left)) != 0 && !visit(shoot<left>(from))) return;
+  if ((directions & set_of(down_right)) != 0 && !sweep<down_right>(from, visit)) return;
+  if ((directions & set_of(up_right)) != 0 && !sweep<up_right>(from, visit)) return;
+  if ((directions & set_of(up_left)) != 0 && !sweep<up_left>(from, visit)) return;
+  if ((directions & set_of(down_left)) != 0) sweep<down_left>(from, visit);
+}
+
+}  // namespace wend

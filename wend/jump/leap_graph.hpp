@@ -1,0 +1,167 @@
+#pragma once
+
+// LeapGraph: chains of jumps without a choice, as one leap each. They are found when they are first
+// asked for, and kept: the graph is worth more with every search on it.
+//
+// Where a jump point has only one that comes next, a search learns nothing by stopping there, but for
+// one thing: it may see its goal from there. So a leap knows a box around all that is seen from the
+// jump points that it passes; a search whose goal is in the box must look closer. The box ends where
+// the next jump points are, for what lies behind one in sight is in sight of that one as well. A
+// leap that ends where nothing comes next is dead; its box is around what its last one sees, too.
+//
+//   wend::LeapGraph graph(std::make_shared<const wend::JumpGraph>(boards));
+//   for (const wend::Leap& leap : graph.leaps(jump)) reach(leap);
+//
+// 16 bytes a jump point, and 16 for each leap found where there is a choice. One thread.
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "wend/jump/coarse_box.hpp"
+#include "wend/jump/jump_graph.hpp"
+#include "wend/space/grid/octile_way.hpp"
+
+namespace wend {
+
+class Leap {
+ public:
+  /// A jump alone, between two cells. It sees nothing on its way.
+  Leap(Jump jump, Cell from, Cell to);
+
+  Jump first() const { return first_; }
+  /// The first one, or what a chain of jumps from there leads to.
+  Jump last() const { return last_; }
+
+  /// Does nothing come after the last one?
+  bool dead() const { return dead_ != 0; }
+
+  /// May one see a cell from a jump point that is passed?
+  bool may_see(CoarsePlace cell) const { return seen_.may_hold(cell); }
+
+  /// What it costs, in OctileUnits<Cost>, to go from its beginning to its end.
+  template <class Cost>
+  Cost cost(Cell begin, Cell end) const {
+    using Units = OctileUnits<Cost>;
+    if (straight_ + diagonal_ == 0) [[unlikely]]
+      return octile_cost<Cost>(begin, end);
+    return Units::kStraight * straight_ + Units::kDiagonal * diagonal_;
+  }
+
+ private:
+  friend class LeapGraph;
+  friend class LeapList;
+
+  bool lengthen(Cell from, Cell to);
+
+  static constexpr int kMostSteps = (1 << 15) - 1;  // of a kind; one jump that has more counts none
+
+  Jump first_;
+  Jump last_;
+  std::uint16_t straight_ : 15 = 0;  // steps
+  std::uint16_t dead_ : 1 = 0;
+  std::uint16_t diagonal_ : 15 = 0;
+  std::uint16_t ends_list_ : 1 = 0;
+  CoarseBox seen_;
+};
+
+/// Leaps one behind the other in memory, the last of them marked.
+class LeapList {
+ public:
+  class Iterator {
+   public:
+    explicit Iterator(const Leap* leap) : leap_(leap) {}
+    const Leap& operator*() const { return *leap_; }
+    Iterator& operator++() {
+      leap_ = leap_->ends_list_ != 0 ? nullptr : leap_ + 1;
+      return *this;
+    }
+    friend bool operator==(Iterator, Iterator) = default;
+
+   private:
+    const Leap* leap_;
+  };
+
+  /// Null if there are none.
+  explicit LeapList(const Leap* first) : first_(first) {}
+
+  Iterator begin() const { return Iterator(first_); }
+  Iterator end() const { return Iterator(nullptr); }
+
+ private:
+  const Leap* first_;
+};
+
+class LeapGraph {
+ public:
+  explicit LeapGraph(std::shared_ptr<const JumpGraph> jumps);
+
+  const JumpGraph& jumps() const { return *jumps_; }
+  const CoarseRaster& raster() const { return raster_; }
+
+  /// From a jump point. Holds until the next call.
+  LeapList leaps(Jump from) {
+    Link link = link_of(from);
+    if (link == kNone) return LeapList(nullptr);
+    if (!is_list(link)) link = make_list(from);
+    return LeapList(leaps_.data() + link);
+  }
+
+  /// Of a jump point that a leap has passed: the only one that comes next.
+  Jump only_next(Jump passed) const {
+    const Link link = links_[passed.code()];
+    assert(is_only_jump(link));
+    return is_jump(link) ? Jump(link & ~kIsJump) : leaps_[link].first();
+  }
+
+  /// Ask for the memory that leaps() will read, ahead of time: first for where they lie, then for
+  /// them.
+  void prefetch_place(Jump jump) const { __builtin_prefetch(&links_[jump.code()]); }
+  void prefetch_leaps(Jump jump) const {
+    const Link link = links_[jump.code()];
+    if (is_list(link)) __builtin_prefetch(leaps_.data() + link);
+  }
+
+ private:
+  /// What comes next: nothing, one jump (its code, with the highest bit), several jumps, or the number
+  /// of the first leap of a list of all. What comes after a jump point that a leap ends at is not
+  /// looked for before a search gets there.
+  using Link = std::uint32_t;
+  static constexpr Link kIsJump = Link{1} << 31U;
+  static constexpr Link kUnknown = ~Link{0};
+  static constexpr Link kNone = kUnknown - 1;
+  static constexpr Link kSeveral = kUnknown - 2;
+
+  static constexpr std::size_t kMostPassed = 32;  // jump points, by a leap
+
+  static bool is_list(Link link) { return link < kIsJump; }
+  static bool is_jump(Link link) { return link >= kIsJump && link < kSeveral; }
+  bool is_only_jump(Link link) const {
+    return is_list(link) ? leaps_[link].ends_list_ != 0 : is_jump(link);
+  }
+
+  Link link_of(Jump jump) {
+    const Link link = links_[jump.code()];
+    return link == kUnknown ? find(jump) : link;
+  }
+  Link find(Jump jump);
+  Link make_list(Jump from);
+  void extend(Leap& leap);
+  void look_around(Jump jump, CoarseBox& seen) const;
+  template <Direction kStraight>
+  void look_ahead(Cell from, CoarseBox& seen) const;
+  template <Direction kDiagonal>
+  void look_along_diagonal(Cell from, CoarseBox& seen) const;
+
+  std::shared_ptr<const JumpGraph> jumps_;
+  CoarseRaster raster_;
+  std::vector<Link> links_;   // by the code of a jump
+  std::vector<Leap> leaps_;   // lists
+  std::vector<Jump> next_;    // of the list in work
+  std::vector<Leap> dead_;    // of the list in work
+  std::vector<Jump> passed_;  // by the leap in work
+};
+
+}  // namespace wend

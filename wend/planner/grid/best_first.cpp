@@ -1,0 +1,84 @@
+#include "wend/planner/grid/best_first.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/planner/widening_engine.hpp"
+#include "wend/search/bucket_frontier.hpp"
+#include "wend/search/heap_frontier.hpp"
+#include "wend/space/grid/grid_space.hpp"
+
+namespace wend {
+namespace {
+
+// A bucket is about 1/64 of a straight step wide. A step raises f by at most 2 sqrt(2) cells, some
+// 185 of the ring's 256 buckets.
+template <class Cost>
+inline constexpr unsigned kBucketBits = sizeof(Cost) == sizeof(std::uint32_t) ? 9 : 25;
+
+template <class Space>
+using Exact =
+    GridEngineOf<Space,
+                 BucketFrontier<ExactKey<typename Space::Cost>, kBucketBits<typename Space::Cost>>,
+                 ExactEstimate<typename Space::Cost>, DuplicateRule::keep_cheaper>;
+
+template <class Space>
+using Real = GridEngineOf<Space, HeapFrontier<RealKey<typename Space::Cost>>, RealEstimate<Space>,
+                          DuplicateRule::keep_cheaper>;
+
+template <class Space>
+std::unique_ptr<GridEngine> make_exact(const FreeSpace& space, const BestFirst& parts) {
+  const HeuristicKind kind = parts.weight > 0 ? parts.heuristic : HeuristicKind::zero;
+  return std::make_unique<Exact<Space>>(Space(space, parts.moves, MoveTable::Pruning::canonical),
+                                        ExactEstimate<typename Space::Cost>(kind, parts.constant));
+}
+
+/// Is the map so large that even the estimates outgrow 32 bits?
+bool too_far(const FreeSpace& space) {
+  constexpr int kFarthest = UINT32_MAX / OctileUnits<std::uint32_t>::kDiagonal / 4;
+  return std::max(space.width(), space.height()) > kFarthest;
+}
+
+std::unique_ptr<GridEngine> make_whole(const FreeSpace& space, const BestFirst& parts) {
+  if (too_far(space)) return make_exact<ExactGrid>(space, parts);
+  return std::make_unique<WideningEngine<GridEngine>>(
+      [&] { return make_exact<CompactGrid>(space, parts); },
+      [space, parts] { return make_exact<ExactGrid>(space, parts); });
+}
+
+template <class Space>
+std::unique_ptr<GridEngine> make_real(const FreeSpace& space, const BestFirst& parts,
+                                      MoveTable::Pruning pruning) {
+  return std::make_unique<Real<Space>>(
+      Space(space, parts.moves, pruning),
+      RealEstimate<Space>(parts.heuristic, parts.constant, 1, parts.weight));
+}
+
+}  // namespace
+
+bool BestFirst::consistent() const {
+  return weight == 0 || heuristic == HeuristicKind::constant ||
+         (weight <= 1 && is_consistent(heuristic, moves.connectivity));
+}
+
+double BestFirst::bound() const {
+  if (consistent()) return 1;
+  return is_consistent(heuristic, moves.connectivity) ? weight : Plan::kNoBound;
+}
+
+std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts) {
+  if (!space.uniform_terrain()) {
+    return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
+  }
+  const bool whole_numbers = parts.weight == 0 || parts.heuristic == HeuristicKind::constant ||
+                             (parts.weight == 1 && parts.heuristic != HeuristicKind::euclidean);
+  if (parts.consistent() && whole_numbers) {
+    return make_whole(space, parts);
+  }
+  return make_real<ExactGrid>(
+      space, parts, parts.consistent() ? MoveTable::Pruning::canonical : MoveTable::Pruning::none);
+}
+
+}  // namespace wend

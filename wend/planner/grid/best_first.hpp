@@ -1,0 +1,30 @@
+#pragma once
+
+// Best-first engines: the cheapest g + w h first, shared by dijkstra and astar. Uniform terrain is
+// searched in whole numbers with buckets where keys never fall, everything else with a heap.
+
+#include <memory>
+
+#include "wend/map/free_space.hpp"
+#include "wend/planner/grid/grid_engine.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+#include "wend/space/grid/heuristic.hpp"
+
+namespace wend {
+
+struct BestFirst {
+  GridMoves moves;
+  HeuristicKind heuristic;  // not automatic
+  double constant;          // what HeuristicKind::constant is worth
+  double weight;            // w >= 0
+
+  /// Does f never fall along a path? Then the first expansion of a cell is its cheapest.
+  bool consistent() const;
+
+  /// Plan::bound: 1, or w above that, if the heuristic is consistent.
+  double bound() const;
+};
+
+std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts);
+
+}  // namespace wend

@@ -1,0 +1,62 @@
+// Greedy best-first search: the smallest estimate of the rest first. J. Doran and D. Michie,
+// "Experiments with the Graph Traverser Program", 1966.
+
+#include "wend/planner/grid/grid_planner.hpp"
+#include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/search/heap_frontier.hpp"
+#include "wend/space/grid/heuristic.hpp"
+
+namespace wend {
+namespace {
+
+struct GreedyOptions {
+  GridMoves moves;
+  HeuristicOptions heuristic{HeuristicKind::euclidean};
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+    HeuristicOptions::fields(self.heuristic, field);
+  }
+};
+
+using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cost>>,
+                                  RealEstimate<ExactGrid>, DuplicateRule::keep_first>;
+
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& options) {
+  const HeuristicKind kind = resolved(options.heuristic.kind, options.moves.connectivity);
+  const RealEstimate<ExactGrid> estimate(kind, options.heuristic.constant, /*g_share=*/0,
+                                         /*weight=*/1);
+  return {options.moves, std::make_unique<GreedyEngine>(ExactGrid(space, options.moves), estimate),
+          Plan::kNoBound};
+}
+
+}  // namespace
+
+PlannerInfo greedy_planner() {
+  return {.name = "greedy",
+          .summary = "Greedy best-first: the estimate of the rest alone, smallest first",
+          .idea =
+              "The open cell that seems nearest to the goal is expanded next, whatever the "
+              "way to it has cost. In the open it runs straight at the goal; behind a wall it "
+              "fills the pocket in front of the goal before it goes around.",
+          .citation = "Doran, Michie 1966",
+          .guarantee = "complete; often quick, and says nothing about the cost",
+          .time = "O(n log n) in the n cells expanded",
+          .memory = "16 bytes a cell and 24 an entry of the frontier",
+          .bytes_per_cell = 16,
+          .when =
+              "Where any path will do and the first one should come soon. It ignores terrain, "
+              "and its paths hug whatever it ran into: smooth them, or take astar with a "
+              "weight, which has a bound.",
+          .promise = Promise::complete,
+          .plans_on_terrain = false,
+          .preprocessing = Preprocessing::none,
+          .can_step = true,
+          .options = option_schema<GreedyOptions>(),
+          .make = [](const FreeSpace& space, const OptionValues& values) {
+            return make_grid_planner<GreedyOptions>(space, values, choose_parts);
+          }};
+}
+
+}  // namespace wend

@@ -1,0 +1,29 @@
+#pragma once
+
+// IndexPlanner: a planner that looks its answers up in an index. It checks queries like every
+// planner of cells, and turns maps whose y points up, for an index knows cells as drawn.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/index/index_engine.hpp"
+#include "wend/planner/planner_info.hpp"
+
+namespace wend {
+
+/// How an index is built and used. Both take the passable cells as drawn, row 0 on top.
+struct IndexMethod {
+  std::function<Expected<IndexBytes, IndexError>(const BitGrid&, const IndexBuilding&)> build;
+  /// Checks the index; cheap beside reading it once. What is wrong is of index_mismatch.
+  std::function<Expected<std::unique_ptr<IndexEngine>, std::string>(IndexBytes, const BitGrid&)>
+      open;
+};
+
+/// The info of a planner without options that answers by an index: sets make and index_support,
+/// and what is true of all of them.
+PlannerInfo with_index(PlannerInfo info, const IndexMethod& method);
+
+}  // namespace wend

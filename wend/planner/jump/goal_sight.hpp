@@ -1,0 +1,109 @@
+#pragma once
+
+// GoalSight: the goals of a jump point search, and the cheapest way to one of them that a search has
+// seen so far.
+//
+//   goals.begin({goal}, leaps.raster());
+//   const auto view = goals.look(boards.sight(), cell, directions, g);
+//   if (view.nearest) ...  // no need to go on from there
+//
+// Cells are as drawn, costs are in OctileUnits<Cost>.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/jump/coarse_box.hpp"
+#include "wend/jump/drawn_direction.hpp"
+#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/sight.hpp"
+#include "wend/planner/goal_cells.hpp"
+#include "wend/space/grid/octile_way.hpp"
+
+namespace wend {
+
+/// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
+constexpr DirectionSet first_direction(Cell from, Cell to) {
+  using enum Direction;
+  constexpr std::array<DirectionSet, 9> kByNeighbour{
+      set_of(up_left), set_of(up),        set_of(up_right), set_of(left),      0,
+      set_of(right),   set_of(down_left), set_of(down),     set_of(down_right)};
+  const int right_of = static_cast<int>(to.x > from.x) - static_cast<int>(to.x < from.x);
+  const int below = static_cast<int>(to.y > from.y) - static_cast<int>(to.y < from.y);
+  return kByNeighbour[static_cast<std::size_t>(4 + 3 * below + right_of)];
+}
+
+template <class Cost>
+class GoalSight {
+ public:
+  /// More than any cost.
+  static constexpr Cost kInfinite = std::numeric_limits<Cost>::max();
+
+  /// What there is to see from a cell.
+  struct View {
+    bool better = false;   // a goal that is cheaper than all before
+    bool nearest = false;  // the nearest one: no way from here is shorter
+  };
+
+  /// At least one goal, none of which was seen. Leaps count by the raster.
+  void begin(std::span<const Cell> goals, const CoarseRaster& raster) {
+    goals_.assign(goals);
+    places_.clear();
+    for (const Cell goal : goals) places_.push_back(raster.place(goal));
+    best_ = kInfinite;
+    overflown_ = false;
+  }
+
+  /// The estimate to the nearest goal.
+  Cost h(Cell cell) const {
+    return goals_.least([cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
+  }
+
+  /// What the cheapest way to a goal costs; kInfinite while none was seen.
+  Cost best() const { return best_; }
+  /// The goal at its end.
+  Cell goal() const { return goal_; }
+  /// Was there one whose cost is more than the type holds?
+  bool overflown() const { return overflown_; }
+
+  /// May a goal be in sight from a jump point that a leap passes?
+  bool may_be_seen(const Leap& leap) const {
+    bool may = leap.may_see(places_.front());
+    for (std::size_t i = 1; i < places_.size(); ++i) may |= leap.may_see(places_[i]);
+    return may;
+  }
+
+  /// Which goals are in sight from a cell that is reached at this cost? If the nearest one is, no way
+  /// from there is shorter than the straight one to it. Goals in other directions than these are
+  /// reached as cheaply by other ways.
+  View look(const Sight& sight, Cell from, DirectionSet directions, Cost g) {
+    View view;
+    goals_.for_each([&](Cell goal) {
+      const bool ahead = (directions & first_direction(from, goal)) != 0 || goal == from;
+      if (!ahead || !sight.sees(from, goal)) return;
+      const Cost distance = octile_cost<Cost>(from, goal);
+      view.nearest = view.nearest || distance == h(from);
+      if (distance >= kInfinite - g) {
+        overflown_ = true;
+        return;
+      }
+      if (g + distance >= best_) return;
+      best_ = g + distance;
+      goal_ = goal;
+      view.better = true;
+    });
+    return view;
+  }
+
+ private:
+  GoalCells goals_;
+  std::vector<CoarsePlace> places_;  // of the goals
+  Cost best_ = kInfinite;
+  Cell goal_{};
+  bool overflown_ = false;
+};
+
+}  // namespace wend

@@ -1,0 +1,185 @@
+// Jump point search: D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid
+// Maps", 2011, and "Improving Jump Point Search", 2014.
+
+#include <memory>
+#include <utility>
+
+#include "wend/index/run_writer.hpp"
+#include "wend/planner/drawn_cells.hpp"
+#include "wend/planner/grid/grid_planner.hpp"
+#include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/no_options.hpp"
+#include "wend/planner/widening_engine.hpp"
+
+namespace wend {
+namespace {
+
+/// JumpPointSearch behind the face of a GridEngine: turns maps with y up, and writes every cell.
+template <class Cost>
+class JumpEngine final : public GridEngine {
+ public:
+  JumpEngine(FreeSpace space, std::shared_ptr<const JumpGraph> graph,
+             std::shared_ptr<const DeadEnds> dead_ends)
+      : space_(std::move(space)), search_(std::move(graph), std::move(dead_ends)) {}
+
+  bool allocated() const override { return true; }
+
+  void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    observer_ = observer;
+    goals_.clear();
+    for (const Cell goal : goals) goals_.push_back(drawn_cell(space_, goal));
+    watched(
+        [&](auto&& watcher) { search_.begin(drawn_cell(space_, start), goals_, limits, watcher); });
+  }
+
+  SearchOutcome step() override {
+    watched([&](auto&& watcher) { search_.step(watcher); });
+    return search_.outcome();
+  }
+
+  SearchOutcome run() override {
+    watched([&](auto&& watcher) { search_.run(watcher); });
+    return search_.outcome();
+  }
+
+  const SearchMetrics& metrics() const override { return search_.metrics(); }
+
+  OpenList open_list(std::size_t most) const override {
+    OpenList list;
+    list.count = search_.for_each_open(most, [&](Cell cell, Cell parent, Cost g, bool newest) {
+      list.entries.push_back({event(cell, parent, g), newest ? OpenTie::newest : OpenTie::none});
+    });
+    return list;
+  }
+
+  double heuristic(const Cell& cell) const override {
+    return goals_.empty() ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
+  }
+
+  void write_path(Path& path) const override {
+    path.clear();
+    const auto waypoints = search_.waypoints();
+    std::size_t count = 1;
+    for (std::size_t i = 1; i < waypoints.size(); ++i) {
+      count += static_cast<std::size_t>(steps_between(waypoints[i - 1], waypoints[i]));
+    }
+    const std::span<Cell> cells = path.make_cells(count);
+    cells.front() = drawn_cell(space_, waypoints.front());
+    RunWriter<1> writer(cells.data() + 1, cells.size() - 1, cells.front());
+    for (const Cell waypoint : waypoints.subspan(1)) writer.go_to(drawn_cell(space_, waypoint));
+  }
+
+ private:
+  static double in_cells(Cost cost) {
+    return static_cast<double>(cost) / static_cast<double>(OctileUnits<Cost>::kStraight);
+  }
+
+  static int steps_between(Cell from, Cell to) {
+    return std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+  }
+
+  /// A state as the map has it, from what the search calls cells.
+  SearchEvent event(Cell cell, Cell parent, Cost g) const {
+    const double h = in_cells(search_.h(cell));
+    SearchEvent event{drawn_cell(space_, cell), {}, in_cells(g), h, in_cells(g) + h};
+    if (parent != cell) event.parent = drawn_cell(space_, parent);
+    return event;
+  }
+
+  /// Passes the events on, in the map's cells.
+  class Watcher {
+   public:
+    Watcher(const JumpEngine& engine, SearchObserver& observer)
+        : engine_(engine), observer_(observer) {}
+
+    void on_generate(Cell cell, Cell parent, Cost g) {
+      observer_.on_generate(event(cell, parent, g));
+    }
+    void on_expand(Cell cell, Cell parent, Cost g) { observer_.on_expand(event(cell, parent, g)); }
+    void on_reach(Cell cell, Cell parent, Cost g, bool again) {
+      if (again) {
+        observer_.on_relax(event(cell, parent, g));
+      } else {
+        on_generate(cell, parent, g);
+      }
+    }
+
+   private:
+    SearchEvent event(Cell cell, Cell parent, Cost g) const {
+      return engine_.event(cell, parent, g);
+    }
+
+    const JumpEngine& engine_;
+    SearchObserver& observer_;
+  };
+
+  template <class Action>
+  void watched(Action&& action) {
+    if (observer_ == nullptr) {
+      action(NoJumpWatcher{});
+    } else {
+      action(Watcher(*this, *observer_));
+    }
+  }
+
+  FreeSpace space_;
+  mutable JumpPointSearch<Cost> search_;
+  std::vector<Cell> goals_;  // as drawn
+  SearchObserver* observer_ = nullptr;
+};
+
+GridPlanner::Parts choose_parts(const FreeSpace& space) {
+  if (!space.uniform_terrain()) return {{}, nullptr, 1};
+  const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
+  const auto graph = std::make_shared<const JumpGraph>(boards);
+  const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
+  const auto engine = [space, graph, dead_ends]<class Cost>(Cost) {
+    return std::make_unique<JumpEngine<Cost>>(space, graph, dead_ends);
+  };
+  return {
+      {},
+      std::make_unique<WideningEngine<GridEngine>>([engine] { return engine(std::uint32_t{}); },
+                                                   [engine] { return engine(std::uint64_t{}); }),
+      1};
+}
+
+}  // namespace
+
+PlannerInfo jps_planner() {
+  return {
+      .name = "jps",
+      .summary = "jump point search: A* that leaps over everything between two turns",
+      .idea =
+          "Among all shortest paths that differ only in the order of their steps it looks at one: "
+          "diagonal steps first. That one turns nowhere but past the corners of obstacles, and "
+          "to the next such place the search jumps, reading the map 64 cells at a time. Dead "
+          "ends of the map are left out. Where there is no choice one leap takes several turns, "
+          "and "
+          "what has been found out is kept for later searches.",
+      .citation = "Harabor, Grastien 2011 and 2014",
+      .guarantee = "optimal on 8 neighbours without corner cutting, where all cells cost the same",
+      .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
+      .memory =
+          "8 bytes a cell, 57 a jump point, 16 for each leap that a search has met so far, and 12 "
+          "an entry of the frontier",
+      .bytes_per_cell = 8,
+      .when =
+          "The fastest without an index, wherever the map has rooms, streets or corridors: ask it "
+          "first. In noise it has little to leap over. It cannot plan on terrain, nor keep away "
+          "from obstacles.",
+      .promise = Promise::optimal,
+      .plans_on_terrain = false,
+      .preprocessing = Preprocessing::none,
+      .can_step = true,
+      .jumps = true,
+      .options = {},
+      .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
+        auto refused = refused_options(values);
+        if (!refused) refused = refused_terrain("jps", space);
+        if (refused) return Unexpected<PlannerError>(*std::move(refused));
+        return std::make_unique<GridPlanner>(space, choose_parts);
+      }};
+}
+
+}  // namespace wend

@@ -1,0 +1,173 @@
+// What is special about jump point search: its states, its way-points, its counters that run out.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/textbook.hpp"
+#include "wend/base/random.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend {
+namespace {
+
+using ::testing::ElementsAre;
+
+BitGrid cells_of(const std::vector<std::string>& rows) {
+  BitGrid cells(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < cells.height(); ++y) {
+    for (int x = 0; x < cells.width(); ++x) {
+      cells.set({x, y}, rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '.');
+    }
+  }
+  return cells;
+}
+
+template <class Search>
+Search make_search(const BitGrid& cells) {
+  auto boards = std::make_shared<const JumpBoards>(cells);
+  auto dead_ends = std::make_shared<const DeadEnds>(*boards);
+  return Search(std::make_shared<const JumpGraph>(boards), std::move(dead_ends));
+}
+
+using Compact = JumpPointSearch<std::uint32_t>;
+
+TEST(JumpPointSearch, GivesTheCellsWhereThePathTurns) {
+  const BitGrid cells = cells_of({".#####",  //
+                                  ".#...#",  //
+                                  ".#.#.#",  //
+                                  "...#..",  //
+                                  "######"});
+  auto search = make_search<Compact>(cells);
+  const Limits limits;
+  search.begin({0, 0}, std::array{Cell{5, 3}}, limits);
+  ASSERT_EQ(search.run(), SearchOutcome::found);
+  EXPECT_THAT(search.waypoints(), ElementsAre(Cell{0, 0}, Cell{0, 3}, Cell{2, 3}, Cell{2, 1},
+                                              Cell{4, 1}, Cell{4, 3}, Cell{5, 3}));
+}
+
+TEST(JumpPointSearch, StartAndGoalMayBeOneCell) {
+  auto search = make_search<Compact>(cells_of({"...", "..."}));
+  const Limits limits;
+  search.begin({1, 1}, std::array{Cell{1, 1}}, limits);
+  ASSERT_EQ(search.run(), SearchOutcome::found);
+  EXPECT_THAT(search.waypoints(), ElementsAre(Cell{1, 1}));
+  EXPECT_EQ(search.metrics(), (SearchMetrics{1, 1, 1}));
+}
+
+TEST(JumpPointSearch, AGoalInSightIsFoundAtOnce) {
+  auto search =
+      make_search<Compact>(BitGrid(cells_of(std::vector<std::string>(200, std::string(300, '.')))));
+  const Limits limits;
+  search.begin({3, 199}, std::array{Cell{290, 7}}, limits);
+  ASSERT_EQ(search.run(), SearchOutcome::found);
+  EXPECT_EQ(search.metrics().expanded, 2U) << "the start and the goal";
+}
+
+double length_of(std::span<const Cell> waypoints) {
+  double length = 0;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const int dx = std::abs(waypoints[i].x - waypoints[i - 1].x);
+    const int dy = std::abs(waypoints[i].y - waypoints[i - 1].y);
+    EXPECT_TRUE(dx == 0 || dy == 0 || dx == dy) << "no straight line of steps";
+    length += dx != 0 && dy != 0 ? std::numbers::sqrt2 * dx : dx + dy;
+  }
+  return length;
+}
+
+/// Costs in 32 and 64 bits, and generations that run out after three searches, make no difference.
+TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
+  Random random(31);
+  for (int map = 0; map < 40; ++map) {
+    GridMap grid = test::random_map(random, 24, 18);
+    const FreeSpace space(grid);
+    auto compact = make_search<Compact>(space.passable());
+    auto wide = make_search<JumpPointSearch<std::uint64_t>>(space.passable());
+    auto forgetful = make_search<JumpPointSearch<std::uint32_t, 3>>(space.passable());
+    const Limits limits;
+    for (int query = 0; query < 20; ++query) {
+      const Cell start = test::random_cell(random, space.width(), space.height());
+      const Cell goal = test::random_cell(random, space.width(), space.height());
+      if (!space.regions().connected(start, goal, Adjacency::edges)) continue;
+      SCOPED_TRACE("map " + std::to_string(map) + ", query " + std::to_string(query));
+      const auto answer = [&](auto& search) {
+        search.begin(start, std::array{goal}, limits);
+        EXPECT_EQ(search.run(), SearchOutcome::found);
+        const auto waypoints = search.waypoints();
+        return std::pair(std::vector<Cell>(waypoints.begin(), waypoints.end()),
+                         search.metrics().expanded);
+      };
+      const auto expected = answer(compact);
+      EXPECT_EQ(answer(forgetful), expected);
+      EXPECT_NEAR(length_of(answer(wide).first), length_of(expected.first), 1e-9);
+    }
+  }
+}
+
+/// A corridor there and back again, so long that its costs outgrow 32 bits.
+GridMap serpentine(int width, int turns) {
+  Grid<CellState> cells(width, 2 * turns + 1, CellState::free);
+  for (int turn = 0; turn < turns; ++turn) {
+    for (int x = 0; x + 1 < width; ++x) {
+      cells[{turn % 2 == 0 ? x : x + 1, 2 * turn + 1}] = CellState::occupied;
+    }
+  }
+  return GridMap(cells);
+}
+
+TEST(Jps, FindsPathsThatOutgrow32Bits) {
+  constexpr int kWidth = 3000;
+  constexpr int kTurns = 50;
+  const FreeSpace space(serpentine(kWidth, kTurns));
+  const auto planner = make_planner("jps", space);
+  ASSERT_TRUE(planner);
+  const Query query = Query::between({0, 0}, {kTurns % 2 == 0 ? kWidth - 1 : 0, 2 * kTurns});
+  const auto plan = (*planner)->plan(query);
+  ASSERT_TRUE(plan) << plan.error().reason;
+  EXPECT_GT(plan->cost, 128000) << "or it proves nothing";
+  const auto astar = (*make_planner("astar", space))->plan(query);
+  ASSERT_TRUE(astar);
+  EXPECT_EQ(plan->cost, astar->cost);
+}
+
+/// So wide that the distance of two cells may outgrow 32 bits.
+TEST(Jps, PlansOnMapsThatAreVeryWide) {
+  constexpr int kWidth = 150000;
+  Grid<CellState> cells(kWidth, 3, CellState::free);
+  for (int x = 0; x < kWidth; ++x) cells[{x, 1}] = CellState::occupied;
+  cells[{100, 1}] = cells[{kWidth - 1, 1}] = CellState::free;
+  const FreeSpace space{GridMap(cells)};
+  const auto planner = make_planner("jps", space);
+  ASSERT_TRUE(planner);
+  const auto plan = (*planner)->plan(Query::between({kWidth - 101, 0}, {kWidth - 1, 2}));
+  ASSERT_TRUE(plan) << plan.error().reason;
+  EXPECT_EQ(plan->cost, 102) << "by the near gap";
+  const auto far = (*planner)->plan(Query::between({0, 0}, {kWidth - 2, 2}));
+  ASSERT_TRUE(far) << far.error().reason;
+  EXPECT_EQ(far->cost, kWidth) << "by the first gap";
+}
+
+TEST(Jps, RefusesTerrainAndSaysSo) {
+  const Grid<CellState> cells(5, 5, CellState::free);
+  const auto planner = make_planner("jps", FreeSpace(GridMap(cells, {}, Grid<double>(5, 5, 2.0))));
+  ASSERT_FALSE(planner);
+  EXPECT_EQ(planner.error().status, Status::unsupported_map);
+  EXPECT_THAT(planner.error().message(), ::testing::HasSubstr("terrain"));
+}
+
+TEST(Jps, TakesNoOptions) {
+  const FreeSpace space{GridMap(Grid<CellState>(5, 5, CellState::free))};
+  const auto planner = make_planner("jps", space, {{"weight", "2"}});
+  ASSERT_FALSE(planner);
+  EXPECT_EQ(planner.error().status, Status::invalid_option);
+}
+
+}  // namespace
+}  // namespace wend

@@ -1,0 +1,70 @@
+#pragma once
+
+// JumpNodes: what a jump point search knows of every jump point.
+//
+// A node's stamp says in one number which search reached it and at what cost: it is the less the
+// later the search, and in one search the less the cheaper the way. So one comparison tells whether
+// a way is of use, and starting a search takes no time. When the searches run out, all is cleared
+// once and they start again.
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "wend/base/state_id.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/jump/jump_graph.hpp"
+
+namespace wend {
+
+template <class Cost, std::uint32_t kSearches = std::numeric_limits<std::uint32_t>::max()>
+class JumpNodes {
+ public:
+  __extension__ using TwiceSixtyFour = unsigned __int128;
+  using Stamp = std::conditional_t<sizeof(Cost) == 4, std::uint64_t, TwiceSixtyFour>;
+
+  /// Never across two lines of the cache.
+  struct alignas(32) Node {
+    Stamp stamp = kNever;
+    Cell cell;
+    StateId parent = 0;
+    Jump first;                  // on the way from the parent
+    std::uint32_t dead_end = 0;  // its number
+    std::uint8_t pending = 0;    // arrivals to be expanded, a bit each
+    std::uint8_t done = 0;       // arrivals that were, as cheaply
+
+    Cost g() const { return static_cast<Cost>(stamp); }
+  };
+
+  explicit JumpNodes(std::size_t count) : nodes_(count) {}
+
+  std::size_t size() const { return nodes_.size(); }
+  Node& operator[](StateId id) { return nodes_[id]; }
+  const Node& operator[](StateId id) const { return nodes_[id]; }
+
+  /// Forgets the last search.
+  void begin_search() {
+    if (searches_left_ == 0) {
+      for (Node& node : nodes_) node.stamp = kNever;
+      searches_left_ = kSearches;
+    }
+    base_ = Stamp{--searches_left_} << kCostBits;
+  }
+
+  /// Of a node that this search reaches at such a cost.
+  Stamp stamp(Cost g) const { return base_ | g; }
+
+  /// Was it reached in this search?
+  bool reached(const Node& node) const { return node.stamp >> kCostBits == base_ >> kCostBits; }
+
+ private:
+  static constexpr unsigned kCostBits = 8 * sizeof(Cost);
+  static constexpr Stamp kNever = ~Stamp{0};
+
+  std::vector<Node> nodes_;
+  std::uint32_t searches_left_ = kSearches;
+  Stamp base_ = 0;
+};
+
+}  // namespace wend

@@ -1,0 +1,88 @@
+// A car on a lattice of grid corners: A* over corners and headings. State lattices: M. Pivtoraiko
+// and A. Kelly, "Efficient Constrained Path Planning via Search in State Lattices", 2005.
+
+#include <algorithm>
+
+#include "wend/planner/lattice/car_planner.hpp"
+
+namespace wend {
+namespace {
+
+/// The options as text, for the schema.
+struct CarFlags : CarOptions {
+  double turning_radius = 0;  // m
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    CarDriving::fields(self.driving, field);
+    field(
+        {"turning_radius",
+         "the turning radius in metres (in cells on maps in cells), rounded up to whole cells, in "
+         "place of unit; 0: as unit says"},
+        self.turning_radius, OptionRange{0, 1e6});
+    field({"heuristic", "estimate of the fuel to the goal"}, self.heuristic);
+    field({"weight",
+           "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
+           {"lambda", "w"}},
+          self.weight, OptionRange{0, 1e6});
+  }
+};
+
+PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+  auto options = parse_options<CarFlags>(values);
+  if (!options) {
+    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+  }
+  if (options->turning_radius > 0) {
+    const auto is_unit = [](const auto& value) { return value.first == "unit"; };
+    if (std::ranges::any_of(values, is_unit)) {
+      return Unexpected<PlannerError>(
+          {Status::invalid_option, "unit and turning_radius say the same: give one of them"});
+    }
+    options->driving.unit = unit_for(options->turning_radius, space.map().frame());
+  }
+  if (std::string why = why_no_lattice(space.map(), options->driving); !why.empty()) {
+    return Unexpected<PlannerError>({Status::unsupported_map, std::move(why)});
+  }
+  auto planner = std::make_unique<CarPlanner>(space, *options);
+  if (!planner->allocated()) {
+    return Unexpected<PlannerError>(
+        {Status::memory_limit,
+         "no memory for the " + std::to_string(planner->state_count()) + " poses of the car"});
+  }
+  return planner;
+}
+
+}  // namespace
+
+PlannerInfo car_planner() {
+  return {.name = "car",
+          .summary = "A car that drives from corner to corner by six moves, with A*",
+          .idea =
+              "The car stands on a corner of the grid and faces north, west, east or south. It "
+              "moves one unit straight, or along a quarter circle of radius one, ahead or in "
+              "reverse; a turn costs pi/2 times the terrain of the cell that it sweeps. A* "
+              "finds the drive that needs the least fuel.",
+          .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
+          .guarantee =
+              "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum",
+          .time =
+              "O(n log n) in the n poses expanded; with whole terrain costs the log is that of a "
+              "small bucket",
+          .memory =
+              "8 bytes a pose, four poses a corner, and 16 an entry of the frontier; 16 and 24 "
+              "with terrain costs that are not whole or above 5, a factor for reversing or a "
+              "weight other than 0 and 1",
+          .when =
+              "For robots that cannot turn on the spot. On a fine map choose a unit as wide as "
+              "the turning circle's radius. It can only park on corners, facing along the grid.",
+          .promise = Promise::bounded,
+          .plans_on_terrain = true,
+          .preprocessing = Preprocessing::none,
+          .can_step = true,
+          .motion = Motion::car,
+          .options = option_schema<CarFlags>(),
+          .make = make};
+}
+
+}  // namespace wend

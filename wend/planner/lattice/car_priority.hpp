@@ -1,0 +1,113 @@
+#pragma once
+
+// CarPriority: f = g + w h of a car, with any of its heuristics. In whole numbers w is 1 (or h is
+// zero).
+//
+// h and f are for those who watch, in units.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "wend/base/limits.hpp"
+#include "wend/planner/lattice/car_keys.hpp"
+#include "wend/planner/lattice/corner_costs.hpp"
+#include "wend/space/lattice/car_heuristic.hpp"
+
+namespace wend {
+
+template <class Costs>
+class CarPriority {
+ public:
+  using Cost = typename Costs::Cost;
+  using Key = CarKey<Cost>;
+
+  CarPriority(const CarSpace<Costs>& space, CarHeuristic kind, double weight)
+      : kind_(kind),
+        y_up_(space.lattice().y_up()),
+        scale_(std::min(1.0, space.lattice().driving().reverse_factor)),
+        weight_(weight) {
+    if (kind == CarHeuristic::obstacles) {
+      around_obstacles_ = std::make_unique<CornerCosts<Costs>>(space);
+    }
+  }
+
+  bool allocated() const { return around_obstacles_ == nullptr || around_obstacles_->allocated(); }
+
+  /// At least one goal. Keeps its memory from query to query.
+  void begin(std::span<const CarGoal> goals, const Limits& limits) {
+    goals_.assign(goals.begin(), goals.end());
+    if (around_obstacles_ != nullptr) around_obstacles_->begin(goals, limits);
+  }
+
+  /// Could the estimates not be made to the end?
+  std::optional<SearchOutcome> stopped() const {
+    return around_obstacles_ == nullptr ? std::nullopt : around_obstacles_->stopped();
+  }
+
+  Key key(const CarState& state, Cost g) const {
+    const Cost estimate = estimate_of(state.place);
+    if constexpr (std::is_integral_v<Cost>) {
+      return {static_cast<Cost>(g + estimate), g};
+    } else {
+      return {g + weight_ * scale_ * kNotAbove * estimate, g};
+    }
+  }
+
+  bool is_goal(const CarState& state) const {
+    return std::any_of(goals_.begin(), goals_.end(),
+                       [&](const CarGoal& goal) { return goal.contains(state.place); });
+  }
+
+  /// Without good estimates there is no use in going on: the engine asks why they stopped().
+  bool near_overflow(const Key& key) const { return near_overflow_of(key) || stopped(); }
+
+  double h(const CornerPose& place) const {
+    if (goals_.empty()) return 0;
+    return scale_ * static_cast<double>(estimate_of(place)) / Costs::kUnitsPerCell;
+  }
+  double f(const CornerPose& place, double g) const { return g + weight_ * h(place); }
+
+ private:
+  // pi / 2 is rounded: a hair less keeps an exact estimate from rounding above the true cost.
+  static constexpr double kNotAbove = 1 - 1e-12;
+
+  Cost estimate_of(const CornerPose& place) const {
+    switch (kind_) {
+      case CarHeuristic::zero:
+        break;
+      case CarHeuristic::diagonal:
+        return least([&](const CarGoal& goal) {
+          return diagonal_estimate<Costs>(place.corner, goal.corner);
+        });
+      case CarHeuristic::headings:
+        return on_empty_yard(place);
+      case CarHeuristic::obstacles:
+        return std::max(on_empty_yard(place), (*around_obstacles_)(place.corner));
+    }
+    return Cost{0};
+  }
+
+  Cost on_empty_yard(const CornerPose& place) const {
+    return least([&](const CarGoal& goal) { return headings_estimate<Costs>(place, goal, y_up_); });
+  }
+
+  template <class Estimate>
+  Cost least(Estimate&& estimate) const {
+    Cost least = estimate(goals_.front());
+    for (std::size_t i = 1; i < goals_.size(); ++i) least = std::min(least, estimate(goals_[i]));
+    return least;
+  }
+
+  CarHeuristic kind_;
+  bool y_up_;
+  double scale_;  // where reversing costs less than driving ahead
+  double weight_;
+  std::vector<CarGoal> goals_;
+  std::unique_ptr<CornerCosts<Costs>> around_obstacles_;
+};
+
+}  // namespace wend

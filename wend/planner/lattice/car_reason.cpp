@@ -1,0 +1,162 @@
+#include "wend/planner/lattice/car_reason.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wend/base/parse.hpp"
+#include "wend/space/lattice/car_path.hpp"
+#include "wend/space/lattice/car_space.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kRounding = 1e-9;  // cells
+
+std::string text_of(Cell cell) {
+  return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
+}
+
+/// A start or goal, as the query names it and as the lattice does.
+struct End {
+  std::string name;
+  Point asked;
+  CornerPose place;  // of an end on the map
+  bool on_map;
+  bool any_heading;
+};
+
+End end_of(const CarLattice& lattice, const std::string& name, const Pose& pose, bool any_heading) {
+  const auto place = place_on(lattice, pose);
+  return {name, pose.point(), place.value_or(CornerPose{}), place.has_value(), any_heading};
+}
+
+End start_of(const CarLattice& lattice, const Query& query) {
+  return end_of(lattice, "start", query.start, false);
+}
+
+End end_at(const CarLattice& lattice, const Goal& goal) {
+  const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+  return end_of(lattice, "goal", pose, !goal.heading);
+}
+
+/// The reason of several hopeless goals is that of the first.
+End goal_of(const CarLattice& lattice, const Query& query) {
+  return end_at(lattice, query.goals.front());
+}
+
+/// The first that a car could stand on: others were no goals of the search that failed.
+End searched_goal_of(const CarLattice& lattice, const Query& query) {
+  for (const Goal& goal : query.goals) {
+    End end = end_at(lattice, goal);
+    if (end.on_map && lattice.passable(end.place.corner)) return end;
+  }
+  return goal_of(lattice, query);
+}
+
+/// "start (3,4,E)", in grid coordinates.
+std::string name_of(const CarLattice& lattice, const End& end) {
+  const Cell corner{end.place.corner.x * lattice.unit(), end.place.corner.y * lattice.unit()};
+  if (end.any_heading) {
+    return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ",any)";
+  }
+  return end.name + ' ' + to_string(CornerPose{corner, end.place.heading});
+}
+
+std::string outside(const CarLattice& lattice, const End& end) {
+  const auto last = [&](int corners) { return std::to_string((corners - 1) * lattice.unit()); };
+  std::string text = "the " + end.name + " (" + format_number(end.asked.x) + ',' +
+                     format_number(end.asked.y) + ") lies outside: the map's corners have x from " +
+                     "0 to " + last(lattice.columns()) + " and y from 0 to " + last(lattice.rows());
+  if (lattice.unit() > 1) text += ", every " + std::to_string(lattice.unit());
+  return text;
+}
+
+std::string blocked(const CarLattice& lattice, const End& end) {
+  const auto fault = lattice.why_blocked(end.place.corner);
+  if (!fault) return {};
+  const std::string text = "the " + name_of(lattice, end) + " is an impassable corner: ";
+  switch (fault->reason) {
+    case BlockReason::obstacle:
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is an obstacle";
+    case BlockReason::unknown:
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is unknown";
+    case BlockReason::too_close:
+      return text + "the nearest obstacle is " + format_number(fault->distance) +
+             " cells away, the robot's radius is " +
+             format_number(lattice.free_space().radius_in_cells());
+    case BlockReason::over_edge:
+      return text + "the robot would leave the map: its edge is " + format_number(fault->distance) +
+             " cells away, the robot's radius is " +
+             format_number(lattice.free_space().radius_in_cells());
+    case BlockReason::outside:
+      break;
+  }
+  return text + std::string(describe(fault->reason));
+}
+
+bool is_boxed_in(const CarLattice& lattice, const CornerPose& place) {
+  const CarSpace<RealCarCosts> space(lattice);
+  bool boxed_in = true;
+  space.for_each_successor(space.state(place), kNoMove,
+                           [&](const CarState&, Move, double) { boxed_in = false; });
+  return boxed_in;
+}
+
+/// Moves can be undone: where none leads away, none leads to.
+bool is_boxed_in(const CarLattice& lattice, const End& end) {
+  if (!end.any_heading) return is_boxed_in(lattice, end.place);
+  return std::all_of(kAllHeadings.begin(), kAllHeadings.end(), [&](Heading heading) {
+    return is_boxed_in(lattice, CornerPose{end.place.corner, heading});
+  });
+}
+
+std::string unreachable(const CarLattice& lattice, const Query& query) {
+  const End start = start_of(lattice, query);
+  const End goal = searched_goal_of(lattice, query);
+  if (is_boxed_in(lattice, start)) {
+    return "boxed in: no move leads away from the " + name_of(lattice, start);
+  }
+  if (is_boxed_in(lattice, goal)) {
+    return "boxed in: no move leads to the " + name_of(lattice, goal);
+  }
+  return "no drive joins the " + name_of(lattice, start) + " and the " + name_of(lattice, goal) +
+         ": obstacles part them for a car";
+}
+
+}  // namespace
+
+std::optional<CornerPose> place_on(const CarLattice& lattice, const Pose& pose) {
+  const auto on_map = [](double at, int length) {
+    return at >= -kRounding && at <= length + kRounding;
+  };
+  const FreeSpace& space = lattice.free_space();
+  if (!on_map(pose.x, space.width()) || !on_map(pose.y, space.height())) return std::nullopt;
+  auto place = lattice.nearest(pose);
+  if (place) {
+    place->corner.x = std::min(place->corner.x, lattice.columns() - 1);
+    place->corner.y = std::min(place->corner.y, lattice.rows() - 1);
+  }
+  return place;
+}
+
+std::string car_reason(const CarLattice& lattice, const Query& query, Status status) {
+  switch (status) {
+    case Status::start_outside:
+      return outside(lattice, start_of(lattice, query));
+    case Status::goal_outside:
+      return outside(lattice, goal_of(lattice, query));
+    case Status::start_blocked:
+      return blocked(lattice, start_of(lattice, query));
+    case Status::goal_blocked:
+      return blocked(lattice, goal_of(lattice, query));
+    case Status::unreachable:
+      return unreachable(lattice, query);
+    case Status::unsupported_query:
+      return query.goals.empty() ? "a goal is missing"
+                                 : "the headings of start and goal must be finite numbers";
+    default:
+      return {};
+  }
+}
+
+}  // namespace wend

@@ -1,0 +1,192 @@
+#include "wend/render/terminal/text_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "wend/render/terminal/text_map_test.hpp"
+
+namespace wend {
+namespace {
+
+constexpr Frame kYUp{.y_up = true};
+
+TEST(TextPicture, ShowsEveryKindOfCell) {
+  const FreeSpace space(map_of({
+      "#?1",
+      "123",
+      "459",
+  }));
+  EXPECT_EQ(text_picture({.space = space}), lines_of({
+                                                "#?.",
+                                                ".~3",
+                                                "459",
+                                            }));
+}
+
+TEST(TextPicture, MarksTerrainThatIsNoDigitAsRough) {
+  Grid<double> terrain(3, 1, 1);
+  terrain[{0, 0}] = 1.5;
+  terrain[{1, 0}] = 12;
+  const FreeSpace space(GridMap(Grid<CellState>(3, 1), {}, terrain));
+  EXPECT_EQ(text_picture({.space = space}), "~~.\n");
+}
+
+TEST(TextPicture, ShowsWhereTheRobotIsTooClose) {
+  const FreeSpace space(map_of({
+                            ".......",
+                            ".......",
+                            "...#...",
+                            ".......",
+                            ".......",
+                        }),
+                        {.robot_radius = 1});
+  EXPECT_EQ(text_picture({.space = space}), lines_of({
+                                                ".......",
+                                                "..:::..",
+                                                "..:#:..",
+                                                "..:::..",
+                                                ".......",
+                                            }));
+}
+
+TEST(TextPicture, PointsArrowsAllEightWays) {
+  // Around a square by its corners and edges, then away.
+  const Path path({{1, 0}, {2, 1}, {2, 2}, {1, 3}, {0, 2}, {0, 1}, {1, 0}});
+  const Path straight({{4, 0}, {3, 0}, {3, 1}, {4, 1}, {5, 0}});
+  const FreeSpace space(map_of({
+      "......",
+      "......",
+      "......",
+      "......",
+  }));
+  Scene scene{.space = space};
+  scene.path = path;
+  EXPECT_EQ(text_picture(scene), lines_of({
+                                     ".↘....",
+                                     "↗.↓...",
+                                     "↑.↙...",
+                                     ".↖....",
+                                 }));
+  scene.path = straight;
+  EXPECT_EQ(text_picture(scene), lines_of({
+                                     "...↓←.",
+                                     "...→↗.",
+                                     "......",
+                                     "......",
+                                 }));
+}
+
+TEST(TextPicture, ComesOutAsTheFileLooksWithYUp) {
+  const FreeSpace space(map_of(
+      {
+          "#..",
+          "...",
+          "..?",
+      },
+      kYUp));
+  Scene scene{.space = space};
+  scene.path = Path({{0, 0}, {1, 1}, {2, 2}});  // from bottom left to top right
+  scene.start = centre_of({0, 0});
+  scene.goals = {centre_of({2, 2})};
+  EXPECT_EQ(text_picture(scene), lines_of({
+                                     "#.G",
+                                     ".↗.",
+                                     "S.?",
+                                 }));
+}
+
+TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverExpandedCells) {
+  Scene scene{.space = FreeSpace(map_of({"......"}))};
+  scene.path = Path({{1, 0}, {2, 0}, {3, 0}, {4, 0}});
+  scene.start = Point{1.9, 0.1};
+  scene.goals = {centre_of({4, 0}), centre_of({5, 0})};
+  scene.marked = {{CellRole::expanded, marked_of({"***..."}, '*')}};
+  EXPECT_EQ(text_picture(scene), "*S→→GG\n");
+}
+
+TEST(TextPicture, PointsArrowsTheNearestWayWherePathsSkipCells) {
+  Scene scene{.space = FreeSpace(map_of({"......", "......"}))};
+  scene.path = Path({{0, 0}, {4, 1}, {5, 1}});
+  EXPECT_EQ(text_picture(scene), lines_of({"→.....", "....→."}));
+}
+
+TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Scene scene{.space = FreeSpace(map_of({"..", ".."}))};
+  scene.path = Path({{-1, 0}, {0, 0}, {5, 0}});
+  scene.start = Point{-0.5, 0.5};
+  scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kNaN, 0}};
+  scene.narrowest = Point{0.5, -1};
+  EXPECT_EQ(text_picture(scene), lines_of({"→.", ".."}));
+}
+
+TEST(TextPicture, ExplainsOnlyWhatIsInThePicture) {
+  Scene scene{.space = FreeSpace(map_of({"..#"}))};
+  scene.start = centre_of({0, 0});
+  EXPECT_EQ(text_picture(scene, {.legend = true}),
+            lines_of({"S.#", "S start   # obstacle   . free"}));
+}
+
+TEST(TextPicture, BreaksALegendThatIsTooLong) {
+  Scene scene{.space = FreeSpace(map_of({"..#"}))};
+  scene.start = centre_of({0, 0});
+  EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 20}),
+            lines_of({"S.#", "S start   # obstacle", ". free"}));
+  EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 19}),
+            lines_of({"S.#", "S start", "# obstacle   . free"}));
+}
+
+TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
+  const std::vector<std::string_view> drawn{"**+@#", "s.g!."};
+  Scene scene{.space = FreeSpace(map_of(drawn))};
+  for (const auto& [role, character] : {std::pair(CellRole::expanded, '*'),
+                                        {CellRole::frontier, '+'},
+                                        {CellRole::current, '@'},
+                                        {CellRole::start_region, 's'},
+                                        {CellRole::goal_region, 'g'}}) {
+    scene.marked.push_back({role, marked_of(drawn, character)});
+  }
+  scene.marked.front().cells.set({4, 0}, true);  // the obstacle stays
+  scene.narrowest = centre_of({3, 1});
+  EXPECT_EQ(text_picture(scene, {.legend = true}),
+            lines_of({"**+@#", "s.g!.",
+                      "! narrowest   @ being expanded   + frontier   * expanded   "
+                      "s start's region   g goal's region   # obstacle   . free"}));
+}
+
+TEST(TextPicture, CanDoWithAscii) {
+  Scene scene{.space = FreeSpace(map_of({"......", ".....#"}))};
+  scene.path = Path({{1, 0}, {2, 0}, {3, 1}, {4, 0}});
+  EXPECT_EQ(text_picture(scene, {.legend = true, .ascii = true}),
+            lines_of({".>\\...", ".../.#", "> path   # obstacle   . free"}));
+}
+
+TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
+  Scene scene{.space = FreeSpace(map_of({"#....#"}))};
+  scene.path = Path({{1, 0}, {2, 0}, {3, 0}});
+  scene.start = centre_of({1, 0});
+  scene.goals = {centre_of({3, 0})};
+  EXPECT_EQ(text_picture(scene), "#S→G.#\n");
+  EXPECT_EQ(text_picture(scene, {.colours = true}),
+            "#\x1b[1;32mS\x1b[0m\x1b[1;34m→\x1b[0m\x1b[1;31mG\x1b[0m\x1b[90m.\x1b[0m#\n");
+}
+
+TEST(TextPicture, HeadsWhereACarDoesInTheCellsThatItDrivesThrough) {
+  Scene scene{.space = FreeSpace(map_of({".....", ".....", "....."}))};
+  scene.path = Path::through({{0.5, 0.5, 0}, {2.5, 0.5, 0}, {4.5, 2.5, kPi / 2}});
+  EXPECT_EQ(text_picture(scene), lines_of({"→→→↘.", "...↘↓", "....↓"}));
+  scene.path = Path::through({{3.5, 1.5, 0}, {1.5, 1.5, 0}});
+  EXPECT_EQ(text_picture(scene), lines_of({".....", ".→→→.", "....."})) << "in reverse";
+}
+
+TEST(TextPicture, KnowsWhetherAMapFits) {
+  const GridMap map = map_of({"....", "...."});
+  EXPECT_TRUE(fits_as_text(map, 4, 2));
+  EXPECT_FALSE(fits_as_text(map, 3, 2));
+  EXPECT_FALSE(fits_as_text(map, 4, 1));
+}
+
+}  // namespace
+}  // namespace wend

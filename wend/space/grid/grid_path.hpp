@@ -1,0 +1,31 @@
+#pragma once
+
+// What a path of cells costs, and whether it is one: recomputed from the path alone, never from
+// the sums of a search.
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "wend/base/expected.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+/// The first thing wrong with a path.
+struct PathFault {
+  std::size_t index;  // of the cell at fault
+  std::string what;   // "cell (3,4) is an obstacle", "(3,4) to (5,4) is no step"
+};
+
+/// The sum over all steps of length times the mean terrain multiplier of the two cells. On uniform
+/// terrain steps are counted, so equal paths cost the same to the last bit.
+double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells);
+
+/// The cost of a path, if every cell is passable and every step legal. O(length).
+Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
+                                            std::span<const Cell> cells);
+
+}  // namespace wend

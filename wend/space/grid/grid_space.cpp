@@ -1,0 +1,63 @@
+#include "wend/space/grid/grid_space.hpp"
+
+#include <utility>
+
+#include "wend/map/way_clearance.hpp"
+
+namespace wend {
+namespace {
+
+/// Where no corner is cut, a disc is safe on the way between cells where it may stand: it may stand
+/// beside the step, too. A point may touch corners.
+bool sweeps_diagonals(const FreeSpace& space, GridMoves moves) {
+  return moves.connectivity == Connectivity::eight && moves.corner_rule != CornerRule::none &&
+         space.radius_in_cells() > 0;
+}
+
+}  // namespace
+
+template <class Steps>
+GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning pruning)
+    : space_(std::move(space)),
+      passable_(&space_.passable()),
+      steps_(space_),
+      width_(static_cast<StateId>(space_.width())),
+      down_(space_.map().frame().y_up ? -1 : 1),
+      table_(moves, sweeps_diagonals(space_, moves) ? MoveTable::Pruning::none : pruning),
+      sweeps_(sweeps_diagonals(space_, moves)) {
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    offsets_[i] = step({}, static_cast<Direction>(i), space_.map().frame().y_up);
+    id_offsets_[i] =
+        static_cast<StateId>(offsets_[i].y) * width_ + static_cast<StateId>(offsets_[i].x);
+  }
+}
+
+template <class Steps>
+MoveSet GridSpace<Steps>::without_unsafe(Cell cell, MoveSet moves) const {
+  unsigned safe = moves;
+  for (unsigned left = moves & 0b10101010U; left != 0; left &= left - 1) {
+    const auto direction = static_cast<unsigned>(std::countr_zero(left));
+    const Cell to{cell.x + offsets_[direction].x, cell.y + offsets_[direction].y};
+    if (!space_.far_enough(squared_half_cell_way_clearance(space_, cell, to))) {
+      safe &= ~(1U << direction);
+    }
+  }
+  return static_cast<MoveSet>(safe);
+}
+
+template <class Steps>
+bool GridSpace<Steps>::is_step(Cell from, Cell to) const {
+  if (!space_.passable(from) || !space_.passable(to)) return false;
+  const unsigned moves = moves_from(from, kNoMove);
+  for (unsigned direction = 0; direction < kDirections; ++direction) {
+    const bool leads_there = neighbour(state(from), direction).cell == to;
+    if (leads_there) return ((moves >> direction) & 1U) != 0;
+  }
+  return false;
+}
+
+template class GridSpace<UniformSteps<std::uint32_t>>;
+template class GridSpace<UniformSteps<std::uint64_t>>;
+template class GridSpace<TerrainSteps>;
+
+}  // namespace wend

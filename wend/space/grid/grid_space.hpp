@@ -1,0 +1,131 @@
+#pragma once
+
+// GridSpace: the cells of a FreeSpace as states, moves to 4 or 8 neighbours as steps.
+//
+// UniformGrid counts steps in whole numbers and is exact; TerrainGrid charges a step its length
+// times the mean of the multipliers of its two cells (the L-stage additive cost of LaValle).
+// Successors come in the order of Direction: down first, then counter-clockwise as drawn.
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <numbers>
+
+#include "wend/base/state_id.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+#include "wend/space/grid/move_table.hpp"
+#include "wend/space/grid/octile_units.hpp"
+
+namespace wend {
+
+/// A cell and its number, y * width + x.
+struct GridState {
+  StateId number = 0;
+  Cell cell{};
+};
+
+/// Steps that cost the same everywhere, in OctileUnits.
+template <class Unit>
+struct UniformSteps {
+  using Cost = Unit;
+  static constexpr double kUnitsPerCell = static_cast<double>(OctileUnits<Cost>::kStraight);
+
+  explicit UniformSteps(const FreeSpace& /*space*/) {}
+
+  Cost cost(const GridState& /*from*/, const GridState& /*to*/, bool diagonal) const {
+    return diagonal ? OctileUnits<Cost>::kDiagonal : OctileUnits<Cost>::kStraight;
+  }
+};
+
+/// Steps that cost what the terrain says.
+struct TerrainSteps {
+  using Cost = double;
+  static constexpr double kUnitsPerCell = 1;
+
+  explicit TerrainSteps(const FreeSpace& space) : terrain(space.terrain().values().data()) {}
+
+  Cost cost(const GridState& from, const GridState& to, bool diagonal) const {
+    const double mean = (terrain[from.number] + terrain[to.number]) / 2;
+    return diagonal ? std::numbers::sqrt2 * mean : mean;
+  }
+
+  const double* terrain;  // of the FreeSpace that the space holds
+};
+
+template <class Steps>
+class GridSpace {
+ public:
+  using State = GridState;
+  using Cost = typename Steps::Cost;
+  static constexpr double kUnitsPerCell = Steps::kUnitsPerCell;
+
+  /// Canonical pruning is for uniform terrain and keys that never fall along a path; where corners
+  /// are cut by a disc it does nothing.
+  explicit GridSpace(FreeSpace space, GridMoves moves = {},
+                     MoveTable::Pruning pruning = MoveTable::Pruning::none);
+
+  const FreeSpace& free_space() const { return space_; }
+  StateId state_count() const { return static_cast<StateId>(space_.map().size()); }
+
+  State state(Cell cell) const {
+    return {static_cast<StateId>(cell.y) * width_ + static_cast<StateId>(cell.x), cell};
+  }
+  State state(StateId id) const {
+    const StateId y = id / width_;
+    return {id, {static_cast<int>(id - y * width_), static_cast<int>(y)}};
+  }
+  StateId id(const State& state) const { return state.number; }
+
+  State parent(const State& state, Move move) const {
+    return neighbour(state, static_cast<unsigned>(opposite(static_cast<Direction>(move))));
+  }
+
+  template <class Sink>
+  void for_each_successor(const State& state, Move arrival, Sink&& sink) const {
+    unsigned moves = moves_from(state.cell, arrival);
+    for (; moves != 0; moves &= moves - 1) {
+      const auto direction = static_cast<unsigned>(std::countr_zero(moves));
+      const State next = neighbour(state, direction);
+      sink(next, static_cast<Move>(direction), steps_.cost(state, next, (direction & 1U) != 0));
+    }
+  }
+
+  /// Is there a legal step from one cell to the other?
+  bool is_step(Cell from, Cell to) const;
+
+ private:
+  MoveSet moves_from(Cell cell, Move arrival) const {
+    const MoveSet moves = table_.moves(arrival, passable_->block(cell, down_));
+    return sweeps_ ? without_unsafe(cell, moves) : moves;
+  }
+
+  State neighbour(const State& state, unsigned direction) const {
+    const Cell offset = offsets_[direction];
+    return {state.number + id_offsets_[direction],
+            {state.cell.x + offset.x, state.cell.y + offset.y}};
+  }
+
+  MoveSet without_unsafe(Cell cell, MoveSet moves) const;
+
+  FreeSpace space_;
+  const BitGrid* passable_;  // of the FreeSpace
+  Steps steps_;
+  StateId width_;
+  int down_;  // the step in y that is down as drawn
+  MoveTable table_;
+  bool sweeps_;  // is the way along a diagonal step to be checked?
+  std::array<Cell, kDirections> offsets_{};
+  std::array<StateId, kDirections> id_offsets_{};  // modulo 2^32
+};
+
+using ExactGrid = GridSpace<UniformSteps<std::uint64_t>>;
+using CompactGrid = GridSpace<UniformSteps<std::uint32_t>>;
+using TerrainGrid = GridSpace<TerrainSteps>;
+
+extern template class GridSpace<UniformSteps<std::uint32_t>>;
+extern template class GridSpace<UniformSteps<std::uint64_t>>;
+extern template class GridSpace<TerrainSteps>;
+
+}  // namespace wend

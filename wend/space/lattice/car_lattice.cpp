@@ -1,0 +1,220 @@
+#include "wend/space/lattice/car_lattice.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "wend/geometry/arc.hpp"
+#include "wend/map/arc_clearance.hpp"
+#include "wend/map/map_edge.hpp"
+
+namespace wend {
+namespace {
+
+using Steps = std::array<CarStep, std::size_t{kHeadings} * kCarMoves>;
+
+// Bits 0 to 3 are the arcs of a cell, by the corner that is their centre.
+constexpr unsigned kLineAlongX = 4;
+constexpr unsigned kLineAlongY = 5;
+
+// No obstacle is nearer to a move between corners that blocked cells do not touch: a cell can lie at
+// the corner of the square that an arc bulges towards, sqrt(2) from its centre. In units. (The map's
+// edge is nearest to one of a move's ends.)
+constexpr double kNearestObstacle = std::numbers::sqrt2 - 1;
+
+bool may_touch_obstacles(const FreeSpace& space, int unit) {
+  return space.radius_in_cells() > kNearestObstacle * unit;
+}
+
+/// Cells are cut by the map's edge where the unit does not divide its size.
+int cells_along(int length, int unit) { return (length + unit - 1) / unit; }
+int corners_along(int length, int unit) { return length / unit + 1; }
+
+CarStep turn_of(Heading heading, CarMove move, bool y_up) {
+  const CornerPose to = moved({{0, 0}, heading}, move, y_up);
+  const Cell swept{std::min(0, to.corner.x), std::min(0, to.corner.y)};
+  // The centre lies beside the car, on the side of the turn.
+  const Cell side = ahead(info_of(move).side > 0 ? right_of(heading) : left_of(heading), y_up);
+  const unsigned bit = (side.x > swept.x ? 1U : 0U) + (side.y > swept.y ? 2U : 0U);
+  return {to.corner, to.heading, swept, {}, {}, bit, swept};
+}
+
+CarStep straight_of(Heading heading, CarMove move, bool y_up) {
+  const CornerPose to = moved({{0, 0}, heading}, move, y_up);
+  const Cell lower{std::min(0, to.corner.x), std::min(0, to.corner.y)};
+  const bool along_x = to.corner.x != 0;
+  const Cell other{lower.x - (along_x ? 0 : 1), lower.y - (along_x ? 1 : 0)};
+  return {to.corner, heading, {}, lower, other, along_x ? kLineAlongX : kLineAlongY, lower};
+}
+
+Steps steps_of(bool y_up) {
+  Steps steps;
+  for (const Heading heading : kAllHeadings) {
+    for (int number = 0; number < kCarMoves; ++number) {
+      const auto move = static_cast<CarMove>(number);
+      steps[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(number)] =
+          is_turn(move) ? turn_of(heading, move, y_up) : straight_of(heading, move, y_up);
+    }
+  }
+  return steps;
+}
+
+BitGrid blocked_cells(const FreeSpace& space, int unit) {
+  if (unit == 1) return space.obstacles();
+  BitGrid blocked(cells_along(space.width(), unit), cells_along(space.height(), unit));
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) {
+      if (space.obstacles()[{x, y}]) blocked.set({x / unit, y / unit}, true);
+    }
+  }
+  return blocked;
+}
+
+/// The mean over the map cells of each lattice cell; empty if it is 1 everywhere.
+Grid<double> mean_terrain(const FreeSpace& space, int unit) {
+  if (unit == 1 || space.uniform_terrain()) return space.terrain();
+  Grid<double> mean(cells_along(space.width(), unit), cells_along(space.height(), unit), 0);
+  for (int y = 0; y < space.height(); ++y) {
+    for (int x = 0; x < space.width(); ++x) mean[{x / unit, y / unit}] += space.terrain()[{x, y}];
+  }
+  for (int y = 0; y < mean.height(); ++y) {
+    for (int x = 0; x < mean.width(); ++x) {
+      const int width = std::min(unit, space.width() - x * unit);
+      const int height = std::min(unit, space.height() - y * unit);
+      mean[{x, y}] /= static_cast<double>(width) * height;
+    }
+  }
+  return mean;
+}
+
+Pose corner_point(Cell corner, int unit, double heading = 0) {
+  return {static_cast<double>(unit) * corner.x, static_cast<double>(unit) * corner.y, heading};
+}
+
+/// The corners that no blocked cell touches, and where the robot's disc fits.
+BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int unit) {
+  BitGrid passable(corners_along(space.width(), unit), corners_along(space.height(), unit));
+  for (int y = 0; y < passable.height(); ++y) {
+    for (int x = 0; x < passable.width(); ++x) {
+      if (blocked[{x - 1, y - 1}] || blocked[{x, y - 1}] || blocked[{x - 1, y}] ||
+          blocked[{x, y}]) {
+        continue;
+      }
+      const bool fits =
+          space.radius_in_cells() == 0 || fits_along(space, {corner_point({x, y}, unit), 0, 0});
+      passable.set({x, y}, fits);
+    }
+  }
+  return passable;
+}
+
+/// Sweeps the disc along every arc and line of the lattice.
+class Sweeping {
+ public:
+  Sweeping(const FreeSpace& space, const BitGrid& passable, const Steps& steps, int unit)
+      : space_(space), passable_(passable), steps_(steps), unit_(unit) {}
+
+  Grid<std::uint8_t> fitting() const {
+    Grid<std::uint8_t> fitting(passable_.width(), passable_.height(), 0);
+    for (int y = 0; y < passable_.height(); ++y) {
+      for (int x = 0; x < passable_.width(); ++x) {
+        if (passable_[{x, y}]) sweep_from({x, y}, fitting);
+      }
+    }
+    return fitting;
+  }
+
+ private:
+  void sweep_from(Cell corner, Grid<std::uint8_t>& fitting) const {
+    for (const Heading heading : kAllHeadings) {
+      for (const CarMove move : {CarMove::fwd, CarMove::fwd_right, CarMove::fwd_left}) {
+        sweep(corner, heading, move, fitting);
+      }
+    }
+  }
+
+  void sweep(Cell corner, Heading heading, CarMove move, Grid<std::uint8_t>& fitting) const {
+    const CarStep& step =
+        steps_[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(move)];
+    const Cell to{corner.x + step.by.x, corner.y + step.by.y};
+    if (!passable_.contains(to) || !passable_[to]) return;
+    std::uint8_t& bits = fitting[{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y}];
+    if (((bits >> step.arc_bit) & 1U) != 0) return;  // seen from its other end
+    const Pose from = corner_point(corner, unit_, radians_of(heading, space_.map().frame().y_up));
+    if (!fits_along(space_, arc_to(from, corner_point(to, unit_).point()))) return;
+    bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
+  }
+
+  const FreeSpace& space_;
+  const BitGrid& passable_;
+  const Steps& steps_;
+  int unit_;
+};
+
+}  // namespace
+
+bool has_room_for(const GridMap& map, const CarDriving& driving) {
+  return driving.unit <= std::min(map.width(), map.height());
+}
+
+CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
+  assert(has_room_for(space.map(), driving));
+  const auto unit = static_cast<int>(driving.unit);
+  const Steps steps = steps_of(space.map().frame().y_up);
+  BitGrid blocked = blocked_cells(space, unit);
+  BitGrid passable = passable_corners(space, blocked, unit);
+  ConnectedRegions regions(passable);
+  Grid<double> terrain = mean_terrain(space, unit);
+  Grid<std::uint8_t> fitting;
+  if (may_touch_obstacles(space, unit)) fitting = Sweeping(space, passable, steps, unit).fitting();
+  data_ = std::make_shared<const Data>(Data{std::move(space), driving, steps, std::move(blocked),
+                                            std::move(passable), std::move(regions),
+                                            std::move(terrain), std::move(fitting)});
+}
+
+std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
+  if (!data_->passable.contains(corner)) return CornerFault{BlockReason::outside};
+  if (data_->passable[corner]) return std::nullopt;
+  const FreeSpace& space = data_->space;
+  for (int y = (corner.y - 1) * unit(); y < (corner.y + 1) * unit(); ++y) {
+    for (int x = (corner.x - 1) * unit(); x < (corner.x + 1) * unit(); ++x) {
+      const Cell cell{x, y};
+      if (!space.contains(cell) || !space.obstacles()[cell]) continue;
+      const bool unknown = space.map().state(cell) == CellState::unknown;
+      return CornerFault{unknown ? BlockReason::unknown : BlockReason::obstacle, cell};
+    }
+  }
+  const Arc here{corner_point(corner, unit()), 0, 0};
+  const double clearance = arc_clearance(space, here);
+  const bool edge_is_nearest = edge_clearance(space, here) <= clearance;
+  return CornerFault{edge_is_nearest ? BlockReason::over_edge : BlockReason::too_close,
+                     std::nullopt, clearance};
+}
+
+double CarLattice::ground(const CornerPose& from, CarMove move) const {
+  const CarStep& way = step(from.heading, move);
+  if (terrain().empty()) return 1;
+  if (is_turn(move)) return terrain_at(from.corner, way.swept);
+  if (driving().straight_terrain == StraightTerrain::none) return 1;
+  const auto multiplier = [&](Cell offset, Cell instead) {
+    const Cell cell{from.corner.x + offset.x, from.corner.y + offset.y};
+    return terrain_at(from.corner, terrain().contains(cell) ? offset : instead);
+  };
+  const double a = multiplier(way.beside, way.other_beside);
+  const double b = multiplier(way.other_beside, way.beside);
+  return driving().straight_terrain == StraightTerrain::max ? std::max(a, b) : (a + b) / 2;
+}
+
+Pose CarLattice::to_grid(const CornerPose& place) const {
+  return corner_point(place.corner, unit(), radians_of(place.heading, y_up()));
+}
+
+std::optional<CornerPose> CarLattice::nearest(const Pose& pose) const {
+  auto place = nearest_corner_pose(pose, y_up(), unit());
+  if (place) place->corner = {place->corner.x / unit(), place->corner.y / unit()};
+  return place;
+}
+
+}  // namespace wend

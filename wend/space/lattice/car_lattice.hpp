@@ -1,0 +1,127 @@
+#pragma once
+
+// CarLattice: where a car on the corners of a grid may be and what the ground costs there. The
+// space of its poses, its heuristics and the costs of its paths read it.
+//
+// Lattice coordinates: corner (i, j) is the point (i, j) times the unit in grid coordinates, and
+// lattice cell (i, j) lies between corners (i, j) and (i + 1, j + 1). Corners lie on the map; a
+// lattice cell that the map's edge cuts counts too, for the corners that touch it.
+//
+// A lattice cell is blocked if any of its map cells is an obstacle, and its terrain is their mean.
+// A blocked cell makes its corners impassable; for a robot with a radius the corner must be at
+// least as far from every obstacle. So no move sweeps a blocked cell: its ends would touch it.
+//
+// Immutable, cheap to copy, shared between threads. O(cells) to make; with a radius above sqrt(2) - 1
+// units every arc is swept as well.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "wend/geometry/car_move.hpp"
+#include "wend/map/bit_grid.hpp"
+#include "wend/map/connected_regions.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/map/grid.hpp"
+#include "wend/space/lattice/car_driving.hpp"
+
+namespace wend {
+
+/// A move of a car with a heading, in lattice steps.
+struct CarStep {
+  Cell by;            // from corner to corner
+  Heading heading;    // afterwards
+  Cell swept;         // of a turn: the lattice cell that the arc sweeps, from the corner
+  Cell beside;        // of a straight move: one of the two lattice cells beside it, from the corner
+  Cell other_beside;  // and the other one
+  unsigned arc_bit;   // which arc or line of CarLattice::fits() it is
+  Cell arc_owner;     // and whose, from the corner
+};
+
+/// Why a corner is impassable.
+struct CornerFault {
+  BlockReason reason;
+  std::optional<Cell> cell{};  // a map cell that is to blame; of too_close: none
+  double distance = 0;         // of too_close: to the nearest obstacle, in map cells
+};
+
+class CarLattice {
+ public:
+  CarLattice(FreeSpace space, const CarDriving& driving);
+
+  const FreeSpace& free_space() const { return data_->space; }
+  const CarDriving& driving() const { return data_->driving; }
+  int unit() const { return static_cast<int>(data_->driving.unit); }
+  bool y_up() const { return data_->space.map().frame().y_up; }
+
+  /// How many corners there are.
+  int columns() const { return data_->passable.width(); }
+  int rows() const { return data_->passable.height(); }
+
+  /// May the car stand on a corner? All corners as bits.
+  bool passable(Cell corner) const {
+    return data_->passable.contains(corner) && data_->passable[corner];
+  }
+  const BitGrid& passable() const { return data_->passable; }
+
+  /// Corners that moves may join, if headings did not matter: 8-connected.
+  bool connected(Cell a, Cell b) const {
+    return data_->regions.connected(a, b, Adjacency::edges_and_corners);
+  }
+
+  /// Why the car cannot stand on a corner; nothing if it can.
+  std::optional<CornerFault> why_blocked(Cell corner) const;
+
+  /// The step that a move is for a heading.
+  const CarStep& step(Heading heading, CarMove move) const {
+    return data_
+        ->steps[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(move)];
+  }
+
+  /// Does the robot's disc keep away from obstacles along a move between passable corners?
+  bool fits(Cell corner, const CarStep& step) const {
+    if (!sweeps()) return true;
+    const Cell owner{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y};
+    return ((data_->fitting[owner] >> step.arc_bit) & 1U) != 0;
+  }
+  bool sweeps() const { return !data_->fitting.empty(); }
+
+  /// The multipliers of the lattice cells, at least 1; an empty grid on uniform terrain.
+  const Grid<double>& terrain() const { return data_->terrain; }
+
+  /// A multiplier of a lattice cell that a move from a corner sweeps or runs beside.
+  double terrain_at(Cell corner, Cell offset) const {
+    return data_->terrain.empty() ? 1 : data_->terrain[{corner.x + offset.x, corner.y + offset.y}];
+  }
+
+  /// What the ground adds to a move: the multiplier of its cost. The move is legal.
+  double ground(const CornerPose& from, CarMove move) const;
+
+  /// A pose in lattice coordinates as one in grid coordinates.
+  Pose to_grid(const CornerPose& place) const;
+
+  /// The pose of the lattice nearest to one in grid coordinates; it may lie outside. Nothing where
+  /// there are no such numbers.
+  std::optional<CornerPose> nearest(const Pose& pose) const;
+
+ private:
+  struct Data {
+    FreeSpace space;
+    CarDriving driving;
+    std::array<CarStep, std::size_t{kHeadings} * kCarMoves> steps;
+    BitGrid blocked;   // lattice cells
+    BitGrid passable;  // corners
+    ConnectedRegions regions;
+    Grid<double> terrain;  // lattice cells; empty if uniform
+    Grid<std::uint8_t>
+        fitting;  // by the corner at the lower end of x and y: arcs and lines that fit
+  };
+
+  std::shared_ptr<const Data> data_;
+};
+
+/// Is there at least one lattice cell on the map?
+bool has_room_for(const GridMap& map, const CarDriving& driving);
+
+}  // namespace wend

@@ -1,0 +1,177 @@
+#pragma once
+
+// CarSpace: the poses of a car on a lattice as states, its six moves as steps.
+//
+// Successors come in the order of CarMove. Costs are counted in the whole numbers of CarUnits where
+// the ground allows it, which is exact, and are real numbers elsewhere.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+#include "wend/base/state_id.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
+#include "wend/space/lattice/car_units.hpp"
+
+namespace wend {
+
+/// A pose in lattice coordinates and its number, (y * columns + x) * 4 + heading.
+struct CarState {
+  StateId number = 0;
+  CornerPose place{};
+};
+
+/// Can a lattice's costs be counted in CarUnits? Its multipliers are small whole numbers.
+bool has_whole_costs(const CarLattice& lattice);
+
+/// The largest multiplier that has_whole_costs() takes.
+inline constexpr double kMostWholeMultiplier = 5;
+
+/// Whole numbers of CarUnits.
+template <class Unit>
+class WholeCarCosts {
+ public:
+  using Cost = Unit;
+  static constexpr double kUnitsPerCell = CarUnits::kStraight;
+  static constexpr Cost kStraight = CarUnits::kStraight;
+  static constexpr Cost kTurn = CarUnits::kTurn;
+
+  explicit WholeCarCosts(const CarLattice& lattice);
+
+  Cost turn(Cell cell) const { return terrain_.empty() ? kTurn : kTurn * terrain_[cell]; }
+  Cost straight_mean(Cell a, Cell b) const {
+    return kStraight / 2 * static_cast<Cost>(terrain_[a] + terrain_[b]);
+  }
+  Cost straight_max(Cell a, Cell b) const { return kStraight * std::max(terrain_[a], terrain_[b]); }
+  Cost reversed(Cost cost) const { return cost; }
+
+ private:
+  Grid<std::uint8_t> terrain_;  // empty if uniform
+};
+
+/// Straight moves cost 1.
+class RealCarCosts {
+ public:
+  using Cost = double;
+  static constexpr double kUnitsPerCell = 1;
+  static constexpr Cost kStraight = 1;
+  static constexpr Cost kTurn = kPi / 2;
+
+  explicit RealCarCosts(const CarLattice& lattice)
+      : terrain_(lattice.terrain().empty() ? nullptr : &lattice.terrain()),
+        reverse_factor_(lattice.driving().reverse_factor) {}
+
+  Cost turn(Cell cell) const { return terrain_ == nullptr ? kTurn : kTurn * (*terrain_)[cell]; }
+  Cost straight_mean(Cell a, Cell b) const { return ((*terrain_)[a] + (*terrain_)[b]) / 2; }
+  Cost straight_max(Cell a, Cell b) const { return std::max((*terrain_)[a], (*terrain_)[b]); }
+  Cost reversed(Cost cost) const { return cost * reverse_factor_; }
+
+ private:
+  const Grid<double>* terrain_;  // of the lattice; none if uniform
+  double reverse_factor_;
+};
+
+template <class Costs>
+class CarSpace {
+ public:
+  using State = CarState;
+  using Cost = typename Costs::Cost;
+  using CostsType = Costs;
+  static constexpr double kUnitsPerCell = Costs::kUnitsPerCell;
+  static constexpr unsigned kAllMoves = (1U << kCarMoves) - 1;
+  static constexpr unsigned kMovesAhead = 0b000111;
+  static constexpr unsigned kStraightAhead = 0b000001;
+
+  /// State numbers must fit: see can_number().
+  explicit CarSpace(CarLattice lattice);
+
+  /// Do the poses of a lattice fit into state numbers?
+  static bool can_number(const GridMap& map, const CarDriving& driving);
+
+  const CarLattice& lattice() const { return lattice_; }
+  StateId state_count() const { return columns_ * static_cast<StateId>(lattice_.rows()) * 4; }
+
+  State state(const CornerPose& place) const {
+    const StateId corner =
+        static_cast<StateId>(place.corner.y) * columns_ + static_cast<StateId>(place.corner.x);
+    return {corner * 4 + static_cast<StateId>(place.heading), place};
+  }
+  State state(StateId id) const {
+    const StateId corner = id / 4;
+    const StateId y = corner / columns_;
+    return {id,
+            {{static_cast<int>(corner - y * columns_), static_cast<int>(y)},
+             static_cast<Heading>(id % 4)}};
+  }
+  StateId id(const State& state) const { return state.number; }
+
+  State parent(const State& state, Move move) const {
+    return after(state, step(state.place.heading, inverse(static_cast<CarMove>(move))));
+  }
+
+  template <class Sink>
+  void for_each_successor(const State& state, Move /*arrival*/, Sink&& sink) const {
+    for_each_move(state, kAllMoves, sink);
+  }
+
+  /// Only those of a set of moves, bit m for CarMove m.
+  template <class Sink>
+  void for_each_move(const State& state, unsigned moves, Sink&& sink) const {
+    const Cell corner = state.place.corner;
+    moves &= open_[static_cast<std::size_t>(state.place.heading) * kBlocks +
+                   passable_->block(corner, 1)];
+    for (; moves != 0; moves &= moves - 1) {
+      const auto move = static_cast<CarMove>(std::countr_zero(moves));
+      const CarStep& way = step(state.place.heading, move);
+      if (!lattice_.fits(corner, way)) continue;
+      const Cost along =
+          is_turn(move) ? costs_.turn(shifted(corner, way.swept)) : straight(corner, way);
+      sink(after(state, way), static_cast<Move>(move),
+           is_reverse(move) ? costs_.reversed(along) : along);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBlocks = 512;
+
+  static Cell shifted(Cell cell, Cell by) { return {cell.x + by.x, cell.y + by.y}; }
+
+  const CarStep& step(Heading heading, CarMove move) const { return lattice_.step(heading, move); }
+
+  State after(const State& state, const CarStep& way) const {
+    const Cell corner = shifted(state.place.corner, way.by);
+    return {state.number +
+                (static_cast<StateId>(way.by.y) * columns_ + static_cast<StateId>(way.by.x)) * 4 +
+                static_cast<StateId>(way.heading) - static_cast<StateId>(state.place.heading),
+            {corner, way.heading}};
+  }
+
+  Cost straight(Cell corner, const CarStep& way) const {
+    if (!straight_pays_) return Costs::kStraight;
+    // Along the map's edge there is one cell only.
+    Cell a = shifted(corner, way.beside);
+    Cell b = shifted(corner, way.other_beside);
+    if (!lattice_.terrain().contains(a)) a = b;
+    if (!lattice_.terrain().contains(b)) b = a;
+    return lattice_.driving().straight_terrain == StraightTerrain::max ? costs_.straight_max(a, b)
+                                                                       : costs_.straight_mean(a, b);
+  }
+
+  CarLattice lattice_;
+  const BitGrid* passable_;  // of the lattice
+  Costs costs_;
+  StateId columns_;
+  bool straight_pays_;
+  std::array<std::uint8_t, kHeadings * kBlocks> open_{};  // moves by heading and passable block
+};
+
+using CompactCarCosts = WholeCarCosts<std::uint32_t>;
+using ExactCarCosts = WholeCarCosts<std::uint64_t>;
+
+extern template class CarSpace<CompactCarCosts>;
+extern template class CarSpace<ExactCarCosts>;
+extern template class CarSpace<RealCarCosts>;
+
+}  // namespace wend
