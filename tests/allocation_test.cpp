@@ -162,7 +162,7 @@ TEST_P(Allocation, OfAWarmQueryInStepsIsNone) {
   EXPECT_EQ(*outcome, Status::found);
 }
 
-class Bystander final : public SearchObserver {
+class IdleObserver final : public SearchObserver {
  public:
   void on_generate(const SearchEvent&) override {}
   void on_expand(const SearchEvent&) override {}
@@ -187,8 +187,8 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACellOr24APose) {
     EXPECT_LE(bytes_in_use() - before, most) << "when it is made";
     EXPECT_EQ(planner->plan(query, plan), Status::found);
     EXPECT_LE(bytes_in_use() - before, most) << "after a query";
-    Bystander bystander;
-    query.observer = &bystander;
+    IdleObserver idle_observer;
+    query.observer = &idle_observer;
     EXPECT_EQ(planner->plan(query, plan), Status::found);
     EXPECT_LE(bytes_in_use() - before, most) << "after a query that was watched";
     planner->update(space);

@@ -1,4 +1,4 @@
-// Holds every planner of the registry that drives a car to what it promises, on thousands of random
+// Holds every planner of the registry that drives a car to what it guarantees, on thousands of random
 // yards, against a brute force that shares no code with wend: a Dijkstra over corners and headings,
 // and a simulator that integrates every move. A new planner is tested by being listed.
 
@@ -25,55 +25,56 @@ constexpr double kRelative = 1e-9;
 constexpr std::uint64_t kYards = 600;
 constexpr std::uint64_t kYardsOfALongRun = 10000;
 
-/// By how much an answer misses what was asked, where the textbook takes it.
-Shift shift_of(Point asked, std::optional<double> heading, const Pose& taken) {
+/// By how much an answer misses what was asked, where the reference takes it.
+SnappingError snapping_error_of(Point asked, std::optional<double> heading, const Pose& taken) {
   const double turn = heading ? std::remainder(*heading - taken.heading, 2 * std::numbers::pi) : 0;
   return {std::hypot(asked.x - taken.x, asked.y - taken.y), std::abs(turn)};
 }
 
-bool is_near(const Shift& a, const Shift& b) {
+bool is_near(const SnappingError& a, const SnappingError& b) {
   return std::abs(a.distance - b.distance) < kRelative && std::abs(a.turn - b.turn) < kRelative;
 }
 
 /// Checks a drive by itself: legal, of the cost that it claims, from the start to a goal.
-void expect_honest(const Plan& plan, const CarTextbook& textbook, const Query& query) {
-  EXPECT_EQ(fault_of(plan, textbook), "");
+void expect_honest(const Plan& plan, const CarReference& reference, const Query& query) {
+  EXPECT_EQ(fault_of(plan, reference), "");
   ASSERT_FALSE(plan.path.empty());
   const std::vector<Pose> poses = plan.path.poses();
-  const auto first = textbook.nearest(poses.front());
-  const auto last = textbook.nearest(poses.back());
-  EXPECT_EQ(first, textbook.nearest(query.start));
-  EXPECT_TRUE(
-      is_near(plan.start_shift, shift_of(query.start.point(), query.start.heading, poses.front())));
+  const auto first = reference.nearest(poses.front());
+  const auto last = reference.nearest(poses.back());
+  EXPECT_EQ(first, reference.nearest(query.start));
+  EXPECT_TRUE(is_near(plan.start_snapping_error,
+                      snapping_error_of(query.start.point(), query.start.heading, poses.front())));
   const bool ends_in_a_goal =
       std::any_of(query.goals.begin(), query.goals.end(), [&](const Goal& goal) {
-        const std::vector<Stand> stands = stands_of(goal, textbook);
+        const std::vector<Stand> stands = stands_of(goal, reference);
         return std::find(stands.begin(), stands.end(), last) != stands.end() &&
-               is_near(plan.goal_shift, shift_of(goal.point, goal.heading, poses.back()));
+               is_near(plan.goal_snapping_error,
+                       snapping_error_of(goal.point, goal.heading, poses.back()));
       });
-  EXPECT_TRUE(ends_in_a_goal) << "goal shift " << plan.goal_shift.distance << ","
-                              << plan.goal_shift.turn;
+  EXPECT_TRUE(ends_in_a_goal) << "goal shift " << plan.goal_snapping_error.distance << ","
+                              << plan.goal_snapping_error.turn;
   EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
   EXPECT_GE(plan.metrics.expanded, poses.size()) << "every pose of a drive was expanded";
 }
 
-void expect_as_promised(const Plan& plan, const PlannerInfo& info, const CarTruth& truth) {
+void expect_as_guaranteed(const Plan& plan, const PlannerInfo& info, const CarTruth& truth) {
   EXPECT_GE(plan.cost, truth.fuel * (1 - kRelative)) << "cheaper than possible";
   EXPECT_GE(plan.bound, 1);
   EXPECT_LE(plan.cost, plan.bound * truth.fuel * (1 + kRelative)) << "bound " << plan.bound;
-  if (info.promise == Promise::optimal) {
+  if (info.guarantee == Guarantee::optimal) {
     EXPECT_TRUE(plan.optimal());
   }
-  EXPECT_TRUE(info.promise < Promise::bounded || plan.bound < Plan::kNoBound);
+  EXPECT_TRUE(info.guarantee < Guarantee::bounded || plan.bound < Plan::kNoBound);
 }
 
-void expect_true_answer(const PlannerInfo& info, const Answer& answer, const CarTextbook& textbook,
-                        const Query& query) {
-  const CarTruth truth = truth_of(textbook, query);
+void expect_true_answer(const PlannerInfo& info, const Answer& answer,
+                        const CarReference& reference, const Query& query) {
+  const CarTruth truth = truth_of(reference, query);
   if (answer.status == Status::found) {
     ASSERT_THAT(truth.failures, ::testing::IsEmpty()) << "found, though there is no drive";
-    expect_honest(answer.plan, textbook, query);
-    expect_as_promised(answer.plan, info, truth);
+    expect_honest(answer.plan, reference, query);
+    expect_as_guaranteed(answer.plan, info, truth);
     return;
   }
   EXPECT_TRUE(answer.plan.path.empty());
@@ -94,10 +95,10 @@ class CarConformance : public ::testing::TestWithParam<std::string> {
     return nullptr;
   }
 
-  void expect_promises_on_random_yards(std::uint64_t yards) const;
+  void expect_guarantees_on_random_yards(std::uint64_t yards) const;
 };
 
-void CarConformance::expect_promises_on_random_yards(std::uint64_t yards) const {
+void CarConformance::expect_guarantees_on_random_yards(std::uint64_t yards) const {
   std::uint64_t found = 0;
   std::uint64_t turned_away = 0;
   for (std::uint64_t seed = 1; seed <= yards && !HasFailure(); ++seed) {
@@ -105,13 +106,13 @@ void CarConformance::expect_promises_on_random_yards(std::uint64_t yards) const 
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
     if (planner == nullptr) continue;
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
     for (int i = 0; i < 4 && !HasFailure(); ++i) {
-      const Query query = random_drive(random, textbook);
+      const Query query = random_drive(random, reference);
       SCOPED_TRACE(text_of(query));
       const Answer answer = answer_of(*planner, query);
-      expect_true_answer(info(), answer, textbook, query);
+      expect_true_answer(info(), answer, reference, query);
       EXPECT_NE(planner->reason(query, answer.status), "");
       found += answer.status == Status::found ? 1 : 0;
       turned_away += answer.status == Status::unreachable ? 1 : 0;
@@ -121,10 +122,10 @@ void CarConformance::expect_promises_on_random_yards(std::uint64_t yards) const 
   EXPECT_GT(turned_away, yards / 20);
 }
 
-TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) { expect_promises_on_random_yards(kYards); }
+TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) { expect_guarantees_on_random_yards(kYards); }
 
 TEST_P(CarConformance, KeepsItsPromisesOnManyRandomYardsInALongRun) {
-  expect_promises_on_random_yards(kYardsOfALongRun);
+  expect_guarantees_on_random_yards(kYardsOfALongRun);
 }
 
 /// All 512 yards of 3 x 3 cells, from everywhere on two sides to everywhere.
@@ -138,13 +139,13 @@ TEST_P(CarConformance, KeepsItsPromisesOnEveryYardOfNineCells) {
     const Trial trial{GridMap(states), {}, {}};
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     for (int i = 0; i < 16; ++i) {
       const Stand start{{i % 4, 0}, random.between(0, 3)};
       const Stand goal{{i / 4, 3}, random.between(0, 3)};
-      const Query query{textbook.pose(start), {textbook.pose(goal)}};
+      const Query query{reference.pose(start), {reference.pose(goal)}};
       SCOPED_TRACE(text_of(query));
-      expect_true_answer(info(), answer_of(*planner, query), textbook, query);
+      expect_true_answer(info(), answer_of(*planner, query), reference, query);
     }
   }
 }
@@ -155,17 +156,17 @@ TEST_P(CarConformance, AStartThatIsTheGoalIsADriveOfOnePose) {
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
     if (planner == nullptr) continue;
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
-    const Pose pose = textbook.pose(random_stand(random, textbook));
+    const Pose pose = reference.pose(random_stand(random, reference));
     Plan plan;
     const Status status = planner->plan({pose, {pose}}, plan);
-    if (!textbook.passable(textbook.nearest(pose)->corner)) {
+    if (!reference.passable(reference.nearest(pose)->corner)) {
       EXPECT_EQ(to_string(status), to_string(Status::start_blocked));
       continue;
     }
     ASSERT_EQ(to_string(status), to_string(Status::found));
-    EXPECT_EQ(fault_of(plan, textbook), "");
+    EXPECT_EQ(fault_of(plan, reference), "");
     EXPECT_EQ(plan.path.size(), 1U);
     EXPECT_EQ(plan.cost, 0);
     EXPECT_EQ(plan.metrics, (SearchMetrics{1, 1, 1}));
@@ -178,10 +179,10 @@ TEST_P(CarConformance, AReusedPlannerAnswersLikeAFreshOne) {
     SCOPED_TRACE(text_of(trial, seed));
     const auto reused = make(trial);
     if (reused == nullptr) continue;
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
     for (int i = 0; i < 10 && !HasFailure(); ++i) {
-      const Query query = random_drive(random, textbook);
+      const Query query = random_drive(random, reference);
       SCOPED_TRACE(text_of(query));
       EXPECT_EQ(answer_of(*reused, query), answer_of(*make(trial), query));
     }
@@ -206,10 +207,10 @@ TEST_P(CarConformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
       continue;
     }
     if (updated == nullptr) updated = make(trial);
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
     for (int i = 0; i < 3; ++i) {
-      const Query query = random_drive(random, textbook);
+      const Query query = random_drive(random, reference);
       EXPECT_EQ(answer_of(*updated, query), answer_of(*fresh, query));
     }
     if (seed % 25 == 0) updated.reset();  // other options from here on
@@ -223,7 +224,7 @@ TEST_P(CarConformance, SteppingAndWatchingChangeNothing) {
     const auto planner = make(trial);
     if (planner == nullptr) continue;
     Random random(seed);
-    const Query query = random_drive(random, car_textbook_for(trial, info()));
+    const Query query = random_drive(random, car_reference_for(trial, info()));
     SCOPED_TRACE(text_of(query));
     const Answer answer = answer_of(*planner, query);
     expect_same_when_stepped_and_watched(*planner, info(), query, answer);

@@ -47,19 +47,19 @@ class FarCar : public ::testing::TestWithParam<std::string> {
 
 TEST_P(FarCar, DrivesThroughASerpentine) {
   const GridMap map = serpentine(210, 67);
-  const CarTextbook textbook(map, {}, {.straight_terrain = "mean"});
+  const CarReference reference(map, {}, {.straight_terrain = "mean"});
   const Stand start{{0, 1}, 0};
-  const Stand goal{{textbook.columns() - 1, textbook.rows() - 2}, 0};
-  const double fuel = textbook.fuel_from(start)[textbook.number(goal)];
+  const Stand goal{{reference.columns() - 1, reference.rows() - 2}, 0};
+  const double fuel = reference.fuel_from(start)[reference.number(goal)];
   ASSERT_GT(fuel, kOutgrown);
   ASSERT_LT(fuel, kInfinite);
 
   const auto planner = make(map);
-  const Query query{textbook.pose(start), {textbook.pose(goal)}};
+  const Query query{reference.pose(start), {reference.pose(goal)}};
   const Answer answer = answer_of(*planner, query);
   ASSERT_EQ(to_string(answer.status), "found");
   EXPECT_NEAR(answer.plan.cost, fuel, kFarRelative * fuel);
-  EXPECT_EQ(fault_of(answer.plan, textbook), "");
+  EXPECT_EQ(fault_of(answer.plan, reference), "");
 
   // What is known of the map by now, a step at a time or watched from the start: all the same.
   EXPECT_EQ(answer_of(*planner, query), answer);

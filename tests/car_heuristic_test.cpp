@@ -18,10 +18,10 @@ constexpr double kHeuristicRelative = 1e-9;
 constexpr int kHeuristicYards = 500;
 
 /// The estimate of every stand, of a query begun last.
-std::vector<double> estimates(const Planner& planner, const CarTextbook& textbook) {
-  std::vector<double> h(textbook.count());
+std::vector<double> estimates(const Planner& planner, const CarReference& reference) {
+  std::vector<double> h(reference.count());
   for (std::size_t i = 0; i < h.size(); ++i) {
-    h[i] = planner.heuristic(textbook.pose(textbook.stand(i)));
+    h[i] = planner.heuristic(reference.pose(reference.stand(i)));
   }
   return h;
 }
@@ -32,34 +32,34 @@ std::string place_of(const Stand& stand) {
 }
 
 /// The stands at which a search begun there can end.
-std::vector<Stand> reachable_goals(const Query& query, const CarTextbook& textbook) {
-  const std::vector<double> fuel = textbook.fuel_from(textbook.nearest(query.start).value());
+std::vector<Stand> reachable_goals(const Query& query, const CarReference& reference) {
+  const std::vector<double> fuel = reference.fuel_from(reference.nearest(query.start).value());
   std::vector<Stand> goals;
   for (const Goal& goal : query.goals) {
-    for (const Stand& stand : stands_of(goal, textbook)) {
-      if (fuel[textbook.number(stand)] < kInfinite) goals.push_back(stand);
+    for (const Stand& stand : stands_of(goal, reference)) {
+      if (fuel[reference.number(stand)] < kInfinite) goals.push_back(stand);
     }
   }
   return goals;
 }
 
-void expect_consistent(const std::vector<double>& h, const CarTextbook& textbook) {
+void expect_consistent(const std::vector<double>& h, const CarReference& reference) {
   for (std::size_t from = 0; from < h.size(); ++from) {
     EXPECT_GE(h[from], 0);
-    for (const CarTextbook::Edge& edge : textbook.edges(from)) {
+    for (const CarReference::Edge& edge : reference.edges(from)) {
       ASSERT_LE(h[from], edge.fuel + h[edge.to] + kHeuristicRelative * (1 + h[from]))
-          << kManeuvers[edge.maneuver].name << " from " << place_of(textbook.stand(from));
+          << kManeuvers[edge.maneuver].name << " from " << place_of(reference.stand(from));
     }
   }
 }
 
 void expect_admissible(const std::vector<double>& h, const std::vector<Stand>& goals,
-                       const CarTextbook& textbook) {
-  const std::vector<double> fuel = textbook.fuel_to(goals);
+                       const CarReference& reference) {
+  const std::vector<double> fuel = reference.fuel_to(goals);
   for (std::size_t i = 0; i < h.size(); ++i) {
-    ASSERT_LE(h[i], fuel[i] * (1 + kHeuristicRelative)) << place_of(textbook.stand(i));
+    ASSERT_LE(h[i], fuel[i] * (1 + kHeuristicRelative)) << place_of(reference.stand(i));
   }
-  for (const Stand& goal : goals) EXPECT_EQ(h[textbook.number(goal)], 0);
+  for (const Stand& goal : goals) EXPECT_EQ(h[reference.number(goal)], 0);
 }
 
 class CarHeuristics : public ::testing::TestWithParam<std::string> {
@@ -78,16 +78,16 @@ TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
     SCOPED_TRACE(text_of(trial, seed));
     if (!has_room(trial, rules_of(trial, info()))) continue;
     const auto planner = info().make(FreeSpace(trial.map, trial.robot), trial.options).value();
-    const CarTextbook textbook = car_textbook_for(trial, info());
+    const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
-    const Query query = random_drive(random, textbook);
+    const Query query = random_drive(random, reference);
     SCOPED_TRACE(text_of(query));
     Plan plan;
     if (planner->begin(query, plan)) continue;  // an outcome, without a search
-    const std::vector<double> h = estimates(*planner, textbook);
-    expect_consistent(h, textbook);
-    expect_admissible(h, reachable_goals(query, textbook), textbook);
-    informed += h[textbook.number(textbook.nearest(query.start).value())] > 0 ? 1 : 0;
+    const std::vector<double> h = estimates(*planner, reference);
+    expect_consistent(h, reference);
+    expect_admissible(h, reachable_goals(query, reference), reference);
+    informed += h[reference.number(reference.nearest(query.start).value())] > 0 ? 1 : 0;
   }
   EXPECT_GT(informed, kHeuristicYards / 4) << "too few estimates to say anything";
 }
@@ -103,18 +103,18 @@ void on_empty_yards(const std::string& heuristic, const std::string& name, Check
     Frame frame;
     frame.y_up = y_up;
     const GridMap map(Grid<CellState>(kSide, kSide, CellState::free), frame);
-    const CarTextbook textbook(map, {}, {});
+    const CarReference reference(map, {}, {});
     const auto planner = make_planner(name, FreeSpace(map), {{"heuristic", heuristic}}).value();
     for (int quarter = 0; quarter <= 4; ++quarter) {
-      Goal goal(textbook.pose({kMiddle, quarter}));
+      Goal goal(reference.pose({kMiddle, quarter}));
       if (quarter == 4) goal.heading.reset();
       SCOPED_TRACE((y_up ? "y up, quarter " : "y down, quarter ") + std::to_string(quarter));
       Plan plan;
       ASSERT_FALSE(planner->begin({{0, 0, 0}, {goal}}, plan));
-      const std::vector<double> h = estimates(*planner, textbook);
-      const std::vector<double> fuel = textbook.fuel_to(stands_of(goal, textbook));
+      const std::vector<double> h = estimates(*planner, reference);
+      const std::vector<double> fuel = reference.fuel_to(stands_of(goal, reference));
       for (std::size_t i = 0; i < h.size(); ++i) {
-        const Stand stand = textbook.stand(i);
+        const Stand stand = reference.stand(i);
         if (std::abs(stand.corner.x - kMiddle.x) > kFar) continue;
         if (std::abs(stand.corner.y - kMiddle.y) > kFar) continue;
         SCOPED_TRACE(place_of(stand));

@@ -106,11 +106,11 @@ class CarSymmetry : public ::testing::TestWithParam<std::string> {
       const int unit = rules_of(trial, info()).unit;
       if (trial.map.width() % unit != 0 || trial.map.height() % unit != 0) continue;
       SCOPED_TRACE(text_of(trial, seed));
-      const CarTextbook textbook = car_textbook_for(trial, info());
+      const CarReference reference = car_reference_for(trial, info());
       Random random(seed);
-      const Query query = random_drive(random, textbook);
+      const Query query = random_drive(random, reference);
       SCOPED_TRACE(text_of(query));
-      check(trial, textbook, query);
+      check(trial, reference, query);
       ++checked;
     }
     EXPECT_GT(checked, kSymmetryYards / 2) << "too few to say anything";
@@ -118,7 +118,7 @@ class CarSymmetry : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(CarSymmetry, YardsThatAreTurnedOrMirroredCostTheSame) {
-  on_random_yards([&](const Trial& trial, const CarTextbook&, const Query& query) {
+  on_random_yards([&](const Trial& trial, const CarReference&, const Query& query) {
     const Answer answer = answer_of(*make(trial), query);
     for (const Symmetry& symmetry : kSymmetries) {
       const Trial other{symmetry.of(trial.map), trial.robot, trial.options};
@@ -133,7 +133,7 @@ TEST_P(CarSymmetry, YardsThatAreTurnedOrMirroredCostTheSame) {
 
 TEST_P(CarSymmetry, TheSamePictureGivesTheSameSearchWithYUpAndYDown) {
   const Symmetry upside_down{false, false, true};
-  on_random_yards([&](const Trial& trial, const CarTextbook&, const Query& query) {
+  on_random_yards([&](const Trial& trial, const CarReference&, const Query& query) {
     Answer expected = answer_of(*make(trial), query);
     const Trial other{upside_down.of(trial.map, true), trial.robot, trial.options};
     const Answer answer = answer_of(*make(other), upside_down.of(query, trial.map));
@@ -177,12 +177,12 @@ Plan reversed_in_time(const Plan& plan) {
 
 TEST_P(CarSymmetry, ADriveReversedInTimeIsADriveOfTheSameCost) {
   int driven = 0;
-  on_random_yards([&](const Trial& trial, const CarTextbook& textbook, const Query& query) {
-    if (textbook.rules().reverse_factor != 1) return;
+  on_random_yards([&](const Trial& trial, const CarReference& reference, const Query& query) {
+    if (reference.rules().reverse_factor != 1) return;
     const auto planner = make(trial);
     const Answer answer = answer_of(*planner, query);
     if (answer.status != Status::found) return;
-    EXPECT_EQ(fault_of(reversed_in_time(answer.plan), textbook), "");
+    EXPECT_EQ(fault_of(reversed_in_time(answer.plan), reference), "");
     const std::vector<Pose> poses = answer.plan.path.poses();
     const Answer back = answer_of(*planner, {poses.back(), {poses.front()}});
     ASSERT_EQ(to_string(back.status), to_string(Status::found));

@@ -123,8 +123,9 @@ TEST_F(Arguments, ThatChangeNothingAreRefused) {
     std::string message;
   };
   for (const Case& idle : {
-           Case{plan + "--keep-away-cost 5", "--keep-away-cost changes nothing"},
-           Case{plan + "--keep-away 0 --keep-away-cost 5", "--keep-away-cost changes nothing"},
+           Case{plan + "--clearance-cost 5", "--clearance-cost changes nothing"},
+           Case{plan + "--clearance-distance 0 --clearance-cost 5",
+                "--clearance-cost changes nothing"},
            Case{plan + "--constant 3", "--constant changes nothing"},
            Case{plan + "--corner-rounding 0.1", "--corner-rounding changes nothing"},
            Case{plan + "--format csv --show g", "--show changes nothing"},
@@ -145,24 +146,26 @@ TEST_F(Arguments, ThatChangeNothingAreRefused) {
            Case{plan + "--picture never --style dark", "--style changes nothing"},
            Case{plan + "--format json --style dark", "--style changes nothing"},
            Case{plan + "--format json --picture always", "--picture changes nothing"},
-           Case{"check grid.txt path.csv --keep-away 1", "there is no flag --keep-away"},
-           Case{"smooth grid.txt path.csv --keep-away 1", "there is no flag --keep-away"},
-           Case{"explain grid.txt --start 1,1 --goal 9,7 --keep-away 1",
-                "there is no flag --keep-away"},
+           Case{"check grid.txt path.csv --clearance-distance 1",
+                "there is no flag --clearance-distance"},
+           Case{"smooth grid.txt path.csv --clearance-distance 1",
+                "there is no flag --clearance-distance"},
+           Case{"explain grid.txt --start 1,1 --goal 9,7 --clearance-distance 1",
+                "there is no flag --clearance-distance"},
            Case{"smooth grid.txt path.csv --smoother none", "--smoother none changes nothing"},
            Case{"check grid.txt path.csv --format json --style dark", "--style changes nothing"},
            Case{"field grid.txt --goal 9,7 --grid", "--grid changes nothing"},
            Case{"compare grid.txt --start 1,1 --goal 9,7 --seed 2", "--seed changes nothing"},
            Case{"compare grid.txt --start 1,1 --goal 9,7 --style dark", "--style changes nothing"},
            Case{"view grid.txt --picture never", "--picture never shows nothing"},
-           Case{"view grid.txt --keep-away 2", "--keep-away changes nothing"},
+           Case{"view grid.txt --clearance-distance 2", "--clearance-distance changes nothing"},
            Case{follow + "--samples", "--samples changes nothing"},
            Case{follow + "--film-speed 2", "--film-speed changes nothing"},
            Case{follow + "--seed 2", "--seed changes nothing"},
            Case{follow + "--compare --controller pid", "--controller changes nothing"},
            Case{follow + "--margin 1", "--margin changes nothing"},
            Case{follow + "--nearest", "--nearest changes nothing"},
-           Case{follow + "--keep-away 1", "--keep-away changes nothing"},
+           Case{follow + "--clearance-distance 1", "--clearance-distance changes nothing"},
        }) {
     const Outcome outcome = in_folder(idle.command);
     EXPECT_EQ(outcome.code, 2) << idle.command;
@@ -174,7 +177,7 @@ TEST_F(Arguments, ThatChangeNothingAreRefused) {
 TEST_F(Arguments, ThatChangeSomethingAreTaken) {
   const std::string plan = "plan grid.txt --start 1,1 --goal 10,7 ";
   for (const std::string& command :
-       {plan + "--keep-away 1 --keep-away-cost 5", plan + "--speed 5 -o search.gif",
+       {plan + "--clearance-distance 1 --clearance-cost 5", plan + "--speed 5 -o search.gif",
         plan + "--trace search.trace.json --trace-limit 5", plan + "--style dark",
         plan + "--heuristic constant --constant 3", plan + "--smooth --corner-rounding 0.1",
         plan + "--format csv --show g -o plan.json",
@@ -183,7 +186,7 @@ TEST_F(Arguments, ThatChangeSomethingAreTaken) {
         std::string(
             "follow grid.txt --path path.csv --speed 0.2 --drivetrain bicycle --wheelbase 0.4"),
         plan + "--format json --style dark -o plan.png", plan + "--smoother gradient",
-        std::string("view grid.txt --show terrain --keep-away 2"),
+        std::string("view grid.txt --show terrain --clearance-distance 2"),
         std::string("field grid.txt --goal 9,7 --grid --format json"),
         std::string("compare grid.txt --random 3 --seed 2"),
         std::string("follow grid.txt --path path.csv --noise 0.001 --seed 2"),

@@ -87,7 +87,7 @@ TEST_F(CompareCommand, GivesTheSameReasonOnce) {
   EXPECT_THAT(outcome.out, HasSubstr("\nastar, bfs, dijkstra: unreachable: no path joins"));
 }
 
-TEST_F(CompareCommand, ShowsHowFarKeepAwayCostKeepsAPathFromWalls) {
+TEST_F(CompareCommand, ShowsHowFarClearanceCostKeepsAPathFromWalls) {
   const std::string office = folder_ / "office.yaml";
   ASSERT_EQ(wend({"generate", "office", "--size", "100x80", "--seed", "4", "-o", office}).code, 0);
   const auto mean_clearance = [&](std::vector<std::string> more) {
@@ -99,7 +99,7 @@ TEST_F(CompareCommand, ShowsHowFarKeepAwayCostKeepsAPathFromWalls) {
         .at("mean")
         .get<double>();
   };
-  EXPECT_GT(mean_clearance({"--keep-away", "0.6"}), mean_clearance({}));
+  EXPECT_GT(mean_clearance({"--clearance-distance", "0.6"}), mean_clearance({}));
 }
 
 TEST_F(CompareCommand, TakesRandomPairsFromASeed) {

@@ -86,7 +86,7 @@ TEST_F(ExplainCommand, NamesUnknownCellsAndTheCornerRule) {
               AllOf(HasSubstr("widest path     none"), HasSubstr("nothing but another map")));
 }
 
-/// Two cells that touch with their corners are one region for a point, but not for a disc.
+/// Two cells that touch with their corners are one component for a point, but not for a disc.
 TEST_F(ExplainCommand, CountsWhatThisRobotCanReach) {
   const std::string map = folder_.write("corners.txt", ".#\n#.\n");
   const std::vector<std::string> query{"--start",       "0,0",  "--goal",         "1,1",

@@ -20,8 +20,8 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-// Two regions: the right column is walled off.
-constexpr const char* kTwoRegions =
+// Two components: the right column is walled off.
+constexpr const char* kTwoComponents =
     ".....#.\n"
     ".###.#.\n"
     "....##.\n"
@@ -40,7 +40,7 @@ class NoPath : public testing::Test {
   std::string old(const std::string& name) const { return folder_.write(name, "old"); }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kTwoRegions);
+  std::string map_ = folder_.write("grid.txt", kTwoComponents);
 };
 
 TEST_F(NoPath, TakesThePlaceOfAnOldPath) {
@@ -153,7 +153,7 @@ class Streams : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kTwoRegions);
+  std::string map_ = folder_.write("grid.txt", kTwoComponents);
 };
 
 constexpr const char* kEnds = " --start 0,0 --goal 4,3 ";
@@ -268,7 +268,7 @@ TEST_F(Streams, TheMapThatStandardInputCameFromIsNotWrittenOver) {
   const Outcome refused = bash("$WEND convert - grid.txt < grid.txt");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("this file is read, too"));
-  EXPECT_EQ(bytes_of(map_), kTwoRegions);
+  EXPECT_EQ(bytes_of(map_), kTwoComponents);
 }
 
 TEST_F(Streams, AMapIsWrittenToStandardOutputAsATextGrid) {

@@ -109,7 +109,7 @@ TEST_F(Outside, CountsInChecksAndInTheCostOfKeepingAway) {
   EXPECT_EQ(in_metres("check", {path, "--outside", "free"}).code, 0);
   const std::vector<std::string> ends{"--start", "0.3,0.5", "--goal", "1.5,0.5"};
   auto keeping = ends;
-  keeping.insert(keeping.end(), {"--keep-away", "0.5"});
+  keeping.insert(keeping.end(), {"--clearance-distance", "0.5"});
   const double far = json_in_metres("plan", ends).at("cost");
   EXPECT_GT(json_in_metres("plan", keeping).at("cost").get<double>(), far);
   keeping.insert(keeping.end(), {"--outside", "free"});

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-// Two regions: the right column is walled off.
+// Two components: the right column is walled off.
 constexpr const char* kPlannedGrid =
     ".....#.\n"
     ".###.#.\n"
@@ -107,13 +107,17 @@ TEST_F(PlanCommand, KeepsAwayFromObstaclesWhenAsked) {
   map_ = folder_.write("wall.txt", "......\n......\n......\n.####.\n");
   const json close = plan_json("0,2", "5,2");
   EXPECT_EQ(close.at("path").at(2), json({2, 2}));
-  EXPECT_EQ(plan_json("0,2", "5,2", {"--keep-away", "0"}).at("path"), close.at("path"));
-  EXPECT_EQ(plan_json("0,2", "5,2", {"--keep-away", "2", "--keep-away-cost", "0"}).at("cost"), 5);
-  const json away = plan_json("0,2", "5,2", {"--keep-away", "2", "--keep-away-cost", "10"});
+  EXPECT_EQ(plan_json("0,2", "5,2", {"--clearance-distance", "0"}).at("path"), close.at("path"));
+  EXPECT_EQ(
+      plan_json("0,2", "5,2", {"--clearance-distance", "2", "--clearance-cost", "0"}).at("cost"),
+      5);
+  const json away =
+      plan_json("0,2", "5,2", {"--clearance-distance", "2", "--clearance-cost", "10"});
   EXPECT_LT(away.at("path").at(2).at(1), 2);
   EXPECT_GT(away.at("cost"), away.at("length_cells"));
   EXPECT_EQ(away.at("bound"), 1);
-  EXPECT_THAT(plan("0,2", "5,2", {"--keep-away", "-1"}).err, HasSubstr("--keep-away"));
+  EXPECT_THAT(plan("0,2", "5,2", {"--clearance-distance", "-1"}).err,
+              HasSubstr("--clearance-distance"));
 }
 
 TEST_F(PlanCommand, FailsWithTheReasonAndTheMetrics) {
@@ -343,8 +347,8 @@ TEST_F(MetricPlan, CountsInCellsWhenAsked) {
 }
 
 TEST_F(MetricPlan, KeepsAwayInTheUnitsTyped) {
-  const json in_metres = plan_json("-0.4,-0.9", "0.1,-0.99", {"--keep-away", "0.5"});
-  const json in_cells = plan_json("0,0", "2,0", {"--cells", "--keep-away", "2"});
+  const json in_metres = plan_json("-0.4,-0.9", "0.1,-0.99", {"--clearance-distance", "0.5"});
+  const json in_cells = plan_json("0,0", "2,0", {"--cells", "--clearance-distance", "2"});
   EXPECT_GT(in_metres.at("cost"), in_metres.at("length_cells"));
   EXPECT_EQ(in_metres.at("cost"), in_cells.at("cost"));
 }

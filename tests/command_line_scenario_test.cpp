@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
-#include "testing/textbook.hpp"
+#include "testing/reference.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/query/scenario.hpp"
 
@@ -40,9 +40,9 @@ class ScenarioCommand : public testing::Test {
     const auto read = load_scenario(file);
     if (!read) throw std::runtime_error(read.error().message());
     const GridMap loaded = load_map(map_file)->map;
-    const Textbook textbook(loaded, robot, rules);
+    const Reference reference(loaded, robot, rules);
     for (const ScenarioQuery& query : read->queries) {
-      const double cost = textbook.costs_from(query.start)[textbook.number(query.goal)];
+      const double cost = reference.costs_from(query.start)[reference.number(query.goal)];
       EXPECT_NEAR(cost, query.length, 1e-8) << query.line;
       EXPECT_EQ(query.bucket, static_cast<int>(query.length / 4)) << query.line;
       EXPECT_EQ(query.map, std::filesystem::path(map_file).filename());

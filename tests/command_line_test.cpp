@@ -174,11 +174,12 @@ TEST(Info, TakesTheRobotIntoAccount) {
 TEST(Info, SaysWhereTheRobotKeepsAwayBesideWhatTheFileSays) {
   const TemporaryFolder folder;
   const std::string map = folder.write("grid.txt", "#....\n");
-  const std::vector<std::string> arguments{"info", map, "--keep-away", "2"};
+  const std::vector<std::string> arguments{"info", map, "--clearance-distance", "2"};
   EXPECT_THAT(wend(arguments).out, AllOf(HasSubstr("costs the same everywhere"),
                                          HasSubstr("2 cells (50.0 %) cost more: an obstacle is "
                                                    "within 2 cells of the robot")));
-  const json info = json::parse(wend({"info", map, "--keep-away", "2", "--format", "json"}).out);
+  const json info =
+      json::parse(wend({"info", map, "--clearance-distance", "2", "--format", "json"}).out);
   EXPECT_EQ(info.at("keep_away"), json({{"distance", 2.0}, {"cells", 2}}));
   EXPECT_EQ(info.at("terrain").at("greatest"), 1.0);
 }

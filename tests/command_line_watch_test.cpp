@@ -159,10 +159,10 @@ TEST_F(Watching, RunsToTheEndOrLeapsOrQuitsWhenAsked) {
   const Outcome to_the_end = step("r");
   EXPECT_EQ(to_the_end.code, 0);
   EXPECT_THAT(to_the_end.out, AllOf(HasSubstr("expansion 1:"), Not(HasSubstr("expansion 2:"))));
-  const Outcome leap = step("t", "--planner dijkstra");
-  EXPECT_EQ(leap.code, 0);
-  EXPECT_THAT(leap.out, AllOf(HasSubstr("expansion 1:"), Not(HasSubstr("expansion 2:")),
-                              HasSubstr("expansion 11:")));
+  const Outcome shortcut = step("t", "--planner dijkstra");
+  EXPECT_EQ(shortcut.code, 0);
+  EXPECT_THAT(shortcut.out, AllOf(HasSubstr("expansion 1:"), Not(HasSubstr("expansion 2:")),
+                                  HasSubstr("expansion 11:")));
   const Outcome quit = step("nq");
   EXPECT_EQ(quit.code, 1);
   EXPECT_THAT(quit.err, HasSubstr("cancelled after 2 expansions"));

@@ -1,5 +1,5 @@
-// Holds every planner of the registry to what it promises, on thousands of random maps, against a
-// textbook Dijkstra that shares no code with wend. A new planner is tested by being listed.
+// Holds every planner of the registry to what it guarantees, on thousands of random maps, against a
+// reference Dijkstra that shares no code with wend. A new planner is tested by being listed.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,45 +23,46 @@ constexpr std::uint64_t kMaps = 600;
 constexpr std::uint64_t kMapsOfALongRun = 10000;
 
 /// Checks a path by itself: valid step by step, with the cost that it claims.
-void expect_honest(const Plan& plan, const PlannerInfo& info, const Textbook& textbook,
-                   const Errand& errand) {
+void expect_honest(const Plan& plan, const PlannerInfo& info, const Reference& reference,
+                   const TestQuery& test_query) {
   const auto cells = plan.path.cells();
   ASSERT_FALSE(cells.empty());
-  EXPECT_THAT(errand.goals, ::testing::Contains(cells.back()));
-  EXPECT_EQ(textbook.fault(cells, errand.start, cells.back()), "");
-  EXPECT_NEAR(plan.cost, textbook.cost_of(cells), kOptimalRelative * std::max(1.0, plan.cost));
+  EXPECT_THAT(test_query.goals, ::testing::Contains(cells.back()));
+  EXPECT_EQ(reference.fault(cells, test_query.start, cells.back()), "");
+  EXPECT_NEAR(plan.cost, reference.cost_of(cells), kOptimalRelative * std::max(1.0, plan.cost));
   EXPECT_GE(plan.metrics.generated, plan.metrics.expanded);
   if (info.jumps) return;
   EXPECT_GE(plan.metrics.expanded, cells.size()) << "every cell of a path was expanded";
 }
 
-/// Checks a plan against what its planner promises.
-void expect_as_promised(const Plan& plan, const PlannerInfo& info, const Truth& truth) {
+/// Checks a plan against what its planner guarantees.
+void expect_as_guaranteed(const Plan& plan, const PlannerInfo& info, const Truth& truth) {
   EXPECT_GE(plan.cost, truth.cost * (1 - kOptimalRelative)) << "cheaper than possible";
   EXPECT_GE(plan.bound, 1);
   if (plan.bound < Plan::kNoBound) {
     EXPECT_LE(plan.cost, plan.bound * truth.cost * (1 + kOptimalRelative))
         << "bound " << plan.bound;
   }
-  if (info.promise == Promise::fewest_steps) {
+  if (info.guarantee == Guarantee::fewest_steps) {
     EXPECT_EQ(static_cast<double>(plan.path.size() - 1), truth.steps);
   }
-  if (info.promise == Promise::optimal) {
+  if (info.guarantee == Guarantee::optimal) {
     EXPECT_TRUE(plan.optimal());
   }
 }
 
 void expect_true_answer(const PlannerInfo& info, Status status, const Plan& plan,
-                        const Textbook& textbook, const Truth& truth, const Errand& errand) {
+                        const Reference& reference, const Truth& truth,
+                        const TestQuery& test_query) {
   if (status == Status::found) {
     EXPECT_THAT(truth.failures, ::testing::IsEmpty()) << "found, though there is no path";
-    expect_honest(plan, info, textbook, errand);
-    expect_as_promised(plan, info, truth);
+    expect_honest(plan, info, reference, test_query);
+    expect_as_guaranteed(plan, info, truth);
     return;
   }
   EXPECT_TRUE(plan.path.empty());
   EXPECT_EQ(plan.cost, kInfinite);
-  if (info.promise == Promise::none && status == Status::step_limit) return;
+  if (info.guarantee == Guarantee::none && status == Status::step_limit) return;
   EXPECT_THAT(truth.failures, ::testing::Contains(status)) << to_string(status);
 }
 
@@ -80,35 +81,35 @@ class Conformance : public ::testing::TestWithParam<std::string> {
     return nullptr;
   }
 
-  void expect_promises_on_random_maps(std::uint64_t maps) const;
+  void expect_guarantees_on_random_maps(std::uint64_t maps) const;
 };
 
-void Conformance::expect_promises_on_random_maps(std::uint64_t maps) const {
+void Conformance::expect_guarantees_on_random_maps(std::uint64_t maps) const {
   std::uint64_t found = 0;
   for (std::uint64_t seed = 1; seed <= maps && !HasFailure(); ++seed) {
     const Trial trial = random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = make(trial);
     if (planner == nullptr) continue;
-    const Textbook textbook = textbook_for(trial, info());
+    const Reference reference = reference_for(trial, info());
     Random random(seed);
     for (int i = 0; i < 4 && !HasFailure(); ++i) {
-      const Errand errand = random_errand(random, trial.map);
-      SCOPED_TRACE(text_of(errand));
+      const TestQuery test_query = random_test_query(random, trial.map);
+      SCOPED_TRACE(text_of(test_query));
       Plan plan;
-      const Status status = planner->plan(errand.query(), plan);
+      const Status status = planner->plan(test_query.query(), plan);
       found += status == Status::found ? 1 : 0;
-      expect_true_answer(info(), status, plan, textbook, truth_of(textbook, trial.map, errand),
-                         errand);
+      expect_true_answer(info(), status, plan, reference,
+                         truth_of(reference, trial.map, test_query), test_query);
     }
   }
   EXPECT_GT(found, maps / 2) << "too few paths to say anything";
 }
 
-TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) { expect_promises_on_random_maps(kMaps); }
+TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) { expect_guarantees_on_random_maps(kMaps); }
 
 TEST_P(Conformance, KeepsItsPromisesOnManyRandomMapsInALongRun) {
-  expect_promises_on_random_maps(kMapsOfALongRun);
+  expect_guarantees_on_random_maps(kMapsOfALongRun);
 }
 
 /// All 512 maps of 3 x 3 cells, from the middle and from a corner to everywhere.
@@ -123,14 +124,14 @@ TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
     ASSERT_NE(planner, nullptr);
-    const Textbook textbook = textbook_for(trial, info());
+    const Reference reference = reference_for(trial, info());
     for (int i = 0; i < 18; ++i) {
-      const Errand errand{i < 9 ? Cell{1, 1} : Cell{0, 0}, {{i % 3, i / 3 % 3}}};
-      SCOPED_TRACE(text_of(errand));
+      const TestQuery test_query{i < 9 ? Cell{1, 1} : Cell{0, 0}, {{i % 3, i / 3 % 3}}};
+      SCOPED_TRACE(text_of(test_query));
       Plan plan;
-      const Status status = planner->plan(errand.query(), plan);
-      expect_true_answer(info(), status, plan, textbook, truth_of(textbook, trial.map, errand),
-                         errand);
+      const Status status = planner->plan(test_query.query(), plan);
+      expect_true_answer(info(), status, plan, reference,
+                         truth_of(reference, trial.map, test_query), test_query);
     }
   }
 }
@@ -143,10 +144,10 @@ TEST_P(Conformance, AReusedPlannerAnswersLikeAFreshOne) {
     const auto reused = make(trial);
     if (reused == nullptr) continue;
     for (int i = 0; i < 50 && !HasFailure(); ++i) {
-      const Errand errand = random_errand(random, trial.map);
-      SCOPED_TRACE(text_of(errand));
-      const Answer fresh_answer = answer_of(*make(trial), errand.query());
-      EXPECT_EQ(answer_of(*reused, errand.query()), fresh_answer);
+      const TestQuery test_query = random_test_query(random, trial.map);
+      SCOPED_TRACE(text_of(test_query));
+      const Answer fresh_answer = answer_of(*make(trial), test_query.query());
+      EXPECT_EQ(answer_of(*reused, test_query.query()), fresh_answer);
     }
   }
 }
@@ -168,7 +169,7 @@ TEST_P(Conformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
     }
     Random random(seed);
     for (int i = 0; i < 3; ++i) {
-      const Query query = random_errand(random, trial.map).query();
+      const Query query = random_test_query(random, trial.map).query();
       EXPECT_EQ(answer_of(*updated, query), answer_of(*fresh, query));
     }
     if (seed % 25 == 0) updated.reset();  // other options from here on
@@ -182,7 +183,7 @@ TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
     const auto planner = make(trial);
     if (planner == nullptr) continue;
     Random random(seed);
-    const Query query = random_errand(random, trial.map).query();
+    const Query query = random_test_query(random, trial.map).query();
     const Answer answer = answer_of(*planner, query);
 
     expect_same_when_stepped_and_watched(*planner, info(), query, answer);
@@ -230,14 +231,14 @@ TEST_P(Conformance, TheSamePictureGivesTheSameSearchWithYUpAndYDown) {
     const auto other = make({upside_down(trial.map), trial.robot, trial.options});
     const auto mirrored = [&](Cell cell) { return Cell{cell.x, trial.map.height() - 1 - cell.y}; };
     Random random(seed);
-    const Errand errand = random_errand(random, trial.map);
-    Errand mirrored_errand{mirrored(errand.start), {}};
-    for (const Cell goal : errand.goals) mirrored_errand.goals.push_back(mirrored(goal));
-    Answer expected = answer_of(*planner, errand.query());
+    const TestQuery test_query = random_test_query(random, trial.map);
+    TestQuery mirrored_query{mirrored(test_query.start), {}};
+    for (const Cell goal : test_query.goals) mirrored_query.goals.push_back(mirrored(goal));
+    Answer expected = answer_of(*planner, test_query.query());
     Path path;
     for (const Cell cell : expected.plan.path.cells()) path.append(mirrored(cell));
     expected.plan.path = path;
-    EXPECT_EQ(answer_of(*other, mirrored_errand.query()), expected);
+    EXPECT_EQ(answer_of(*other, mirrored_query.query()), expected);
   }
 }
 

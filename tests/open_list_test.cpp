@@ -114,7 +114,7 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
       EXPECT_EQ(state_of(*watcher.expanded()), state_of(list.entries.front().state))
           << "after " << steps << " expansions";
       EXPECT_EQ(state_of(next.entries.front().state), state_of(list.entries.front().state));
-      if (info().promise != Promise::none && !outcome) {
+      if (info().guarantee != Guarantee::none && !outcome) {
         expect_same_order(states_of(list), states_of(planner.open_list(kAll)),
                           watcher.take_reached(), info().jumps);
       }
@@ -135,8 +135,8 @@ TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
     if (!planner) continue;  // such a map, or such options on it
     Random random(seed);
     for (int i = 0; i < 3; ++i) {
-      const Query query = car ? random_drive(random, car_textbook_for(trial, info()))
-                              : random_errand(random, trial.map).query();
+      const Query query = car ? random_drive(random, car_reference_for(trial, info()))
+                              : random_test_query(random, trial.map).query();
       SCOPED_TRACE(text_of(query));
       steps += expect_true_lists(**planner, query);
     }

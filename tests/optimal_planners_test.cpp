@@ -1,6 +1,6 @@
-// Every planner that promises optimal paths on 8 neighbours, on tens of thousands of small maps that
+// Every planner that guarantees optimal paths on 8 neighbours, on tens of thousands of small maps that
 // are nasty to jump on (gaps one cell wide, diagonal squeezes, borders, words' ends), all against a
-// textbook Dijkstra that shares no code with wend.
+// reference Dijkstra that shares no code with wend.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/base/random.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -43,24 +43,24 @@ void expect_optimal_everywhere(const std::string& name, const GridMap& map, Rand
   const FreeSpace space(map);
   const auto planner = make_planner(name, space);
   ASSERT_TRUE(planner) << planner.error().message();
-  const Textbook textbook(map, {}, {});
+  const Reference reference(map, {}, {});
   Plan plan;
   for (int i = 0; i < 3; ++i) {
     const int start_x = random.between(0, map.width() - 1);
     const int start_y = random.between(0, map.height() - 1);
     const Cell start{start_x, start_y};
     if (!space.passable(start)) continue;
-    const std::vector<double> costs = textbook.costs_from(start);
+    const std::vector<double> costs = reference.costs_from(start);
     for (int y = 0; y < map.height(); ++y) {
       for (int x = 0; x < map.width(); ++x) {
-        const double cost = costs[textbook.number({x, y})];
+        const double cost = costs[reference.number({x, y})];
         const Status status = (*planner)->plan(Query::between(start, {x, y}), plan);
         ASSERT_EQ(status == Status::found, cost < kInfinite);
         if (status != Status::found) continue;
         ASSERT_NEAR(plan.cost, cost, kEqualRelative * (1 + cost))
             << start.x << ',' << start.y << " to " << x << ',' << y;
-        ASSERT_EQ(textbook.fault(plan.path.cells(), start, {x, y}), "");
-        ASSERT_NEAR(textbook.cost_of(plan.path.cells()), cost, kEqualRelative * (1 + cost));
+        ASSERT_EQ(reference.fault(plan.path.cells(), start, {x, y}), "");
+        ASSERT_NEAR(reference.cost_of(plan.path.cells()), cost, kEqualRelative * (1 + cost));
       }
     }
   }
@@ -103,7 +103,7 @@ TEST_P(OptimalPlanners, AreOptimalWhereWordsEnd) {
 std::vector<std::string> optimal_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.motion == Motion::cells && info.jumps && info.promise == Promise::optimal) {
+    if (info.motion == Motion::cells && info.jumps && info.guarantee == Guarantee::optimal) {
       names.push_back(info.name);
     }
   }

@@ -42,22 +42,22 @@ TEST_P(EveryPlanner, SaysWhatItIs) {
   EXPECT_NE(info().summary, "");
   EXPECT_NE(info().idea, "");
   EXPECT_NE(info().citation, "");
-  EXPECT_NE(info().guarantee, "");
+  EXPECT_NE(info().guarantee_text, "");
   EXPECT_NE(info().time, "");
   EXPECT_NE(info().memory, "");
   EXPECT_NE(info().when, "");
   EXPECT_EQ(info().summary.find('\n'), std::string::npos);
 }
 
-/// A bound that is promised with consistent options is there with the defaults.
+/// A bound that is guaranteed with consistent options is there with the defaults.
 TEST_P(EveryPlanner, IsBoundedByDefaultIfItPromisesABound) {
   const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_TRUE(planner);
   const auto plan = (*planner)->plan(Query::between({0, 0}, {0, 0}));
   ASSERT_TRUE(plan);
-  const bool promised = info().promise >= Promise::bounded;
-  EXPECT_TRUE(!promised || plan->bound < Plan::kNoBound);
+  const bool guaranteed = info().guarantee >= Guarantee::bounded;
+  EXPECT_TRUE(!guaranteed || plan->bound < Plan::kNoBound);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planners().names()),

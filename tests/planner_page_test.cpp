@@ -126,8 +126,8 @@ TEST_F(PlannerPage, HasASectionForEveryPlanner) {
   const std::string registry = registry_part(page_) + "\n### ";
   for (const PlannerInfo& planner : planners()) {
     const std::string section = between(registry, "\n### " + planner.name + "\n", "\n### ");
-    for (const std::string& text : {planner.summary, planner.idea, planner.guarantee, planner.time,
-                                    planner.memory, planner.when, planner.citation}) {
+    for (const std::string& text : {planner.summary, planner.idea, planner.guarantee_text,
+                                    planner.time, planner.memory, planner.when, planner.citation}) {
       EXPECT_THAT(section, HasSubstr(text));
     }
     for (const OptionInfo& option : planner.options) {
@@ -175,7 +175,7 @@ TEST_F(PlannerPage, MeasuresEveryPlanner) {
   for (const Table& table : tables) {
     for (const PlannerInfo& planner : planners()) {
       if (planner.motion != Motion::cells || planner.index_support) continue;
-      if (planner.promise == Promise::none && table.heading != "Small rooms") continue;
+      if (planner.guarantee == Guarantee::none && table.heading != "Small rooms") continue;
       const bool is_for_all =
           table.heading != "Rooms, 4 neighbours" && table.heading != "Rough ground";
       if (planner.jumps && !is_for_all) continue;

@@ -1,4 +1,4 @@
-// The layers of a search against an independent replay of its events, and against what a textbook
+// The layers of a search against an independent replay of its events, and against what a reference
 // says of the costs, for every planner.
 
 #include <gmock/gmock.h>
@@ -140,15 +140,15 @@ void expect_layers(const SearchLayers& layers, const Replay& replay, const FreeS
 
 /// The parents lead back to the start, and g grows on the way by what the steps cost.
 void expect_true_costs(const SearchLayers& layers, const Planner& planner, const PlannerInfo& info,
-                       const Textbook& textbook) {
+                       const Reference& reference) {
   const FreeSpace& space = planner.free_space();
   for_all_cells(space, [&](Cell cell) {
     if (std::isnan(layers.g[cell])) return;
     EXPECT_NEAR(layers.h[cell], planner.heuristic(cell), kRounding);
-    if (!layers.parent[cell] || info.promise == Promise::none || info.jumps) return;
+    if (!layers.parent[cell] || info.guarantee == Guarantee::none || info.jumps) return;
     const Cell parent = step(cell, *layers.parent[cell], space.map().frame().y_up);
-    EXPECT_TRUE(textbook.is_step(parent, cell));
-    const double cost = info.plans_on_terrain ? textbook.step_cost(parent, cell)
+    EXPECT_TRUE(reference.is_step(parent, cell));
+    const double cost = info.plans_on_terrain ? reference.step_cost(parent, cell)
                                               : std::hypot(parent.x - cell.x, parent.y - cell.y);
     EXPECT_NEAR(layers.g[cell], layers.g[parent] + cost, kRounding * (1 + layers.g[cell]));
   });
@@ -167,11 +167,11 @@ TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
     if (!planner && planner.error().status == Status::unsupported_map) continue;
     ASSERT_TRUE(planner);
     Random random(seed);
-    const Errand errand = random_errand(random, trial.map);
-    SCOPED_TRACE(text_of(errand));
+    const TestQuery test_query = random_test_query(random, trial.map);
+    SCOPED_TRACE(text_of(test_query));
     SearchRecorder recorder(space);
     EventLog log(recorder);
-    Query query = errand.query();
+    Query query = test_query.query();
     query.limits.expansions = static_cast<std::uint64_t>(random.between(0, 200));
     query.observer = &log;
     Plan plan;
@@ -182,7 +182,7 @@ TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
     if (log.entries().empty()) continue;
     ++searches;
     expect_layers(recorder.layers(), replay, space);
-    expect_true_costs(recorder.layers(), **planner, info, textbook_for(trial, info));
+    expect_true_costs(recorder.layers(), **planner, info, reference_for(trial, info));
     if (HasFailure()) return;
   }
   EXPECT_GT(searches, static_cast<int>(kSearches / 10)) << "too few searches began to say anything";

@@ -1,4 +1,4 @@
-// Smoothers and what they promise, on thousands of random maps: the paths are A*'s, for points and
+// Smoothers and what they guarantee, on thousands of random maps: the paths are A*'s, for points and
 // discs, with every corner rule. What they give back is checked at many points by a robot that shares
 // no code with the sweeps that kept it free.
 
@@ -46,7 +46,7 @@ std::optional<Trial> random_trial(Random& random) {
   const std::string rule =
       test::one_of<std::string>(random, std::array<std::string, 3>{"none", "one", "both"});
   const auto planner = make_planner("astar", space, {{"corner_rule", rule}});
-  // The farthest of a few errands that can be done.
+  // The farthest of a few test_queries that can be done.
   Path longest;
   for (int i = 0; i < 6; ++i) {
     const auto plan =
@@ -250,7 +250,7 @@ TEST(Smoothing, StaysSafeBetweenSimplifyingAndResampling) {
   });
 }
 
-/// What the textbook does on the same plans: the safety is not for nothing.
+/// What the reference does on the same plans: the safety is not for nothing.
 TEST(Smoothing, CollidesOftenWhereItIsToldToBeUnsafe) {
   int colliding = 0;
   int plans = 0;

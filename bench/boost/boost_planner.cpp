@@ -59,11 +59,11 @@ PlannerInfo boost_astar_planner() {
               "The grid as a compressed sparse row graph, an octile heuristic, a visitor that "
               "ends the search at the goal.",
           .citation = "J. Siek, L.-Q. Lee and A. Lumsdaine, \"The Boost Graph Library\", 2002",
-          .guarantee = "optimal",
+          .guarantee_text = "optimal",
           .time = "O(cells + n log n) in the n cells expanded",
           .memory = "some 100 bytes a cell",
           .when = "To compare with.",
-          .promise = Promise::optimal,
+          .guarantee = Guarantee::optimal,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
           .can_step = false,

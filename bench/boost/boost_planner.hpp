@@ -6,7 +6,7 @@
 
 namespace wend::bench {
 
-/// It takes one goal, no terrain and no limits, and knows nothing of connected regions: where there
+/// It takes one goal, no terrain and no limits, and knows nothing of connected components: where there
 /// is no path it searches all it can reach.
 PlannerInfo boost_astar_planner();
 

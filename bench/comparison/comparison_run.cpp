@@ -14,25 +14,25 @@
 namespace wend {
 namespace {
 
-/// The cells of each region by its label, in the order of the map; those of one cell have no pairs.
-std::vector<std::vector<Cell>> regions_with_pairs(const BitGrid& cells,
-                                                  const ConnectedRegions& regions,
-                                                  Adjacency adjacency) {
-  std::vector<std::vector<Cell>> lists(regions.count(adjacency) + 1);
+/// The cells of each component by its label, in the order of the map; those of one cell have no pairs.
+std::vector<std::vector<Cell>> components_with_pairs(const BitGrid& cells,
+                                                     const ConnectedComponents& components,
+                                                     Adjacency adjacency) {
+  std::vector<std::vector<Cell>> lists(components.count(adjacency) + 1);
   for (int y = 0; y < cells.height(); ++y) {
     for (int x = 0; x < cells.width(); ++x) {
       const Cell cell{x, y};
-      if (regions.size_of_region(cell, adjacency) < 2) continue;
-      lists[regions.region(cell, adjacency)].push_back(cell);
+      if (components.size_of_component(cell, adjacency) < 2) continue;
+      lists[components.component(cell, adjacency)].push_back(cell);
     }
   }
   return lists;
 }
 
-/// Pairs of different cells of the same region; empty where there is none.
-std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedRegions& regions,
+/// Pairs of different cells of the same component; empty where there is none.
+std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedComponents& components,
                                       Adjacency adjacency, std::uint64_t count, Random& random) {
-  const std::vector<std::vector<Cell>> lists = regions_with_pairs(cells, regions, adjacency);
+  const std::vector<std::vector<Cell>> lists = components_with_pairs(cells, components, adjacency);
   std::vector<Cell> starts;
   for (const auto& list : lists) starts.insert(starts.end(), list.begin(), list.end());
   std::vector<CellPair> pairs;
@@ -40,8 +40,8 @@ std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedRegio
   pairs.reserve(count);
   while (pairs.size() < count) {
     const Cell start = starts[random.below(starts.size())];
-    const auto& region = lists[regions.region(start, adjacency)];
-    const Cell goal = region[random.below(region.size())];
+    const auto& component = lists[components.component(start, adjacency)];
+    const Cell goal = component[random.below(component.size())];
     if (goal != start) pairs.push_back({start, goal});
   }
   return pairs;
@@ -70,7 +70,7 @@ std::optional<Motion> motion_of(std::span<const PlannerSpec> specs) {
 std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count,
                                    std::uint64_t seed) {
   Random random(seed);
-  return connected_pairs(space.passable(), space.regions(), Adjacency::edges, count, random);
+  return connected_pairs(space.passable(), space.components(), Adjacency::edges, count, random);
 }
 
 std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
@@ -83,9 +83,9 @@ std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t
   const auto pose = [&](Cell corner) {
     return lattice.to_grid({corner, kAllHeadings[random.below(kHeadings)]});
   };
-  const ConnectedRegions regions(lattice.passable());
-  for (const CellPair& corners :
-       connected_pairs(lattice.passable(), regions, Adjacency::edges_and_corners, count, random)) {
+  const ConnectedComponents components(lattice.passable());
+  for (const CellPair& corners : connected_pairs(lattice.passable(), components,
+                                                 Adjacency::edges_and_corners, count, random)) {
     const Pose start = pose(corners.start);
     queries.push_back({start, {pose(corners.goal)}});
   }

@@ -35,9 +35,9 @@ TEST(RandomPairs, AreConnectedDifferentAndFree) {
     maps_with_pairs += pairs.empty() ? 0 : 1;
     for (const CellPair& cells : pairs) {
       EXPECT_NE(cells.start, cells.goal);
-      EXPECT_TRUE(space.regions().connected(cells.start, cells.goal, Adjacency::edges));
+      EXPECT_TRUE(space.components().connected(cells.start, cells.goal, Adjacency::edges));
     }
-    const auto sizes = space.regions().sizes(Adjacency::edges);
+    const auto sizes = space.components().sizes(Adjacency::edges);
     const bool some = !sizes.empty() && sizes.front() > 1;
     EXPECT_EQ(pairs.size(), some ? 20U : 0U);
   }
@@ -77,8 +77,8 @@ TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
       EXPECT_TRUE(status == Status::found || status == Status::unreachable) << to_string(status);
       EXPECT_NE(query.start.point(), query.goals.front().point);
       if (plan) {
-        EXPECT_EQ(plan->start_shift, Shift{}) << "where it was asked";
-        EXPECT_EQ(plan->goal_shift, Shift{});
+        EXPECT_EQ(plan->start_snapping_error, SnappingError{}) << "where it was asked";
+        EXPECT_EQ(plan->goal_snapping_error, SnappingError{});
       }
     }
   }

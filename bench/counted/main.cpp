@@ -34,7 +34,8 @@ std::vector<Course> courses() {
 std::vector<std::string> counted_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    const bool optimal = info.promise == Promise::optimal || info.promise == Promise::bounded;
+    const bool optimal =
+        info.guarantee == Guarantee::optimal || info.guarantee == Guarantee::bounded;
     if (info.motion == Motion::cells && optimal) names.push_back(info.name);
   }
   return names;

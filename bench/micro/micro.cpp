@@ -1,5 +1,5 @@
 // wend-micro: what single operations cost on large maps, with Google Benchmark. Ratios between
-// planners are wend-speed's business; these are the promises about one operation.
+// planners are wend-speed's business; these are the guarantees about one operation.
 
 #include <benchmark/benchmark.h>
 
@@ -41,7 +41,7 @@ void short_query(benchmark::State& state) {
 }
 BENCHMARK(short_query)->Arg(64)->Arg(kSide)->Unit(benchmark::kMicrosecond);
 
-/// A goal that cannot be reached is known from the connected regions.
+/// A goal that cannot be reached is known from the connected components.
 void unreachable_query(benchmark::State& state) {
   Grid<CellState> cells(kSide, kSide, CellState::free);
   for (int y = 0; y < kSide; ++y) cells[{kSide / 2, y}] = CellState::occupied;

@@ -251,7 +251,8 @@ Expected<std::vector<MapScale>, std::string> run_scaling(
 std::vector<std::string> optimal_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    const bool optimal = info.promise == Promise::optimal || info.promise == Promise::bounded;
+    const bool optimal =
+        info.guarantee == Guarantee::optimal || info.guarantee == Guarantee::bounded;
     if (info.motion == Motion::cells && optimal) names.push_back(info.name);
   }
   names.emplace_back(kBoost);

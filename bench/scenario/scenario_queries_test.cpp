@@ -5,15 +5,15 @@
 #include <map>
 #include <set>
 
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/generate/generators.hpp"
 
 namespace wend {
 namespace {
 
+using test::Reference;
 using test::Robot;
 using test::Rules;
-using test::Textbook;
 
 GridMap generated(const std::string& kind, int size, const OptionValues& options = {}) {
   return *generators().find(kind)->make(size, size, 3, options);
@@ -25,12 +25,12 @@ void check_queries(const GridMap& map, const FreeSpaceOptions& options, GridMove
   const int corners = moves.corner_rule == CornerRule::none  ? 0
                       : moves.corner_rule == CornerRule::one ? 1
                                                              : 2;
-  const Textbook textbook(map, test::robot_in_cells(options, map.frame()),
-                          {moves.connectivity == Connectivity::eight, corners});
+  const Reference reference(map, test::robot_in_cells(options, map.frame()),
+                            {moves.connectivity == Connectivity::eight, corners});
   int last = 0;
   for (const ScenarioQuery& query : queries) {
-    const std::vector<double> costs = textbook.costs_from(query.start);
-    EXPECT_NEAR(costs[textbook.number(query.goal)], query.length, 1e-8);
+    const std::vector<double> costs = reference.costs_from(query.start);
+    EXPECT_NEAR(costs[reference.number(query.goal)], query.length, 1e-8);
     EXPECT_EQ(query.bucket, static_cast<int>(query.length / 4));
     EXPECT_GE(query.bucket, last);
     EXPECT_NE(query.start, query.goal);
@@ -85,10 +85,10 @@ TEST(ScenarioQueries, WithoutALimitReachTheLongestPaths) {
   const auto queries = scenario_queries(FreeSpace(map), {}, {.per_bucket = 10});
   ASSERT_TRUE(queries);
   double longest = 0;
-  const Textbook textbook(map, Robot{}, Rules{});
+  const Reference reference(map, Robot{}, Rules{});
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      for (const double cost : textbook.costs_from({x, y})) {
+      for (const double cost : reference.costs_from({x, y})) {
         if (std::isfinite(cost)) longest = std::max(longest, cost);
       }
     }

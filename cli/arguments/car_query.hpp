@@ -17,7 +17,7 @@ class CarQuery final : public TypedQuery {
   Query query() const override;
   std::vector<std::string> move_to_nearest() override;
   Scene scene() const override;
-  /// Regions and the widest path are of discs.
+  /// Components and the widest path are of discs.
   Scene scene_of_failure(Status /*status*/) const override { return scene(); }
   std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
   SearchRecorder recorder() const override;

@@ -55,26 +55,27 @@ void RobotArguments::add_robot_to(Parser& app) {
   app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
 }
 
-void RobotArguments::add_keep_away_to(Parser& app) {
-  add_number(app, "--keep-away", keep_away, kDistances,
+void RobotArguments::add_clearance_cost_to(Parser& app) {
+  add_number(app, "--clearance-distance", clearance_distance, kDistances,
              "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
              "more (units as --robot-radius; default 0, off)");
-  add_number(app, "--keep-away-cost", keep_away_cost, kCosts,
+  add_number(app, "--clearance-cost", clearance_cost, kCosts,
              "How many times more a cell costs where the robot would touch an obstacle, fading to "
-             "nothing at --keep-away (default " +
-                 format_number(FreeSpaceOptions{}.keep_away_cost) + ")");
+             "nothing at --clearance-distance (default " +
+                 format_number(FreeSpaceOptions{}.clearance_cost) + ")");
 }
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
-  if (keep_away_cost && keep_away.value_or(0) == 0) {
-    throw InputError("--keep-away-cost changes nothing: say from how far on with --keep-away");
+  if (clearance_cost && clearance_distance.value_or(0) == 0) {
+    throw InputError(
+        "--clearance-cost changes nothing: say from how far on with --clearance-distance");
   }
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),
           .unknown = unknown,
           .outside = outside,
-          .keep_away = units.in_metres(keep_away.value_or(0)),
-          .keep_away_cost = keep_away_cost.value_or(FreeSpaceOptions{}.keep_away_cost)};
+          .clearance_distance = units.in_metres(clearance_distance.value_or(0)),
+          .clearance_cost = clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost)};
 }
 
 void MapArguments::add_to(Parser& app) {

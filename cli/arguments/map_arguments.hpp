@@ -28,17 +28,17 @@ struct RobotArguments {
   double robot_radius = 0;  // in the user's units
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside;
-  std::optional<double> keep_away;  // in the user's units
-  std::optional<double> keep_away_cost;
+  std::optional<double> clearance_distance;  // in the user's units
+  std::optional<double> clearance_cost;
   bool cells = false;
 
   void add_robot_to(Parser& app);
 
-  /// --keep-away and --keep-away-cost, for commands to which it matters what a cell costs.
-  void add_keep_away_to(Parser& app);
+  /// --clearance-distance and --clearance-cost, for commands to which it matters what a cell costs.
+  void add_clearance_cost_to(Parser& app);
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
-  /// Throws InputError for a --keep-away-cost that costs nothing.
+  /// Throws InputError for a --clearance-cost that costs nothing.
   FreeSpaceOptions options(const GridMap& map) const;
   FreeSpace free_space(const GridMap& map) const { return FreeSpace(map, options(map)); }
 };

@@ -266,7 +266,7 @@ Command add_compare(Parser& app) {
   Parser compare = app.add_subcommand("compare", "Compare planners on the same query, or on many");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
-  arguments->map.add_keep_away_to(compare);
+  arguments->map.add_clearance_cost_to(compare);
   compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
   compare.add_option("--goal", arguments->goal, "To where").type_name("X,Y[,HEADING]");

@@ -66,7 +66,7 @@ class ExplainRun {
  private:
   std::string text() const;
   std::string headline() const;
-  std::string region(const Place& place, std::size_t cells) const;
+  std::string component(const Place& place, std::size_t cells) const;
   std::string causes() const;
   std::string on_obstacles() const;
   std::string parted() const;
@@ -97,7 +97,7 @@ std::string ExplainRun::headline() const {
   return folded(text, kColumns) + "\n";
 }
 
-std::string ExplainRun::region(const Place& place, std::size_t cells) const {
+std::string ExplainRun::component(const Place& place, std::size_t cells) const {
   const std::string blocked = explainer_.blocked(place);
   return blocked.empty() ? coordinates_.area(cells) : blocked;
 }
@@ -137,8 +137,8 @@ std::string ExplainRun::parted() const {
 std::string ExplainRun::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), arguments_.pictures);
-  text += line("start's region", region(ends_.start, why_.start_region)) +
-          line("goal's region", region(ends_.goal, why_.goal_region));
+  text += line("start's region", component(ends_.start, why_.start_component)) +
+          line("goal's region", component(ends_.goal, why_.goal_component));
   text += line("widest path", why_.widest ? "robot " + explainer_.width(*why_.widest)
                                           : "none, whatever the robot's size: " + parted());
   if (why_.path_exists()) return text;

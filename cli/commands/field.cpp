@@ -126,12 +126,12 @@ std::string FieldRun::explain_goals(const Limits& limits, const SearchMetrics& m
 
 std::string FieldRun::explain_start(Status status, const Place& start) const {
   if (status != Status::unreachable) return explainer_.blocked(start);
-  const auto region = [this](const Place& place) {
-    return coordinates_.area(region_size(space_, place.cell, moves_));
+  const auto component = [this](const Place& place) {
+    return coordinates_.area(component_size(space_, place.cell, moves_));
   };
   return fmt::format("no path joins start {} and {}: the start's region has {}, the goal's has {}",
                      start.text, goals_.size() == 1 ? "goal " + goals_[0].text : "any goal",
-                     region(start), region(goals_[0]));
+                     component(start), component(goals_[0]));
 }
 
 std::string FieldRun::json() const {
@@ -191,7 +191,7 @@ Command add_field(Parser& app) {
   Parser field = app.add_subcommand("field", "Find cost and way to a goal from every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
-  arguments->map.add_keep_away_to(field);
+  arguments->map.add_clearance_cost_to(field);
   add_texts(field, "--goal", arguments->goals,
             "Where to go: metres or cells as in `wend plan`; the nearest of several counts")
       .required()

@@ -78,10 +78,10 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
     refuse_idle(follow, {"--seed"}, "it is that of the noise; add --noise S");
   }
   if (arguments.path.empty()) return;
-  refuse_idle(
-      follow,
-      {"--nearest", "--limit-expansions", "--limit-time", "--keep-away", "--keep-away-cost"},
-      "with --path nothing is planned");
+  refuse_idle(follow,
+              {"--nearest", "--limit-expansions", "--limit-time", "--clearance-distance",
+               "--clearance-cost"},
+              "with --path nothing is planned");
   if (!arguments.refine.any()) {
     refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is driven as it is");
   }
@@ -140,7 +140,7 @@ Command add_follow(Parser& app) {
   Parser follow = app.add_subcommand("follow", "Let a simulated robot follow a path");
   const auto arguments = std::make_shared<FollowArguments>();
   arguments->map.add_to(follow);
-  arguments->map.add_keep_away_to(follow);
+  arguments->map.add_clearance_cost_to(follow);
   add_path(follow, *arguments);
   add_format(follow, arguments->format);
   follow.add_flag("--samples", arguments->samples,

@@ -40,7 +40,7 @@ Command add_info(Parser& app) {
   Parser info = app.add_subcommand("info", "Say what a map file holds");
   const auto arguments = std::make_shared<InfoArguments>();
   arguments->map.add_to(info);
-  arguments->map.add_keep_away_to(info);
+  arguments->map.add_clearance_cost_to(info);
   add_format(info, arguments->format);
   info.footer(kInfoExamples);
   return {info, [arguments] { return run(*arguments); }};

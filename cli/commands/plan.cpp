@@ -152,7 +152,7 @@ Command add_plan(Parser& app) {
   Parser plan = app.add_subcommand("plan", "Plan a path from a start to a goal");
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->map.add_to(plan);
-  arguments->map.add_keep_away_to(plan);
+  arguments->map.add_clearance_cost_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Where the path begins: metres in the map's frame for a map with a "
                           "resolution, a cell for others and with --cells; of a car a corner, and "

@@ -140,7 +140,7 @@ void check_idle(const Parser& view, const ViewArguments& arguments) {
   }
   const auto& layers = arguments.layers.kinds();
   if (std::ranges::find(layers, LayerKind::terrain) == layers.end()) {
-    refuse_idle(view, {"--keep-away", "--keep-away-cost"},
+    refuse_idle(view, {"--clearance-distance", "--clearance-cost"},
                 "it is about what cells cost, which --show terrain shows");
   }
 }
@@ -172,7 +172,7 @@ Command add_view(Parser& app) {
   Parser view = app.add_subcommand("view", "Show a map, and paths on it");
   const auto arguments = std::make_shared<ViewArguments>();
   arguments->map.add_to(view);
-  arguments->map.add_keep_away_to(view);
+  arguments->map.add_clearance_cost_to(view);
   view.add_option("PATH", arguments->paths,
                   wrapped("Paths on it, as `wend plan -o` writes them (.csv, .json)"))
       .type_name(kFileType);

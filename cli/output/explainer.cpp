@@ -83,8 +83,8 @@ std::string Explainer::unreachable(const Ends& ends) const {
   const NoPath why = explain_no_path(space_, ends.start.cell, ends.goal.cell, moves_);
   std::string text = fmt::format(
       "no path joins start {} and goal {}: the start's region has {}, the goal's has {}. ",
-      ends.start.text, ends.goal.text, coordinates_.area(why.start_region),
-      coordinates_.area(why.goal_region));
+      ends.start.text, ends.goal.text, coordinates_.area(why.start_component),
+      coordinates_.area(why.goal_component));
   if (why.ways.empty()) return text + "Obstacles part the two, whatever the robot's size";
   text += "What would make one: ";
   for (std::size_t i = 0; i < why.ways.size(); ++i) {

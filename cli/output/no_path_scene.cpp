@@ -8,10 +8,10 @@ namespace wend::cli {
 namespace {
 
 /// Adds the cells that the robot can reach from any of `ends`.
-void mark_regions(Scene& scene, CellRole role, std::span<const Cell> ends, GridMoves moves) {
+void mark_components(Scene& scene, CellRole role, std::span<const Cell> ends, GridMoves moves) {
   for (const Cell end : ends) {
     if (scene.space.passable(end)) {
-      scene.marked.push_back({role, region_of(scene.space, end, moves)});
+      scene.marked.push_back({role, component_of(scene.space, end, moves)});
     }
   }
 }
@@ -57,13 +57,13 @@ std::optional<Way> easiest_way(const FreeSpace& space, Cell start, std::span<con
 }
 
 /// All but the way.
-Scene regions_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
-                    GridMoves moves) {
+Scene components_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
+                       GridMoves moves) {
   Scene scene{.space = space};
   scene.start = centre_of(start);
   for (const Cell goal : goals) scene.goals.emplace_back(centre_of(goal));
-  mark_regions(scene, CellRole::goal_region, goals, moves);
-  mark_regions(scene, CellRole::start_region, {&start, 1}, moves);
+  mark_components(scene, CellRole::goal_component, goals, moves);
+  mark_components(scene, CellRole::start_component, {&start, 1}, moves);
   mark_nearest_free(scene, start, goals.front(), moves);
   for (const Cell goal : goals) mark_nearest_free(scene, goal, start, moves);
   return scene;
@@ -90,14 +90,14 @@ std::string describe(const Way& way, const Coordinates& coordinates) {
 
 Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
                     const Coordinates& coordinates, const NoPath& why) {
-  Scene scene = regions_scene(space, start, {&goal, 1}, moves);
+  Scene scene = components_scene(space, start, {&goal, 1}, moves);
   if (!why.ways.empty()) add_way(scene, why.ways.front(), coordinates);
   return scene;
 }
 
 Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                     GridMoves moves, const Coordinates& coordinates) {
-  Scene scene = regions_scene(space, start, goals, moves);
+  Scene scene = components_scene(space, start, goals, moves);
   if (const auto way = easiest_way(space, start, goals, moves)) add_way(scene, *way, coordinates);
   return scene;
 }

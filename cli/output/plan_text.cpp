@@ -53,23 +53,23 @@ std::string radius_text(int unit, const Coordinates& coordinates) {
 }
 
 /// "1 cell and 40 degrees from what was asked"; empty for what is no more than rounding.
-std::string shift_text(const Shift& shift, const Coordinates& coordinates) {
+std::string snapping_error_text(const SnappingError& error, const Coordinates& coordinates) {
   constexpr double kRounding = 1e-9;
   std::vector<std::string> parts;
-  if (shift.distance > kRounding) parts.push_back(coordinates.length(shift.distance));
-  if (shift.turn > kRounding) {
-    parts.push_back(fmt::format("{:.3g} degrees", degrees_from(shift.turn)));
+  if (error.distance > kRounding) parts.push_back(coordinates.length(error.distance));
+  if (error.turn > kRounding) {
+    parts.push_back(fmt::format("{:.3g} degrees", degrees_from(error.turn)));
   }
   if (parts.empty()) return {};
   return fmt::format("{} from what was asked", fmt::join(parts, " and "));
 }
 
 /// Where a drive begins or ends, if there is more to say of it than the steps do.
-std::string end_line(std::string_view name, const Pose& pose, const Shift& shift, std::size_t ends,
-                     const Coordinates& coordinates) {
+std::string end_line(std::string_view name, const Pose& pose, const SnappingError& error,
+                     std::size_t ends, const Coordinates& coordinates) {
   std::vector<std::string> remarks;
   if (ends > 1) remarks.push_back(one_of(ends));
-  if (auto shifted = shift_text(shift, coordinates); !shifted.empty()) {
+  if (auto shifted = snapping_error_text(error, coordinates); !shifted.empty()) {
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
@@ -120,8 +120,8 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
   const Plan& plan = result.plan;
   const std::vector<Pose> poses = plan.path.poses();
   const Frame& frame = coordinates.frame();
-  return end_line("start", poses.front(), plan.start_shift, 1, coordinates) +
-         end_line("goal", poses.back(), plan.goal_shift, goals, coordinates) +
+  return end_line("start", poses.front(), plan.start_snapping_error, 1, coordinates) +
+         end_line("goal", poses.back(), plan.goal_snapping_error, goals, coordinates) +
          named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
          named_line("turns in", radius_text(result.unit, coordinates)) +
          named_line("fuel", fmt::format("{:.6g}", plan.cost)) +

@@ -33,7 +33,7 @@ bool searches(const PlannerInfo& planner) {
 std::vector<Configuration> configurations(std::string_view option) {
   std::vector<std::string> roles;
   for (const PlannerInfo& planner : planners()) {
-    if (searches(planner) && planner.promise != Promise::none) {
+    if (searches(planner) && planner.guarantee != Guarantee::none) {
       roles.push_back(planner.name);
     }
   }

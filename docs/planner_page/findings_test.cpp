@@ -46,7 +46,7 @@ Measurements measurements() {
   all.small = family("Small");
   all.no_path = family("No path");
   for (MeasuredPlanner& planner : all.no_path.planners) planner.expanded = 0;
-  all.keep_away.rows = {{0, 1, 0.3, 0.2, 100, 10}, {1, 1.1, 0.8, 0.3, 200, 50}};
+  all.clearance_distance.rows = {{0, 1, 0.3, 0.2, 100, 10}, {1, 1.1, 0.8, 0.3, 200, 50}};
   return all;
 }
 

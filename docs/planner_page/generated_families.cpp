@@ -123,7 +123,7 @@ Family make(Recipe recipe, Effort effort) {
           recipe.is_maze};
 }
 
-/// Pairs of cells of different regions.
+/// Pairs of cells of different components.
 std::vector<CellPair> separated_pairs(const FreeSpace& space, std::uint64_t count) {
   Random random(kSeed);
   const auto drawn = [&] {
@@ -135,7 +135,8 @@ std::vector<CellPair> separated_pairs(const FreeSpace& space, std::uint64_t coun
   std::vector<CellPair> pairs;
   while (pairs.size() < count) {
     const CellPair pair{drawn(), drawn()};
-    if (!space.regions().connected(pair.start, pair.goal, Adjacency::edges)) pairs.push_back(pair);
+    if (!space.components().connected(pair.start, pair.goal, Adjacency::edges))
+      pairs.push_back(pair);
   }
   return pairs;
 }

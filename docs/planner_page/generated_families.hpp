@@ -21,7 +21,7 @@ std::vector<Family> generated_families(Effort effort);
 /// A map so small that a random walk gets somewhere, and every planner there is.
 Family small_family(Effort effort);
 
-/// Start and goal in regions that nothing joins, and every planner there is.
+/// Start and goal in components that nothing joins, and every planner there is.
 Family unreachable_family(Effort effort);
 
 }  // namespace wend::planner_page

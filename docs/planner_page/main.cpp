@@ -37,7 +37,7 @@ Expected<Measurements, IoError> measure_all(Effort effort, const fs::path& data)
   }
   measurements.small = measure_planners(small_family(effort), effort);
   measurements.no_path = measure_planners(unreachable_family(effort), effort);
-  measurements.keep_away = study_keep_away(effort);
+  measurements.clearance_distance = study_clearance_distance(effort);
   measurements.drives = study_drives(effort);
   return measurements;
 }

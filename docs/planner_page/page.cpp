@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kIntroduction =
     "# Planners\n"
     "\n"
-    "What each planner is, what it promises and costs, when to take it, and how they do on the "
+    "What each planner is, what it guarantees and costs, when to take it, and how they do on the "
     "same questions. `./run docs` writes this page: the first half from the registry of "
     "planners, the second from measurements. Do not edit it by hand.\n";
 
@@ -48,8 +48,8 @@ std::string numbers(const Measurements& measurements) {
   text += section(small.title, small.about, family_table(small));
   const MeasuredFamily& no_path = measurements.no_path;
   text += section(no_path.title, no_path.about, no_path_table(no_path));
-  text += section("Keeping away", measurements.keep_away.about,
-                  keep_away_table(measurements.keep_away));
+  text += section("Keeping away", measurements.clearance_distance.about,
+                  clearance_distance_table(measurements.clearance_distance));
   text += section("Driving", measurements.drives.about, drive_tables(measurements.drives));
   return text;
 }

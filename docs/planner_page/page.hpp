@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "docs/planner_page/clearance_distance.hpp"
 #include "docs/planner_page/drives.hpp"
-#include "docs/planner_page/keep_away.hpp"
 #include "docs/planner_page/measured_family.hpp"
 #include "docs/planner_page/pictures.hpp"
 
@@ -17,7 +17,7 @@ struct Measurements {
   std::vector<MeasuredFamily> families;  // on maps with paths
   MeasuredFamily small;                  // every planner, random walks too
   MeasuredFamily no_path;
-  KeepAwayStudy keep_away;
+  ClearanceCostStudy clearance_distance;
   DriveStudy drives;
   bool with_data = false;  // are there families on maps that are not our own?
 };

@@ -13,8 +13,8 @@ namespace {
 std::string overview() {
   MarkdownTable table({{"planner"}, {"guarantee"}, {"terrain"}, {"time"}, {"memory"}});
   for (const PlannerInfo& planner : planners()) {
-    table.add({link_to(planner.name), planner.guarantee, std::string(terrain_in_words(planner)),
-               planner.time, planner.memory});
+    table.add({link_to(planner.name), planner.guarantee_text,
+               std::string(terrain_in_words(planner)), planner.time, planner.memory});
   }
   return table.text();
 }
@@ -37,7 +37,7 @@ std::string section(const PlannerInfo& planner, const Picture& picture) {
   const auto item = [&text](std::string_view title, std::string_view what) {
     text += fmt::format("- **{}**: {}\n", title, what);
   };
-  item("Guarantee", planner.guarantee);
+  item("Guarantee", planner.guarantee_text);
   item("Time", planner.time);
   item("Memory", planner.memory);
   item("Terrain", std::string(terrain_in_words(planner)));

@@ -80,14 +80,14 @@ std::string clearance(Families families) {
                     widest.value, widest.title());
 }
 
-std::string keeping_away(const KeepAwayStudy& study) {
-  const KeepAwayRow& plain = study.rows.front();
-  const KeepAwayRow& far = study.rows.back();
+std::string keeping_away(const ClearanceCostStudy& study) {
+  const ClearanceCostRow& plain = study.rows.front();
+  const ClearanceCostRow& far = study.rows.back();
   std::string text = fmt::format(
       "**Distance is a matter of the map, not of the planner.** Told to keep {} m away where there "
       "is room, the robot went with {:.2f} m of clearance on average instead of {:.2f} m, on paths "
       "{:.1f} % longer.",
-      far.keep_away, far.clearance, plain.clearance, 100 * (far.longer - 1));
+      far.clearance_distance, far.clearance, plain.clearance, 100 * (far.longer - 1));
   if (far.us > plain.us) {
     text += fmt::format(
         " Planning took {} times as long with {} times the expansions: cells near walls cost more, "
@@ -137,7 +137,7 @@ std::string situation_findings(const Measurements& measurements) {
     if (!family.uniform_terrain) paragraphs.push_back(on_terrain(family, plain));
   }
   paragraphs.push_back(clearance(plain));
-  paragraphs.push_back(keeping_away(measurements.keep_away));
+  paragraphs.push_back(keeping_away(measurements.clearance_distance));
   paragraphs.push_back(walking(measurements.small));
   paragraphs.push_back(without_path(measurements.no_path));
   std::erase(paragraphs, std::string());

@@ -1,6 +1,6 @@
 #pragma once
 
-// The findings that are about one situation: 4 neighbours, terrain, clearance, a walk, no path.
+// The findings that are about one input: 4 neighbours, terrain, clearance, a walk, no path.
 
 #include <string>
 

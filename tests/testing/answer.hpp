@@ -19,7 +19,8 @@ struct Answer {
   friend bool operator==(const Answer& a, const Answer& b) {
     return a.status == b.status && a.plan.path == b.plan.path && a.plan.moves == b.plan.moves &&
            a.plan.cost == b.plan.cost && a.plan.bound == b.plan.bound &&
-           a.plan.start_shift == b.plan.start_shift && a.plan.goal_shift == b.plan.goal_shift &&
+           a.plan.start_snapping_error == b.plan.start_snapping_error &&
+           a.plan.goal_snapping_error == b.plan.goal_snapping_error &&
            a.plan.metrics == b.plan.metrics;
   }
   friend std::ostream& operator<<(std::ostream& out, const Answer& answer) {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend::test {

@@ -8,14 +8,14 @@
 #include <sstream>
 #include <string>
 
-#include "tests/testing/car_textbook.hpp"
+#include "tests/testing/car_reference.hpp"
 #include "wend/planner/plan.hpp"
 
 namespace wend::test {
 
 class CarSimulator {
  public:
-  explicit CarSimulator(const CarTextbook& textbook) : textbook_(textbook) {}
+  explicit CarSimulator(const CarReference& reference) : reference_(reference) {}
 
   /// What is wrong with a plan; empty if nothing is. The car is never put back on a corner.
   std::string fault(const Plan& plan) {
@@ -47,14 +47,14 @@ class CarSimulator {
       what_ << "; there is no move " << name;
       return;
     }
-    const SampledDrive way(car_, *maneuver, textbook_.scale());
+    const SampledDrive way(car_, *maneuver, reference_.scale());
     for (const Pose& pose : way.poses) expect_room(pose);
     for (const Pose& pose : way.poses) {
       if (&pose == &way.poses.back()) break;
       const Pose middle = nudged(pose, way.step / 2, way.curvature);
-      const double length = std::abs(way.step) / textbook_.rules().unit;
+      const double length = std::abs(way.step) / reference_.rules().unit;
       fuel_ += length * ground(middle, *maneuver) *
-               (maneuver->gear < 0 ? textbook_.rules().reverse_factor : 1);
+               (maneuver->gear < 0 ? reference_.rules().reverse_factor : 1);
     }
     car_ = way.poses.back();
   }
@@ -62,27 +62,27 @@ class CarSimulator {
   /// The multiplier of the lattice cell that a turning car is in, or of the two beside it.
   double ground(const Pose& pose, const Maneuver& maneuver) {
     if (maneuver.wheel == 0) {
-      return textbook_.straight_multiplier(beside(pose, 1e-3), beside(pose, -1e-3));
+      return reference_.straight_multiplier(beside(pose, 1e-3), beside(pose, -1e-3));
     }
     const Cell cell = beside(pose, 0);
-    if (textbook_.blocked(cell)) what_ << "; it sweeps a blocked cell";
-    return textbook_.terrain(cell).value_or(kInfinite);
+    if (reference_.blocked(cell)) what_ << "; it sweeps a blocked cell";
+    return reference_.terrain(cell).value_or(kInfinite);
   }
 
   Cell beside(const Pose& pose, double by) const {
-    const int unit = textbook_.rules().unit;
+    const int unit = reference_.rules().unit;
     return {static_cast<int>(std::floor((pose.x - by * std::sin(pose.heading)) / unit)),
             static_cast<int>(std::floor((pose.y + by * std::cos(pose.heading)) / unit))};
   }
 
   void expect_room(const Pose& pose) {
-    const GridMap& map = textbook_.map();
+    const GridMap& map = reference_.map();
     if (distance_to_interval(0, map.width(), pose.x) > kNear ||
         distance_to_interval(0, map.height(), pose.y) > kNear) {
       what_ << "; it leaves the map";
     }
     const Cell cell{static_cast<int>(std::floor(pose.x)), static_cast<int>(std::floor(pose.y))};
-    const bool clear = textbook_.kept_clear(
+    const bool clear = reference_.kept_clear(
         cell, [&](Cell square) { return distance_to_square(pose.x, pose.y, square) + kNear; });
     if (!clear) what_ << "; it touches an obstacle at " << pose.x << "," << pose.y;
   }
@@ -97,24 +97,24 @@ class CarSimulator {
 
   /// Poses are exactly on passable corners of the lattice, headings exact quarters in (-pi, pi].
   void expect_on_corner(const Pose& pose, std::size_t i) {
-    const auto stand = textbook_.nearest(pose);
+    const auto stand = reference_.nearest(pose);
     constexpr double kPi = std::numbers::pi;
-    const bool exact = stand && textbook_.pose(*stand).point() == pose.point() &&
+    const bool exact = stand && reference_.pose(*stand).point() == pose.point() &&
                        std::abs(std::remainder(pose.heading, kPi / 2)) < 1e-15 &&
                        pose.heading > -kPi && pose.heading <= kPi;
-    if (!exact || !textbook_.passable(stand->corner)) {
+    if (!exact || !reference_.passable(stand->corner)) {
       what_ << "; pose " << i << " is on no passable corner";
     }
   }
 
-  const CarTextbook& textbook_;
+  const CarReference& reference_;
   Pose car_;
   double fuel_ = 0;
   std::ostringstream what_;
 };
 
-inline std::string fault_of(const Plan& plan, const CarTextbook& textbook) {
-  return CarSimulator(textbook).fault(plan);
+inline std::string fault_of(const Plan& plan, const CarReference& reference) {
+  return CarSimulator(reference).fault(plan);
 }
 
 }  // namespace wend::test

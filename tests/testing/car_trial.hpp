@@ -1,7 +1,7 @@
 #pragma once
 
 // What the tests of driving planners are made of: trials on random yards, queries for a car, and the
-// truth about them, which a textbook knows.
+// truth about them, which a reference knows.
 
 #include <algorithm>
 #include <sstream>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/testing/car_textbook.hpp"
+#include "tests/testing/car_reference.hpp"
 #include "tests/testing/random_yard.hpp"
 #include "tests/testing/trial.hpp"
 
@@ -44,29 +44,29 @@ inline bool has_room(const Trial& trial, const CarRules& rules) {
   return rules.unit <= std::min(trial.map.width(), trial.map.height());
 }
 
-inline CarTextbook car_textbook_for(const Trial& trial, const PlannerInfo& info) {
-  return CarTextbook(trial.map, robot_in_cells(trial.robot, trial.map.frame()),
-                     rules_of(trial, info));
+inline CarReference car_reference_for(const Trial& trial, const PlannerInfo& info) {
+  return CarReference(trial.map, robot_in_cells(trial.robot, trial.map.frame()),
+                      rules_of(trial, info));
 }
 
 /// A stand that is mostly passable.
-inline Stand random_stand(Random& random, const CarTextbook& textbook) {
+inline Stand random_stand(Random& random, const CarReference& reference) {
   Stand stand;
   for (int tries = random.chance(0.9) ? 10 : 1; tries > 0; --tries) {
-    stand = {random_cell(random, textbook.columns(), textbook.rows()), random.between(0, 3)};
-    if (textbook.passable(stand.corner)) break;
+    stand = {random_cell(random, reference.columns(), reference.rows()), random.between(0, 3)};
+    if (reference.passable(stand.corner)) break;
   }
   return stand;
 }
 
 /// Around a random stand, sometimes exactly on it, seldom off the map; headings beyond a full turn.
-inline Pose random_pose(Random& random, const CarTextbook& textbook) {
-  Pose pose = textbook.pose(random_stand(random, textbook));
-  const GridMap& map = textbook.map();
+inline Pose random_pose(Random& random, const CarReference& reference) {
+  Pose pose = reference.pose(random_stand(random, reference));
+  const GridMap& map = reference.map();
   if (random.chance(0.5)) {
     const auto off = [&] { return 0.9 * (random.uniform() - 0.5); };
-    pose.x = std::clamp<double>(pose.x + off() * textbook.rules().unit, 0, map.width());
-    pose.y = std::clamp<double>(pose.y + off() * textbook.rules().unit, 0, map.height());
+    pose.x = std::clamp<double>(pose.x + off() * reference.rules().unit, 0, map.width());
+    pose.y = std::clamp<double>(pose.y + off() * reference.rules().unit, 0, map.height());
     pose.heading += off() * std::numbers::pi / 2 + random.between(-3, 3) * 2 * std::numbers::pi;
   }
   if (random.chance(0.02)) pose.x = random.chance(0.5) ? -0.01 : map.width() + 0.01;
@@ -74,10 +74,10 @@ inline Pose random_pose(Random& random, const CarTextbook& textbook) {
   return pose;
 }
 
-inline Query random_drive(Random& random, const CarTextbook& textbook) {
-  Query query{random_pose(random, textbook), {}};
+inline Query random_drive(Random& random, const CarReference& reference) {
+  Query query{random_pose(random, reference), {}};
   for (int count = random.chance(0.8) ? 1 : random.between(2, 4); count > 0; --count) {
-    query.goals.emplace_back(random_pose(random, textbook));
+    query.goals.emplace_back(random_pose(random, reference));
     if (random.chance(0.25)) query.goals.back().heading.reset();
   }
   return query;
@@ -98,9 +98,9 @@ inline std::string text_of(const Query& query) {
 }
 
 /// The stands that a goal can be reached at: none off the map, four with any heading.
-inline std::vector<Stand> stands_of(const Goal& goal, const CarTextbook& textbook) {
+inline std::vector<Stand> stands_of(const Goal& goal, const CarReference& reference) {
   std::vector<Stand> stands;
-  const auto nearest = textbook.nearest({goal.point.x, goal.point.y, goal.heading.value_or(0)});
+  const auto nearest = reference.nearest({goal.point.x, goal.point.y, goal.heading.value_or(0)});
   if (!nearest) return stands;
   for (int quarter = 0; quarter < 4; ++quarter) {
     if (!goal.heading || quarter == nearest->quarter) stands.push_back({nearest->corner, quarter});
@@ -108,25 +108,25 @@ inline std::vector<Stand> stands_of(const Goal& goal, const CarTextbook& textboo
   return stands;
 }
 
-/// What the textbook says of a drive.
+/// What the reference says of a drive.
 struct CarTruth {
   std::vector<Status> failures;  // if there is none: the reason, one for each goal
   double fuel = kInfinite;
 };
 
-inline CarTruth truth_of(const CarTextbook& textbook, const Query& query) {
-  const auto start = textbook.nearest(query.start);
+inline CarTruth truth_of(const CarReference& reference, const Query& query) {
+  const auto start = reference.nearest(query.start);
   if (!start) return {{Status::start_outside}};
-  if (!textbook.passable(start->corner)) return {{Status::start_blocked}};
-  const std::vector<double> fuel = textbook.fuel_from(*start);
+  if (!reference.passable(start->corner)) return {{Status::start_blocked}};
+  const std::vector<double> fuel = reference.fuel_from(*start);
   CarTruth truth;
   for (const Goal& goal : query.goals) {
-    const std::vector<Stand> stands = stands_of(goal, textbook);
-    truth.failures.push_back(stands.empty()                             ? Status::goal_outside
-                             : textbook.passable(stands.front().corner) ? Status::unreachable
-                                                                        : Status::goal_blocked);
+    const std::vector<Stand> stands = stands_of(goal, reference);
+    truth.failures.push_back(stands.empty()                              ? Status::goal_outside
+                             : reference.passable(stands.front().corner) ? Status::unreachable
+                                                                         : Status::goal_blocked);
     for (const Stand& stand : stands) {
-      truth.fuel = std::min(truth.fuel, fuel[textbook.number(stand)]);
+      truth.fuel = std::min(truth.fuel, fuel[reference.number(stand)]);
     }
   }
   if (truth.fuel < kInfinite) truth.failures.clear();

@@ -100,13 +100,13 @@ inline std::optional<OutsidePolicy> random_outside(Random& random) {
 inline FreeSpaceOptions random_robot(Random& random, double resolution) {
   const double radius = one_of<double>(
       random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 3.3});
-  const double keep_away =
+  const double clearance_distance =
       one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.4, 0.5, 1.0, 2.5, 7.0});
   return {.robot_radius = radius * resolution,
           .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
           .outside = random_outside(random),
-          .keep_away = keep_away * resolution,
-          .keep_away_cost = one_of<double>(random, std::array{0.0, 0.5, 4.0, 4.0, 100.0})};
+          .clearance_distance = clearance_distance * resolution,
+          .clearance_cost = one_of<double>(random, std::array{0.0, 0.5, 4.0, 4.0, 100.0})};
 }
 
 /// The map as text, the top row as drawn first, for messages.

@@ -12,7 +12,7 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 
 namespace wend {
 namespace {
@@ -21,15 +21,15 @@ using ::testing::ElementsAre;
 
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
-/// A field on a random map, its goals, and what the textbook says of the same map.
+/// A field on a random map, its goals, and what the reference says of the same map.
 struct Field {
   FreeSpace space;
   std::vector<Cell> goals;
   CostToGo field;
-  test::Textbook textbook;
+  test::Reference reference;
 
   /// From a cell to the nearest goal.
-  double truth(Cell cell) const { return least[textbook.number(cell)]; }
+  double truth(Cell cell) const { return least[reference.number(cell)]; }
   std::vector<double> least;
 };
 
@@ -44,8 +44,8 @@ void on_random_fields(Check&& check) {
     const bool diagonals = random.chance(0.7);
     const GridMoves moves{diagonals ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(corners)};
-    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame()),
-                                  {diagonals, corners});
+    const test::Reference reference(map, test::robot_in_cells(robot, map.frame()),
+                                    {diagonals, corners});
     std::vector<Cell> goals;
     for (int i = random.between(1, 3); i > 0; --i) {
       const Cell goal = test::random_cell(random, map.width(), map.height());
@@ -58,10 +58,10 @@ void on_random_fields(Check&& check) {
     ASSERT_TRUE(field);
     std::vector<double> least(map.size(), kUnreachable);
     for (const Cell goal : goals) {
-      const std::vector<double> costs = textbook.costs_from(goal);
+      const std::vector<double> costs = reference.costs_from(goal);
       for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], costs[i]);
     }
-    check(Field{space, goals, *std::move(field), textbook, least});
+    check(Field{space, goals, *std::move(field), reference, least});
   }
 }
 
@@ -106,7 +106,7 @@ TEST(CostToGo, LeadsToAGoalFromEveryCellForThatCost) {
       ASSERT_TRUE(plan);
       const auto cells = plan->path.cells();
       ASSERT_THAT(made.goals, ::testing::Contains(cells.back()));
-      ASSERT_EQ(made.textbook.fault(cells, cell, cells.back()), "");
+      ASSERT_EQ(made.reference.fault(cells, cell, cells.back()), "");
       expect_cost(plan->cost, made.truth(cell), cell);
       EXPECT_TRUE(plan->optimal());
     });
@@ -123,8 +123,8 @@ TEST(CostToGo, HasAPolicyThatGoesDownhill) {
       ASSERT_EQ(direction.has_value(), cost > 0 && cost < kUnreachable);
       if (!direction) return;
       const Cell next = step(cell, *direction, y_up);
-      ASSERT_TRUE(made.textbook.is_step(cell, next));
-      expect_cost(made.field.cost(next) + made.textbook.step_cost(cell, next), cost, cell);
+      ASSERT_TRUE(made.reference.is_step(cell, next));
+      expect_cost(made.field.cost(next) + made.reference.step_cost(cell, next), cost, cell);
     });
   });
 }

@@ -94,7 +94,7 @@ class Widths {
   std::array<std::optional<std::uint32_t>, 4> widths_;
 };
 
-/// Do the labels of the regions say what this robot can reach?
+/// Do the labels of the components say what this robot can reach?
 bool labels_are_exact(const FreeSpace& space, GridMoves moves) {
   return moves.adjacency() == Adjacency::edges || space.radius_in_cells() == 0;
 }
@@ -111,28 +111,29 @@ BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
 
 }  // namespace
 
-BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves) {
+BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves) {
   assert(space.contains(cell));
   if (labels_are_exact(space, moves)) {
-    const ConnectedRegions& regions = space.regions();
+    const ConnectedComponents& components = space.components();
     return cells_where(
-        space, [&](Cell other) { return regions.connected(cell, other, moves.adjacency()); });
+        space, [&](Cell other) { return components.connected(cell, other, moves.adjacency()); });
   }
   const auto field = CostToGo::make(space, std::span(&cell, 1), moves);
   return cells_where(space, [&](Cell other) { return field && std::isfinite(field->cost(other)); });
 }
 
-std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves) {
+std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves) {
   assert(space.contains(cell));
-  return labels_are_exact(space, moves) ? space.regions().size_of_region(cell, moves.adjacency())
-                                        : region_of(space, cell, moves).count();
+  return labels_are_exact(space, moves)
+             ? space.components().size_of_component(cell, moves.adjacency())
+             : component_of(space, cell, moves).count();
 }
 
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
   assert(space.contains(start) && space.contains(goal));
   Widths widths(space, start, goal, moves);
-  NoPath why{.start_region = region_size(space, start, moves),
-             .goal_region = region_size(space, goal, moves),
+  NoPath why{.start_component = component_size(space, start, moves),
+             .goal_component = component_size(space, goal, moves),
              .widest = widths.path({}),
              .ways = {}};
   for (const Changes& changes : kAllChanges) {

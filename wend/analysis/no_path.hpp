@@ -1,6 +1,6 @@
 #pragma once
 
-// NoPath: why no path joins two cells, as data: how large the two regions are, how wide a robot
+// NoPath: why no path joins two cells, as data: how large the two components are, how wide a robot
 // would get through, and what would have to change.
 //
 // Three things can change without another map: unknown cells count as free, the robot squeezes
@@ -36,17 +36,17 @@ struct Way {
 };
 
 struct NoPath {
-  /// Cells that can be reached from each (see region_of), itself among them; 0 where the robot
+  /// Cells that can be reached from each (see component_of), itself among them; 0 where the robot
   /// cannot stand.
-  std::size_t start_region = 0;
-  std::size_t goal_region = 0;
+  std::size_t start_component = 0;
+  std::size_t goal_component = 0;
 
   /// For a robot of any size, and nothing else changed.
   std::optional<WidestPath> widest;
 
   /// Is there a path after all?
   bool path_exists() const {
-    return start_region > 0 && !ways.empty() && ways.front().changes() == 0;
+    return start_component > 0 && !ways.empty() && ways.front().changes() == 0;
   }
 
   /// Fewest changes first. Empty if nothing of this helps: an obstacle is on the start or goal, or
@@ -55,13 +55,13 @@ struct NoPath {
 };
 
 /// The cells that the robot can reach from a cell of the map, itself among them; none where it
-/// cannot stand. Exact, as the planners are, where ConnectedRegions counts too much: a disc does not
+/// cannot stand. Exact, as the planners are, where ConnectedComponents counts too much: a disc does not
 /// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
 /// the corner rule `both`.
-BitGrid region_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
+BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
-/// How many cells region_of has. O(1) but for a disc under the corner rule `both`.
-std::size_t region_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
+/// How many cells component_of has. O(1) but for a disc under the corner rule `both`.
+std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
 /// Both cells are on the map and may be blocked. O(cells log cells).
 NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {});

@@ -11,7 +11,7 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 
 namespace wend {
 namespace {
@@ -51,8 +51,8 @@ TEST(NoPath, SaysHowWideTheDoorIs) {
   EXPECT_EQ(why.ways.front().widest.narrowest, (Point{3.5, 1.5}));
   ASSERT_TRUE(why.widest);
   EXPECT_EQ(why.widest->radius, 0.5);
-  EXPECT_EQ(why.start_region, 6U) << "two columns of three";
-  EXPECT_EQ(why.goal_region, 6U);
+  EXPECT_EQ(why.start_component, 6U) << "two columns of three";
+  EXPECT_EQ(why.goal_component, 6U);
 }
 
 TEST(NoPath, SaysThatUnknownCellsAreInTheWay) {
@@ -71,7 +71,7 @@ TEST(NoPath, SaysThatTheRobotWouldHaveToSqueeze) {
     EXPECT_THAT(names_of(why.ways), ElementsAre("squeeze"))
         << "neither more neighbours nor one corner help";
     EXPECT_EQ(why.ways.front().widest.radius, 0) << "only a point gets between two corners";
-    EXPECT_EQ(why.start_region, 3U);
+    EXPECT_EQ(why.start_component, 3U);
   }
 }
 
@@ -117,8 +117,8 @@ TEST(NoPath, KnowsNoWayIntoASealedRoom) {
   const NoPath why = explain_no_path(space, {0, 0}, {2, 2});
   EXPECT_THAT(why.ways, IsEmpty());
   EXPECT_FALSE(why.widest);
-  EXPECT_EQ(why.start_region, 15U);
-  EXPECT_EQ(why.goal_region, 1U);
+  EXPECT_EQ(why.start_component, 15U);
+  EXPECT_EQ(why.goal_component, 1U);
 }
 
 TEST(NoPath, SaysWhatWouldFreeAnEnd) {
@@ -126,7 +126,7 @@ TEST(NoPath, SaysWhatWouldFreeAnEnd) {
   EXPECT_THAT(names_of(explain_no_path(space, {0, 0}, {3, 0}).ways), IsEmpty()) << "an obstacle";
   const NoPath too_close = explain_no_path(space, {3, 0}, {1, 0});
   EXPECT_THAT(names_of(too_close.ways), ElementsAre("smaller"));
-  EXPECT_EQ(too_close.goal_region, 0U);
+  EXPECT_EQ(too_close.goal_component, 0U);
   EXPECT_THAT(names_of(explain_no_path(space, {3, 0}, {5, 0}).ways), ElementsAre("unknown"));
   EXPECT_THAT(names_of(explain_no_path(space, {1, 0}, {5, 0}).ways),
               ElementsAre("unknown+smaller"));
@@ -135,16 +135,16 @@ TEST(NoPath, SaysWhatWouldFreeAnEnd) {
 TEST(NoPath, OfAPathNeedsNoChange) {
   const NoPath why = explain_no_path(test::open_space(3, 3), {0, 0}, {2, 2});
   EXPECT_THAT(names_of(why.ways), ElementsAre("nothing"));
-  EXPECT_EQ(why.start_region, 9U);
+  EXPECT_EQ(why.start_component, 9U);
 }
 
-/// Is there a path by the textbook under these changes? A smaller robot is a point.
-bool path_by_the_textbook(const GridMap& map, test::Robot robot, GridMoves moves, Cell start,
-                          Cell goal, const Way& changes) {
+/// Is there a path by the reference under these changes? A smaller robot is a point.
+bool path_by_the_reference(const GridMap& map, test::Robot robot, GridMoves moves, Cell start,
+                           Cell goal, const Way& changes) {
   robot.enters_unknown |= changes.unknown_free;
   if (changes.squeeze) moves = kBoth;
   if (changes.smaller_robot) robot.radius = 0;
-  const test::Textbook book(
+  const test::Reference book(
       map, robot, {moves.connectivity == Connectivity::eight, static_cast<int>(moves.corner_rule)});
   return book.costs_from(start)[book.number(goal)] < test::kInfinite;
 }
@@ -157,7 +157,7 @@ Way changes_of(unsigned bits) {
   return way;
 }
 
-/// The names of the minimal sets of changes under which the textbook finds a path.
+/// The names of the minimal sets of changes under which the reference finds a path.
 std::vector<std::string> minimal_changes(const std::vector<bool>& has_path) {
   std::vector<std::string> names;
   for (unsigned bits = 0; bits < has_path.size(); ++bits) {
@@ -189,7 +189,7 @@ TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
     const NoPath why = explain_no_path(space, start, goal, moves);
     std::vector<bool> has_path;
     for (unsigned bits = 0; bits < 8; ++bits) {
-      has_path.push_back(path_by_the_textbook(map, robot, moves, start, goal, changes_of(bits)));
+      has_path.push_back(path_by_the_reference(map, robot, moves, start, goal, changes_of(bits)));
     }
     ASSERT_THAT(names_of(why.ways),
                 ::testing::UnorderedElementsAreArray(minimal_changes(has_path)));
@@ -212,8 +212,8 @@ TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
   EXPECT_GT(with_two_changes, 20);
 }
 
-/// The cells that the textbook's robot can reach.
-BitGrid reached_by_the_textbook(const test::Textbook& book, const GridMap& map, Cell from) {
+/// The cells that the reference's robot can reach.
+BitGrid reached_by_the_reference(const test::Reference& book, const GridMap& map, Cell from) {
   const std::vector<double> steps = book.steps_from(from);
   BitGrid reached(map.width(), map.height());
   for (int y = 0; y < map.height(); ++y) {
@@ -234,18 +234,18 @@ TEST(NoPath, KnowsTheCellsThatEachEndReaches) {
     const int corners = random.chance(0.6) ? 2 : random.between(0, 1);
     const GridMoves moves{eight ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(corners)};
-    const test::Textbook book(map, test::robot_in_cells(options, map.frame()), {eight, corners});
+    const test::Reference book(map, test::robot_in_cells(options, map.frame()), {eight, corners});
     const FreeSpace space(map, options);
     const Cell start = test::random_cell(random, map.width(), map.height());
     const Cell goal = test::random_cell(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
     const NoPath why = explain_no_path(space, start, goal, moves);
-    const BitGrid reached = reached_by_the_textbook(book, map, start);
-    ASSERT_TRUE(region_of(space, start, moves) == reached);
-    ASSERT_EQ(region_size(space, start, moves), reached.count());
-    ASSERT_EQ(why.start_region, reached.count());
-    ASSERT_EQ(why.goal_region, reached_by_the_textbook(book, map, goal).count());
-    const auto by_labels = space.regions().size_of_region(start, moves.adjacency());
+    const BitGrid reached = reached_by_the_reference(book, map, start);
+    ASSERT_TRUE(component_of(space, start, moves) == reached);
+    ASSERT_EQ(component_size(space, start, moves), reached.count());
+    ASSERT_EQ(why.start_component, reached.count());
+    ASSERT_EQ(why.goal_component, reached_by_the_reference(book, map, goal).count());
+    const auto by_labels = space.components().size_of_component(start, moves.adjacency());
     labels_count_too_much += by_labels > reached.count() ? 1 : 0;
   }
   EXPECT_GT(labels_count_too_much, 5) << "discs that do not fit between two corners";

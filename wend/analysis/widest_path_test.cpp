@@ -13,7 +13,7 @@
 #include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -52,7 +52,7 @@ std::vector<double> radii_that_matter(const FreeSpace& space) {
   return radii;
 }
 
-/// What the textbook says of a map and moves for a robot of a radius in cells.
+/// What the reference says of a map and moves for a robot of a radius in cells.
 struct Truth {
   GridMap map;
   FreeSpace space;
@@ -60,7 +60,7 @@ struct Truth {
   Cell start;
   Cell goal;
 
-  test::Textbook textbook(double radius) const {
+  test::Reference reference(double radius) const {
     const int corners = static_cast<int>(moves.corner_rule);
     return {map,
             {.radius = radius,
@@ -70,7 +70,7 @@ struct Truth {
   }
 
   bool gets_through(double radius) const {
-    const test::Textbook book = textbook(radius);
+    const test::Reference book = reference(radius);
     return book.costs_from(start)[book.number(goal)] < test::kInfinite;
   }
 
@@ -84,7 +84,7 @@ struct Truth {
 };
 
 template <class Check>
-void on_random_errands(int count, Check&& check) {
+void on_random_queries(int count, Check&& check) {
   for (int seed = 1; seed <= count && !::testing::Test::HasFailure(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
@@ -108,7 +108,7 @@ void on_random_errands(int count, Check&& check) {
 TEST(WidestPath, HasTheLargestRadiusThatGetsThrough) {
   int points = 0;
   int discs = 0;
-  on_random_errands(800, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_queries(800, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
     const std::optional<double> expected = truth.widest();
     ASSERT_EQ(widest.has_value(), expected.has_value());
     if (!expected) return;
@@ -125,21 +125,21 @@ TEST(WidestPath, HasTheLargestRadiusThatGetsThrough) {
 
 TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
   int detours = 0;
-  on_random_errands(400, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_queries(400, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
     if (!widest || widest->radius == test::kInfinite) return;
     const auto cells = widest->path.cells();
-    ASSERT_EQ(truth.textbook(widest->radius).fault(cells, truth.start, truth.goal), "");
+    ASSERT_EQ(truth.reference(widest->radius).fault(cells, truth.start, truth.goal), "");
     const auto is_narrow = [&](Cell cell) {
       return test::clearance_at(truth.space, centre_of(cell)) <= widest->radius + kExact;
     };
-    // A robot that pays for nothing but narrow cells, by the textbook.
+    // A robot that pays for nothing but narrow cells, by the reference.
     const GridMap dear =
         with_terrain(truth.map, [&](Cell cell) { return is_narrow(cell) ? 1e6 : 1.0; });
     const Truth paying{dear, truth.space, truth.moves, truth.start, truth.goal};
-    const test::Textbook book = paying.textbook(widest->radius);
+    const test::Reference book = paying.reference(widest->radius);
     const double least = book.costs_from(truth.start)[book.number(truth.goal)];
     ASSERT_NEAR(book.cost_of(cells), least, 1e-6 * least);
-    const test::Textbook plain = truth.textbook(widest->radius);
+    const test::Reference plain = truth.reference(widest->radius);
     const double fewest = plain.steps_from(truth.start)[plain.number(truth.goal)];
     if (static_cast<double>(cells.size() - 1) > fewest) ++detours;
   });
@@ -147,7 +147,7 @@ TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
 }
 
 TEST(WidestPath, IsNarrowestWhereAnObstacleIsAsFarAsTheRadius) {
-  on_random_errands(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_queries(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     if (!widest) return;
     const double clearance = test::clearance_at(truth.space, widest->narrowest);
     if (widest->radius == test::kInfinite) {
@@ -165,9 +165,9 @@ TEST(WidestPath, IsNarrowestWhereAnObstacleIsAsFarAsTheRadius) {
 /// A robot that is a little wider comes to it from the start, but not past it.
 TEST(WidestPath, IsNarrowestWhereAWiderRobotIsStuck) {
   int stuck_on_the_way = 0;
-  on_random_errands(400, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_queries(400, [&](const Truth& truth, const std::optional<WidestPath>& widest) {
     if (!widest || widest->radius == test::kInfinite) return;
-    const test::Textbook wider = truth.textbook(widest->radius + 1e-5);
+    const test::Reference wider = truth.reference(widest->radius + 1e-5);
     const auto reached = wider.costs_from(truth.start);
     if (!wider.passable(truth.start)) {
       ASSERT_EQ(widest->narrowest, centre_of(truth.start));
@@ -200,7 +200,7 @@ TEST(WidestPath, IsNarrowestAtAGoalInANicheThoughThePathHugsAWall) {
 
 /// In metres and with rounding: a FreeSpace lets a robot of that radius through, and none larger.
 TEST(WidestPath, AgreesWithAPlannerOnAFreeSpaceOfThatRadius) {
-  on_random_errands(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
+  on_random_queries(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     const auto status = [&](double radius) {
       const FreeSpace space(truth.map, {.robot_radius = radius * truth.map.frame().resolution,
                                         .unknown = truth.space.options().unknown,

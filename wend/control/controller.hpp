@@ -30,7 +30,7 @@ namespace wend {
 
 /// What a controller sees; all numbers are finite. To drive in reverse it is shown the robot as if
 /// it faced backwards, so that it need not know.
-struct Situation {
+struct ControllerInput {
   Pose pose;          // as measured
   Velocity velocity;  // as last commanded and limited
   const Polyline* route =
@@ -52,7 +52,7 @@ class Controller {
   virtual void begin(const Polyline& line, const VelocityLimits& limits) = 0;
 
   /// What it wants, on the line that has begun; whoever drives limits it.
-  virtual Velocity command(const Situation& situation) = 0;
+  virtual Velocity command(const ControllerInput& input) = 0;
 
  protected:
   Controller() = default;

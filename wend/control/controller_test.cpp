@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/control/aim.hpp"
 #include "wend/control/pid_term.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -27,7 +27,7 @@ struct Scene {
   Pose pose;
   Velocity velocity{};
 
-  Situation situation() const { return {pose, velocity, &route, 0, 1, 0.05, {}}; }
+  ControllerInput input() const { return {pose, velocity, &route, 0, 1, 0.05, {}}; }
 };
 
 /// One that has begun to drive along a line.
@@ -40,7 +40,7 @@ std::unique_ptr<Controller> make_on(const Polyline& line, std::string_view name,
 
 /// Of a controller that has just begun.
 Velocity first_command(std::string_view name, const Scene& scene) {
-  return make_on(scene.route, name)->command(scene.situation());
+  return make_on(scene.route, name)->command(scene.input());
 }
 
 Scene on_straight_line(const Pose& pose) {
@@ -119,7 +119,7 @@ TEST(P, TurnsInPlaceUntilItFacesTheWaypoint) {
   const auto p = make("p", {{"turn_above", "0.5"}, {"drive_below", "0.1"}});
   const Scene scene = on_straight_line({});
   const auto speed_at = [&](double heading) {
-    return p->command(on_straight_line({0, 0, heading}).situation()).linear;
+    return p->command(on_straight_line({0, 0, heading}).input()).linear;
   };
   EXPECT_EQ(speed_at(0.2), 0) << "it begins by turning";
   EXPECT_GT(speed_at(0.05), 0);
@@ -134,7 +134,7 @@ TEST(P, TurnsInPlaceUntilItFacesTheWaypoint) {
 TEST(PMoving, DrivesSlowerTheLargerTheHeadingError) {
   const auto p = make("p_moving", {{"standing_angle", "1"}});
   const auto speed_at = [&](double heading) {
-    return p->command(on_straight_line({0, 0, heading}).situation()).linear;
+    return p->command(on_straight_line({0, 0, heading}).input()).linear;
   };
   EXPECT_DOUBLE_EQ(speed_at(0.5), 0.5 * speed_at(0));
   EXPECT_DOUBLE_EQ(speed_at(-0.75), 0.25 * speed_at(0));
@@ -160,8 +160,8 @@ RC_GTEST_PROP(Pid, WithoutIAndDIsPMoving, (std::uint64_t seed)) {
   for (int i = 0; i < 50; ++i) {
     const Scene scene =
         on_straight_line({12 * random.uniform(), 2 * random.uniform() - 1, 7 * random.uniform()});
-    const Velocity wanted = p->command(scene.situation());
-    RC_ASSERT(pid->command(scene.situation()) == wanted);
+    const Velocity wanted = p->command(scene.input());
+    RC_ASSERT(pid->command(scene.input()) == wanted);
   }
 }
 
@@ -201,8 +201,8 @@ TEST(Pid, DampsByTheShorterWayRound) {
                                 {"heading_integral", "0"},
                                 {"heading_derivative", "1"},
                                 {"filter_time", "0"}});
-  pid->command(on_straight_line({0, 0, kPi - 0.01}).situation());
-  const Velocity wanted = pid->command(on_straight_line({0, 0, kPi + 0.01}).situation());
+  pid->command(on_straight_line({0, 0, kPi - 0.01}).input());
+  const Velocity wanted = pid->command(on_straight_line({0, 0, kPi + 0.01}).input());
   EXPECT_NEAR(wanted.angular, -0.02 / 0.05, 1e-9);
 }
 
@@ -228,7 +228,7 @@ TEST(PurePursuit, LooksFartherTheFasterItIs) {
     scene.velocity.linear = speed;
     const auto pursuit =
         make_on(scene.route, "pure_pursuit", {{"lookahead", "0.3"}, {"lookahead_time", "2"}});
-    const Velocity wanted = pursuit->command(scene.situation());
+    const Velocity wanted = pursuit->command(scene.input());
     return wanted.angular / wanted.linear;
   };
   EXPECT_NEAR(curvature_at(0), 0.2 / (0.3 * 0.3 + 0.1 * 0.1), 1e-9);
@@ -238,15 +238,15 @@ TEST(PurePursuit, LooksFartherTheFasterItIs) {
 TEST(PurePursuit, SlowsInCurvesAndBeforeTheGoal) {
   Scene scene = on_straight_line({0, 0, 0});
   const auto pursuit = make_on(scene.route, "pure_pursuit",
-                               {{"slow_radius", "1"}, {"approach", "2"}, {"least_speed", "0.05"}});
-  const double straight = pursuit->command(scene.situation()).linear;
+                               {{"slow_radius", "1"}, {"approach", "2"}, {"min_speed", "0.05"}});
+  const double straight = pursuit->command(scene.input()).linear;
   scene.pose.heading = 0.5;
-  const Velocity bend = pursuit->command(scene.situation());
+  const Velocity bend = pursuit->command(scene.input());
   EXPECT_DOUBLE_EQ(bend.linear, straight * std::abs(bend.linear / bend.angular))
       << "in proportion to the radius";
 
   scene.pose = {9, 0, 0};
-  Situation near_goal = scene.situation();
+  ControllerInput near_goal = scene.input();
   near_goal.along = 9;
   EXPECT_DOUBLE_EQ(pursuit->command(near_goal).linear, straight / 2);
   near_goal.along = 9.99;
@@ -257,7 +257,7 @@ TEST(PurePursuit, SlowsInCurvesAndBeforeTheGoal) {
 TEST(PurePursuit, ComesInStraightAndTurnsBackToAnEndThatItPassed) {
   Scene scene = on_straight_line({9.95, 0.02, 0});
   const auto pursuit = make_on(scene.route, "pure_pursuit");
-  Situation near_end = scene.situation();
+  ControllerInput near_end = scene.input();
   near_end.along = 9.95;
   EXPECT_LT(std::abs(pursuit->command(near_end).angular), 0.1) << "it aims beyond the end";
   near_end.pose.x = 10.15;
@@ -265,7 +265,7 @@ TEST(PurePursuit, ComesInStraightAndTurnsBackToAnEndThatItPassed) {
   EXPECT_EQ(std::abs(pursuit->command(near_end).angular), VelocityLimits{}.turn_rate);
 }
 
-TEST(Aim, OfWhereTheRobotStandsIsNoTurn) {
+TEST(TrackingError, OfWhereTheRobotStandsIsNoTurn) {
   EXPECT_EQ(turn_to({1, 2, 3}, {1, 2}), 0);
   EXPECT_NEAR(turn_to({1, 2, 3}, {0, 2}), kPi - 3, 1e-12);
   EXPECT_NEAR(turn_to({1, 2, -3}, {0, 2}), 3 - kPi, 1e-12);

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "wend/control/aim.hpp"
 #include "wend/control/nearest_ahead.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {

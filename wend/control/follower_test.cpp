@@ -25,12 +25,12 @@ class Stubborn final : public Controller {
  public:
   explicit Stubborn(const Velocity& wanted) : wanted_(wanted) {}
   void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override { ++begun; }
-  Velocity command(const Situation& situation) override {
-    shown = situation;
+  Velocity command(const ControllerInput& input) override {
+    shown = input;
     return wanted_;
   }
 
-  Situation shown;
+  ControllerInput shown;
   int begun = 0;
 
  private:
@@ -294,7 +294,9 @@ TEST(Follower, TellsAControllerThatOscillates) {
   class Oscillating final : public Controller {
    public:
     void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
-    Velocity command(const Situation&) override { return {0, ++count_ / 20 % 2 == 0 ? 1.5 : -1.5}; }
+    Velocity command(const ControllerInput&) override {
+      return {0, ++count_ / 20 % 2 == 0 ? 1.5 : -1.5};
+    }
 
    private:
     int count_ = 0;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/make_controller.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -37,8 +37,8 @@ class PController final : public Controller {
     turning_ = true;
   }
 
-  Velocity command(const Situation& situation) override {
-    const Aim aim = aim_of(situation);
+  Velocity command(const ControllerInput& input) override {
+    const TrackingError aim = tracking_error_of(input);
     turning_ = std::abs(aim.heading) > (turning_ ? options_.drive_below : options_.turn_above);
     return {turning_ ? 0 : options_.distance_gain * aim.distance,
             options_.heading_gain * aim.heading};

@@ -1,9 +1,9 @@
 // A proportional controller that drives while it turns. K. J. Åström and R. M. Murray, "Feedback
 // Systems", 2008, chapter 1.
 
-#include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/make_controller.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -31,10 +31,10 @@ class PMovingController final : public Controller {
 
   void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
-  Velocity command(const Situation& situation) override {
-    const Aim aim = aim_of(situation);
+  Velocity command(const ControllerInput& input) override {
+    const TrackingError aim = tracking_error_of(input);
     return while_turning(options_.distance_gain * aim.distance, options_.heading_gain * aim.heading,
-                         aim, options_.standing_angle, situation.limits);
+                         aim, options_.standing_angle, input.limits);
   }
 
  private:

@@ -1,9 +1,9 @@
 // PID on heading and distance. K. J. Åström and R. M. Murray, "Feedback Systems", 2008, chapter 10.
 
-#include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/make_controller.hpp"
 #include "wend/control/pid_term.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -44,14 +44,14 @@ class PidController final : public Controller {
     distance_.reset();
   }
 
-  Velocity command(const Situation& situation) override {
-    const Aim aim = aim_of(situation);
-    const VelocityLimits& limits = situation.limits;
-    const double linear = distance_.output(aim.distance, aim.distance - last_.distance,
-                                           situation.seconds, limits.speed);
+  Velocity command(const ControllerInput& input) override {
+    const TrackingError aim = tracking_error_of(input);
+    const VelocityLimits& limits = input.limits;
+    const double linear =
+        distance_.output(aim.distance, aim.distance - last_.distance, input.seconds, limits.speed);
     const double angular =
-        heading_.output(aim.heading, normalized_angle(aim.heading - last_.heading),
-                        situation.seconds, limits.turn_rate);
+        heading_.output(aim.heading, normalized_angle(aim.heading - last_.heading), input.seconds,
+                        limits.turn_rate);
     last_ = aim;
     return while_turning(linear, angular, aim, standing_angle_, limits);
   }
@@ -60,7 +60,7 @@ class PidController final : public Controller {
   double standing_angle_;
   PidTerm heading_;
   PidTerm distance_;
-  Aim last_;
+  TrackingError last_;
 };
 
 }  // namespace

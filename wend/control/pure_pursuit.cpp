@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wend/control/aim.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/make_controller.hpp"
 #include "wend/control/speed_profile.hpp"
+#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -20,7 +20,7 @@ struct PurePursuitOptions {
   double slow_radius = 0.6;
   double lateral_acceleration = 1;
   double approach = 0.5;
-  double least_speed = 0.05;
+  double min_speed = 0.05;
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -33,7 +33,7 @@ struct PurePursuitOptions {
     field({"lateral_acceleration", "slower in curves in which it would be greater, m/s^2"},
           self.lateral_acceleration, {1e-3, 1e3});
     field({"approach", "slower this near to the goal, m"}, self.approach, {0, 1e3});
-    field({"least_speed", "but never slower, m/s"}, self.least_speed, {1e-4, 1e3});
+    field({"min_speed", "but never slower, m/s"}, self.min_speed, {1e-4, 1e3});
   }
 };
 
@@ -44,48 +44,48 @@ class PurePursuitController final : public Controller {
   void begin(const Polyline& line, const VelocityLimits& limits) override {
     profile_.begin(line, {.limits = limits,
                           .lateral_acceleration = options_.lateral_acceleration,
-                          .least_speed = options_.least_speed,
+                          .min_speed = options_.min_speed,
                           .window = options_.lookahead,
                           .lookahead = options_.lookahead,
                           .lookahead_time = options_.lookahead_time});
   }
 
-  Velocity command(const Situation& situation) override {
-    const Pose& pose = situation.pose;
-    const Point target = target_of(situation);
+  Velocity command(const ControllerInput& input) override {
+    const Pose& pose = input.pose;
+    const Point target = target_of(input);
     const double turn = turn_to(pose, target);
     if (std::abs(turn) > kPi / 2) {  // behind: round in the tightest circle
-      return {options_.least_speed, std::copysign(situation.limits.turn_rate, turn)};
+      return {options_.min_speed, std::copysign(input.limits.turn_rate, turn)};
     }
     // The circle through the target that is tangent to the heading.
     const double chord = distance(pose.point(), target);
     const double curvature = chord > 0 ? 2 * std::sin(turn) / chord : 0;
-    const double speed = speed_on(curvature, situation);
+    const double speed = speed_on(curvature, input);
     return {speed, speed * curvature};
   }
 
  private:
   /// On the route, the lookahead farther along than the robot; beyond its end on the last line's
   /// extension, so that the robot comes in straight. Once it has passed the end, the end.
-  Point target_of(const Situation& situation) const {
-    const Polyline& route = *situation.route;
+  Point target_of(const ControllerInput& input) const {
+    const Polyline& route = *input.route;
     const double farther =
-        options_.lookahead + options_.lookahead_time * std::abs(situation.velocity.linear);
-    const double along = situation.along + farther;
+        options_.lookahead + options_.lookahead_time * std::abs(input.velocity.linear);
+    const double along = input.along + farther;
     const Pose place = route.at(along);
     const double beyond = along - route.length();
-    if (beyond <= 0 || situation.along >= route.length()) return place.point();
+    if (beyond <= 0 || input.along >= route.length()) return place.point();
     return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};
   }
 
-  double speed_on(double curvature, const Situation& situation) const {
-    const VelocityLimits& limits = situation.limits;
+  double speed_on(double curvature, const ControllerInput& input) const {
+    const VelocityLimits& limits = input.limits;
     const double bend = std::abs(curvature);
-    const double left = way_left(*situation.route, situation.along, situation.pose.point());
-    double speed = profile_.at(situation.along);
+    const double left = way_left(*input.route, input.along, input.pose.point());
+    double speed = profile_.at(input.along);
     if (bend * options_.slow_radius > 1) speed /= bend * options_.slow_radius;
     if (left < options_.approach) speed *= left / options_.approach;
-    speed = std::max(speed, options_.least_speed);
+    speed = std::max(speed, options_.min_speed);
     return bend * speed > limits.turn_rate ? limits.turn_rate / bend : speed;
   }
 

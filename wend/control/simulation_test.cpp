@@ -106,7 +106,7 @@ TEST(Simulate, TellsTheSidesOfTheRoute) {
   class Bearing final : public Controller {
    public:
     void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
-    Velocity command(const Situation&) override { return {0.5, 0.05}; }
+    Velocity command(const ControllerInput&) override { return {0.5, 0.05}; }
   };
   Bearing controller;
   const Drive drive = simulate(open_ground(), Path::along({{20, 60}, {60, 60}}), controller, {}, {},
@@ -302,7 +302,7 @@ TEST(Simulate, CommandsTakeEffectAfterTheLatency) {
   class Starting final : public Controller {
    public:
     void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
-    Velocity command(const Situation&) override { return {0.5, 0}; }
+    Velocity command(const ControllerInput&) override { return {0.5, 0}; }
   };
   Starting controller;
   const MotionModel model{.limits = {.speed = 0.5, .acceleration = 1e6}};

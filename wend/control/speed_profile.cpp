@@ -25,7 +25,7 @@ double speed_in(double curvature, double change, const SpeedProfileOptions& opti
   const double fastest = std::min({options.limits.speed, options.limits.turn_rate / bend,
                                    std::sqrt(options.lateral_acceleration / bend),
                                    std::sqrt(options.limits.turn_acceleration / std::abs(change))});
-  return std::max(fastest, options.least_speed);
+  return std::max(fastest, options.min_speed);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ double speed_in(double curvature, double change, const SpeedProfileOptions& opti
 void SpeedProfile::begin(const Polyline& line, const SpeedProfileOptions& options) {
   assert(options.window > 0);
   constexpr double kMostSamples = 1e5;
-  least_speed_ = options.least_speed;
+  min_speed_ = options.min_speed;
   const double wanted = std::ceil(2 * line.length() / options.window);
   const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, kMostSamples)) + 1;
   step_ = line.length() / static_cast<double>(count - 1);
@@ -70,7 +70,7 @@ double SpeedProfile::at(double along) const {
   const auto i = std::min(static_cast<std::size_t>(place), squared_.size() - 2);
   const double share = place - static_cast<double>(i);
   const double squared = squared_[i] + share * (squared_[i + 1] - squared_[i]);
-  return std::max(std::sqrt(squared), least_speed_);
+  return std::max(std::sqrt(squared), min_speed_);
 }
 
 }  // namespace wend

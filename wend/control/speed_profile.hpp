@@ -25,7 +25,7 @@ namespace wend {
 struct SpeedProfileOptions {
   VelocityLimits limits{};
   double lateral_acceleration = 1;  // m/s^2
-  double least_speed = 0.05;        // m/s
+  double min_speed = 0.05;          // m/s
   double window = 0.2;              // m, > 0: half of what headings are averaged over
   double lookahead = 0;             // m: so long before a bend the robot is as slow as in it,
   double lookahead_time = 0;        // s: and longer by what it drives in this time
@@ -48,7 +48,7 @@ class SpeedProfile {
   void slow_in_bends(const Polyline& line, const SpeedProfileOptions& options);
 
   double step_ = 1;  // from sample to sample, m
-  double least_speed_ = 0;
+  double min_speed_ = 0;
   std::vector<double> squared_;  // speeds, at multiples of the step
 };
 

@@ -30,8 +30,8 @@ TEST(SpeedProfile, AllowsFullSpeedOnALineAndStandsAtItsEnd) {
   EXPECT_EQ(profile.at(0), 3);
   EXPECT_EQ(profile.at(15), 3);
   EXPECT_NEAR(profile.at(18), std::sqrt(2 * 2.0), 1e-6) << "it brakes by 1 m/s^2";
-  EXPECT_EQ(profile.at(20), kOptions.least_speed);
-  EXPECT_EQ(profile.at(1e9), kOptions.least_speed);
+  EXPECT_EQ(profile.at(20), kOptions.min_speed);
+  EXPECT_EQ(profile.at(1e9), kOptions.min_speed);
 }
 
 TEST(SpeedProfile, KeepsTheLateralAccelerationAndTheTurnRateInABend) {
@@ -62,7 +62,7 @@ TEST(SpeedProfile, IsSlowTheLookaheadBeforeABend) {
 }
 
 TEST(SpeedProfile, OfAPointOrAVeryLongLineIsMadeToo) {
-  EXPECT_EQ(SpeedProfile(Polyline({{3, 3}}), kOptions).at(0), kOptions.least_speed);
+  EXPECT_EQ(SpeedProfile(Polyline({{3, 3}}), kOptions).at(0), kOptions.min_speed);
   EXPECT_EQ(SpeedProfile(Polyline({{0, 0}, {1e9, 0}}), kOptions).at(5), 3);
 }
 

@@ -70,7 +70,7 @@ TEST_P(EachGenerator, MakesTheSameMapFromTheSameSeed) {
 TEST_P(EachGenerator, ConnectsAllFreeCellsWhereItSaysSo) {
   if (!info().connected) return;
   for_maps_of_many_sizes([](const GridMap& map) {
-    ASSERT_EQ(FreeSpace(map).regions().count(Adjacency::edges), 1U) << drawn(map);
+    ASSERT_EQ(FreeSpace(map).components().count(Adjacency::edges), 1U) << drawn(map);
   });
 }
 
@@ -173,7 +173,7 @@ TEST(MazeGenerator, LeavesOneWayBetweenAnyTwoPlaces) {
     const int rows = random.between(1, 20);
     const GridMap maze = made("maze", 1 + columns * (corridor + 1), 1 + rows * (corridor + 1), seed,
                               {{"corridor_width", std::to_string(corridor)}});
-    ASSERT_EQ(FreeSpace(maze).regions().count(Adjacency::edges), 1U);
+    ASSERT_EQ(FreeSpace(maze).components().count(Adjacency::edges), 1U);
     ASSERT_EQ(free_cells(maze), static_cast<std::size_t>(columns * rows * corridor * corridor +
                                                          (columns * rows - 1) * corridor));
   }
@@ -209,7 +209,7 @@ TEST(RoomsGenerator, WithoutLoopsHasOneDoorFewerThanRooms) {
     const int rows = random.between(1, 9);
     const GridMap rooms = made("rooms", 1 + columns * (size + 1), 1 + rows * (size + 1), seed,
                                {{"room_size", std::to_string(size)}, {"loops", "0"}});
-    ASSERT_EQ(FreeSpace(rooms).regions().count(Adjacency::edges), 1U);
+    ASSERT_EQ(FreeSpace(rooms).components().count(Adjacency::edges), 1U);
     ASSERT_EQ(free_cells(rooms),
               static_cast<std::size_t>(columns * rows * size * size + columns * rows - 1));
   }
@@ -231,14 +231,14 @@ TEST_P(EachBuilding, IsInMetresWithTheLowerLeftCornerAtZero) {
 TEST_P(EachBuilding, LetsARobotOf30CentimetresGetFromStartToGoal) {
   for_maps_of_many_sizes([&](const GridMap& map) {
     const FreeSpace space(map, {.robot_radius = 0.3});
-    ASSERT_TRUE(space.regions().connected(start(), goal(map), Adjacency::edges)) << drawn(map);
+    ASSERT_TRUE(space.components().connected(start(), goal(map), Adjacency::edges)) << drawn(map);
   });
 }
 
 TEST_P(EachBuilding, LetsARobotOf20CentimetresIntoAlmostEveryCorner) {
   for_maps_of_many_sizes([&](const GridMap& map) {
     const FreeSpace space(map, {.robot_radius = 0.2});
-    const auto largest = static_cast<double>(space.regions().sizes(Adjacency::edges).front());
+    const auto largest = static_cast<double>(space.components().sizes(Adjacency::edges).front());
     ASSERT_GT(largest, 0.9 * static_cast<double>(space.passable().count())) << drawn(map);
   });
 }
@@ -249,7 +249,7 @@ TEST_P(EachBuilding, HasNoHoleInItsOuterWall) {
     ASSERT_EQ(map.state({0, 0}), CellState::unknown);
     for (const Cell cell : test::all_cells(map.width(), map.height())) {
       if (map.state(cell) != CellState::free) continue;
-      ASSERT_FALSE(space.regions().connected({0, 0}, cell, Adjacency::edges_and_corners))
+      ASSERT_FALSE(space.components().connected({0, 0}, cell, Adjacency::edges_and_corners))
           << cell.x << "," << cell.y << '\n'
           << drawn(map);
     }
@@ -267,14 +267,14 @@ INSTANTIATE_TEST_SUITE_P(Buildings, EachBuilding, testing::Values("office", "war
 TEST(OfficeGenerator, CanBeUnfurnished) {
   const GridMap empty = made("office", 160, 100, 7, {{"furniture", "false"}});
   EXPECT_GT(free_cells(empty), free_cells(made("office", 160, 100, 7)));
-  EXPECT_EQ(FreeSpace(empty).regions().count(Adjacency::edges), 1U);
+  EXPECT_EQ(FreeSpace(empty).components().count(Adjacency::edges), 1U);
 }
 
 TEST(OfficeGenerator, LetsTheDemosRobotGetFromOneEndToTheOther) {
   const FreeSpace space(made("office", 160, 100, 7), {.robot_radius = 0.2});
   const Frame& frame = space.map().frame();
-  EXPECT_TRUE(space.regions().connected(frame.cell_at({1, 1}).value(),
-                                        frame.cell_at({15, 9}).value(), Adjacency::edges));
+  EXPECT_TRUE(space.components().connected(frame.cell_at({1, 1}).value(),
+                                           frame.cell_at({15, 9}).value(), Adjacency::edges));
 }
 
 TEST(WarehouseGenerator, WantsRoomForOneAisle) {

@@ -7,7 +7,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/generate/generated_map_test.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/random_bits_test.hpp"
 
 namespace wend {
@@ -141,7 +141,7 @@ TEST(ParkingGenerator, HasEmptyBaysToParkIn) {
 TEST(ParkingGenerator, ParksCarsInTheShareOfBaysThatItIsTold) {
   const auto objects = [](double occupied) {
     const GridMap map = parking(600, 500, 3, occupied);
-    return static_cast<double>(ConnectedRegions(map.occupied()).count(Adjacency::edges));
+    return static_cast<double>(ConnectedComponents(map.occupied()).count(Adjacency::edges));
   };
   const double kerbs = objects(0);
   const double bays = objects(1) - kerbs;

@@ -11,7 +11,7 @@
 namespace wend {
 namespace {
 
-constexpr double kBorder = 1e-9;  // metres, as the header promises
+constexpr double kBorder = 1e-9;  // metres, as the header guarantees
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 

@@ -67,12 +67,12 @@ double least_squared_half_cells(double radius_in_cells) {
 }
 
 /// How many times more a cell costs because of the obstacles near it.
-class KeepAway {
+class ClearanceCost {
  public:
-  KeepAway(const FreeSpaceOptions& options, double resolution)
+  ClearanceCost(const FreeSpaceOptions& options, double resolution)
       : radius_(options.robot_radius / resolution),
-        distance_(options.keep_away / resolution),
-        cost_(options.keep_away_cost) {}
+        distance_(options.clearance_distance / resolution),
+        cost_(options.clearance_cost) {}
 
   bool needed() const { return distance_ > 0 && cost_ > 0; }
 
@@ -92,13 +92,13 @@ class KeepAway {
 /// The map's terrain times what keeping away costs; empty if that is the map's terrain.
 Grid<double> terrain_away_from_obstacles(const GridMap& map, const BitGrid& passable,
                                          const Grid<std::uint32_t>& clearance,
-                                         const KeepAway& keep_away) {
+                                         const ClearanceCost& clearance_distance) {
   Grid<double> terrain;
-  if (!keep_away.needed()) return terrain;
+  if (!clearance_distance.needed()) return terrain;
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
       const Cell cell{x, y};
-      const double factor = passable[cell] ? keep_away.factor(clearance[cell]) : 1;
+      const double factor = passable[cell] ? clearance_distance.factor(clearance[cell]) : 1;
       if (factor == 1) continue;
       if (terrain.empty()) {
         terrain =
@@ -135,26 +135,26 @@ OutsidePolicy default_outside_policy(const Frame& frame) {
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
   constexpr double kBits = 2.0 / 8;  // obstacles, passable cells
   constexpr double kClearance = sizeof(std::uint32_t);
-  constexpr double kRegions = sizeof(std::uint32_t);
-  const bool own_terrain = KeepAway(options, map.frame().resolution).needed();
-  return kBits + kClearance + kRegions + (own_terrain ? sizeof(double) : 0);
+  constexpr double kComponents = sizeof(std::uint32_t);
+  const bool own_terrain = ClearanceCost(options, map.frame().resolution).needed();
+  return kBits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
 }
 
 FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
   assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
-  assert(options.keep_away >= 0 && std::isfinite(options.keep_away));
-  assert(options.keep_away_cost >= 0 && std::isfinite(options.keep_away_cost));
+  assert(options.clearance_distance >= 0 && std::isfinite(options.clearance_distance));
+  assert(options.clearance_cost >= 0 && std::isfinite(options.clearance_cost));
   if (!options.outside) options.outside = default_outside_policy(map.frame());
   const double least = least_squared_half_cells(options.robot_radius / map.frame().resolution);
   BitGrid obstacles = obstacles_of(map, options.unknown);
   Grid<std::uint32_t> clearance = clearance_of(obstacles, *options.outside);
   BitGrid passable = cells_with_clearance(clearance, least);
-  ConnectedRegions regions(passable);
-  Grid<double> terrain = terrain_away_from_obstacles(map, passable, clearance,
-                                                     KeepAway(options, map.frame().resolution));
+  ConnectedComponents components(passable);
+  Grid<double> terrain = terrain_away_from_obstacles(
+      map, passable, clearance, ClearanceCost(options, map.frame().resolution));
   data_ = std::make_shared<const Data>(Data{std::move(map), options, least, std::move(obstacles),
                                             std::move(clearance), std::move(passable),
-                                            std::move(regions), std::move(terrain)});
+                                            std::move(components), std::move(terrain)});
 }
 
 std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {

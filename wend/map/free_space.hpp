@@ -1,7 +1,7 @@
 #pragma once
 
 // FreeSpace: where one robot may be on a map. Map + radius + what to make of unknown cells and of
-// what lies outside the map give passable cells, exact clearance, connected regions, and the reason
+// what lies outside the map give passable cells, exact clearance, connected components, and the reason
 // why a cell is blocked.
 //
 // The robot is a disc of radius r that stands on cell centres; it may stand where its centre is at
@@ -13,7 +13,7 @@
 // a distance, so that paths swing wide where there is room and still pass where there is none. With
 // d = clearance - r, the free width at the disc's edge, a passable cell's terrain is the map's times
 //
-//   1 + keep_away_cost * (1 - d / keep_away)^2  where d < keep_away, else 1
+//   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
 // It is at least the map's, so no admissible heuristic becomes inadmissible, and it reaches the
 // map's with slope 0. Clearance is that of the cell's centre.
@@ -31,7 +31,7 @@
 #include <string_view>
 
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
 
@@ -51,8 +51,8 @@ struct FreeSpaceOptions {
   double robot_radius = 0;  // metres (cells, where the map's resolution is 1), finite, >= 0
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
-  double keep_away = 0;       // from the disc's edge, units as robot_radius, finite; 0 = off
-  double keep_away_cost = 4;  // how much more a cell costs where the disc touches, finite, >= 0
+  double clearance_distance = 0;  // from the disc's edge, units as robot_radius, finite; 0 = off
+  double clearance_cost = 4;      // how much more a cell costs where the disc touches, finite, >= 0
 
   friend bool operator==(const FreeSpaceOptions&, const FreeSpaceOptions&) = default;
 };
@@ -128,7 +128,7 @@ class FreeSpace {
     return data_->terrain.empty() ? data_->map.terrain() : data_->terrain;
   }
 
-  const ConnectedRegions& regions() const { return data_->regions; }
+  const ConnectedComponents& components() const { return data_->components; }
 
  private:
   struct Data {
@@ -138,7 +138,7 @@ class FreeSpace {
     BitGrid obstacles;
     Grid<std::uint32_t> clearance;
     BitGrid passable;
-    ConnectedRegions regions;
+    ConnectedComponents components;
     Grid<double> terrain;  // empty if it is the map's
   };
 

@@ -167,10 +167,10 @@ TEST(FreeSpace, SaysWhyACellIsBlocked) {
 
 TEST(FreeSpace, HasTheRegionsOfItsPassableCells) {
   for_random_samples(50, [](const Sample&, const FreeSpace& space) {
-    const ConnectedRegions expected(space.passable());
+    const ConnectedComponents expected(space.passable());
     for (const Cell cell : test::all_cells(space.width(), space.height())) {
-      ASSERT_EQ(space.regions().region(cell, Adjacency::edges),
-                expected.region(cell, Adjacency::edges));
+      ASSERT_EQ(space.components().component(cell, Adjacency::edges),
+                expected.component(cell, Adjacency::edges));
     }
   });
 }
@@ -247,7 +247,7 @@ TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
 TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
   const FreeSpace space(row_behind_an_obstacle(5, 0.01), {.robot_radius = 1e9});
   EXPECT_EQ(space.passable().count(), 0U);
-  EXPECT_EQ(space.regions().count(Adjacency::edges), 0U);
+  EXPECT_EQ(space.components().count(Adjacency::edges), 0U);
   EXPECT_FALSE(space.far_enough(kNoObstacle - 1.0));
   EXPECT_TRUE(space.far_enough(kNoObstacle)) << "where there is none it may stand";
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {

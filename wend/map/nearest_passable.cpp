@@ -15,7 +15,7 @@ class Nearest {
 
   void offer(Cell cell) {
     if (!space_.passable(cell)) return;
-    if (connected_to_ && !space_.regions().connected(cell, *connected_to_, adjacency_)) return;
+    if (connected_to_ && !space_.components().connected(cell, *connected_to_, adjacency_)) return;
     const std::int64_t dx = std::int64_t{cell.x} - from_.x;
     const std::int64_t dy = std::int64_t{cell.y} - from_.y;
     const std::int64_t squared = dx * dx + dy * dy;

@@ -30,7 +30,7 @@ std::optional<Cell> nearest_of_all(const FreeSpace& space, Cell from,
   };
   for (const Cell cell : test::all_cells(space.width(), space.height())) {
     if (!space.passable(cell)) continue;
-    if (connected_to && !space.regions().connected(cell, *connected_to, adjacency)) continue;
+    if (connected_to && !space.components().connected(cell, *connected_to, adjacency)) continue;
     if (!nearest || rank(cell) < rank(*nearest)) nearest = cell;
   }
   return nearest;

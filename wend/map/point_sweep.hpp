@@ -20,7 +20,7 @@
 
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 
 namespace wend {

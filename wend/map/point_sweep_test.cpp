@@ -10,7 +10,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/map/arc_clearance.hpp"
 
 namespace wend {

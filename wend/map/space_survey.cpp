@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/map/region_counter.hpp"
+#include "wend/map/component_counter.hpp"
 
 namespace wend {
 namespace {
@@ -33,13 +33,14 @@ GridMap rows_of(const GridMap& map, int begin, int end) {
 
 /// How many rows away an obstacle can still matter.
 int reach_of(const GridMap& map, const FreeSpaceOptions& options) {
-  const double cells = (options.robot_radius + options.keep_away) / map.frame().resolution;
+  const double cells = (options.robot_radius + options.clearance_distance) / map.frame().resolution;
   return static_cast<int>(std::min<double>(std::ceil(cells) + 2, map.height()));
 }
 
 /// Nothing but whether a cell is an obstacle matters.
 bool is_point(const FreeSpaceOptions& options) {
-  return options.robot_radius == 0 && (options.keep_away == 0 || options.keep_away_cost == 0);
+  return options.robot_radius == 0 &&
+         (options.clearance_distance == 0 || options.clearance_cost == 0);
 }
 
 int rows_of_band(const GridMap& map) {
@@ -48,7 +49,7 @@ int rows_of_band(const GridMap& map) {
 
 class Surveyor {
  public:
-  explicit Surveyor(const GridMap& map) : map_(map), regions_(map.width()) {}
+  explicit Surveyor(const GridMap& map) : map_(map), components_(map.width()) {}
 
   /// A row of the map where a point may be: every cell that is no obstacle.
   void add_row_of_point(int y, UnknownPolicy unknown) {
@@ -77,8 +78,8 @@ class Surveyor {
   }
 
   SpaceSurvey finish() {
-    result_.components = regions_.count();
-    result_.largest_component = regions_.largest();
+    result_.components = components_.count();
+    result_.largest_component = components_.largest();
     if (result_.passable == 0) return result_;
     result_.least_terrain = map_.uniform_terrain() ? 1 : least_;
     result_.mean_terrain =
@@ -88,7 +89,7 @@ class Surveyor {
 
  private:
   void add_row(int y, std::span<const std::uint64_t> words) {
-    regions_.add_row(words);
+    components_.add_row(words);
     for_each_run(words, map_.width(), [&](RowRun run) {
       result_.passable += static_cast<std::size_t>(run.end - run.begin);
       if (map_.uniform_terrain()) return;
@@ -102,7 +103,7 @@ class Surveyor {
   }
 
   const GridMap& map_;
-  RegionCounter regions_;
+  ComponentCounter components_;
   SpaceSurvey result_;
   double sum_ = 0;
   double least_ = std::numeric_limits<double>::infinity();

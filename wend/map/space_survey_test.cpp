@@ -26,7 +26,7 @@ SpaceSurvey counted(const GridMap& map, const FreeSpaceOptions& options) {
       survey.greatest_terrain = std::max(survey.greatest_terrain, terrain);
     }
   }
-  const auto sizes = space.regions().sizes(Adjacency::edges);
+  const auto sizes = space.components().sizes(Adjacency::edges);
   survey.components = sizes.size();
   survey.largest_component = sizes.empty() ? 0 : sizes.front();
   if (survey.passable == 0) return survey;
@@ -59,7 +59,7 @@ TEST(SpaceSurvey, CountsWhatAFreeSpaceHasInBandsOfAnyHeight) {
     options.unknown = random.chance(0.5) ? UnknownPolicy::free : UnknownPolicy::blocked;
     if (random.chance(0.5)) options.outside = OutsidePolicy::free;
     if (random.chance(0.7)) options.robot_radius = 3 * random.uniform();
-    if (random.chance(0.5)) options.keep_away = 3 * random.uniform();
+    if (random.chance(0.5)) options.clearance_distance = 3 * random.uniform();
     if (random.chance(0.1)) options.robot_radius = 1e6;
     const SpaceSurvey expected = counted(map, options);
     EXPECT_EQ(survey(map, options), expected) << "seed " << seed;

@@ -139,7 +139,7 @@ TEST(GradientSmoother, LeavesShortPathsAlone) {
 }
 
 TEST(GradientSmoother, HoldsBackWhereItWouldCollide) {
-  // Around the end of a wall: the textbook cuts through it.
+  // Around the end of a wall: the reference cuts through it.
   const FreeSpace space = test::drawn_space(".....\n.....\n..#..\n..#..\n..#..");
   const Path path({{1, 4}, {1, 3}, {1, 2}, {1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {3, 4}});
   const GradientOptions keen{.alpha = 0.01, .beta = 0.4};
@@ -148,9 +148,9 @@ TEST(GradientSmoother, HoldsBackWhereItWouldCollide) {
   EXPECT_GT(safe->held, 0);
   GradientOptions unsafe = keen;
   unsafe.unsafe = true;
-  const auto textbook = smooth_by_gradient(path, space, unsafe);
-  EXPECT_TRUE(first_collision(textbook->path, space));
-  EXPECT_EQ(textbook->held, 0);
+  const auto reference = smooth_by_gradient(path, space, unsafe);
+  EXPECT_TRUE(first_collision(reference->path, space));
+  EXPECT_EQ(reference->held, 0);
 }
 
 TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {

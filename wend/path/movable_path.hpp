@@ -14,7 +14,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/line.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/smoother.hpp"

@@ -16,7 +16,7 @@
 #include <optional>
 #include <string_view>
 
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 

@@ -13,7 +13,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/direction.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "wend/base/options.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/path/smoother.hpp"
 
 namespace wend {

@@ -9,7 +9,7 @@
 // Paths are not empty, and of cells or waypoints; of a car's drive, only resampling makes sense.
 // Lengths are in cells.
 
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 

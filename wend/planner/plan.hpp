@@ -15,15 +15,15 @@ namespace wend {
 
 /// How far from what a query asked for a path begins or ends: grid planners take whole cells, a car
 /// the nearest corner and heading.
-struct Shift {
+struct SnappingError {
   double distance = 0;  // cells; of a grid planner 0: any point of a cell is in it
   double turn = 0;      // radians, not negative
 
-  friend bool operator==(const Shift&, const Shift&) = default;
+  friend bool operator==(const SnappingError&, const SnappingError&) = default;
 };
 
 struct Plan {
-  /// What `bound` says where nothing is promised about the cost.
+  /// What `bound` says where nothing is guaranteed about the cost.
   static constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
   Path path;
@@ -31,8 +31,8 @@ struct Plan {
   double cost = 0;
   double bound = kNoBound;              // cost <= bound * the cheapest cost; 1: optimal
   std::vector<std::string_view> moves;  // one fewer than poses, where moves have names
-  Shift start_shift;
-  Shift goal_shift;  // from the goal that was reached
+  SnappingError start_snapping_error;
+  SnappingError goal_snapping_error;  // from the goal that was reached
   SearchMetrics metrics;
 
   bool optimal() const { return bound == 1; }

@@ -53,8 +53,8 @@ std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.cost = std::numeric_limits<double>::infinity();
   out.bound = Plan::kNoBound;
   out.moves.clear();
-  out.start_shift = {};
-  out.goal_shift = {};
+  out.start_snapping_error = {};
+  out.goal_snapping_error = {};
   out.metrics = {};
   if (query.goals.empty()) return Status::unsupported_query;
   return do_check(query);

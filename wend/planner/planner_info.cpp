@@ -2,17 +2,17 @@
 
 namespace wend {
 
-std::string_view to_string(Promise promise) {
-  switch (promise) {
-    case Promise::none:
+std::string_view to_string(Guarantee guarantee) {
+  switch (guarantee) {
+    case Guarantee::none:
       return "none";
-    case Promise::complete:
+    case Guarantee::complete:
       return "complete";
-    case Promise::fewest_steps:
+    case Guarantee::fewest_steps:
       return "fewest steps";
-    case Promise::bounded:
+    case Guarantee::bounded:
       return "bounded";
-    case Promise::optimal:
+    case Guarantee::optimal:
       return "optimal";
   }
   return {};

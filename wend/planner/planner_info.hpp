@@ -1,6 +1,6 @@
 #pragma once
 
-// PlannerInfo: what a planner is and what it promises. Front ends list it; the conformance test
+// PlannerInfo: what a planner is and what it guarantees. Front ends list it; the conformance test
 // holds every planner to it.
 
 #include <functional>
@@ -22,7 +22,7 @@ class Planner;
 
 /// What is true of every answer, whatever the options (where they matter, Plan::bound says what a
 /// single answer is worth).
-enum class Promise {
+enum class Guarantee {
   none,          // a valid path, if any; may miss one that exists within its limits
   complete,      // a path whenever one exists
   fewest_steps,  // complete, and no path has fewer steps
@@ -30,7 +30,7 @@ enum class Promise {
   optimal,       // complete, and no path is cheaper
 };
 
-std::string_view to_string(Promise promise);
+std::string_view to_string(Guarantee guarantee);
 
 /// What a planner moves.
 enum class Motion {
@@ -67,12 +67,12 @@ struct PlannerInfo {
   std::string summary;        // one line
   std::string idea;           // how it works, in two or three sentences
   std::string citation;       // the paper or textbook it comes from
-  std::string guarantee;      // the promise in words, with its conditions
+  std::string guarantee;      // the guarantee in words, with its conditions
   std::string time;           // of one query: "O(n) in the n cells expanded"
   std::string memory;         // "8 bytes a cell", and what grows with a search
   double bytes_per_cell = 0;  // of the map, that a search may come to use; 0: says nothing
   std::string when;           // when to choose it and when not, in one to three sentences
-  Promise promise;
+  Guarantee guarantee;
   bool plans_on_terrain;  // takes terrain costs into account
   Preprocessing preprocessing;
   bool can_step;       // Planner::begin and step work

@@ -1,4 +1,4 @@
-// What bfs, dfs, greedy and dijkstra promise, each by itself.
+// What bfs, dfs, greedy and dijkstra guarantee, each by itself.
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ TEST(Greedy, IsSometimesWorseThanAStarAndNeverBetter) {
     const FreeSpace space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
-    if (!space.regions().connected(start, goal, Adjacency::edges)) continue;
+    if (!space.components().connected(start, goal, Adjacency::edges)) continue;
     const double optimum = plan_of("astar", space, start, goal).cost;
     const double cost = plan_of("greedy", space, start, goal).cost;
     EXPECT_GE(cost, optimum - 1e-9);

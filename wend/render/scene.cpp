@@ -15,9 +15,9 @@ std::string_view describe(CellRole role) {
       return "frontier";
     case CellRole::current:
       return "being expanded";
-    case CellRole::start_region:
+    case CellRole::start_component:
       return "start's region";
-    case CellRole::goal_region:
+    case CellRole::goal_component:
       return "goal's region";
   }
   return "";

@@ -50,11 +50,11 @@ namespace wend {
 
 /// What a cell is in a search, or in the reason why it found nothing.
 enum class CellRole : unsigned char {
-  expanded,      // visited: closed, or walked on
-  frontier,      // generated and still open
-  current,       // being expanded now
-  start_region,  // what can be reached from the start,
-  goal_region,   // and from where the goal can be: no path joins the two
+  expanded,         // visited: closed, or walked on
+  frontier,         // generated and still open
+  current,          // being expanded now
+  start_component,  // what can be reached from the start,
+  goal_component,   // and from where the goal can be: no path joins the two
 };
 inline constexpr int kCellRoles = 5;
 

@@ -67,7 +67,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
   info.free = map.size() - info.occupied - info.unknown;
   info.robot_radius = robot.robot_radius;
   info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
-  info.keep_away = robot.keep_away;
+  info.clearance_distance = robot.clearance_distance;
   info.space = survey(map, robot);
   info.frame = map.frame();
   info.notes = loaded.notes;
@@ -91,7 +91,7 @@ std::string map_info_json(const MapInfo& info) {
       {"robot_radius", info.robot_radius},
       {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
       {"passable", info.space.passable},
-      {"keep_away", {{"distance", info.keep_away}, {"cells", info.space.near_obstacles}}},
+      {"keep_away", {{"distance", info.clearance_distance}, {"cells", info.space.near_obstacles}}},
       {"components", {{"count", info.space.components}, {"largest", info.space.largest_component}}},
       {"frame",
        {{"resolution", info.frame.resolution},
@@ -121,10 +121,10 @@ std::string map_info_text(const MapInfo& info) {
                                          ? " that stays on the map"
                                          : " that may hang over the map's edge"));
   }
-  if (info.keep_away > 0) {
+  if (info.clearance_distance > 0) {
     line("keep away", share(info.space.near_obstacles, info.space.passable) +
                           fmt::format(" cost more: an obstacle is within {:.4g}{} of the robot",
-                                      info.keep_away, unit));
+                                      info.clearance_distance, unit));
   }
   line("components", components_text(info));
   line("frame", frame_text(info.frame));

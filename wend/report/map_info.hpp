@@ -21,8 +21,8 @@ struct MapInfo {
   std::size_t unknown = 0;
   double robot_radius = 0;  // metres (cells, where the map has no resolution)
   OutsidePolicy outside = OutsidePolicy::free;
-  double keep_away = 0;  // units as robot_radius
-  SpaceSurvey space;     // of the cells where the robot may be
+  double clearance_distance = 0;  // units as robot_radius
+  SpaceSurvey space;              // of the cells where the robot may be
   Frame frame;
   std::vector<std::string> notes;  // what was odd in the file
 };

@@ -30,8 +30,8 @@ Json json_of(const Way& way, const Frame& frame) {
 
 std::string no_path_json(const NoPath& why, const Frame& frame) {
   Json json{{"status", to_string(why.path_exists() ? Status::found : Status::unreachable)},
-            {"start_region", why.start_region},
-            {"goal_region", why.goal_region},
+            {"start_region", why.start_component},
+            {"goal_region", why.goal_component},
             {"widest", why.widest ? json_of(*why.widest, frame) : Json()}};
   Json& ways = json["ways"] = Json::array();
   for (const Way& way : why.ways) ways.push_back(json_of(way, frame));

@@ -7,10 +7,10 @@
 namespace wend {
 namespace {
 
-Json json_of(const Shift& shift, const Frame& frame) {
-  return {{"cells", shift.distance},
-          {"m", shift.distance * frame.resolution},
-          {"degrees", degrees_from(shift.turn)}};
+Json json_of(const SnappingError& error, const Frame& frame) {
+  return {{"cells", error.distance},
+          {"m", error.distance * frame.resolution},
+          {"degrees", degrees_from(error.turn)}};
 }
 
 }  // namespace
@@ -23,8 +23,8 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   json["bound"] = result.plan.bound;
   if (result.motion == Motion::car) {
     const bool found = !result.plan.path.empty();
-    json["start_shift"] = found ? json_of(result.plan.start_shift, frame) : Json();
-    json["goal_shift"] = found ? json_of(result.plan.goal_shift, frame) : Json();
+    json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
+    json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();
     json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
     json["turning_radius_cells"] = result.unit;
     json["turning_radius_m"] = result.unit * frame.resolution;

@@ -10,7 +10,7 @@
 //
 // `times` are CPU time, see work_times.hpp; null is what there was not.
 // `path` counts in cells, `path_m` are their centres in the map's frame. `bound` is the factor by
-// which the cost may exceed the cheapest one, null where nothing is promised. On failure `status`
+// which the cost may exceed the cheapest one, null where nothing is guaranteed. On failure `status`
 // is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
 // the lengths null.
 //

@@ -50,7 +50,7 @@ PlanResult driven() {
   result.plan.moves = {"FWD_LEFT", "FWD"};
   result.plan.cost = 2.5;
   result.plan.bound = 1;
-  result.plan.start_shift = {.distance = 0.5, .turn = kPi / 4};
+  result.plan.start_snapping_error = {.distance = 0.5, .turn = kPi / 4};
   result.plan.metrics = {.expanded = 2, .generated = 5, .max_frontier = 3};
   return result;
 }

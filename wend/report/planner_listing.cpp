@@ -46,7 +46,7 @@ std::string option_text(const OptionInfo& option) {
 std::string planner_text(const PlannerInfo& planner) {
   std::string text = planner.name + "\n" + paragraph("  ", planner.summary);
   text += entry("idea", planner.idea);
-  text += entry("guarantee", planner.guarantee);
+  text += entry("guarantee", planner.guarantee_text);
   text += entry("time", planner.time);
   text += entry("memory", planner.memory);
   text += entry("when", planner.when);
@@ -93,8 +93,8 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
     listing.push_back({{"name", planner.name},
                        {"summary", planner.summary},
                        {"idea", planner.idea},
-                       {"guarantee", planner.guarantee},
-                       {"promise", to_string(planner.promise)},
+                       {"guarantee", planner.guarantee_text},
+                       {"promise", to_string(planner.guarantee)},
                        {"time", planner.time},
                        {"memory", planner.memory},
                        {"when", planner.when},

@@ -38,10 +38,10 @@ struct Search {
   const FreeSpace& space;
   std::string planner;
   OptionValues options;
-  test::Errand errand;
+  test::TestQuery test_query;
 
   Plan run(SearchObserver& observer) const {
-    Query query = errand.query();
+    Query query = test_query.query();
     query.limits.expansions = 500;
     query.observer = &observer;
     Plan plan;
@@ -133,8 +133,8 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   const test::Trial trial = test::random_trial(seed, info);
   const FreeSpace space(trial.map, trial.robot);
   if (!info.plans_on_terrain && !space.uniform_terrain()) RC_DISCARD("terrain");
-  const Search search{space, info.name, trial.options, test::random_errand(random, trial.map)};
-  RC_LOG() << info.name << ", " << test::text_of(trial, seed) << test::text_of(search.errand);
+  const Search search{space, info.name, trial.options, test::random_test_query(random, trial.map)};
+  RC_LOG() << info.name << ", " << test::text_of(trial, seed) << test::text_of(search.test_query);
   const std::uint64_t most = random.chance(0.5) ? kNoLimit : random.below(60);
 
   Witness witness;
@@ -142,7 +142,7 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   witness.close_last();
   std::map<TraceForm, json> traces;
   for (const TraceForm form : {TraceForm::yaml, TraceForm::json}) {
-    PosthocTrace trace(space, search.errand.start, search.errand.goals, form, most);
+    PosthocTrace trace(space, search.test_query.start, search.test_query.goals, form, most);
     RC_ASSERT(search.run(trace).path == plan.path);
     const std::string text = trace.finish(plan.path);
     traces[form] = parsed(text, form);
@@ -160,10 +160,10 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
 TEST(PosthocTrace, FollowsAWalkThatComesBack) {
   const FreeSpace space = test::open_space(6, 2);
   for (int seed = 1; seed <= 20; ++seed) {
-    const test::Errand errand{{0, 0}, {{5, 1}}};
-    PosthocTrace trace(space, errand.start, errand.goals, TraceForm::json, kNoLimit);
+    const test::TestQuery test_query{{0, 0}, {{5, 1}}};
+    PosthocTrace trace(space, test_query.start, test_query.goals, TraceForm::json, kNoLimit);
     const Plan plan =
-        Search{space, "random_walk", {{"seed", std::to_string(seed)}}, errand}.run(trace);
+        Search{space, "random_walk", {{"seed", std::to_string(seed)}}, test_query}.run(trace);
     const json told = json::parse(trace.finish(plan.path));
     EXPECT_NO_THROW(check_trace(told)) << seed;
     EXPECT_NO_THROW(check_end(plan.path, told, space)) << seed;
@@ -171,9 +171,9 @@ TEST(PosthocTrace, FollowsAWalkThatComesBack) {
 }
 
 std::string trace_of(const FreeSpace& space, TraceForm form, std::uint64_t most) {
-  const test::Errand errand{{0, 0}, {{2, 0}}};
-  PosthocTrace trace(space, errand.start, errand.goals, form, most);
-  const Plan plan = Search{space, "astar", {{"connectivity", "4"}}, errand}.run(trace);
+  const test::TestQuery test_query{{0, 0}, {{2, 0}}};
+  PosthocTrace trace(space, test_query.start, test_query.goals, form, most);
+  const Plan plan = Search{space, "astar", {{"connectivity", "4"}}, test_query}.run(trace);
   return trace.finish(plan.path);
 }
 

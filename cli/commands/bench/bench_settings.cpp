@@ -30,7 +30,7 @@ std::string_view corner_text(CornerRule rule) {
 
 void BenchSettings::add_to(Parser& app) {
   robot.add_robot_to(app);
-  robot.add_keep_away_to(app);
+  robot.add_clearance_cost_to(app);
   moves.add_to(app);
   add_count(
       app, "--threads", threads,
@@ -53,7 +53,7 @@ void BenchSettings::check() const {
 }
 
 bool BenchSettings::as_in_scenarios() const {
-  return robot.robot_radius == 0 && robot.keep_away.value_or(0) == 0 &&
+  return robot.robot_radius == 0 && robot.clearance_distance.value_or(0) == 0 &&
          robot.unknown == UnknownPolicy::blocked && moves.moves == GridMoves{};
 }
 
@@ -65,9 +65,9 @@ std::string BenchSettings::robot_text() const {
   if (robot.unknown == UnknownPolicy::free) text += ", enters unknown cells";
   if (robot.outside == OutsidePolicy::blocked) text += ", stays on the map";
   if (robot.outside == OutsidePolicy::free) text += ", may hang over the map's edge";
-  if (const double distance = robot.keep_away.value_or(0); distance > 0) {
+  if (const double distance = robot.clearance_distance.value_or(0); distance > 0) {
     text += fmt::format(", keeps {} away (cost {})", distance,
-                        robot.keep_away_cost.value_or(FreeSpaceOptions{}.keep_away_cost));
+                        robot.clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost));
   }
   if (grid.connectivity == Connectivity::four) return text + ", 4 neighbours";
   return fmt::format("{}, 8 neighbours, {}", text, corner_text(grid.corner_rule));

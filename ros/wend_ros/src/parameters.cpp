@@ -27,7 +27,7 @@ struct NodeOptions {
   double robot_radius = 0;
   bool unknown_free = false;
   Outside outside = Outside::blocked;
-  double keep_away = 0;
+  double clearance_distance = 0;
   bool rough = false;
   double time_limit = 0;
   bool smooth = true;
@@ -40,8 +40,8 @@ struct NodeOptions {
     field({"unknown_free", "the robot may drive where nothing is known"}, self.unknown_free);
     field({"outside", "outside of the map: free lets the robot's disc hang over the map's edge"},
           self.outside);
-    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"}, self.keep_away,
-          {0, 100});
+    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"},
+          self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
     field({"time_limit", "give up after so many seconds; 0: never"}, self.time_limit, {0, 3600});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);

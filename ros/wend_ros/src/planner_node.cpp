@@ -23,7 +23,7 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
                                                      : wend::UnknownPolicy::blocked,
           .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
                                                           : wend::OutsidePolicy::blocked,
-          .keep_away = parameters.number("keep_away")};
+          .clearance_distance = parameters.number("keep_away")};
 }
 
 wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {
@@ -69,12 +69,12 @@ bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs) {
   if (width * height * Units::kDiagonal < kMost) return false;
   const std::uint64_t longest_leg = (width + height) * Units::kStraight;
   Spread spread(turns, arcs);
-  const ConnectedRegions regions(turns.passable());
+  const ConnectedComponents components(turns.passable());
   std::vector<bool> measured(turns.passable().count() + 1);
   for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
-    const std::uint32_t region = regions.region(turns.cell(turn), Adjacency::edges);
-    if (measured[region]) continue;
-    measured[region] = true;
+    const std::uint32_t component = components.component(turns.cell(turn), Adjacency::edges);
+    if (measured[component]) continue;
+    measured[component] = true;
     const std::uint64_t farthest = spread.from(turns.cell(turn)) + longest_leg;
     if (2 * farthest >= kMost) return true;
   }

@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// False if no shortest path on the map costs 2^32 - 1 or more. In each connected region it measures
+/// False if no shortest path on the map costs 2^32 - 1 or more. In each connected component it measures
 /// the paths from one cell: two of them are at least as long as any. O(turns and arcs, log turns).
 bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs);
 

@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "wend/index/cell_regions.hpp"
+#include "wend/index/cell_components.hpp"
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/file/index_writer.hpp"
 #include "wend/index/first_corners.hpp"
+#include "wend/index/hub_labels/component_hubs.hpp"
 #include "wend/index/hub_labels/heavy_paths.hpp"
 #include "wend/index/hub_labels/hub_engine.hpp"
 #include "wend/index/hub_labels/hub_labelling.hpp"
 #include "wend/index/hub_labels/hub_record.hpp"
 #include "wend/index/hub_labels/hub_sections.hpp"
 #include "wend/index/hub_labels/label_order.hpp"
-#include "wend/index/hub_labels/region_hubs.hpp"
 #include "wend/index/octile_steps.hpp"
 
 namespace wend {
@@ -29,7 +29,7 @@ constexpr int kMostRows = 65536;                 // cells are kept in twice 16 b
 constexpr std::size_t kMostCounted = 65535;      // hubs and corners of a record
 constexpr double kLabelsShare = 0.9;             // of the work, about
 constexpr std::uint32_t kHubsBetweenLooks = 64;  // at whether to stop
-constexpr std::size_t kRegionsATask = 256;
+constexpr std::size_t kComponentsATask = 256;
 
 Failure unsupported(std::string what) {
   return Failure({Status::unsupported_map, std::move(what)});
@@ -52,7 +52,7 @@ bool label_corners(const CornerGraph& graph, const AllFirstCorners& first, HubLa
   return !building.cancelled();
 }
 
-/// The records of all corners and regions, and which cell has which.
+/// The records of all corners and components, and which cell has which.
 template <class Hub>
 class RecordWriter {
  public:
@@ -77,31 +77,31 @@ class RecordWriter {
   }
 
   /// False if it was cancelled.
-  bool add_regions(const CellRegions& regions, const IndexBuilding& building) {
+  bool add_components(const CellComponents& components, const IndexBuilding& building) {
     OneWorker alone;
     Workers& workers = building.workers != nullptr ? *building.workers : alone;
-    std::vector<RegionHubs> hubs(workers.count(), RegionHubs(corners_, labelling_));
-    const std::size_t tasks = (regions.size() + kRegionsATask - 1) / kRegionsATask;
+    std::vector<ComponentHubs> hubs(workers.count(), ComponentHubs(corners_, labelling_));
+    const std::size_t tasks = (components.size() + kComponentsATask - 1) / kComponentsATask;
     std::vector<Written> written(tasks);
     workers.run(tasks, [&](std::size_t task, unsigned worker) {
       if (building.cancelled()) return;
-      const std::size_t begin = task * kRegionsATask;
-      const std::size_t end = std::min(begin + kRegionsATask, regions.size());
-      for (std::size_t region = begin; region < end; ++region) {
-        write_region(regions.cells(region), hubs[worker], written[task]);
+      const std::size_t begin = task * kComponentsATask;
+      const std::size_t end = std::min(begin + kComponentsATask, components.size());
+      for (std::size_t component = begin; component < end; ++component) {
+        write_component(components.cells(component), hubs[worker], written[task]);
       }
     });
-    for (std::size_t task = 0; task < tasks; ++task) append(written[task], regions, task);
+    for (std::size_t task = 0; task < tasks; ++task) append(written[task], components, task);
     return !building.cancelled();
   }
 
  private:
   struct Written {
     std::vector<std::uint32_t> words;
-    std::vector<std::size_t> begins;  // by region of the task
+    std::vector<std::size_t> begins;  // by component of the task
   };
 
-  void write_region(std::span<const Cell> cells, RegionHubs& hubs, Written& written) const {
+  void write_component(std::span<const Cell> cells, ComponentHubs& hubs, Written& written) const {
     const auto first = first_.of(cells.front());
     const auto chosen = hubs.choose(cells, first);
     std::vector<typename HubRecord<Hub>::Part> parts(first.size());
@@ -110,9 +110,9 @@ class RecordWriter {
     HubRecord<Hub>::append(written.words, parts, {}, false);
   }
 
-  void append(const Written& written, const CellRegions& regions, std::size_t task) {
+  void append(const Written& written, const CellComponents& components, std::size_t task) {
     for (std::size_t i = 0; i < written.begins.size(); ++i) {
-      for (const Cell cell : regions.cells(task * kRegionsATask + i)) {
+      for (const Cell cell : components.cells(task * kComponentsATask + i)) {
         set_record(cell, words_.size() + written.begins[i]);
       }
     }
@@ -148,10 +148,10 @@ Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const All
                                              const HubLabelling& labelling,
                                              const IndexBuilding& building) {
   const HeavyPaths paths(graph.corners(), labelling);
-  const CellRegions regions(graph.corners(), first);
+  const CellComponents components(graph.corners(), first);
   RecordWriter<Hub> records(graph.corners(), first, labelling);
   records.add_corners(paths);
-  if (!records.add_regions(regions, building)) return cancelled();
+  if (!records.add_components(components, building)) return cancelled();
   if (records.words().size() >= HubSections::kNoRecord || paths.words().size() >= run_word::kHub) {
     return unsupported("the map has too many corners for a label index");
   }

@@ -4,8 +4,8 @@
 //
 // Idea. Shortest paths turn at corners (corner_graph.hpp). Every corner has a label: some hubs, with
 // the exact costs of the ways to them, so that the shortest way between two corners passes a hub of
-// both (hub_labelling.hpp). The cells of a region may all turn first at the same corners; a record
-// keeps which hubs they reach by which of these (region_hubs.hpp). A query reads two records, looks
+// both (hub_labelling.hpp). The cells of a component may all turn first at the same corners; a record
+// keeps which hubs they reach by which of these (component_hubs.hpp). A query reads two records, looks
 // for the hub with the least sum, and reads the way there and back off as runs (heavy_paths.hpp).
 //
 // Why the answer is the shortest. Let first(s) be the corners at which ways from s may turn first. A
@@ -14,7 +14,7 @@
 // cost is the least of three terms: octile(s, t) if one sees the other; d(s, a) + d(a, c) + d(c, t),
 // where d(a, c) is the least sum over common hubs; d(s, c) + d(c, t) for a c that s sees. The third
 // is left out where s or t is a corner, which stands for itself (first_corners.hpp). Hubs that a
-// region leaves out are not missed: let h be the most important hub with the least sum for s and t.
+// component leaves out are not missed: let h be the most important hub with the least sum for s and t.
 // If s could do without it, a more important one g lies on the way from s to h, at no more cost; then
 // the way from s by g and h to t is a shortest one, so the most important hub on its part between
 // corners, which is g or one yet more important, has the least sum too. (For boards of up to a

@@ -1,6 +1,6 @@
 #pragma once
 
-// HubRecord: what a label index keeps of the cells of a region, or of a corner: the corners where
+// HubRecord: what a label index keeps of the cells of a component, or of a corner: the corners where
 // ways from there may turn first, and hubs behind them with the costs from these corners.
 //
 // A record is an array of 32-bit words: how many corners and how many hubs it names; the corners'
@@ -37,7 +37,7 @@ class HubRecord {
   std::uint32_t corner_count() const { return corner_count_; }
   std::uint32_t hub_count() const { return hub_count_; }
 
-  /// Is it of a corner, not of a region?
+  /// Is it of a corner, not of a component?
   bool is_corner() const { return is_corner_; }
 
   Cell cell(std::uint32_t corner) const { return unpacked(cells_[corner]); }
@@ -68,7 +68,7 @@ class HubRecord {
     std::vector<CornerCost> costs;
   };
 
-  /// Appends the record of a region, or of a corner, which has places.
+  /// Appends the record of a component, or of a corner, which has places.
   static void append(std::vector<std::uint32_t>& words, std::span<const Part> parts,
                      std::span<const std::uint32_t> places, bool is_corner) {
     std::vector<std::uint32_t> cells;

@@ -25,14 +25,14 @@ class RecordCheck {
       if (records.size() - begin < HubRecord<Hub>::kHeaderWords) return false;
       const HubRecord<Hub> record(records.data() + begin);
       if (!passes(record, records.size() - begin)) return false;
-      kinds_[begin] = record.is_corner() ? Kind::corner : Kind::region;
+      kinds_[begin] = record.is_corner() ? Kind::corner : Kind::component;
       begin += record.size();
     }
     return cells_pass() && corners_pass();
   }
 
  private:
-  enum class Kind : std::uint8_t { none, region, corner };
+  enum class Kind : std::uint8_t { none, component, corner };
 
   bool passes(const HubRecord<Hub>& record, std::size_t room) const {
     if (record.hub_count() > room || record.size() > room) return false;

@@ -40,7 +40,7 @@ PlannerInfo astar_planner() {
               "next, so the search leans towards the goal. An estimate that never "
               "overestimates cannot hide a cheaper path.",
           .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
-          .guarantee =
+          .guarantee_text =
               "optimal with a weight up to 1 and a heuristic that never overestimates; "
               "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
           .time =
@@ -56,7 +56,7 @@ PlannerInfo astar_planner() {
               "goal's direction says where to go. In mazes the estimate says little, and it "
               "searches almost as much as dijkstra. A weight above 1 often expands far less, but "
               "each expansion then costs several times as much: measure it on your maps.",
-          .promise = Promise::bounded,
+          .guarantee = Guarantee::bounded,
           .plans_on_terrain = true,
           .preprocessing = Preprocessing::none,
           .can_step = true,

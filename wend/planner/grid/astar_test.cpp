@@ -1,4 +1,4 @@
-// What A* and its options promise and do.
+// What A* and its options guarantee and do.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST(AStar, WithoutWeightOrEstimateIsDijkstra) {
     const FreeSpace space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
-    if (!space.regions().connected(start, goal, Adjacency::edges)) continue;
+    if (!space.components().connected(start, goal, Adjacency::edges)) continue;
     const Query query = Query::between(start, goal);
     const Plan dijkstra = plan_of(space, query, {}, "dijkstra");
     for (const OptionValues& options :
@@ -161,7 +161,7 @@ TEST(AStar, IsNotOptimalWithManhattanOnEightNeighbours) {
     const FreeSpace space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
-    if (!space.regions().connected(start, goal, Adjacency::edges)) continue;
+    if (!space.components().connected(start, goal, Adjacency::edges)) continue;
     const Query query = Query::between(start, goal);
     const double optimum = plan_of(space, query, {}).cost;
     worse += plan_of(space, query, {{"heuristic", "manhattan"}}).cost > optimum + 1e-6 ? 1 : 0;

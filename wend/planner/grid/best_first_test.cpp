@@ -19,7 +19,7 @@ namespace wend {
 namespace {
 
 /// Watches: that takes the engine with 64-bit costs.
-class Bystander final : public SearchObserver {
+class IdleObserver final : public SearchObserver {
  public:
   void on_generate(const SearchEvent&) override {}
   void on_expand(const SearchEvent&) override { ++expanded; }
@@ -54,14 +54,14 @@ TEST_P(BestFirstPlanner, SearchesTheSameWithCompactAndWithWideCosts) {
       }
       Plan compact;
       const Status status = compact_planner->plan(query, compact);
-      Bystander bystander;
-      query.observer = &bystander;
+      IdleObserver idle_observer;
+      query.observer = &idle_observer;
       Plan wide;
       ASSERT_EQ(wide_planner->plan(query, wide), status);
       EXPECT_EQ(wide.metrics, compact.metrics);
       EXPECT_EQ(wide.path, compact.path);
       EXPECT_EQ(wide.cost, compact.cost);
-      EXPECT_EQ(bystander.expanded, compact.metrics.expanded);
+      EXPECT_EQ(idle_observer.expanded, compact.metrics.expanded);
     }
   }
 }

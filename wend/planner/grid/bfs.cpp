@@ -43,7 +43,7 @@ PlannerInfo bfs_planner() {
               "reached: all that are one step away, then all at two steps. The first path to "
               "the goal therefore has the fewest steps.",
           .citation = "Moore 1959",
-          .guarantee =
+          .guarantee_text =
               "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
               "sqrt(2) times the optimum on 8",
           .time = "O(n) in the n cells expanded",
@@ -54,7 +54,7 @@ PlannerInfo bfs_planner() {
               "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
               "neighbours it takes a diagonal step for no longer than a straight one; it "
               "ignores terrain.",
-          .promise = Promise::fewest_steps,
+          .guarantee = Guarantee::fewest_steps,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
           .can_step = true,

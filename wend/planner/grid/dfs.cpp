@@ -33,7 +33,7 @@ PlannerInfo dfs_planner() {
               "Cells wait on a stack and the one that was reached last is expanded first: the "
               "search runs on until it is stuck, then goes back to the last cell left open.",
           .citation = "Trémaux 1882",
-          .guarantee = "complete; the path is rarely short",
+          .guarantee_text = "complete; the path is rarely short",
           .time = "O(n) in the n cells expanded",
           .memory = "16 bytes a cell and 4 an open cell",
           .bytes_per_cell = 16,
@@ -41,7 +41,7 @@ PlannerInfo dfs_planner() {
               "To see what a stack does in place of a queue, and to find some way through a "
               "maze, where there is only one. In open space its paths wander through "
               "everything: do not drive them.",
-          .promise = Promise::complete,
+          .guarantee = Guarantee::complete,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
           .can_step = true,

@@ -30,7 +30,7 @@ PlannerInfo dijkstra_planner() {
               "Cells are expanded in the order of what it costs to reach them, so the search "
               "grows evenly in all directions until it meets the goal. It needs no estimate.",
           .citation = "Dijkstra 1959",
-          .guarantee = "optimal",
+          .guarantee_text = "optimal",
           .time =
               "O(n log n) in the n cells expanded; on uniform terrain the log is that of a "
               "small bucket",
@@ -41,7 +41,7 @@ PlannerInfo dijkstra_planner() {
           .when =
               "Where no estimate is to be trusted, in mazes, and as the yardstick for all "
               "others. Elsewhere astar finds paths of the same cost and expands less.",
-          .promise = Promise::optimal,
+          .guarantee = Guarantee::optimal,
           .plans_on_terrain = true,
           .preprocessing = Preprocessing::none,
           .can_step = true,

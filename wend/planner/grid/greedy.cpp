@@ -41,7 +41,7 @@ PlannerInfo greedy_planner() {
               "way to it has cost. In the open it runs straight at the goal; behind a wall it "
               "fills the pocket in front of the goal before it goes around.",
           .citation = "Doran, Michie 1966",
-          .guarantee = "complete; often quick, and says nothing about the cost",
+          .guarantee_text = "complete; often quick, and says nothing about the cost",
           .time = "O(n log n) in the n cells expanded",
           .memory = "16 bytes a cell and 24 an entry of the frontier",
           .bytes_per_cell = 16,
@@ -49,7 +49,7 @@ PlannerInfo greedy_planner() {
               "Where any path will do and the first one should come soon. It ignores terrain, "
               "and its paths hug whatever it ran into: smooth them, or take astar with a "
               "weight, which has a bound.",
-          .promise = Promise::complete,
+          .guarantee = Guarantee::complete,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
           .can_step = true,

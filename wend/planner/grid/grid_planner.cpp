@@ -47,7 +47,7 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   std::optional<Status> why_none;  // of the first goal
   for (const Goal& typed : query.goals) {
     const auto goal = cell_on_map(space, typed.point);
-    if (goal && space.regions().connected(start, *goal, adjacency)) {
+    if (goal && space.components().connected(start, *goal, adjacency)) {
       goals.push_back(*goal);
     } else if (!why_none) {
       why_none = !goal                    ? Status::goal_outside

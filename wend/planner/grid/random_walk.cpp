@@ -160,7 +160,7 @@ class RandomWalkPlanner final : public Planner {
   }
 
   /// One of the neighbours that are not remembered, or, if there is none, one of all. There is one:
-  /// the goal is another cell of the same region.
+  /// the goal is another cell of the same component.
   GridState random_neighbour() {
     std::array<GridState, 4> fresh;
     std::array<GridState, 4> all;
@@ -208,14 +208,14 @@ PlannerInfo random_walk_planner() {
               "cell that it has just left if there is another. It keeps no frontier and does "
               "not know where the goal is.",
           .citation = "Pearson 1905",
-          .guarantee = "none: it may run out of steps",
+          .guarantee_text = "none: it may run out of steps",
           .time = "O(s) in the s steps taken; max_steps is the only bound on s",
           .memory = "8 bytes a cell and 8 a step",
           .bytes_per_cell = 8,
           .when =
               "As what every planner has to beat, and to test what becomes of a planner that "
               "fails. Never to drive.",
-          .promise = Promise::none,
+          .guarantee = Guarantee::none,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
           .can_step = true,

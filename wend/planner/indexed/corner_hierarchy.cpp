@@ -18,7 +18,7 @@ PlannerInfo corner_hierarchy_planner() {
            "one, and shortcuts put in their place. A query climbs from its start and from its "
            "goal, and meets at the top.",
        .citation = "Geisberger et al. 2008; Harabor et al. 2019",
-       .guarantee = "optimal, on 8 neighbours without corner cutting",
+       .guarantee_text = "optimal, on 8 neighbours without corner cutting",
        .time = "O(k) in the k arcs climbed, some tens to some thousands, and the turns that start "
                "and goal see",
        .memory = "the index: 40 to 75 bytes a turn; a planner on it: 36 bytes a turn and 5 a cell",
@@ -27,7 +27,7 @@ PlannerInfo corner_hierarchy_planner() {
            "Where many queries come on one map, and its index is to be small and built within "
            "seconds, mostly within a tenth of one. hub_labels answers faster and takes longer to "
            "build. Not on terrain.",
-       .promise = Promise::optimal,
+       .guarantee = Guarantee::optimal,
        .plans_on_terrain = false,
        .preprocessing = Preprocessing::quick,
        .can_step = false,

@@ -15,7 +15,8 @@ PlannerInfo hub_labels_planner() {
                    "Large Networks by Pruned Landmark Labeling\", 2013; T. Uras, S. Koenig, "
                    "C. Hernandez, \"Subgoal Graphs for Optimal Pathfinding in Eight-Neighbor "
                    "Grids\", 2013",
-       .guarantee = "complete and optimal, without cutting corners, where all cells cost the same",
+       .guarantee_text =
+           "complete and optimal, without cutting corners, where all cells cost the same",
        .time = "O(hubs of two labels + cells of the path); about a microsecond",
        .memory =
            "the index: 10 to 100 bytes a cell; half a byte a cell, and 8 bytes a hub for each "
@@ -23,7 +24,7 @@ PlannerInfo hub_labels_planner() {
        .bytes_per_cell = 0.5,
        .when = "Choose it when many queries are asked of a map that does not change. Building "
                "takes seconds, so do not choose it for a few queries.",
-       .promise = Promise::optimal,
+       .guarantee = Guarantee::optimal,
        .plans_on_terrain = false,
        .preprocessing = Preprocessing::slow,
        .can_step = false,

@@ -161,7 +161,7 @@ class MethodSupport final : public IndexSupport {
 }  // namespace
 
 PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
-  info.promise = Promise::optimal;
+  info.guarantee = Guarantee::optimal;
   info.plans_on_terrain = false;
   info.can_step = false;
   info.jumps = true;

@@ -3,7 +3,7 @@
 // GoalSight: the goals of a jump point search, and the cheapest way to one of them that a search has
 // seen so far.
 //
-//   goals.begin({goal}, leaps.raster());
+//   goals.begin({goal}, shortcuts.raster());
 //   const auto view = goals.look(boards.sight(), cell, directions, g);
 //   if (view.nearest) ...  // no need to go on from there
 //
@@ -18,7 +18,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/jump/coarse_box.hpp"
 #include "wend/jump/drawn_direction.hpp"
-#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 #include "wend/jump/sight.hpp"
 #include "wend/planner/goal_cells.hpp"
 #include "wend/space/grid/octile_way.hpp"
@@ -69,10 +69,10 @@ class GoalSight {
   /// Was there one whose cost is more than the type holds?
   bool overflown() const { return overflown_; }
 
-  /// May a goal be in sight from a jump point that a leap passes?
-  bool may_be_seen(const Leap& leap) const {
-    bool may = leap.may_see(places_.front());
-    for (std::size_t i = 1; i < places_.size(); ++i) may |= leap.may_see(places_[i]);
+  /// May a goal be in sight from a jump point that a shortcut passes?
+  bool may_be_seen(const Shortcut& shortcut) const {
+    bool may = shortcut.may_see(places_.front());
+    for (std::size_t i = 1; i < places_.size(); ++i) may |= shortcut.may_see(places_[i]);
     return may;
   }
 

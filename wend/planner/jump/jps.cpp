@@ -158,7 +158,8 @@ PlannerInfo jps_planner() {
           "and "
           "what has been found out is kept for later searches.",
       .citation = "Harabor, Grastien 2011 and 2014",
-      .guarantee = "optimal on 8 neighbours without corner cutting, where all cells cost the same",
+      .guarantee_text =
+          "optimal on 8 neighbours without corner cutting, where all cells cost the same",
       .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
       .memory =
           "8 bytes a cell, 57 a jump point, 16 for each leap that a search has met so far, and 12 "
@@ -168,7 +169,7 @@ PlannerInfo jps_planner() {
           "The fastest without an index, wherever the map has rooms, streets or corridors: ask it "
           "first. In noise it has little to leap over. It cannot plan on terrain, nor keep away "
           "from obstacles.",
-      .promise = Promise::optimal,
+      .guarantee = Guarantee::optimal,
       .plans_on_terrain = false,
       .preprocessing = Preprocessing::none,
       .can_step = true,

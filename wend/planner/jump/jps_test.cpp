@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
@@ -95,7 +95,7 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
     for (int query = 0; query < 20; ++query) {
       const Cell start = test::random_cell(random, space.width(), space.height());
       const Cell goal = test::random_cell(random, space.width(), space.height());
-      if (!space.regions().connected(start, goal, Adjacency::edges)) continue;
+      if (!space.components().connected(start, goal, Adjacency::edges)) continue;
       SCOPED_TRACE("map " + std::to_string(map) + ", query " + std::to_string(query));
       const auto answer = [&](auto& search) {
         search.begin(start, std::array{goal}, limits);

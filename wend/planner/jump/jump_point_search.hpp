@@ -8,12 +8,12 @@
 //
 // A state is a jump point together with the straight directions it was reached in, all by equally
 // cheap ways. A state that sees a goal opens nothing: no way is shorter. Where there is no choice it
-// leaps over several jump points (LeapGraph), and looks for a goal from each of them if the leap may
+// shortcuts over several jump points (ShortcutGraph), and looks for a goal from each of them if the shortcut may
 // see one. Open states lie in buckets whose order is inexact, so a state may be expanded again when
 // a cheaper way to it comes, and the search ends when the bucket in work is past the cheapest way
 // found.
 //
-// Optimal. 32 bytes a jump point, and what JumpGraph, JumpBoards, LeapGraph and DeadEnds take. One
+// Optimal. 32 bytes a jump point, and what JumpGraph, JumpBoards, ShortcutGraph and DeadEnds take. One
 // thread a search; jump graph and dead ends are shared.
 
 #include <algorithm>
@@ -32,7 +32,7 @@
 #include "wend/base/state_id.hpp"
 #include "wend/jump/dead_ends.hpp"
 #include "wend/jump/jump_graph.hpp"
-#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 #include "wend/planner/jump/goal_sight.hpp"
 #include "wend/planner/jump/jump_nodes.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
@@ -103,10 +103,10 @@ class JumpPointSearch {
 
   static constexpr Jump kNoJump = Jump(std::numeric_limits<std::uint32_t>::max());
 
-  /// A state that sees a goal: a node, or a jump point on a leap from that.
+  /// A state that sees a goal: a node, or a jump point on a shortcut from that.
   struct Seer {
     StateId node = 0;
-    Jump first = kNoJump;  // of the leap
+    Jump first = kNoJump;  // of the shortcut
     Jump last = kNoJump;
   };
 
@@ -116,7 +116,7 @@ class JumpPointSearch {
   View look(Cell from, DirectionSet directions, Cost g) {
     return goals_.look(graph_->boards().sight(), from, directions, g);
   }
-  bool look_from_passed(const Leap& leap, const Node& from, StateId parent);
+  bool look_from_passed(const Shortcut& shortcut, const Node& from, StateId parent);
 
   template <class Watcher>
   void expand(StateId id, Watcher& watcher);
@@ -125,11 +125,11 @@ class JumpPointSearch {
   template <class Watcher>
   void finish(Watcher& watcher);
   template <class Watcher>
-  [[gnu::always_inline]] inline void reach(const Leap& leap, const Node& from, StateId parent,
-                                           Watcher& watcher);
+  [[gnu::always_inline]] inline void reach(const Shortcut& shortcut, const Node& from,
+                                           StateId parent, Watcher& watcher);
 
   std::shared_ptr<const JumpGraph> graph_;
-  LeapGraph leaps_;
+  ShortcutGraph shortcuts_;
   OpenDeadEnds open_;
   Nodes nodes_;
   JumpQueue<Cost> queue_;
@@ -151,7 +151,7 @@ template <class Cost, std::uint32_t kSearches>
 JumpPointSearch<Cost, kSearches>::JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
                                                   std::shared_ptr<const DeadEnds> dead_ends)
     : graph_(std::move(graph)),
-      leaps_(graph_),
+      shortcuts_(graph_),
       open_(std::move(dead_ends)),
       nodes_(graph_->size() + 1) {
   const JumpBoards& boards = graph_->boards();
@@ -176,7 +176,7 @@ void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const Cell> g
   overflown_ = false;
   outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
   nodes_.begin_search();
-  goals_.begin(goals, leaps_.raster());
+  goals_.begin(goals, shortcuts_.raster());
   open_.open_for(start, goals);
   queue_.begin(h(start), kWidthBits);
   Node& node = nodes_[start_id()];
@@ -247,7 +247,7 @@ void JumpPointSearch<Cost, kSearches>::expand_start(Watcher& watcher) {
   first_jumps_.clear();
   graph_->append_jumps(start.cell, kEveryDirection, first_jumps_);
   for (const Jump jump : first_jumps_) {
-    reach(Leap(jump, start.cell, graph_->cell(jump.number())), start, start_id(), watcher);
+    reach(Shortcut(jump, start.cell, graph_->cell(jump.number())), start, start_id(), watcher);
   }
 }
 
@@ -269,24 +269,24 @@ void JumpPointSearch<Cost, kSearches>::expand(StateId id, Watcher& watcher) {
   if (view.better) seer_ = {id, kNoJump, kNoJump};
   if (view.nearest) return;
   for_each_arrival([&](Jump state) {
-    const LeapList leaps = leaps_.leaps(state);
-    for (const Leap& leap : leaps) {
-      __builtin_prefetch(&nodes_[leap.last().number()], 1);
-      leaps_.prefetch_place(leap.last());
+    const ShortcutList shortcuts = shortcuts_.shortcuts(state);
+    for (const Shortcut& shortcut : shortcuts) {
+      __builtin_prefetch(&nodes_[shortcut.last().number()], 1);
+      shortcuts_.prefetch_place(shortcut.last());
     }
-    for (const Leap& leap : leaps) reach(leap, node, id, watcher);
+    for (const Shortcut& shortcut : shortcuts) reach(shortcut, node, id, watcher);
   });
 }
 
 template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node& from,
+inline void JumpPointSearch<Cost, kSearches>::reach(const Shortcut& shortcut, const Node& from,
                                                     StateId parent, Watcher& watcher) {
-  if (goals_.may_be_seen(leap) && look_from_passed(leap, from, parent)) return;
-  if (leap.dead()) return;
-  const Jump jump = leap.last();
+  if (goals_.may_be_seen(shortcut) && look_from_passed(shortcut, from, parent)) return;
+  if (shortcut.dead()) return;
+  const Jump jump = shortcut.last();
   Node& node = nodes_[jump.number()];
-  const Cost g = from.g() + leap.template cost<Cost>(from.cell, node.cell);
+  const Cost g = from.g() + shortcut.template cost<Cost>(from.cell, node.cell);
   const auto stamp = nodes_.stamp(g);
   if (stamp > node.stamp) return;
   if (stamp < node.stamp && !open_.contains(node.dead_end)) return;
@@ -296,7 +296,7 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node
   if (stamp < node.stamp) {
     node.stamp = stamp;
     node.parent = parent;
-    node.first = leap.first();
+    node.first = shortcut.first();
     node.pending = arrival;
     node.done = 0;
   } else {
@@ -312,7 +312,7 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Leap& leap, const Node
     overflown_ = true;
     return;
   }
-  leaps_.prefetch_leaps(jump);  // a state is often expanded soon after it was reached
+  shortcuts_.prefetch_shortcuts(jump);  // a state is often expanded soon after it was reached
   queue_.push(f, jump.number());
 }
 
@@ -341,16 +341,16 @@ std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
   return open.size() + 1;
 }
 
-/// Looks for goals from the jump points that a leap passes, and from its end if nothing comes after
+/// Looks for goals from the jump points that a shortcut passes, and from its end if nothing comes after
 /// that. True if no way that goes on is shorter.
 template <class Cost, std::uint32_t kSearches>
-bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Leap& leap, const Node& from,
+bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Shortcut& shortcut, const Node& from,
                                                         StateId parent) {
   Cell at = from.cell;
   Cost g = from.g();
-  for (Jump jump = leap.first();; jump = leaps_.only_next(jump)) {
-    const bool last = jump == leap.last();
-    if (last && !leap.dead()) return false;
+  for (Jump jump = shortcut.first();; jump = shortcuts_.only_next(jump)) {
+    const bool last = jump == shortcut.last();
+    if (last && !shortcut.dead()) return false;
     const Cell cell = graph_->cell(jump.number());
     const Cost reached = g + octile_cost<Cost>(std::exchange(at, cell), cell);
     if (reached < g) {  // more than the type holds
@@ -359,7 +359,7 @@ bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Leap& leap, const 
     }
     g = reached;
     const View view = look(cell, graph_->directions(jump), g);
-    if (view.better) seer_ = {parent, leap.first(), jump};
+    if (view.better) seer_ = {parent, shortcut.first(), jump};
     if (view.nearest || last) return true;
   }
 }
@@ -367,9 +367,9 @@ bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Leap& leap, const 
 template <class Cost, std::uint32_t kSearches>
 std::span<const Cell> JumpPointSearch<Cost, kSearches>::waypoints() {
   trail_.begin(goals_.goal());
-  if (seer_.first != kNoJump) trail_.append_leap(leaps_, seer_.first, seer_.last.number());
+  if (seer_.first != kNoJump) trail_.append_shortcut(shortcuts_, seer_.first, seer_.last.number());
   for (StateId id = seer_.node; id != start_id(); id = nodes_[id].parent) {
-    trail_.append_leap(leaps_, nodes_[id].first, static_cast<std::uint32_t>(id));
+    trail_.append_shortcut(shortcuts_, nodes_[id].first, static_cast<std::uint32_t>(id));
   }
   trail_.append(nodes_[start_id()].cell);
   return trail_.from_start();

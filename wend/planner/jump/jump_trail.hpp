@@ -1,10 +1,10 @@
 #pragma once
 
-// JumpTrail: the cells where a path turns, from its goal back to its start, out of leaps and jumps.
+// JumpTrail: the cells where a path turns, from its goal back to its start, out of shortcuts and jumps.
 //
 //   wend::JumpTrail trail;
 //   trail.begin(goal);
-//   trail.append_leap(leaps, first, end);
+//   trail.append_shortcut(shortcuts, first, end);
 //   trail.append(start);
 //   draw(trail.from_start());
 //
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 #include "wend/space/grid/octile_way.hpp"
 
 namespace wend {
@@ -34,13 +34,13 @@ class JumpTrail {
     if (from != to) cells_.push_back(from);
   }
 
-  /// The jump points of a leap: backwards from the one with the number `end` to its first.
-  void append_leap(const LeapGraph& leaps, Jump first, std::uint32_t end) {
+  /// The jump points of a shortcut: backwards from the one with the number `end` to its first.
+  void append_shortcut(const ShortcutGraph& shortcuts, Jump first, std::uint32_t end) {
     passed_.clear();
-    for (Jump jump = first; jump.number() != end; jump = leaps.only_next(jump)) {
-      passed_.push_back(leaps.jumps().cell(jump.number()));
+    for (Jump jump = first; jump.number() != end; jump = shortcuts.only_next(jump)) {
+      passed_.push_back(shortcuts.jumps().cell(jump.number()));
     }
-    append(leaps.jumps().cell(end));
+    append(shortcuts.jumps().cell(end));
     for (const Cell cell : passed_ | std::views::reverse) append(cell);
   }
 
@@ -52,7 +52,7 @@ class JumpTrail {
 
  private:
   std::vector<Cell> cells_;
-  std::vector<Cell> passed_;  // by the leap in work
+  std::vector<Cell> passed_;  // by the shortcut in work
 };
 
 }  // namespace wend

@@ -64,7 +64,7 @@ PlannerInfo car_planner() {
               "reverse; a turn costs pi/2 times the terrain of the cell that it sweeps. A* "
               "finds the drive that needs the least fuel.",
           .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
-          .guarantee =
+          .guarantee_text =
               "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum",
           .time =
               "O(n log n) in the n poses expanded; with whole terrain costs the log is that of a "
@@ -76,7 +76,7 @@ PlannerInfo car_planner() {
           .when =
               "For robots that cannot turn on the spot. On a fine map choose a unit as wide as "
               "the turning circle's radius. It can only park on corners, facing along the grid.",
-          .promise = Promise::bounded,
+          .guarantee = Guarantee::bounded,
           .plans_on_terrain = true,
           .preprocessing = Preprocessing::none,
           .can_step = true,

@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-Shift shift_between(const Goal& asked, const Pose& taken) {
+SnappingError snapping_error_between(const Goal& asked, const Pose& taken) {
   const double turn = asked.heading ? normalized_angle(*asked.heading - taken.heading) : 0;
   return {distance(asked.point, taken.point()), std::abs(turn)};
 }
@@ -122,9 +122,11 @@ Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
   const auto reached = std::find_if(goals_.begin(), goals_.end(), [&](const CarGoal& goal) {
     return goal.contains(drive_.back());
   });
-  out.start_shift = shift_between(asked_start_, lattice_->to_grid(drive_.front()));
-  out.goal_shift = shift_between(asked_goals_[static_cast<std::size_t>(reached - goals_.begin())],
-                                 lattice_->to_grid(drive_.back()));
+  out.start_snapping_error =
+      snapping_error_between(asked_start_, lattice_->to_grid(drive_.front()));
+  out.goal_snapping_error =
+      snapping_error_between(asked_goals_[static_cast<std::size_t>(reached - goals_.begin())],
+                             lattice_->to_grid(drive_.back()));
   return Status::found;
 }
 

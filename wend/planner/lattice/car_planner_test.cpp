@@ -87,10 +87,10 @@ TEST(Car, SaysByHowMuchItMissesWhatWasAsked) {
   const auto plan = planner->plan(query);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->path.poses().back().point(), (Point{3, 3}));
-  EXPECT_NEAR(plan->start_shift.distance, 0.5, 1e-12);
-  EXPECT_NEAR(plan->start_shift.turn, 0.25, 1e-12);
-  EXPECT_NEAR(plan->goal_shift.distance, 1, 1e-12);
-  EXPECT_EQ(plan->goal_shift.turn, 0);
+  EXPECT_NEAR(plan->start_snapping_error.distance, 0.5, 1e-12);
+  EXPECT_NEAR(plan->start_snapping_error.turn, 0.25, 1e-12);
+  EXPECT_NEAR(plan->goal_snapping_error.distance, 1, 1e-12);
+  EXPECT_EQ(plan->goal_snapping_error.turn, 0);
 }
 
 constexpr std::string_view kYard = R"(

@@ -11,7 +11,7 @@
 //   o % & -  planned, smoothed, driven, possible         R  the robot    X  a collision
 //   N  the nearest free cell
 //   0-9  heat, from the least to the greatest value
-//   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's, goal's region
+//   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's, goal's component
 
 #include <string>
 

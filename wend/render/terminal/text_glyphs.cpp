@@ -60,10 +60,10 @@ Glyph glyph_of(CellRole role) {
       return {"+", Meaning::frontier};
     case CellRole::current:
       return {"@", Meaning::current};
-    case CellRole::start_region:
-      return {"s", Meaning::start_region};
-    case CellRole::goal_region:
-      return {"g", Meaning::goal_region};
+    case CellRole::start_component:
+      return {"s", Meaning::start_component};
+    case CellRole::goal_component:
+      return {"g", Meaning::goal_component};
   }
   return {};
 }

@@ -23,8 +23,8 @@ enum class Meaning : unsigned char {
   expanded_rough,  // on rough ground
   frontier,
   current,
-  start_region,
-  goal_region,
+  start_component,
+  goal_component,
   move,
   path,
   planned_line,

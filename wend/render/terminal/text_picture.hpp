@@ -6,7 +6,7 @@
 //   S→↘.#    #  obstacle       S  start     →  path, towards the next cell
 //   ..#↓~    ?  unknown        G  goal      !  the narrowest place
 //   .?::G    :  too close for the robot     .  free
-//   *  expanded     %  the same on rough ground     +  frontier     @  being expanded     s  start's region     g  goal's region
+//   *  expanded     %  the same on rough ground     +  frontier     @  being expanded     s  start's component     g  goal's component
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
 //   ○ ● ◆ ◇  lines: planned, smoothed, driven, possible     R  the robot     ✗  a collision
 //   N  the nearest free cell

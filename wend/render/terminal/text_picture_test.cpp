@@ -144,8 +144,8 @@ TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
   for (const auto& [role, character] : {std::pair(CellRole::expanded, '*'),
                                         {CellRole::frontier, '+'},
                                         {CellRole::current, '@'},
-                                        {CellRole::start_region, 's'},
-                                        {CellRole::goal_region, 'g'}}) {
+                                        {CellRole::start_component, 's'},
+                                        {CellRole::goal_component, 'g'}}) {
     scene.marked.push_back({role, marked_of(drawn, character)});
   }
   scene.marked.front().cells.set({4, 0}, true);  // the obstacle stays

@@ -37,11 +37,11 @@ constexpr std::string_view ansi_of(Meaning meaning) {
     case Meaning::nearest_free:
     case Meaning::collision:
       return "\x1b[1;35m";
-    case Meaning::start_region:
+    case Meaning::start_component:
       return "\x1b[32m";
     case Meaning::smoothed_line:
       return "\x1b[1;32m";
-    case Meaning::goal_region:
+    case Meaning::goal_component:
     case Meaning::yard_obstacle:
     case Meaning::planned_line:
       return "\x1b[31m";

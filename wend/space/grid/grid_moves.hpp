@@ -5,7 +5,7 @@
 #include <array>
 
 #include "wend/base/choice.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 
 namespace wend {
 

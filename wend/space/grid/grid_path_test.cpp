@@ -7,33 +7,33 @@
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 
 namespace wend {
 namespace {
 
 /// Walks on random legal steps.
-std::vector<Cell> random_walk(Random& random, const test::Textbook& textbook, Cell from,
+std::vector<Cell> random_walk(Random& random, const test::Reference& reference, Cell from,
                               int steps) {
   std::vector<Cell> path{from};
   while (steps-- > 0) {
     const Cell to{path.back().x + random.between(-1, 1), path.back().y + random.between(-1, 1)};
-    if (textbook.is_step(path.back(), to)) path.push_back(to);
+    if (reference.is_step(path.back(), to)) path.push_back(to);
   }
   return path;
 }
 
-TEST(GridPath, CostsWhatTheTextbookSays) {
+TEST(GridPath, CostsWhatTheReferenceSays) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const GridMap map = test::random_map(random);
     const FreeSpace space(map);
-    const test::Textbook textbook(map, {}, {});
+    const test::Reference reference(map, {}, {});
     const Cell start = test::random_cell(random, map.width(), map.height());
     if (!space.passable(start)) continue;
-    const auto path = random_walk(random, textbook, start, 100);
-    const double cost = textbook.cost_of(path);
+    const auto path = random_walk(random, reference, start, 100);
+    const double cost = reference.cost_of(path);
     EXPECT_NEAR(grid_path_cost(space, path), cost, 1e-9 * (1 + cost));
     const auto checked = check_grid_path(space, {}, path);
     ASSERT_TRUE(checked) << checked.error().what;

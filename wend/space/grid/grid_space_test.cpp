@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 
 namespace wend {
 namespace {
@@ -78,7 +78,7 @@ TEST(GridSpace, NumbersCellsRowByRow) {
   }
 }
 
-/// Runs a check for random maps, robots and rules, with the textbook's view of them.
+/// Runs a check for random maps, robots and rules, with the reference's view of them.
 template <class Check>
 void on_random_spaces(int count, Check&& check) {
   for (int seed = 1; seed <= count && !::testing::Test::HasFailure(); ++seed) {
@@ -87,15 +87,15 @@ void on_random_spaces(int count, Check&& check) {
     const FreeSpaceOptions robot = test::random_robot(random, map.frame().resolution);
     const int corners = random.between(0, 2);
     const bool diagonals = random.chance(0.8);
-    const test::Textbook textbook(map, test::robot_in_cells(robot, map.frame()),
-                                  {diagonals, corners});
+    const test::Reference reference(map, test::robot_in_cells(robot, map.frame()),
+                                    {diagonals, corners});
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " +
                  std::to_string(robot.robot_radius / map.frame().resolution) + ", corners cut " +
                  std::to_string(corners) + "\n" + test::drawing_of(map));
     check(FreeSpace(map, robot),
           GridMoves{diagonals ? Connectivity::eight : Connectivity::four,
                     static_cast<CornerRule>(corners)},
-          textbook);
+          reference);
   }
 }
 
@@ -108,16 +108,16 @@ void for_passable_cells(const FreeSpace& space, Visit&& visit) {
   }
 }
 
-TEST(GridSpace, HasTheStepsThatTheTextbookHas) {
+TEST(GridSpace, HasTheStepsThatTheReferenceHas) {
   on_random_spaces(
-      500, [](const FreeSpace& space, GridMoves moves, const test::Textbook& textbook) {
+      500, [](const FreeSpace& space, GridMoves moves, const test::Reference& reference) {
         const ExactGrid grid(space, moves);
         for_passable_cells(space, [&](Cell from) {
           const std::vector<Cell> reached = cells_after(grid, from);
           for (int dy = -2; dy <= 2; ++dy) {
             for (int dx = -2; dx <= 2; ++dx) {
               const Cell to{from.x + dx, from.y + dy};
-              const bool expected = textbook.is_step(from, to);
+              const bool expected = reference.is_step(from, to);
               ASSERT_EQ(std::count(reached.begin(), reached.end(), to), expected ? 1 : 0);
               ASSERT_EQ(grid.is_step(from, to), expected);
             }
@@ -132,16 +132,16 @@ TEST(GridSpace, LetsAVastDiscCutCorners) {
   EXPECT_TRUE(ExactGrid(space, {Connectivity::eight, CornerRule::both}).is_step({1, 1}, {2, 2}));
 }
 
-TEST(GridSpace, ChargesWhatTheTextbookCharges) {
+TEST(GridSpace, ChargesWhatTheReferenceCharges) {
   on_random_spaces(
-      300, [](const FreeSpace& space, GridMoves moves, const test::Textbook& textbook) {
+      300, [](const FreeSpace& space, GridMoves moves, const test::Reference& reference) {
         const ExactGrid exact(space, moves);
         const TerrainGrid rough(space, moves);
         for_passable_cells(space, [&](Cell from) {
           const auto reached =
               space.uniform_terrain() ? successors(exact, from) : successors(rough, from);
           for (const Successor& successor : reached) {
-            ASSERT_NEAR(successor.cost, textbook.step_cost(from, successor.cell), 1e-11);
+            ASSERT_NEAR(successor.cost, reference.step_cost(from, successor.cell), 1e-11);
           }
         });
       });
@@ -156,7 +156,7 @@ TEST(GridSpace, ChargesCompactUnitsWithin32Bits) {
 }
 
 TEST(GridSpace, UndoesEveryMove) {
-  on_random_spaces(100, [](const FreeSpace& space, GridMoves moves, const test::Textbook&) {
+  on_random_spaces(100, [](const FreeSpace& space, GridMoves moves, const test::Reference&) {
     const ExactGrid grid(space, moves);
     for_passable_cells(space, [&](Cell from) {
       for (const Successor& successor : successors(grid, from)) {

@@ -65,7 +65,7 @@ TYPED_TEST(Units, CompareAnySmallSums) {
   }
 }
 
-/// Where the promise ends: so many diagonal steps weigh exactly as much as straight ones.
+/// Where the guarantee ends: so many diagonal steps weigh exactly as much as straight ones.
 TYPED_TEST(Units, MeanOneLengthByOneSumUpToTheirOwnSize) {
   EXPECT_EQ(units<TypeParam>(this->kDiagonal, -this->kStraight), 0);
   EXPECT_NE(sign_of_octile_length(this->kDiagonal, -this->kStraight), 0);

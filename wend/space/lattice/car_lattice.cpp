@@ -165,12 +165,12 @@ CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
   const Steps steps = steps_of(space.map().frame().y_up);
   BitGrid blocked = blocked_cells(space, unit);
   BitGrid passable = passable_corners(space, blocked, unit);
-  ConnectedRegions regions(passable);
+  ConnectedComponents components(passable);
   Grid<double> terrain = mean_terrain(space, unit);
   Grid<std::uint8_t> fitting;
   if (may_touch_obstacles(space, unit)) fitting = Sweeping(space, passable, steps, unit).fitting();
   data_ = std::make_shared<const Data>(Data{std::move(space), driving, steps, std::move(blocked),
-                                            std::move(passable), std::move(regions),
+                                            std::move(passable), std::move(components),
                                             std::move(terrain), std::move(fitting)});
 }
 

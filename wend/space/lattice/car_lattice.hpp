@@ -21,7 +21,7 @@
 
 #include "wend/geometry/car_move.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/space/lattice/car_driving.hpp"
@@ -67,7 +67,7 @@ class CarLattice {
 
   /// Corners that moves may join, if headings did not matter: 8-connected.
   bool connected(Cell a, Cell b) const {
-    return data_->regions.connected(a, b, Adjacency::edges_and_corners);
+    return data_->components.connected(a, b, Adjacency::edges_and_corners);
   }
 
   /// Why the car cannot stand on a corner; nothing if it can.
@@ -112,7 +112,7 @@ class CarLattice {
     std::array<CarStep, std::size_t{kHeadings} * kCarMoves> steps;
     BitGrid blocked;   // lattice cells
     BitGrid passable;  // corners
-    ConnectedRegions regions;
+    ConnectedComponents components;
     Grid<double> terrain;  // lattice cells; empty if uniform
     Grid<std::uint8_t>
         fitting;  // by the corner at the lower end of x and y: arcs and lines that fit

@@ -45,7 +45,7 @@ TEST(CarUnits, CompareTheHardestSumsThereAre) {
   }
 }
 
-/// Where the promise ends.
+/// Where the guarantee ends.
 TEST(CarUnits, MeanOneLengthByOneSumUpToTheirOwnSize) {
   EXPECT_EQ(sign_of_units(kTurn / 2, -kEqualTurns), 0);
   EXPECT_NE(sign_of_length(kTurn / 2, -kEqualTurns), 0);

@@ -8,7 +8,7 @@
 // `weight`); planners that do not have it do not get it. Then there is what concerns them all:
 //
 //   planner         which one                robot_radius   metres
-//   unknown_free    drive into unknown       keep_away      metres
+//   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
 //   smooth, smooth_alpha, smooth_beta        smooth the path

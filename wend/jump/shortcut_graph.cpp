@@ -1,14 +1,16 @@
-#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace wend {
 
-Leap::Leap(Jump jump, Cell from, Cell to) : first_(jump), last_(jump) { lengthen(from, to); }
+Shortcut::Shortcut(Jump jump, Cell from, Cell to) : first_(jump), last_(jump) {
+  lengthen(from, to);
+}
 
 /// False if there are too many steps to be counted.
-bool Leap::lengthen(Cell from, Cell to) {
+bool Shortcut::lengthen(Cell from, Cell to) {
   const OctileWay way = octile_way(from, to);
   const int straight = straight_ + way.straight;
   const int diagonal = diagonal_ + way.diagonal;
@@ -18,13 +20,13 @@ bool Leap::lengthen(Cell from, Cell to) {
   return true;
 }
 
-LeapGraph::LeapGraph(std::shared_ptr<const JumpGraph> jumps)
+ShortcutGraph::ShortcutGraph(std::shared_ptr<const JumpGraph> jumps)
     : jumps_(std::move(jumps)),
       raster_(jumps_->boards().width(), jumps_->boards().height()),
       links_(kArrivals * jumps_->size(), kUnknown) {}
 
 /// Finds whether anything comes next, and whether there is a choice.
-LeapGraph::Link LeapGraph::find(Jump jump) {
+ShortcutGraph::Link ShortcutGraph::find(Jump jump) {
   Link link = kNone;
   jumps_->visit_jumps(jumps_->cell(jump.number()), jumps_->directions(jump), [&](Jump next) {
     link = link == kNone ? next.code() | kIsJump : kSeveral;
@@ -33,46 +35,47 @@ LeapGraph::Link LeapGraph::find(Jump jump) {
   return links_[jump.code()] = link;
 }
 
-/// Also where there is no choice, if a search stops there. Dead leaps come behind the others: a search
+/// Also where there is no choice, if a search stops there. Dead shortcuts come behind the others: a search
 /// seldom mispredicts which they are.
-LeapGraph::Link LeapGraph::make_list(Jump from) {
+ShortcutGraph::Link ShortcutGraph::make_list(Jump from) {
   next_.clear();
   const Cell cell = jumps_->cell(from.number());
   jumps_->append_jumps(cell, jumps_->directions(from), next_);
-  const auto list = static_cast<Link>(leaps_.size());
+  const auto list = static_cast<Link>(shortcuts_.size());
   dead_.clear();
   for (const Jump next : next_) {
-    Leap leap(next, cell, jumps_->cell(next.number()));
-    extend(leap);
-    (leap.dead() ? dead_ : leaps_).push_back(leap);
+    Shortcut shortcut(next, cell, jumps_->cell(next.number()));
+    extend(shortcut);
+    (shortcut.dead() ? dead_ : shortcuts_).push_back(shortcut);
   }
-  leaps_.insert(leaps_.end(), dead_.begin(), dead_.end());
-  leaps_.back().ends_list_ = 1;
+  shortcuts_.insert(shortcuts_.end(), dead_.begin(), dead_.end());
+  shortcuts_.back().ends_list_ = 1;
   return links_[from.code()] = list;
 }
 
 /// Goes on from its first jump while there is no choice; chains that go round in circles end before
 /// they come back.
-void LeapGraph::extend(Leap& leap) {
-  leap.last_ = leap.first_;
-  if (leap.straight_ + leap.diagonal_ == 0) return;  // too far to be counted
-  passed_.assign(1, leap.first_);
+void ShortcutGraph::extend(Shortcut& shortcut) {
+  shortcut.last_ = shortcut.first_;
+  if (shortcut.straight_ + shortcut.diagonal_ == 0) return;  // too far to be counted
+  passed_.assign(1, shortcut.first_);
   while (passed_.size() < kMostPassed) {
-    const Link link = link_of(leap.last_);
-    leap.dead_ = link == kNone ? 1 : 0;
-    if (leap.dead()) look_around(leap.last_, leap.seen_);
+    const Link link = link_of(shortcut.last_);
+    shortcut.dead_ = link == kNone ? 1 : 0;
+    if (shortcut.dead()) look_around(shortcut.last_, shortcut.seen_);
     if (!is_only_jump(link)) return;
-    const Jump next = only_next(leap.last_);
+    const Jump next = only_next(shortcut.last_);
     if (std::find(passed_.begin(), passed_.end(), next) != passed_.end()) return;
-    if (!leap.lengthen(jumps_->cell(leap.last_.number()), jumps_->cell(next.number()))) return;
-    look_around(leap.last_, leap.seen_);
-    leap.last_ = next;
+    if (!shortcut.lengthen(jumps_->cell(shortcut.last_.number()), jumps_->cell(next.number())))
+      return;
+    look_around(shortcut.last_, shortcut.seen_);
+    shortcut.last_ = next;
     passed_.push_back(next);
   }
 }
 
 /// Includes all that is in sight of a jump point, where no other one that comes next sees it as well.
-void LeapGraph::look_around(Jump jump, CoarseBox& seen) const {
+void ShortcutGraph::look_around(Jump jump, CoarseBox& seen) const {
   using enum Direction;
   const Cell from = jumps_->cell(jump.number());
   const DirectionSet directions = jumps_->directions(jump);
@@ -88,14 +91,14 @@ void LeapGraph::look_around(Jump jump, CoarseBox& seen) const {
 }
 
 template <Direction kStraight>
-void LeapGraph::look_ahead(Cell from, CoarseBox& seen) const {
+void ShortcutGraph::look_ahead(Cell from, CoarseBox& seen) const {
   const int steps = jumps_->boards().distance_to_stop<kStraight>(from);
   seen.include(raster_.place(moved(from, kStraight, steps)));
 }
 
 /// A long diagonal is not gone along to its end: all that lies that way may be seen.
 template <Direction kDiagonal>
-void LeapGraph::look_along_diagonal(Cell from, CoarseBox& seen) const {
+void ShortcutGraph::look_along_diagonal(Cell from, CoarseBox& seen) const {
   constexpr int kLongest = 24;
   const JumpBoards& boards = jumps_->boards();
   for (int steps = 0; steps < kLongest; ++steps) {

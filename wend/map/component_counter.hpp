@@ -1,7 +1,7 @@
 #pragma once
 
-// RegionCounter: how many 4-connected regions the set cells of a grid make, and how large the
-// largest is, told row by row in the memory of two rows. ConnectedRegions knows each cell's region
+// ComponentCounter: how many 4-connected components the set cells of a grid make, and how large the
+// largest is, told row by row in the memory of two rows. ConnectedComponents knows each cell's component
 // too, in four bytes a cell.
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace wend {
 
-class RegionCounter {
+class ComponentCounter {
  public:
-  explicit RegionCounter(int width) : width_(width) {}
+  explicit ComponentCounter(int width) : width_(width) {}
 
   /// The words of the next row, as BitGrid::row_words() has them. O(width).
   void add_row(std::span<const std::uint64_t> words);
@@ -27,12 +27,12 @@ class RegionCounter {
  private:
   struct LabelledRun {
     RowRun run;
-    std::uint32_t region;  // an index of open_
+    std::uint32_t component;  // an index of open_
   };
 
   int width_;
   std::vector<LabelledRun> above_;  // the runs of the row that came last
-  std::vector<std::size_t> open_;   // sizes of the regions that reach that row
+  std::vector<std::size_t> open_;   // sizes of the components that reach that row
   std::size_t closed_ = 0;          // how many end above it
   std::size_t largest_closed_ = 0;
 };

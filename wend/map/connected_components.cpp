@@ -1,4 +1,4 @@
-#include "wend/map/connected_regions.hpp"
+#include "wend/map/connected_components.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -74,7 +74,8 @@ void link(Runs& runs, int height, DisjointSets& sets) {
 
 }  // namespace
 
-ConnectedRegions::ConnectedRegions(const BitGrid& cells) : labels_(cells.width(), cells.height()) {
+ConnectedComponents::ConnectedComponents(const BitGrid& cells)
+    : labels_(cells.width(), cells.height()) {
   const int height = cells.height();
   Runs runs = runs_of(cells);
   DisjointSets run_sets;
@@ -105,11 +106,11 @@ ConnectedRegions::ConnectedRegions(const BitGrid& cells) : labels_(cells.width()
   merged_sizes_.resize(*std::max_element(merged_.begin(), merged_.end()) + std::size_t{1});
 }
 
-std::size_t ConnectedRegions::count(Adjacency adjacency) const {
+std::size_t ConnectedComponents::count(Adjacency adjacency) const {
   return (adjacency == Adjacency::edges ? sizes_ : merged_sizes_).size() - 1;
 }
 
-std::vector<std::size_t> ConnectedRegions::sizes(Adjacency adjacency) const {
+std::vector<std::size_t> ConnectedComponents::sizes(Adjacency adjacency) const {
   std::vector<std::size_t> sizes = adjacency == Adjacency::edges ? sizes_ : merged_sizes_;
   sizes.erase(sizes.begin());
   std::sort(sizes.begin(), sizes.end(), std::greater<>());

@@ -40,7 +40,7 @@ Averages averages(const GridMap& map, const FreeSpaceOptions& options, std::uint
   for (int found = 0; found < kPaths;) {
     const Cell start = test::random_cell(random, map.width(), map.height());
     const Cell goal = test::random_cell(random, map.width(), map.height());
-    if (start == goal || !space.regions().connected(start, goal, Adjacency::edges)) continue;
+    if (start == goal || !space.components().connected(start, goal, Adjacency::edges)) continue;
     const Plan plan = cheapest(space, start, goal);
     sums.clearance += mean_clearance(space, plan.path) / kPaths;
     sums.length += plan.path.length() / kPaths;
@@ -57,14 +57,15 @@ void expect_wider_paths(const GridMap& map, double radius, double distance, std:
   for (const double cost : {0.5, 4.0, 20.0}) {
     SCOPED_TRACE(cost);
     const Averages now = averages(
-        map, {.robot_radius = radius, .keep_away = distance, .keep_away_cost = cost}, seed);
+        map, {.robot_radius = radius, .clearance_distance = distance, .clearance_cost = cost},
+        seed);
     EXPECT_GT(now.clearance, before.clearance);
     EXPECT_GE(now.length, before.length);
     before = now;
   }
 }
 
-TEST(KeepAway, MakesPathsWiderInOffices) {
+TEST(ClearanceCost, MakesPathsWiderInOffices) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto map = generators().find("office")->make(160, 100, seed, {});
     ASSERT_TRUE(map);
@@ -72,7 +73,7 @@ TEST(KeepAway, MakesPathsWiderInOffices) {
   }
 }
 
-TEST(KeepAway, MakesPathsWiderInRooms) {
+TEST(ClearanceCost, MakesPathsWiderInRooms) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto map = generators().find("rooms")->make(120, 90, seed, {});
     ASSERT_TRUE(map);
@@ -80,13 +81,13 @@ TEST(KeepAway, MakesPathsWiderInRooms) {
   }
 }
 
-TEST(KeepAway, StillPassesWhereThereIsNoOtherWay) {
-  const FreeSpace space =
-      test::drawn_space("...#...\n.......\n...#...", {.keep_away = 5, .keep_away_cost = 1000});
+TEST(ClearanceCost, StillPassesWhereThereIsNoOtherWay) {
+  const FreeSpace space = test::drawn_space("...#...\n.......\n...#...",
+                                            {.clearance_distance = 5, .clearance_cost = 1000});
   EXPECT_EQ(cheapest(space, {0, 1}, {6, 1}).path.size(), 7U);
 }
 
-TEST(KeepAway, TakesAWayRoundWhereOneIsWider) {
+TEST(ClearanceCost, TakesAWayRoundWhereOneIsWider) {
   const std::string_view map = R"(
 .......
 .......
@@ -103,7 +104,7 @@ TEST(KeepAway, TakesAWayRoundWhereOneIsWider) {
     return -1;
   };
   EXPECT_EQ(row_in_the_middle({}), 4);
-  EXPECT_LT(row_in_the_middle({.keep_away = 2, .keep_away_cost = 10}), 3);
+  EXPECT_LT(row_in_the_middle({.clearance_distance = 2, .clearance_cost = 10}), 3);
 }
 
 }  // namespace

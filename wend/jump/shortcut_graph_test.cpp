@@ -1,4 +1,4 @@
-#include "wend/jump/leap_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Cost = std::uint64_t;
 
-BitGrid random_leap_map(Random& random) {
+BitGrid random_shortcut_map(Random& random) {
   BitGrid cells(random.between(1, 40), random.between(1, 40));
   const double share = 0.4 + 0.6 * random.uniform();
   for (int y = 0; y < cells.height(); ++y) {
@@ -34,17 +34,17 @@ BitGrid corridors(int width, int height) {
   return cells;
 }
 
-/// A map's leaps beside its jumps, one by one.
+/// A map's shortcuts beside its jumps, one by one.
 class Map {
  public:
   explicit Map(const BitGrid& cells)
       : jumps_(std::make_shared<const JumpGraph>(std::make_shared<const JumpBoards>(cells))),
-        leaps_(jumps_),
+        shortcuts_(jumps_),
         width_(cells.width()),
         height_(cells.height()) {}
 
   const JumpGraph& jumps() const { return *jumps_; }
-  LeapGraph& leaps() { return leaps_; }
+  ShortcutGraph& shortcuts() { return shortcuts_; }
 
   std::vector<Jump> next(Jump jump) const {
     std::vector<Jump> next;
@@ -97,21 +97,21 @@ class Map {
 
  private:
   std::shared_ptr<const JumpGraph> jumps_;
-  LeapGraph leaps_;
+  ShortcutGraph shortcuts_;
   int width_;
   int height_;
 };
 
-/// The jump points of a leap, its end included.
-std::vector<Jump> chain_of(const LeapGraph& leaps, const Leap& leap) {
-  std::vector<Jump> chain{leap.first()};
-  while (chain.back() != leap.last()) chain.push_back(leaps.only_next(chain.back()));
+/// The jump points of a shortcut, its end included.
+std::vector<Jump> chain_of(const ShortcutGraph& shortcuts, const Shortcut& shortcut) {
+  std::vector<Jump> chain{shortcut.first()};
+  while (chain.back() != shortcut.last()) chain.push_back(shortcuts.only_next(chain.back()));
   return chain;
 }
 
-/// A leap goes where there is no choice, and costs what its jumps do.
-void expect_chain(Map& map, Jump from, const Leap& leap) {
-  const std::vector<Jump> chain = chain_of(map.leaps(), leap);
+/// A shortcut goes where there is no choice, and costs what its jumps do.
+void expect_chain(Map& map, Jump from, const Shortcut& shortcut) {
+  const std::vector<Jump> chain = chain_of(map.shortcuts(), shortcut);
   Cost cost = 0;
   Cell at = map.cell(from);
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -120,20 +120,20 @@ void expect_chain(Map& map, Jump from, const Leap& leap) {
     if (i + 1 == chain.size()) break;
     EXPECT_EQ(map.next(chain[i]), std::vector{chain[i + 1]}) << "there is a choice";
   }
-  EXPECT_EQ(leap.cost<Cost>(map.cell(from), at), cost);
-  EXPECT_TRUE(!leap.dead() || map.next(leap.last()).empty());
+  EXPECT_EQ(shortcut.cost<Cost>(map.cell(from), at), cost);
+  EXPECT_TRUE(!shortcut.dead() || map.next(shortcut.last()).empty());
 }
 
-/// What is seen from a jump point on the way may be seen by the leap, or else is seen from the next
+/// What is seen from a jump point on the way may be seen by the shortcut, or else is seen from the next
 /// one too, and its end goes on.
-void expect_seen(Map& map, const Leap& leap) {
-  const std::vector<Jump> chain = chain_of(map.leaps(), leap);
+void expect_seen(Map& map, const Shortcut& shortcut) {
+  const std::vector<Jump> chain = chain_of(map.shortcuts(), shortcut);
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      if (leap.may_see(map.leaps().raster().place({x, y}))) continue;
+      if (shortcut.may_see(map.shortcuts().raster().place({x, y}))) continue;
       for (std::size_t i = 0; i < chain.size(); ++i) {
         const bool last = i + 1 == chain.size();
-        if (last && !leap.dead()) break;
+        if (last && !shortcut.dead()) break;
         EXPECT_TRUE(!map.sees(chain[i], {x, y}) || (!last && map.sees(chain[i + 1], {x, y})))
             << "cell " << x << ',' << y << " from jump point " << i << " of " << chain.size();
       }
@@ -141,53 +141,53 @@ void expect_seen(Map& map, const Leap& leap) {
   }
 }
 
-void expect_right_leaps(const BitGrid& cells, int& passed, int& dead) {
+void expect_right_shortcuts(const BitGrid& cells, int& passed, int& dead) {
   Map map(cells);
   map.for_each_jump([&](Jump from) {
     SCOPED_TRACE("jump point " + std::to_string(from.number()) + ", reached in " +
                  std::to_string(from.arrival()));
-    std::vector<Leap> leaps;  // apart: to look at them asks for more
-    for (const Leap& leap : map.leaps().leaps(from)) leaps.push_back(leap);
+    std::vector<Shortcut> shortcuts;  // apart: to look at them asks for more
+    for (const Shortcut& shortcut : map.shortcuts().shortcuts(from)) shortcuts.push_back(shortcut);
     std::vector<Jump> firsts;
-    for (const Leap& leap : leaps) {
-      firsts.push_back(leap.first());
-      expect_chain(map, from, leap);
-      expect_seen(map, leap);
-      passed += leap.first() == leap.last() ? 0 : 1;
-      dead += leap.dead() ? 1 : 0;
+    for (const Shortcut& shortcut : shortcuts) {
+      firsts.push_back(shortcut.first());
+      expect_chain(map, from, shortcut);
+      expect_seen(map, shortcut);
+      passed += shortcut.first() == shortcut.last() ? 0 : 1;
+      dead += shortcut.dead() ? 1 : 0;
     }
     const std::vector<Jump> next = map.next(from);
     EXPECT_TRUE(std::is_permutation(firsts.begin(), firsts.end(), next.begin(), next.end()));
   });
 }
 
-TEST(LeapGraph, LeapsGoWhereThereIsNoChoice) {
+TEST(ShortcutGraph, ShortcutsGoWhereThereIsNoChoice) {
   Random random(51);
   int passed = 0;
   int dead = 0;
   for (int map = 0; map < 75 && !::testing::Test::HasFailure(); ++map) {
     SCOPED_TRACE("map " + std::to_string(map));
-    expect_right_leaps(random_leap_map(random), passed, dead);
+    expect_right_shortcuts(random_shortcut_map(random), passed, dead);
   }
-  expect_right_leaps(corridors(41, 33), passed, dead);
+  expect_right_shortcuts(corridors(41, 33), passed, dead);
   EXPECT_GT(passed, 1000);
   EXPECT_GT(dead, 500);
 }
 
 /// Around a block in a narrow room one goes in circles: every jump point has one that comes next.
-TEST(LeapGraph, CirclesEndSomewhere) {
+TEST(ShortcutGraph, CirclesEndSomewhere) {
   BitGrid cells(9, 9);
   for (int i = 0; i < 9; ++i) {
     for (const Cell cell : {Cell{i, 0}, Cell{i, 8}, Cell{0, i}, Cell{8, i}}) cells.set(cell, true);
   }
   int passed = 0;
   int dead = 0;
-  expect_right_leaps(cells, passed, dead);
+  expect_right_shortcuts(cells, passed, dead);
   EXPECT_GT(passed, 0);
 }
 
-/// Longer than a leap can count.
-TEST(LeapGraph, AJumpMaySpanTheWholeMap) {
+/// Longer than a shortcut can count.
+TEST(ShortcutGraph, AJumpMaySpanTheWholeMap) {
   constexpr int kWidth = 70000;
   BitGrid cells(kWidth, 3);
   for (int x = 0; x < kWidth; ++x) cells.set({x, 1}, true);
@@ -198,11 +198,11 @@ TEST(LeapGraph, AJumpMaySpanTheWholeMap) {
   Map map(cells);
   int far = 0;
   map.for_each_jump([&](Jump from) {
-    std::vector<Leap> leaps;
-    for (const Leap& leap : map.leaps().leaps(from)) leaps.push_back(leap);
-    for (const Leap& leap : leaps) {
-      expect_chain(map, from, leap);
-      if (map.cell(leap.first()).x != map.cell(from).x) ++far;
+    std::vector<Shortcut> shortcuts;
+    for (const Shortcut& shortcut : map.shortcuts().shortcuts(from)) shortcuts.push_back(shortcut);
+    for (const Shortcut& shortcut : shortcuts) {
+      expect_chain(map, from, shortcut);
+      if (map.cell(shortcut.first()).x != map.cell(from).x) ++far;
     }
   });
   EXPECT_GT(far, 0);

@@ -1,4 +1,4 @@
-#include "wend/control/aim.hpp"
+#include "wend/control/tracking_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,14 @@ double way_left(const Polyline& route, double along, Point point) {
   return std::max(route.length() - along, distance(route.points().back(), point));
 }
 
-Aim aim_of(const Situation& situation) {
-  const Polyline& route = *situation.route;
-  return {turn_to(situation.pose, route.points()[situation.waypoint]),
-          way_left(route, situation.along, situation.pose.point())};
+TrackingError tracking_error_of(const ControllerInput& input) {
+  const Polyline& route = *input.route;
+  return {turn_to(input.pose, route.points()[input.waypoint]),
+          way_left(route, input.along, input.pose.point())};
 }
 
-Velocity while_turning(double linear, double angular, const Aim& aim, double standing_angle,
-                       const VelocityLimits& limits) {
+Velocity while_turning(double linear, double angular, const TrackingError& aim,
+                       double standing_angle, const VelocityLimits& limits) {
   const double share = std::max(1 - std::abs(aim.heading) / standing_angle, 0.0);
   return {std::clamp(linear, 0.0, limits.speed) * share, angular};
 }

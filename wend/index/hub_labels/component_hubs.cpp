@@ -1,14 +1,14 @@
-#include "wend/index/hub_labels/region_hubs.hpp"
+#include "wend/index/hub_labels/component_hubs.hpp"
 
 #include <algorithm>
 
 namespace wend {
 
-RegionHubs::RegionHubs(const Corners& corners, const HubLabelling& labelling)
+ComponentHubs::ComponentHubs(const Corners& corners, const HubLabelling& labelling)
     : corners_(corners), labelling_(labelling), slots_(labelling.hubs(), kNone) {}
 
-std::span<const std::vector<HubEntry>> RegionHubs::choose(std::span<const Cell> cells,
-                                                          std::span<const std::uint32_t> first) {
+std::span<const std::vector<HubEntry>> ComponentHubs::choose(std::span<const Cell> cells,
+                                                             std::span<const std::uint32_t> first) {
   list_hubs(first);
   for (const Cell cell : cells) {
     reach_hubs(cell, first);
@@ -25,7 +25,7 @@ std::span<const std::vector<HubEntry>> RegionHubs::choose(std::span<const Cell> 
   return std::span(chosen_).first(first.size());
 }
 
-void RegionHubs::list_hubs(std::span<const std::uint32_t> first) {
+void ComponentHubs::list_hubs(std::span<const std::uint32_t> first) {
   hubs_.clear();
   for (const std::uint32_t corner : first) {
     for (const HubEntry& entry : labelling_.label(corner)) {
@@ -40,7 +40,7 @@ void RegionHubs::list_hubs(std::span<const std::uint32_t> first) {
   for (std::size_t slot = 0; slot < hubs_.size(); ++slot) kept_by_[slot].clear();
 }
 
-void RegionHubs::reach_hubs(Cell cell, std::span<const std::uint32_t> first) {
+void ComponentHubs::reach_hubs(Cell cell, std::span<const std::uint32_t> first) {
   std::fill(reached_.begin(), reached_.end(), Reached{kUnreachedCost, 0, 0});
   for (std::uint32_t i = 0; i < first.size(); ++i) {
     const auto to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[i]));
@@ -52,21 +52,22 @@ void RegionHubs::reach_hubs(Cell cell, std::span<const std::uint32_t> first) {
   }
 }
 
-void RegionHubs::keep_what_is_needed(Cell cell, std::span<const std::uint32_t> first) {
+void ComponentHubs::keep_what_is_needed(Cell cell, std::span<const std::uint32_t> first) {
   for (std::size_t slot = 0; slot < hubs_.size(); ++slot) {
     if (is_kept(cell, first, slot) || !is_needed(slot)) continue;
     kept_by_[slot].push_back(reached_[slot]);
   }
 }
 
-bool RegionHubs::is_kept(Cell cell, std::span<const std::uint32_t> first, std::size_t slot) const {
+bool ComponentHubs::is_kept(Cell cell, std::span<const std::uint32_t> first,
+                            std::size_t slot) const {
   return std::any_of(kept_by_[slot].begin(), kept_by_[slot].end(), [&](const Reached& kept) {
     const auto to_corner = octile_cost<CornerCost>(cell, corners_.cell(first[kept.by]));
     return to_corner + kept.from_corner == reached_[slot].cost;
   });
 }
 
-bool RegionHubs::is_needed(std::size_t slot) const {
+bool ComponentHubs::is_needed(std::size_t slot) const {
   for (const HubEntry& entry : labelling_.label(labelling_.corner_of(hubs_[slot]))) {
     if (entry.hub == hubs_[slot]) break;
     const std::uint32_t more_important = slots_[entry.hub];

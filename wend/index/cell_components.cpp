@@ -1,4 +1,4 @@
-#include "wend/index/cell_regions.hpp"
+#include "wend/index/cell_components.hpp"
 
 #include <algorithm>
 #include <ranges>
@@ -28,29 +28,30 @@ struct SameList {
 
 }  // namespace
 
-CellRegions::CellRegions(const Corners& corners, const AllFirstCorners& first) {
+CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& first) {
   struct Member {
     Cell cell;
-    std::size_t region;
+    std::size_t component;
   };
   std::vector<Member> members;
-  std::unordered_map<List, std::size_t, ListHash, SameList> regions;
+  std::unordered_map<List, std::size_t, ListHash, SameList> components;
   const BitGrid& passable = corners.passable();
   for (int y = 0; y < passable.height(); ++y) {
     for (int x = 0; x < passable.width(); ++x) {
       const Cell cell{x, y};
       if (!passable[cell] || corners.contains(cell)) continue;
-      const std::size_t region = regions.try_emplace(first.of(cell), regions.size()).first->second;
-      members.push_back({cell, region});
+      const std::size_t component =
+          components.try_emplace(first.of(cell), components.size()).first->second;
+      members.push_back({cell, component});
     }
   }
-  begins_.resize(regions.size() + 1);
-  for (const Member& member : members) ++begins_[member.region];
+  begins_.resize(components.size() + 1);
+  for (const Member& member : members) ++begins_[member.component];
   std::size_t end = 0;  // filling moves each to its begin
   for (std::size_t& begin : begins_) begin = end += begin;
   cells_.resize(members.size());
   for (const Member& member : members | std::views::reverse) {
-    cells_[--begins_[member.region]] = member.cell;
+    cells_[--begins_[member.component]] = member.cell;
   }
 }
 

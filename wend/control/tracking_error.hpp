@@ -15,16 +15,16 @@ double turn_to(const Pose& pose, Point point);
 double way_left(const Polyline& route, double along, Point point);
 
 /// The errors that P and PID controllers feed back.
-struct Aim {
+struct TrackingError {
   double heading = 0;   // rad, to face the next waypoint
   double distance = 0;  // m, what is left
 };
 
-Aim aim_of(const Situation& situation);
+TrackingError tracking_error_of(const ControllerInput& input);
 
 /// Drives so fast, but slower the larger the heading error is, and not at all from `standing_angle`
 /// on; and turns so fast.
-Velocity while_turning(double linear, double angular, const Aim& aim, double standing_angle,
-                       const VelocityLimits& limits);
+Velocity while_turning(double linear, double angular, const TrackingError& aim,
+                       double standing_angle, const VelocityLimits& limits);
 
 }  // namespace wend

@@ -1,8 +1,8 @@
 #pragma once
 
-// CarTextbook: what the rules of a car say, by brute force, to check planners against. It shares no
+// CarReference: what the rules of a car say, by brute force, to check planners against. It shares no
 // code with what it checks: of wend it reads the states of a GridMap, and its terrain through
-// Textbook.
+// Reference.
 
 #include <algorithm>
 #include <functional>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tests/testing/car_motion.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 
 namespace wend::test {
 
@@ -23,7 +23,7 @@ struct CarRules {
   double reverse_factor = 1;
 };
 
-class CarTextbook {
+class CarReference {
  public:
   struct Edge {
     std::size_t maneuver;
@@ -31,7 +31,7 @@ class CarTextbook {
     double fuel;
   };
 
-  CarTextbook(const GridMap& map, Robot robot, CarRules rules)
+  CarReference(const GridMap& map, Robot robot, CarRules rules)
       : map_(map),
         robot_(robot),
         rules_(std::move(rules)),
@@ -218,7 +218,7 @@ class CarTextbook {
   GridMap map_;
   Robot robot_;
   CarRules rules_;
-  Textbook cells_;
+  Reference cells_;
   std::vector<Effect> effects_;  // by quarter and maneuver
   Graph edges_;
   Graph back_;

@@ -1,10 +1,10 @@
 #pragma once
 
-// RegionHubs: which hubs the cells of a region need, by which of their first corners.
+// ComponentHubs: which hubs the cells of a component need, by which of their first corners.
 //
 // A cell reaches a hub at the least cost over its first corners. It does not need a hub if the way
 // there can pass a more important one that it reaches: then that one serves every goal as well. A
-// hub is kept for a region if any of its cells needs it, by a corner that gives the least cost to a
+// hub is kept for a component if any of its cells needs it, by a corner that gives the least cost to a
 // cell that does; testing some of the cells only would be wrong.
 
 #include <cstddef>
@@ -17,10 +17,10 @@
 
 namespace wend {
 
-class RegionHubs {
+class ComponentHubs {
  public:
   /// Of a complete labelling. Both must outlive it. One a thread.
-  RegionHubs(const Corners& corners, const HubLabelling& labelling);
+  ComponentHubs(const Corners& corners, const HubLabelling& labelling);
 
   /// For cells that all have these first corners: the hubs that each corner is kept for, in their
   /// order. Valid until the next call.
@@ -46,7 +46,7 @@ class RegionHubs {
   const Corners& corners_;
   const HubLabelling& labelling_;
   std::vector<std::uint32_t> slots_;           // by hub: its place in hubs_, or none
-  std::vector<std::uint32_t> hubs_;            // of the region, in their order
+  std::vector<std::uint32_t> hubs_;            // of the component, in their order
   std::vector<Reached> reached_;               // by slot
   std::vector<std::vector<Reached>> kept_by_;  // by slot
   std::vector<std::vector<HubEntry>> chosen_;  // by first corner

@@ -1,4 +1,4 @@
-#include "docs/planner_page/keep_away.hpp"
+#include "docs/planner_page/clearance_distance.hpp"
 
 #include <fmt/format.h>
 
@@ -58,12 +58,12 @@ double median_ratio(const std::vector<double>& values, const std::vector<double>
 
 }  // namespace
 
-KeepAwayStudy study_keep_away(Effort effort) {
+ClearanceCostStudy study_clearance_distance(Effort effort) {
   const bool quick = effort == Effort::quick;
   const GridMap map = generated_map("office", quick ? 160 : 600, quick ? 100 : 400, kSeed);
   const FreeSpace plain(map, {.robot_radius = kRobotRadius});
   const std::vector<CellPair> queries = random_pairs(plain, quick ? 3 : 200, kSeed);
-  KeepAwayStudy study;
+  ClearanceCostStudy study;
   study.about = fmt::format(
       "`astar` for a disc of {} m in an office of {:.0f} x {:.0f} m, {} random queries. A cell "
       "where the disc touches an obstacle costs 5 times as much, and less and less out to the "
@@ -72,7 +72,7 @@ KeepAwayStudy study_keep_away(Effort effort) {
       queries.size());
   std::vector<double> plain_lengths;
   for (const double distance : kDistances) {
-    const FreeSpace space(map, {.robot_radius = kRobotRadius, .keep_away = distance});
+    const FreeSpace space(map, {.robot_radius = kRobotRadius, .clearance_distance = distance});
     const Answers all = answers(space, queries, effort);
     if (plain_lengths.empty()) plain_lengths = all.lengths;
     study.rows.push_back({distance, median_ratio(all.lengths, plain_lengths),
@@ -82,15 +82,15 @@ KeepAwayStudy study_keep_away(Effort effort) {
   return study;
 }
 
-std::string keep_away_table(const KeepAwayStudy& study) {
+std::string clearance_distance_table(const ClearanceCostStudy& study) {
   MarkdownTable table({{"keep away, m", Align::right},
                        {"length / shortest", Align::right},
                        {"mean clearance, m", Align::right},
                        {"smallest clearance, m", Align::right},
                        {"expanded", Align::right},
                        {"time, µs", Align::right}});
-  for (const KeepAwayRow& row : study.rows) {
-    table.add({number(row.keep_away, 2), number(row.longer, 3), number(row.clearance, 2),
+  for (const ClearanceCostRow& row : study.rows) {
+    table.add({number(row.clearance_distance, 2), number(row.longer, 3), number(row.clearance, 2),
                number(row.least_clearance, 2), number(row.expanded, 0), number(row.us, 1)});
   }
   return table.text();

@@ -1,18 +1,18 @@
 #pragma once
 
-// LeapGraph: chains of jumps without a choice, as one leap each. They are found when they are first
+// ShortcutGraph: chains of jumps without a choice, as one shortcut each. They are found when they are first
 // asked for, and kept: the graph is worth more with every search on it.
 //
 // Where a jump point has only one that comes next, a search learns nothing by stopping there, but for
-// one thing: it may see its goal from there. So a leap knows a box around all that is seen from the
+// one thing: it may see its goal from there. So a shortcut knows a box around all that is seen from the
 // jump points that it passes; a search whose goal is in the box must look closer. The box ends where
 // the next jump points are, for what lies behind one in sight is in sight of that one as well. A
-// leap that ends where nothing comes next is dead; its box is around what its last one sees, too.
+// shortcut that ends where nothing comes next is dead; its box is around what its last one sees, too.
 //
-//   wend::LeapGraph graph(std::make_shared<const wend::JumpGraph>(boards));
-//   for (const wend::Leap& leap : graph.leaps(jump)) reach(leap);
+//   wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
+//   for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
 //
-// 16 bytes a jump point, and 16 for each leap found where there is a choice. One thread.
+// 16 bytes a jump point, and 16 for each shortcut found where there is a choice. One thread.
 
 #include <cassert>
 #include <cstddef>
@@ -26,10 +26,10 @@
 
 namespace wend {
 
-class Leap {
+class Shortcut {
  public:
   /// A jump alone, between two cells. It sees nothing on its way.
-  Leap(Jump jump, Cell from, Cell to);
+  Shortcut(Jump jump, Cell from, Cell to);
 
   Jump first() const { return first_; }
   /// The first one, or what a chain of jumps from there leads to.
@@ -51,8 +51,8 @@ class Leap {
   }
 
  private:
-  friend class LeapGraph;
-  friend class LeapList;
+  friend class ShortcutGraph;
+  friend class ShortcutList;
 
   bool lengthen(Cell from, Cell to);
 
@@ -68,65 +68,65 @@ class Leap {
 };
 
 /// Leaps one behind the other in memory, the last of them marked.
-class LeapList {
+class ShortcutList {
  public:
   class Iterator {
    public:
-    explicit Iterator(const Leap* leap) : leap_(leap) {}
-    const Leap& operator*() const { return *leap_; }
+    explicit Iterator(const Shortcut* shortcut) : shortcut_(shortcut) {}
+    const Shortcut& operator*() const { return *shortcut_; }
     Iterator& operator++() {
-      leap_ = leap_->ends_list_ != 0 ? nullptr : leap_ + 1;
+      shortcut_ = shortcut_->ends_list_ != 0 ? nullptr : shortcut_ + 1;
       return *this;
     }
     friend bool operator==(Iterator, Iterator) = default;
 
    private:
-    const Leap* leap_;
+    const Shortcut* shortcut_;
   };
 
   /// Null if there are none.
-  explicit LeapList(const Leap* first) : first_(first) {}
+  explicit ShortcutList(const Shortcut* first) : first_(first) {}
 
   Iterator begin() const { return Iterator(first_); }
   Iterator end() const { return Iterator(nullptr); }
 
  private:
-  const Leap* first_;
+  const Shortcut* first_;
 };
 
-class LeapGraph {
+class ShortcutGraph {
  public:
-  explicit LeapGraph(std::shared_ptr<const JumpGraph> jumps);
+  explicit ShortcutGraph(std::shared_ptr<const JumpGraph> jumps);
 
   const JumpGraph& jumps() const { return *jumps_; }
   const CoarseRaster& raster() const { return raster_; }
 
   /// From a jump point. Holds until the next call.
-  LeapList leaps(Jump from) {
+  ShortcutList shortcuts(Jump from) {
     Link link = link_of(from);
-    if (link == kNone) return LeapList(nullptr);
+    if (link == kNone) return ShortcutList(nullptr);
     if (!is_list(link)) link = make_list(from);
-    return LeapList(leaps_.data() + link);
+    return ShortcutList(shortcuts_.data() + link);
   }
 
-  /// Of a jump point that a leap has passed: the only one that comes next.
+  /// Of a jump point that a shortcut has passed: the only one that comes next.
   Jump only_next(Jump passed) const {
     const Link link = links_[passed.code()];
     assert(is_only_jump(link));
-    return is_jump(link) ? Jump(link & ~kIsJump) : leaps_[link].first();
+    return is_jump(link) ? Jump(link & ~kIsJump) : shortcuts_[link].first();
   }
 
-  /// Ask for the memory that leaps() will read, ahead of time: first for where they lie, then for
+  /// Ask for the memory that shortcuts() will read, ahead of time: first for where they lie, then for
   /// them.
   void prefetch_place(Jump jump) const { __builtin_prefetch(&links_[jump.code()]); }
-  void prefetch_leaps(Jump jump) const {
+  void prefetch_shortcuts(Jump jump) const {
     const Link link = links_[jump.code()];
-    if (is_list(link)) __builtin_prefetch(leaps_.data() + link);
+    if (is_list(link)) __builtin_prefetch(shortcuts_.data() + link);
   }
 
  private:
   /// What comes next: nothing, one jump (its code, with the highest bit), several jumps, or the number
-  /// of the first leap of a list of all. What comes after a jump point that a leap ends at is not
+  /// of the first shortcut of a list of all. What comes after a jump point that a shortcut ends at is not
   /// looked for before a search gets there.
   using Link = std::uint32_t;
   static constexpr Link kIsJump = Link{1} << 31U;
@@ -134,12 +134,12 @@ class LeapGraph {
   static constexpr Link kNone = kUnknown - 1;
   static constexpr Link kSeveral = kUnknown - 2;
 
-  static constexpr std::size_t kMostPassed = 32;  // jump points, by a leap
+  static constexpr std::size_t kMostPassed = 32;  // jump points, by a shortcut
 
   static bool is_list(Link link) { return link < kIsJump; }
   static bool is_jump(Link link) { return link >= kIsJump && link < kSeveral; }
   bool is_only_jump(Link link) const {
-    return is_list(link) ? leaps_[link].ends_list_ != 0 : is_jump(link);
+    return is_list(link) ? shortcuts_[link].ends_list_ != 0 : is_jump(link);
   }
 
   Link link_of(Jump jump) {
@@ -148,7 +148,7 @@ class LeapGraph {
   }
   Link find(Jump jump);
   Link make_list(Jump from);
-  void extend(Leap& leap);
+  void extend(Shortcut& shortcut);
   void look_around(Jump jump, CoarseBox& seen) const;
   template <Direction kStraight>
   void look_ahead(Cell from, CoarseBox& seen) const;
@@ -157,11 +157,11 @@ class LeapGraph {
 
   std::shared_ptr<const JumpGraph> jumps_;
   CoarseRaster raster_;
-  std::vector<Link> links_;   // by the code of a jump
-  std::vector<Leap> leaps_;   // lists
-  std::vector<Jump> next_;    // of the list in work
-  std::vector<Leap> dead_;    // of the list in work
-  std::vector<Jump> passed_;  // by the leap in work
+  std::vector<Link> links_;          // by the code of a jump
+  std::vector<Shortcut> shortcuts_;  // lists
+  std::vector<Jump> next_;           // of the list in work
+  std::vector<Shortcut> dead_;       // of the list in work
+  std::vector<Jump> passed_;         // by the shortcut in work
 };
 
 }  // namespace wend

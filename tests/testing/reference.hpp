@@ -1,6 +1,6 @@
 #pragma once
 
-// Textbook: what the rules of a grid say, by brute force, to check planners against. It shares no
+// Reference: what the rules of a grid say, by brute force, to check planners against. It shares no
 // code with what it checks: of wend it reads the states and terrain of a GridMap, and the options of
 // a robot.
 
@@ -22,9 +22,9 @@ namespace wend::test {
 struct Robot {
   double radius = 0;  // cells
   bool enters_unknown = false;
-  bool stays_on_map = false;  // the whole disc, not just its centre
-  double keep_away = 0;       // cells
-  double keep_away_cost = 0;
+  bool stays_on_map = false;      // the whole disc, not just its centre
+  double clearance_distance = 0;  // cells
+  double clearance_cost = 0;
 };
 
 inline Robot robot_in_cells(const FreeSpaceOptions& options, const Frame& frame) {
@@ -32,8 +32,8 @@ inline Robot robot_in_cells(const FreeSpaceOptions& options, const Frame& frame)
   return {.radius = options.robot_radius / frame.resolution,
           .enters_unknown = options.unknown == UnknownPolicy::free,
           .stays_on_map = options.outside.value_or(in_metres) == OutsidePolicy::blocked,
-          .keep_away = options.keep_away / frame.resolution,
-          .keep_away_cost = options.keep_away_cost};
+          .clearance_distance = options.clearance_distance / frame.resolution,
+          .clearance_cost = options.clearance_cost};
 }
 
 struct Rules {
@@ -74,9 +74,9 @@ inline double distance_to_square(Cell from, Cell to, Cell square) {
   return std::min({at(0), at(1), at((low + high) / 2)});
 }
 
-class Textbook {
+class Reference {
  public:
-  Textbook(const GridMap& map, Robot robot, Rules rules)
+  Reference(const GridMap& map, Robot robot, Rules rules)
       : map_(map),
         robot_(robot),
         rules_(rules),
@@ -181,12 +181,13 @@ class Textbook {
   }
 
   double terrain_of(Cell cell) const {
-    if (robot_.keep_away == 0 || !passable(cell)) return map_.terrain(cell);
+    if (robot_.clearance_distance == 0 || !passable(cell)) return map_.terrain(cell);
     const double clearance = least_distance(
-        cell, robot_.radius + robot_.keep_away,
+        cell, robot_.radius + robot_.clearance_distance,
         [&](Cell square) { return distance_to_square(cell.x + 0.5, cell.y + 0.5, square); });
-    const double share = std::min(std::max(0.0, clearance - robot_.radius) / robot_.keep_away, 1.0);
-    return map_.terrain(cell) * (1 + robot_.keep_away_cost * std::pow(1 - share, 2));
+    const double share =
+        std::min(std::max(0.0, clearance - robot_.radius) / robot_.clearance_distance, 1.0);
+    return map_.terrain(cell) * (1 + robot_.clearance_cost * std::pow(1 - share, 2));
   }
 
   bool far_from_obstacles(Cell cell) const {

@@ -10,7 +10,7 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "tests/testing/textbook.hpp"
+#include "tests/testing/reference.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/random_bits_test.hpp"
 
@@ -27,16 +27,16 @@ void on_random_spaces(Check&& check) {
     Random random(seed);
     const GridMap map = test::random_map(random);
     FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
-    options.keep_away = test::one_of(random, kDistances) * map.frame().resolution;
-    options.keep_away_cost = test::one_of(random, kCosts);
+    options.clearance_distance = test::one_of(random, kDistances) * map.frame().resolution;
+    options.clearance_cost = test::one_of(random, kCosts);
     SCOPED_TRACE("seed " + std::to_string(seed) + ", keeps away " +
-                 std::to_string(options.keep_away) + " m at " +
-                 std::to_string(options.keep_away_cost) + "\n" + test::drawing_of(map));
+                 std::to_string(options.clearance_distance) + " m at " +
+                 std::to_string(options.clearance_cost) + "\n" + test::drawing_of(map));
     check(map, options, FreeSpace(map, options));
   }
 }
 
-TEST(KeepAway, NeverMakesACellCostLess) {
+TEST(ClearanceCost, NeverMakesACellCostLess) {
   on_random_spaces([](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
     for (const Cell cell : test::all_cells(map.width(), map.height())) {
       ASSERT_GE(space.terrain(cell), map.terrain(cell));
@@ -45,14 +45,14 @@ TEST(KeepAway, NeverMakesACellCostLess) {
   });
 }
 
-TEST(KeepAway, CostsWhatItsFormulaSays) {
+TEST(ClearanceCost, CostsWhatItsFormulaSays) {
   int raised = 0;
   on_random_spaces(
       [&](const GridMap& map, const FreeSpaceOptions& options, const FreeSpace& space) {
-        const test::Textbook textbook(map, test::robot_in_cells(options, map.frame()), {});
+        const test::Reference reference(map, test::robot_in_cells(options, map.frame()), {});
         for (const Cell cell : test::all_cells(map.width(), map.height())) {
           if (!space.passable(cell)) continue;
-          const double expected = textbook.terrain(cell);
+          const double expected = reference.terrain(cell);
           raised += expected > map.terrain(cell) ? 1 : 0;
           ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
         }
@@ -60,11 +60,11 @@ TEST(KeepAway, CostsWhatItsFormulaSays) {
   EXPECT_GT(raised, 5000);
 }
 
-TEST(KeepAway, IsNothingWithoutADistanceOrACost) {
+TEST(ClearanceCost, IsNothingWithoutADistanceOrACost) {
   on_random_spaces([](const GridMap& map, FreeSpaceOptions options, const FreeSpace&) {
     for (const auto& [distance, cost] : {std::pair{0.0, 4.0}, {0.0, 1e6}, {3.0, 0.0}}) {
-      options.keep_away = distance;
-      options.keep_away_cost = cost;
+      options.clearance_distance = distance;
+      options.clearance_cost = cost;
       const FreeSpace space(map, options);
       ASSERT_EQ(&space.terrain(), &space.map().terrain()) << "the map's own grid";
       ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain());
@@ -73,7 +73,7 @@ TEST(KeepAway, IsNothingWithoutADistanceOrACost) {
 }
 
 /// A grid of its own exists where a passable cell costs more, and only there.
-TEST(KeepAway, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
+TEST(ClearanceCost, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
   std::array<int, 2> seen{};
   on_random_spaces([&](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
     const auto cells = test::all_cells(map.width(), map.height());
@@ -88,12 +88,13 @@ TEST(KeepAway, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
   EXPECT_GT(seen[1], 100);
 }
 
-TEST(KeepAway, IsMeasuredFromTheRobotsEdgeInMetres) {
+TEST(ClearanceCost, IsMeasuredFromTheRobotsEdgeInMetres) {
   // Cells of half a metre, an obstacle on the left: cell x is (x - 0.5) / 2 m from it.
   const GridMap map = test::drawn_map("#.........", {.resolution = 0.5, .metric = true});
-  const FreeSpace space(
-      map,
-      {.robot_radius = 0.75, .outside = OutsidePolicy::free, .keep_away = 2, .keep_away_cost = 8});
+  const FreeSpace space(map, {.robot_radius = 0.75,
+                              .outside = OutsidePolicy::free,
+                              .clearance_distance = 2,
+                              .clearance_cost = 8});
   EXPECT_EQ(space.terrain({1, 0}), 1) << "the robot cannot stand there";
   EXPECT_DOUBLE_EQ(space.terrain({2, 0}), 9) << "it touches";
   EXPECT_DOUBLE_EQ(space.terrain({4, 0}), 3) << "1 m away";
@@ -102,15 +103,15 @@ TEST(KeepAway, IsMeasuredFromTheRobotsEdgeInMetres) {
   EXPECT_EQ(space.terrain({9, 0}), 1);
 }
 
-TEST(KeepAway, MultipliesTheMapsTerrain) {
-  const FreeSpace space = test::drawn_space("#33.", {.keep_away = 1, .keep_away_cost = 4});
+TEST(ClearanceCost, MultipliesTheMapsTerrain) {
+  const FreeSpace space = test::drawn_space("#33.", {.clearance_distance = 1, .clearance_cost = 4});
   EXPECT_DOUBLE_EQ(space.terrain({1, 0}), 3 * 2) << "half a cell away: 1 + 4 / 4";
   EXPECT_EQ(space.terrain({2, 0}), 3);
 }
 
-TEST(KeepAway, FadesLessAndLess) {
+TEST(ClearanceCost, FadesLessAndLess) {
   const FreeSpace space(test::drawn_map("#" + std::string(200, '.')),
-                        {.keep_away = 100, .keep_away_cost = 5});
+                        {.clearance_distance = 100, .clearance_cost = 5});
   double before = space.terrain({1, 0});
   double slope = 0.2;
   for (int x = 2; x <= 200; ++x) {
