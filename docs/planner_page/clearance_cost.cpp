@@ -1,4 +1,4 @@
-#include "docs/planner_page/clearance_distance.hpp"
+#include "docs/planner_page/clearance_cost.hpp"
 
 #include <fmt/format.h>
 

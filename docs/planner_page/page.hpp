@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "docs/planner_page/clearance_distance.hpp"
+#include "docs/planner_page/clearance_cost.hpp"
 #include "docs/planner_page/drives.hpp"
 #include "docs/planner_page/measured_family.hpp"
 #include "docs/planner_page/pictures.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 // Workers: who does what can be done in any order. The core has no threads of its own; a program
-// that has some passes them in (see parallel/thread_workers.hpp).
+// that has some passes them in (see thread_workers.hpp).
 //
 //   std::vector<int> squares(100);
 //   wend::OneWorker().run(squares.size(), [&](std::size_t task, unsigned /*worker*/) {

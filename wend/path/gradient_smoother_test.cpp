@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 
 const Path kStairs = Path({{1, 1}, {2, 1}, {2, 2}, {3, 2}, {3, 3}, {4, 3}, {4, 4}, {5, 4}});
 
-Path any_waypoints() {
+Path random_waypoints() {
   std::vector<Point> points(static_cast<std::size_t>(*rc::gen::inRange(1, 12)));
   for (Point& point : points) {
     point = {*rc::gen::inRange(0, 80) / 4.0, *rc::gen::inRange(0, 80) / 4.0};
@@ -43,7 +43,7 @@ GradientOptions any_options() {
 }
 
 RC_GTEST_PROP(GradientSmoother, DoesTheTextbooksSweep, ()) {
-  const Path path = any_waypoints();
+  const Path path = random_waypoints();
   GradientOptions options = any_options();
   options.max_sweeps = 1;
   options.unsafe = true;
@@ -63,7 +63,7 @@ RC_GTEST_PROP(GradientSmoother, DoesTheTextbooksSweep, ()) {
 }
 
 RC_GTEST_PROP(GradientSmoother, LetsTheObjectiveOnlyFallFromSweepToSweep, ()) {
-  const Path path = any_waypoints();
+  const Path path = random_waypoints();
   GradientOptions options = any_options();
   options.unsafe = *rc::gen::arbitrary<bool>();
   options.epsilon = 0;
@@ -79,7 +79,7 @@ RC_GTEST_PROP(GradientSmoother, LetsTheObjectiveOnlyFallFromSweepToSweep, ()) {
 }
 
 RC_GTEST_PROP(GradientSmoother, WithoutBetaGivesBackThePath, ()) {
-  const Path path = any_waypoints();
+  const Path path = random_waypoints();
   GradientOptions options = any_options();
   options.beta = 0;
   const auto smoothed = smooth_by_gradient(path, test::open_space(20, 20), options);
@@ -88,7 +88,7 @@ RC_GTEST_PROP(GradientSmoother, WithoutBetaGivesBackThePath, ()) {
 }
 
 RC_GTEST_PROP(GradientSmoother, WithoutAlphaTendsToTheStraightLine, ()) {
-  const Path path = any_waypoints();
+  const Path path = random_waypoints();
   GradientOptions options{.alpha = 0, .beta = 0.2, .epsilon = 1e-22, .max_sweeps = 100000};
   options.in_place = *rc::gen::arbitrary<bool>();
   const auto smoothed = smooth_by_gradient(path, test::open_space(20, 20), options);

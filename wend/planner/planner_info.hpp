@@ -64,14 +64,14 @@ using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
 
 struct PlannerInfo {
   std::string name;
-  std::string summary;        // one line
-  std::string idea;           // how it works, in two or three sentences
-  std::string citation;       // the paper or textbook it comes from
-  std::string guarantee;      // the guarantee in words, with its conditions
-  std::string time;           // of one query: "O(n) in the n cells expanded"
-  std::string memory;         // "8 bytes a cell", and what grows with a search
-  double bytes_per_cell = 0;  // of the map, that a search may come to use; 0: says nothing
-  std::string when;           // when to choose it and when not, in one to three sentences
+  std::string summary;         // one line
+  std::string idea;            // how it works, in two or three sentences
+  std::string citation;        // the paper or textbook it comes from
+  std::string guarantee_text;  // the guarantee in words, with its conditions
+  std::string time;            // of one query: "O(n) in the n cells expanded"
+  std::string memory;          // "8 bytes a cell", and what grows with a search
+  double bytes_per_cell = 0;   // of the map, that a search may come to use; 0: says nothing
+  std::string when;            // when to choose it and when not, in one to three sentences
   Guarantee guarantee;
   bool plans_on_terrain;  // takes terrain costs into account
   Preprocessing preprocessing;

@@ -115,10 +115,10 @@ Colour Style::of(CellRole role) const {
       return frontier;
     case CellRole::current:
       return current;
-    case CellRole::start_region:
-      return start_region;
-    case CellRole::goal_region:
-      return goal_region;
+    case CellRole::start_component:
+      return start_component;
+    case CellRole::goal_component:
+      return goal_component;
   }
   return free;
 }

@@ -70,8 +70,8 @@ struct Style {
   Colour expanded = colour_from(0x9BD0F2);
   Colour frontier = colour_from(0x4F8FE0);
   Colour current = colour_from(0xD03A86);
-  Colour start_region = colour_from(0x6AD2B2);
-  Colour goal_region = colour_from(0xFAC79B);
+  Colour start_component = colour_from(0x6AD2B2);
+  Colour goal_component = colour_from(0xFAC79B);
 
   // Heat, from the least value to the greatest: evenly spaced, each further from the page.
   std::array<Colour, 5> heat_colours{colour_from(0xFFF3BF), colour_from(0xFCCE8C),

@@ -96,7 +96,7 @@ std::vector<std::vector<Named>> pictures(const Style& style) {
                                {"too close", style.too_close}};
   std::vector<std::vector<Named>> pictures{
       roles(style, {CellRole::expanded, CellRole::frontier, CellRole::current}),
-      roles(style, {CellRole::start_region, CellRole::goal_region})};
+      roles(style, {CellRole::start_component, CellRole::goal_component})};
   for (auto& picture : pictures) picture.insert(picture.end(), map.begin(), map.end());
   return pictures;
 }
@@ -320,7 +320,7 @@ TEST(Style, PrintsInGreysWithALightnessForEveryRole) {
   const Style style = style_of(StyleName::print);
   std::vector<Named> colours =
       roles(style, {CellRole::expanded, CellRole::frontier, CellRole::current,
-                    CellRole::start_region, CellRole::goal_region});
+                    CellRole::start_component, CellRole::goal_component});
   colours.insert(colours.end(), {{"free", style.free},
                                  {"obstacle", style.occupied},
                                  {"unknown", style.unknown},

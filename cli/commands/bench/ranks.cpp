@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/commands/bench/mpi/mpi_ranks.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/mpi/mpi_ranks.hpp"
 
 namespace wend::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/mpi/mpi_ranks.hpp"
+#include "cli/commands/bench/mpi/mpi_ranks.hpp"
 
 #include <mpi.h>
 

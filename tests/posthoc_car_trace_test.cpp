@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "bench/comparison/comparison_run.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/car_move.hpp"
