@@ -631,7 +631,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "base/random.hpp",
                                         "map/grid_map.hpp",
                                         "map/free_space.hpp",
-                                        "map/generators.hpp",
+                                        "generate/generators.hpp",
                                         "geometry/heading.hpp",
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
@@ -657,25 +657,25 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "control/remaining.hpp",
                                         "control/simulation.hpp",
                                         "control/speed_profile.hpp",
-                                        "io/load_map.hpp",
+                                        "io/map/load_map.hpp",
                                         "planner/planner.hpp",
-                                        "planner/cost_to_go.hpp",
+                                        "analysis/cost_to_go.hpp",
                                         "planner/index_support.hpp",
-                                        "planner/search_recorder.hpp",
-                                        "planner/layer.hpp",
+                                        "analysis/search_recorder.hpp",
+                                        "analysis/layer.hpp",
                                         "planner/open_list.hpp",
                                         "report/posthoc_trace.hpp",
-                                        "render/gif.hpp",
+                                        "render/animation/gif.hpp",
                                         "render/scene.hpp",
                                         "render/style.hpp",
-                                        "render/drawing.hpp",
-                                        "render/terminal_picture.hpp",
-                                        "render/panels.hpp",
-                                        "planner/widest_path.hpp",
-                                        "planner/no_path.hpp",
-                                        "report/comparison_run.hpp",
-                                        "report/bench_database.hpp"}) {
-    std::istringstream text(text_of(kSource / "wend" / header));
+                                        "render/picture/drawing.hpp",
+                                        "render/terminal/terminal_picture.hpp",
+                                        "render/picture/panels.hpp",
+                                        "analysis/widest_path.hpp",
+                                        "analysis/no_path.hpp",
+                                        "bench/comparison/comparison_run.hpp",
+                                        "bench/database/bench_database.hpp"}) {
+    std::istringstream text(text_of((header.starts_with("bench/") ? kSource : kSource / "wend") / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {
       const bool in_comment = line.find("//   ") < line.find_first_not_of(" /");
