@@ -675,7 +675,8 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "analysis/no_path.hpp",
                                         "bench/comparison/comparison_run.hpp",
                                         "bench/database/bench_database.hpp"}) {
-    std::istringstream text(text_of((header.starts_with("bench/") ? kSource : kSource / "wend") / header));
+    std::istringstream text(
+        text_of((header.starts_with("bench/") ? kSource : kSource / "wend") / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {
       const bool in_comment = line.find("//   ") < line.find_first_not_of(" /");
