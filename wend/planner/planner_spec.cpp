@@ -7,7 +7,7 @@
 namespace wend {
 
 Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list) {
-  auto specs = parse_option_specs(list, "planner", planners());
+  auto specs = parse_option_specs(list, "planner", planners().names());
   if (!specs) return Unexpected<PlannerError>({Status::invalid_option, specs.error()});
   return *std::move(specs);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/base/expected.hpp"
-#include "wend/base/option_spec.hpp"
+#include "wend/base/options.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 

@@ -136,7 +136,7 @@ std::unique_ptr<Planner> Contestant::make_planner(const FreeSpace& space,
 }
 
 std::vector<Contestant> parse_contestants(const std::string& list, GridMoves moves) {
-  auto specs = parse_option_specs(list, "planner", entrants());
+  auto specs = parse_option_specs(list, "planner", entrants().names());
   if (!specs) throw InputError(specs.error());
   std::vector<Contestant> contestants;
   for (PlannerSpec& spec : *specs) {

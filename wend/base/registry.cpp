@@ -1,8 +1,7 @@
-#include "wend/base/suggestion.hpp"
+#include "wend/base/registry.hpp"
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
 
 namespace wend {
 namespace {
@@ -42,6 +41,23 @@ std::optional<std::string> closest_name(std::string_view typed,
     }
   }
   return closest;
+}
+
+std::string listed(std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return text;
+}
+
+std::string suggestion(std::string_view typed, std::span<const std::string> names) {
+  if (const auto closest = closest_name(typed, names)) return "did you mean '" + *closest + "'?";
+  return "choose from " + listed(names);
+}
+
+std::string unknown_name(std::string_view kind, std::string_view typed,
+                         std::span<const std::string> names) {
+  return "there is no " + std::string(kind) + " '" + std::string(typed) +
+         "': " + suggestion(typed, names);
 }
 
 }  // namespace wend
