@@ -9,7 +9,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/map/arc_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {

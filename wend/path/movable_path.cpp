@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/map/line_room.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/path/path_collision.hpp"
 
 namespace wend {

@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/arc_clearance.hpp"
-#include "wend/map/map_edge.hpp"
-#include "wend/map/obstacles_near.hpp"
 #include "wend/map/point_sweep.hpp"
-#include "wend/map/swept_piece.hpp"
+#include "wend/map/sweep.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/map/arc_clearance.hpp"
-#include "wend/map/way_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/path/corner_rounding.hpp"
 
 namespace wend {

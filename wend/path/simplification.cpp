@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/arc_clearance.hpp"
 #include "wend/map/point_sweep.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {

@@ -1,4 +1,4 @@
-#include "wend/map/map_edge.hpp"
+#include "wend/map/sweep.hpp"
 
 #include <gtest/gtest.h>
 

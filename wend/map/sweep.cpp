@@ -1,8 +1,6 @@
-#include "wend/map/map_edge.hpp"
+#include "wend/map/sweep.hpp"
 
 #include <cmath>
-
-#include "wend/geometry/angle.hpp"
 
 namespace wend {
 
