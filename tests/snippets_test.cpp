@@ -43,10 +43,10 @@
 #include "wend/map/free_space.hpp"
 #include "wend/map/point_sweep.hpp"
 #include "wend/map/swept_clearance.hpp"
-#include "wend/path/corner_rounding.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoother.hpp"
@@ -636,12 +636,12 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
                                         "geometry/arc_distance.hpp",
-                                        "map/arc_clearance.hpp",
+                                        "map/swept_clearance.hpp",
                                         "path/path.hpp",
                                         "path/polyline.hpp",
                                         "path/path_collision.hpp",
                                         "path/simplification.hpp",
-                                        "path/corner_rounding.hpp",
+                                        "path/path_metrics.hpp",
                                         "path/smoother.hpp",
                                         "path/gradient_smoother.hpp",
                                         "path/curvature_smoother.hpp",
@@ -649,12 +649,11 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "geometry/line.hpp",
                                         "map/point_sweep.hpp",
                                         "control/motion_model.hpp",
-                                        "control/pid_term.hpp",
+                                        "control/pid.hpp",
                                         "control/controller.hpp",
                                         "control/route.hpp",
                                         "control/nearest_ahead.hpp",
                                         "control/follower.hpp",
-                                        "control/remaining.hpp",
                                         "control/simulation.hpp",
                                         "control/speed_profile.hpp",
                                         "io/map/load_map.hpp",

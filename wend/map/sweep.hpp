@@ -68,6 +68,11 @@ bool any_obstacle(const FreeSpace& space, const Box& box, Predicate&& predicate)
   return false;
 }
 
+/// Does a disc with so much clearance, in cells, keep far enough from obstacles?
+inline bool keeps_distance(const FreeSpace& space, double clearance) {
+  return clearance > 0 && space.far_enough(4 * clearance * clearance);
+}
+
 /// The least distance from the edge, in cells, exact up to rounding; negative where the point, or a
 /// part of the way, lies outside the map. O(1).
 double distance_inside(const FreeSpace& space, Point point);

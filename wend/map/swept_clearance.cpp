@@ -60,7 +60,7 @@ class Sweep {
     return fits(halves[0]) && fits(halves[1]);
   }
 
-  bool far_enough(double cells) const { return cells > 0 && space_.far_enough(4 * cells * cells); }
+  bool far_enough(double cells) const { return keeps_distance(space_, cells); }
 
   const FreeSpace& space_;
   double radius_;
@@ -209,9 +209,7 @@ double way_clearance(const FreeSpace& space, Cell from, Cell to) {
 std::optional<double> room_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {
   const double radius = space.radius_in_cells();
   const double clearance = swept_clearance(space, line, radius + kMostRoom, radius + kMostRoom / 2);
-  if (clearance > 0 && space.far_enough(4 * clearance * clearance)) {
-    return std::max(clearance - radius, 0.0);
-  }
+  if (keeps_distance(space, clearance)) return std::max(clearance - radius, 0.0);
   if (radius > 0 || !fits_along(space, line, adjacency)) return std::nullopt;
   if (adjacency == Adjacency::edges && (in_gap(space, line.from) || in_gap(space, line.to))) {
     return std::nullopt;
