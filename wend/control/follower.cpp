@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "wend/control/nearest_ahead.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
