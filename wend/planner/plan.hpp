@@ -9,7 +9,7 @@
 
 #include "wend/base/status.hpp"
 #include "wend/path/path.hpp"
-#include "wend/search/search_metrics.hpp"
+#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 

@@ -17,7 +17,7 @@
 #include "wend/planner/observer.hpp"
 #include "wend/planner/open_list.hpp"
 #include "wend/search/forward_search.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "wend/base/parse.hpp"
-#include "wend/planner/search_status.hpp"
+#include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {

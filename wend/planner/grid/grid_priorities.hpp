@@ -15,7 +15,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/planner/goal_cells.hpp"
 #include "wend/search/forward_search.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/heuristic.hpp"
 

@@ -7,9 +7,9 @@
 
 #include "wend/base/random.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
-#include "wend/planner/search_status.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
+#include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/grid_space.hpp"
 

@@ -7,8 +7,7 @@
 #include <type_traits>
 
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/search/bucket_frontier.hpp"
-#include "wend/search/heap_frontier.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {

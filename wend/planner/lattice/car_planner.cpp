@@ -7,7 +7,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/planner/lattice/car_reason.hpp"
-#include "wend/planner/search_status.hpp"
+#include "wend/search/search_outcome.hpp"
 #include "wend/space/lattice/car_path.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
