@@ -661,7 +661,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "planner/index_support.hpp",
                                         "analysis/search_recorder.hpp",
                                         "analysis/layer.hpp",
-                                        "planner/open_list.hpp",
+                                        "planner/observer.hpp",
                                         "report/posthoc_trace.hpp",
                                         "render/animation/gif.hpp",
                                         "render/scene.hpp",

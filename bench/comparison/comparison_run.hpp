@@ -22,8 +22,8 @@
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/limits.hpp"
-#include "wend/planner/planner_spec.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend {
 

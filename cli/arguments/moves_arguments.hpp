@@ -3,7 +3,7 @@
 // --connectivity and --corner-rule where no planner has them among its options.
 
 #include "cli/arguments/parser.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

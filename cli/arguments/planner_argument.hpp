@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

@@ -12,7 +12,7 @@
 
 #include "cli/arguments/coordinates.hpp"
 #include "wend/geometry/pose.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/render/scene.hpp"
 
 namespace wend::cli {

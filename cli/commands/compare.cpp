@@ -26,7 +26,6 @@
 #include "cli/output/picture_files.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {

@@ -12,7 +12,7 @@
 
 #include <string>
 
-#include "wend/planner/open_list.hpp"
+#include "wend/planner/observer.hpp"
 
 namespace wend::cli {
 

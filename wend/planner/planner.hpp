@@ -20,10 +20,9 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/planner/open_list.hpp"
+#include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/query.hpp"
 
 namespace wend {
 

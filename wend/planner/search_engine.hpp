@@ -15,7 +15,6 @@
 #include "wend/base/limits.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/planner/open_list.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
 

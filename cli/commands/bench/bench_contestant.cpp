@@ -12,7 +12,6 @@
 #include "wend/index/index_building.hpp"
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 
 #ifdef WEND_HAS_BOOST_ASTAR

@@ -6,7 +6,7 @@
 
 #include "wend/io/query/scenario.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

@@ -1,4 +1,4 @@
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 #include <gtest/gtest.h>
 
