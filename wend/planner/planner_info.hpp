@@ -95,9 +95,9 @@ struct PlannerInfo {
   bool can_step = false;  // Planner::begin and step work
   bool jumps = false;     // expands only some cells of its paths, if any
   Motion motion = Motion::cells;
-  std::vector<OptionInfo> options;
+  std::vector<OptionInfo> options = {};
   /// Where there is preprocessing, this does it too, and alone.
-  std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
+  std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 
   /// Builds and opens the planner's index; null for planners without an index.
   std::shared_ptr<const IndexSupport> index_support = nullptr;

@@ -32,38 +32,29 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& opti
 }  // namespace
 
 PlannerInfo astar_planner() {
-  return {.name = "astar",
-          .summary = "A*: what the path costs so far plus an estimate of the rest, cheapest first",
-          .idea =
-              "Every open cell has a key: what the cheapest known way to it costs, plus w "
-              "times an estimate of the rest. The cell with the smallest key is expanded "
-              "next, so the search leans towards the goal. An estimate that never "
-              "overestimates cannot hide a cheaper path.",
-          .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
-          .guarantee_text =
-              "optimal with a weight up to 1 and a heuristic that never overestimates; "
-              "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
-          .time =
-              "O(n log n) in the n cells expanded; on uniform terrain the log is that of a "
-              "small bucket",
-          .memory =
-              "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain, with "
-              "euclidean, with manhattan on 8 neighbours, with a weight other than 0 and 1, and "
-              "when the search is watched",
-          .bytes_per_cell = 8,
-          .when =
-              "The default, on terrain too: cheapest paths with little search where the "
-              "goal's direction says where to go. In mazes the estimate says little, and it "
-              "searches almost as much as dijkstra. A weight above 1 often expands far less, but "
-              "each expansion then costs several times as much: measure it on your maps.",
-          .guarantee = Guarantee::bounded,
-          .plans_on_terrain = true,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<AStarOptions>(),
-          .make = [](const FreeSpace& space, const OptionValues& values) {
-            return make_grid_planner<AStarOptions>(space, values, choose_parts);
-          }};
+  return grid_planner<AStarOptions>(
+      {.name = "astar",
+       .summary = "A*: what the path costs so far plus an estimate of the rest, cheapest first",
+       .idea = "Every open cell has a key: what the cheapest known way to it costs, plus w "
+               "times an estimate of the rest. The cell with the smallest key is expanded "
+               "next, so the search leans towards the goal. An estimate that never "
+               "overestimates cannot hide a cheaper path.",
+       .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
+       .guarantee_text = "optimal with a weight up to 1 and a heuristic that never overestimates; "
+                         "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
+       .time = "O(n log n) in the n cells expanded; on uniform terrain the log is that of a "
+               "small bucket",
+       .memory = "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain, with "
+                 "euclidean, with manhattan on 8 neighbours, with a weight other than 0 and 1, and "
+                 "when the search is watched",
+       .bytes_per_cell = 8,
+       .when = "The default, on terrain too: cheapest paths with little search where the "
+               "goal's direction says where to go. In mazes the estimate says little, and it "
+               "searches almost as much as dijkstra. A weight above 1 often expands far less, but "
+               "each expansion then costs several times as much: measure it on your maps.",
+       .guarantee = Guarantee::bounded,
+       .plans_on_terrain = true},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -10,58 +10,42 @@
 namespace wend {
 namespace {
 
-struct BfsOptions {
-  GridMoves moves;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-  }
-};
-
 using BfsEngine = GridEngineOf<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
 /// The fewest steps are the cheapest path where all steps cost the same, and within sqrt(2) of it
 /// where some are diagonal.
-double bound(const FreeSpace& space, const BfsOptions& options) {
+double bound(const FreeSpace& space, const GridMoves& moves) {
   if (!space.uniform_terrain()) return Plan::kNoBound;
-  return options.moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
+  return moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
-  return {options.moves, std::make_unique<BfsEngine>(ExactGrid(space, options.moves), ByArrival()),
-          bound(space, options)};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+  return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByArrival()),
+          bound(space, moves)};
 }
 
 }  // namespace
 
 PlannerInfo bfs_planner() {
-  return {.name = "bfs",
-          .summary = "Breadth-first: cells in the order in which they are reached",
-          .idea =
-              "Cells wait in a queue and are expanded in the order in which they were "
-              "reached: all that are one step away, then all at two steps. The first path to "
-              "the goal therefore has the fewest steps.",
-          .citation = "Moore 1959",
-          .guarantee_text =
-              "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
-              "sqrt(2) times the optimum on 8",
-          .time = "O(n) in the n cells expanded",
-          .memory = "16 bytes a cell and 4 an open cell",
-          .bytes_per_cell = 16,
-          .when =
-              "Where the number of moves counts, or on 4 neighbours and uniform terrain, "
-              "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
-              "neighbours it takes a diagonal step for no longer than a straight one; it "
-              "ignores terrain.",
-          .guarantee = Guarantee::fewest_steps,
-          .plans_on_terrain = false,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<BfsOptions>(),
-          .make = [](const FreeSpace& space, const OptionValues& values) {
-            return make_grid_planner<BfsOptions>(space, values, choose_parts);
-          }};
+  return grid_planner<GridMoves>(
+      {.name = "bfs",
+       .summary = "Breadth-first: cells in the order in which they are reached",
+       .idea = "Cells wait in a queue and are expanded in the order in which they were "
+               "reached: all that are one step away, then all at two steps. The first path to "
+               "the goal therefore has the fewest steps.",
+       .citation = "Moore 1959",
+       .guarantee_text = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
+                         "sqrt(2) times the optimum on 8",
+       .time = "O(n) in the n cells expanded",
+       .memory = "16 bytes a cell and 4 an open cell",
+       .bytes_per_cell = 16,
+       .when = "Where the number of moves counts, or on 4 neighbours and uniform terrain, "
+               "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
+               "neighbours it takes a diagonal step for no longer than a straight one; it "
+               "ignores terrain.",
+       .guarantee = Guarantee::fewest_steps,
+       .plans_on_terrain = false},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -8,47 +8,31 @@
 namespace wend {
 namespace {
 
-struct DfsOptions {
-  GridMoves moves;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-  }
-};
-
 using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
-  return {options.moves, std::make_unique<DfsEngine>(ExactGrid(space, options.moves), ByArrival()),
-          Plan::kNoBound};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+  return {moves, std::make_unique<DfsEngine>(ExactGrid(space, moves), ByArrival()), Plan::kNoBound};
 }
 
 }  // namespace
 
 PlannerInfo dfs_planner() {
-  return {.name = "dfs",
-          .summary = "Depth-first: the cell that was reached last",
-          .idea =
-              "Cells wait on a stack and the one that was reached last is expanded first: the "
-              "search runs on until it is stuck, then goes back to the last cell left open.",
-          .citation = "Trémaux 1882",
-          .guarantee_text = "complete; the path is rarely short",
-          .time = "O(n) in the n cells expanded",
-          .memory = "16 bytes a cell and 4 an open cell",
-          .bytes_per_cell = 16,
-          .when =
-              "To see what a stack does in place of a queue, and to find some way through a "
-              "maze, where there is only one. In open space its paths wander through "
-              "everything: do not drive them.",
-          .guarantee = Guarantee::complete,
-          .plans_on_terrain = false,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<DfsOptions>(),
-          .make = [](const FreeSpace& space, const OptionValues& values) {
-            return make_grid_planner<DfsOptions>(space, values, choose_parts);
-          }};
+  return grid_planner<GridMoves>(
+      {.name = "dfs",
+       .summary = "Depth-first: the cell that was reached last",
+       .idea = "Cells wait on a stack and the one that was reached last is expanded first: the "
+               "search runs on until it is stuck, then goes back to the last cell left open.",
+       .citation = "Trémaux 1882",
+       .guarantee_text = "complete; the path is rarely short",
+       .time = "O(n) in the n cells expanded",
+       .memory = "16 bytes a cell and 4 an open cell",
+       .bytes_per_cell = 16,
+       .when = "To see what a stack does in place of a queue, and to find some way through a "
+               "maze, where there is only one. In open space its paths wander through "
+               "everything: do not drive them.",
+       .guarantee = Guarantee::complete,
+       .plans_on_terrain = false},
+      choose_parts);
 }
 
 }  // namespace wend
