@@ -1,8 +1,5 @@
 #include "wend/base/options.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "wend/base/registry.hpp"
 
 namespace wend {

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "wend/base/random.hpp"

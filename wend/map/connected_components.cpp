@@ -1,6 +1,5 @@
 #include "wend/map/connected_components.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <utility>

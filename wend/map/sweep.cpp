@@ -1,7 +1,5 @@
 #include "wend/map/sweep.hpp"
 
-#include <cmath>
-
 namespace wend {
 
 double distance_inside(const FreeSpace& space, Point point) {

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/map/swept_clearance.hpp"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/space/grid/grid_path.hpp"
