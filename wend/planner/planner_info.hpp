@@ -89,8 +89,8 @@ struct PlannerInfo {
   std::string memory;          // "8 bytes a cell", and what grows with a search
   double bytes_per_cell = 0;   // of the map, that a search may come to use; 0: says nothing
   std::string when;            // when to choose it and when not, in one to three sentences
-  Guarantee guarantee;
-  bool plans_on_terrain;  // takes terrain costs into account
+  Guarantee guarantee = Guarantee::none;
+  bool plans_on_terrain = false;  // takes terrain costs into account
   Preprocessing preprocessing = Preprocessing::none;
   bool can_step = false;  // Planner::begin and step work
   bool jumps = false;     // expands only some cells of its paths, if any

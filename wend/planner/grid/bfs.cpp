@@ -43,8 +43,7 @@ PlannerInfo bfs_planner() {
                "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
                "neighbours it takes a diagonal step for no longer than a straight one; it "
                "ignores terrain.",
-       .guarantee = Guarantee::fewest_steps,
-       .plans_on_terrain = false},
+       .guarantee = Guarantee::fewest_steps},
       choose_parts);
 }
 

@@ -30,8 +30,7 @@ PlannerInfo dfs_planner() {
        .when = "To see what a stack does in place of a queue, and to find some way through a "
                "maze, where there is only one. In open space its paths wander through "
                "everything: do not drive them.",
-       .guarantee = Guarantee::complete,
-       .plans_on_terrain = false},
+       .guarantee = Guarantee::complete},
       choose_parts);
 }
 

@@ -48,8 +48,7 @@ PlannerInfo greedy_planner() {
        .when = "Where any path will do and the first one should come soon. It ignores terrain, "
                "and its paths hug whatever it ran into: smooth them, or take astar with a "
                "weight, which has a bound.",
-       .guarantee = Guarantee::complete,
-       .plans_on_terrain = false},
+       .guarantee = Guarantee::complete},
       choose_parts);
 }
 

@@ -180,8 +180,7 @@ PlannerInfo random_walk_planner() {
        .bytes_per_cell = 8,
        .when = "As what every planner has to beat, and to test what becomes of a planner that "
                "fails. Never to drive.",
-       .guarantee = Guarantee::none,
-       .plans_on_terrain = false},
+       .guarantee = Guarantee::none},
       choose_parts);
 }
 

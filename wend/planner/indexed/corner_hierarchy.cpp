@@ -27,12 +27,7 @@ PlannerInfo corner_hierarchy_planner() {
            "Where many queries come on one map, and its index is to be small and built within "
            "seconds, mostly within a tenth of one. hub_labels answers faster and takes longer to "
            "build. Not on terrain.",
-       .guarantee = Guarantee::optimal,
-       .plans_on_terrain = false,
-       .preprocessing = Preprocessing::quick,
-       .can_step = false,
-       .options = {},
-       .make = {}},
+       .preprocessing = Preprocessing::quick},
       {.build =
            [](const BitGrid& passable, const IndexBuilding& building) {
              return build_corner_hierarchy(passable, building);

@@ -24,12 +24,7 @@ PlannerInfo hub_labels_planner() {
        .bytes_per_cell = 0.5,
        .when = "Choose it when many queries are asked of a map that does not change. Building "
                "takes seconds, so do not choose it for a few queries.",
-       .guarantee = Guarantee::optimal,
-       .plans_on_terrain = false,
-       .preprocessing = Preprocessing::slow,
-       .can_step = false,
-       .options = {},
-       .make = {}},
+       .preprocessing = Preprocessing::slow},
       {.build = build_hub_index, .open = open_hub_index});
 }
 
