@@ -1,7 +1,6 @@
 #include "wend/analysis/layer.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace wend {

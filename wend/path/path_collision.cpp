@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"

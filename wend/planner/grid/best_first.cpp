@@ -1,7 +1,6 @@
 #include "wend/planner/grid/best_first.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/plan.hpp"

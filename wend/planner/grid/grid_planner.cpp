@@ -1,8 +1,5 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "wend/base/parse.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
