@@ -206,6 +206,13 @@ TEST(Snippets, OfSmoothingAndSimplification) {
   EXPECT_TRUE(refined);
 }
 
+TEST(Snippets, OfMapsRowByRow) {
+  wend::GridMapBuilder rows(2);
+  rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
+  const wend::GridMap map = std::move(rows).finish();
+  EXPECT_EQ(map.state({1, 0}), wend::CellState::occupied);
+}
+
 TEST(Snippets, OfMapsAndFreeSpace) {
   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
   cells[{3, 4}] = wend::CellState::occupied;

@@ -81,8 +81,8 @@ class GridMap {
 
 /// A GridMap row by row, as loaders read files, in no more memory than the map takes.
 ///
-///   wend::GridMapBuilder rows(3);
-///   rows.append(std::array{CellState::free, CellState::occupied, CellState::free});
+///   wend::GridMapBuilder rows(2);
+///   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
 ///   const wend::GridMap map = std::move(rows).finish();
 class GridMapBuilder {
  public:
