@@ -260,7 +260,8 @@ TEST_F(Streams, ErrorsNameStandardInput) {
             "wend: standard input:2: unknown letter 'x' in column 2\n");
   EXPECT_THAT(bash("printf 'hello' | $WEND info -").err,
               StartsWith("wend: standard input: unknown map format"));
-  EXPECT_EQ(bash("$WEND info - < /dev/null").err, "wend: standard input: empty, a map expected\n");
+  EXPECT_EQ(bash("$WEND info - < /dev/null").err,
+            "wend: standard input: the file is empty; expected a map\n");
   EXPECT_EQ(bash("$WEND info . ").code, 2);
 }
 

@@ -7,7 +7,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 
 namespace wend {
 

@@ -10,8 +10,7 @@
 
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
-#include "wend/io/read_stream.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::cli {
 namespace {

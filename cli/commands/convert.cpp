@@ -14,8 +14,8 @@
 #include "cli/output/output.hpp"
 #include "cli/output/output_files.hpp"
 #include "wend/io/map/losses.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
-#include "wend/io/map/text_grid.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -95,9 +95,9 @@ std::string text_of(const ConvertArguments& arguments, const Conversion& convers
 
 void save(const GridMap& map, const ConvertArguments& arguments) {
   if (arguments.prints()) {
-    const auto text = format_text_grid(map);
+    const auto text = encode_map(map, MapFormat::text_grid);
     if (!text) throw InputError(text.error());
-    return print(*text);
+    return print(text->bytes);
   }
   const auto done = save_map(map, arguments.output);
   if (!done) throw InputError(done.error().message());
@@ -130,9 +130,8 @@ Command add_convert(Parser& app) {
   arguments->input.add_to(convert, "IN");
   convert
       .add_option("OUT", arguments->output,
-                  wrapped("The new file, in the format of its name: a ROS map (.yaml, .yml) and "
-                          "its picture .png, MovingAI (.map), a text grid (.txt, .grid) or a "
-                          "picture (.png, .pgm, .pnm); - prints it as a text grid"))
+                  wrapped("The new file, in the format of its name: " +
+                          map_formats_text(MapUse::save) + "; - prints it as a text grid"))
       .required()
       .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,

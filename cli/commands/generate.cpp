@@ -15,9 +15,9 @@
 #include "cli/output/output_files.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
-#include "wend/io/map/text_grid.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -44,8 +44,7 @@ constexpr const char* kGenerateExamples = R"(Examples:
 The same kind, size, options and seed give the same map everywhere.)";
 
 /// Where a format cannot hold the terrain.
-constexpr const char* kWayOut =
-    "; a .txt can, and `wend convert` then rounds it and says what is lost";
+constexpr const char* kWayOut = "; `wend convert` rounds it and lists what is lost";
 
 struct Size {
   int width;
@@ -99,9 +98,9 @@ std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
 }
 
 std::string text_grid_of(const GridMap& map) {
-  auto text = format_text_grid(map);
+  auto text = encode_map(map, MapFormat::text_grid);
   if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
-  return *std::move(text);
+  return std::move(text->bytes);
 }
 
 std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
@@ -161,10 +160,9 @@ Command add_generate(Parser& app) {
   add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
   add_format(generate, arguments->format);
   arguments->output.add_to(
-      generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
-      "Save the map: a ROS map (.yaml and its picture), MovingAI (.map), a text grid (.txt, .grid) "
-      "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
-      "text grid",
+      generate, map_extensions(MapUse::save),
+      "Save the map: " + map_formats_text(MapUse::save) +
+          "; may be given several times. Without it the map is printed as a text grid",
       "the text grid");
   add_force(generate, arguments->force);
   arguments->options.add_to(generate);

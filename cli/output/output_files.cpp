@@ -11,7 +11,7 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::cli {
 namespace {

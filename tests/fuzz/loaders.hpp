@@ -33,11 +33,11 @@ inline std::string fuzz_pnm(std::string_view bytes) {
 }
 
 inline std::string fuzz_moving_ai_map(std::string_view bytes) {
-  return check_map(parse_moving_ai_map(bytes, kFuzzedFile));
+  return check_map(load_as(MapFormat::moving_ai_map, bytes));
 }
 
 inline std::string fuzz_text_grid(std::string_view bytes) {
-  return check_map(parse_text_grid(bytes, kFuzzedFile));
+  return check_map(load_as(MapFormat::text_grid, bytes));
 }
 
 inline std::string fuzz_scenario(std::string_view bytes) {

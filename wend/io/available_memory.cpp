@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string_view>
 
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {

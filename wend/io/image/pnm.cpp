@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {

@@ -2,9 +2,8 @@
 
 #include <new>
 
-#include "wend/io/lower_case.hpp"
-#include "wend/io/read_file.hpp"
-#include "wend/io/utf8.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

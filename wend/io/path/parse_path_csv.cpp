@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/parse_centreline.hpp"
 #include "wend/io/path/path_columns.hpp"
 #include "wend/io/path/path_coordinates.hpp"
 #include "wend/io/path/path_csv.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_coordinates.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

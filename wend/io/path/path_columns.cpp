@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

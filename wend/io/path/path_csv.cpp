@@ -7,7 +7,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/heading.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend {
 namespace {

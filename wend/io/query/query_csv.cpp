@@ -8,9 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
-#include "wend/io/read_file.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
-#include "wend/io/read_file.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
