@@ -8,8 +8,6 @@
 #include <string_view>
 
 #include "wend/io/image/grey_image.hpp"
-#include "wend/io/image/png.hpp"
-#include "wend/io/image/pnm.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/io/map/image_map.hpp"
 #include "wend/io/map/losses.hpp"

@@ -23,13 +23,13 @@
 namespace wend::test {
 
 inline std::string fuzz_png(std::string_view bytes) {
-  const auto image = decode_png(bytes);
+  const auto image = whole_image(bytes, decode_png);
   if (image && !looks_like_png(bytes)) return "a PNG without its signature";
   return check_image(image);
 }
 
 inline std::string fuzz_pnm(std::string_view bytes) {
-  return looks_like_pnm(bytes) ? check_image(decode_pnm(bytes)) : "";
+  return looks_like_pnm(bytes) ? check_image(whole_image(bytes, decode_pnm)) : "";
 }
 
 inline std::string fuzz_moving_ai_map(std::string_view bytes) {

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "wend/io/image/grey_image.hpp"
-#include "wend/io/image/png.hpp"
 #include "wend/io/image/png_test_support.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/map_format.hpp"

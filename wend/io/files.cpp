@@ -2,11 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -101,17 +105,21 @@ std::string replace_file(const fs::path& target, std::string_view bytes) {
 }  // namespace
 
 Expected<std::string, IoError> read_file(const fs::path& file, std::size_t largest) {
-  auto pieces = FilePieces::open(file, largest);
-  if (!pieces) return Unexpected<IoError>(pieces.error());
-  std::string bytes;
-  bytes.reserve(pieces->size());
-  while (bytes.size() < pieces->size()) {
-    const std::string_view piece = pieces->next();
-    if (piece.empty()) break;
-    bytes += piece.substr(0, pieces->size() - bytes.size());
+  try {
+    auto pieces = FilePieces::open(file, largest);
+    if (!pieces) return Unexpected<IoError>(pieces.error());
+    std::string bytes;
+    bytes.reserve(pieces->size());
+    while (bytes.size() < pieces->size()) {
+      const std::string_view piece = pieces->next();
+      if (piece.empty()) break;
+      bytes += piece.substr(0, pieces->size() - bytes.size());
+    }
+    if (pieces->failed()) return io_failure(file.string(), 0, "cannot be read");
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    return io_failure(file.string(), 0, "not enough memory for this file");
   }
-  if (pieces->failed()) return io_failure(file.string(), 0, "cannot be read");
-  return bytes;
 }
 
 Expected<FilePieces, IoError> FilePieces::open(const fs::path& file, std::size_t largest) {
@@ -185,6 +193,28 @@ Expected<void, IoError> write_file(const fs::path& file, std::string_view bytes)
   std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
   if (!wrong.empty()) return io_failure(file.string(), 0, std::move(wrong));
   return {};
+}
+
+Expected<void, IoError> write_index(const fs::path& file, const IndexBytes& index) {
+  const auto bytes = index.bytes();
+  return write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Expected<IndexBytes, IoError> open_index(const fs::path& file) {
+  const auto failure = [&file](std::string what) {
+    return io_failure(file.string(), 0, std::move(what));
+  };
+  const Descriptor index(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status{};
+  if (!index.is_open() || ::fstat(index.number(), &status) != 0) return failure(message_of(errno));
+  if (!S_ISREG(status.st_mode)) return failure("not a regular file");
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0) return failure("the file is empty; expected an index");
+  void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, index.number(), 0);
+  if (address == MAP_FAILED) return failure(message_of(errno));
+  std::shared_ptr<const void> mapping(
+      address, [size](const void* begin) { ::munmap(const_cast<void*>(begin), size); });
+  return IndexBytes(std::move(mapping), {static_cast<const std::byte*>(address), size});
 }
 
 }  // namespace wend

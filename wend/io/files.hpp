@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading and writing whole files, standard input and pipes.
+// Reading and writing whole files, standard input and pipes; mapping the files of indexes.
 //
 // Loaders that take the name of a file read only regular files: a folder, a pipe or a device such as
 // /dev/zero is refused before it is opened, so that no loader waits or reads for ever. What can be read
@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "wend/base/expected.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/io/io_error.hpp"
 
 namespace wend {
@@ -26,7 +27,7 @@ namespace wend {
 /// Larger files are refused: the largest map with one byte a cell, and room for line ends.
 inline constexpr std::size_t kLargestFile = std::size_t{3} << 30;
 
-/// The bytes of `file`, at most `largest` of them.
+/// The bytes of `file`, at most `largest` of them; an error too if memory does not suffice.
 Expected<std::string, IoError> read_file(const std::filesystem::path& file,
                                          std::size_t largest = kLargestFile);
 
@@ -72,5 +73,11 @@ Expected<std::string, IoError> read_stream(const std::filesystem::path& file,
 /// allows that. A symbolic link stays one: its target is replaced. What is not a regular file (a pipe,
 /// /dev/stdout) is written directly.
 Expected<void, IoError> write_file(const std::filesystem::path& file, std::string_view bytes);
+Expected<void, IoError> write_index(const std::filesystem::path& file, const IndexBytes& index);
+
+/// Maps an index: what a query does not touch is not read, and programs share the memory. Its reader says
+/// whether it is an index, and of what. The file must not be written to while it is open; a new one that
+/// takes its name does no harm.
+Expected<IndexBytes, IoError> open_index(const std::filesystem::path& file);
 
 }  // namespace wend

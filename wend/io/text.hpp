@@ -27,6 +27,9 @@ bool is_blank(std::string_view line);
 /// The words of a line: what stands between blanks.
 std::vector<std::string_view> words_of(std::string_view line);
 
+/// What stands between separators: one field more than there are separators.
+std::vector<std::string_view> fields_of(std::string_view line, char separator);
+
 /// "a, b or c"
 std::string either_of(const std::vector<std::string>& names);
 

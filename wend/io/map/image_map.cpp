@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/io/image/png.hpp"
-#include "wend/io/image/pnm.hpp"
+#include "wend/io/image/grey_image.hpp"
 #include "wend/io/map/map_format.hpp"
 
 namespace wend {

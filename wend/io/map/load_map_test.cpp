@@ -68,7 +68,7 @@ TEST_F(LoadMap, NamesWhatItReadsWhenItReadsNothing) {
   EXPECT_THAT(error_of(load_map(folder_.write("nothing", ""))),
               EndsWith("nothing: the file is empty; expected a map"));
   EXPECT_THAT(error_of(load_map(folder_.write("m.bmp", "BM123456"))),
-              EndsWith("m.bmp: BMP images are not supported, only PNG and PNM (P1 to P6) are"));
+              EndsWith("m.bmp: BMP images are not supported; expected PNG or PNM (P1 to P6)"));
 }
 
 TEST_F(LoadMap, ErrorsNameFileAndLine) {

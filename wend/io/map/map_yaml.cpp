@@ -16,7 +16,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/io/files.hpp"
-#include "wend/io/image/png.hpp"
+#include "wend/io/image/grey_image.hpp"
 
 namespace wend {
 namespace {
