@@ -4,8 +4,8 @@
 
 #include "bench/comparison/comparison_measures.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/report/csv.hpp"
 #include "wend/report/json.hpp"
+#include "wend/report/text_table.hpp"
 
 namespace wend {
 namespace {

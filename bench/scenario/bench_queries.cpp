@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "wend/base/parse.hpp"
-#include "wend/report/csv.hpp"
+#include "wend/report/text_table.hpp"
 
 namespace wend {
 namespace {

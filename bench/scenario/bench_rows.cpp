@@ -7,8 +7,8 @@
 #include "bench/measure/statistics.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/report/csv.hpp"
 #include "wend/report/json.hpp"
+#include "wend/report/text_table.hpp"
 
 namespace wend {
 namespace {

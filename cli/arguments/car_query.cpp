@@ -7,7 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
 #include "cli/output/plan_text.hpp"
-#include "wend/report/drive_commands.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 

@@ -9,7 +9,7 @@
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/report/work_times.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 

@@ -18,7 +18,7 @@
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/scene.hpp"
-#include "wend/report/plan_result.hpp"
+#include "wend/report/plan_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 
 namespace wend::cli {

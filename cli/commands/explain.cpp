@@ -19,7 +19,7 @@
 #include "cli/output/picture_files.hpp"
 #include "cli/output/text_blocks.hpp"
 #include "wend/analysis/no_path.hpp"
-#include "wend/report/no_path_json.hpp"
+#include "wend/report/analysis_report.hpp"
 
 namespace wend::cli {
 namespace {

@@ -21,7 +21,7 @@
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/report/field_report.hpp"
+#include "wend/report/analysis_report.hpp"
 
 namespace wend::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "cli/watching/stepper.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/io/path/path_csv.hpp"
-#include "wend/report/plan_json.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 

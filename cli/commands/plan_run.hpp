@@ -25,7 +25,7 @@
 #include "wend/base/thread_workers.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/render/scene.hpp"
-#include "wend/report/plan_result.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 

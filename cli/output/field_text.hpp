@@ -7,7 +7,7 @@
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/report/field_report.hpp"
+#include "wend/report/analysis_report.hpp"
 
 namespace wend::cli {
 

@@ -9,7 +9,7 @@
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/report/drive_commands.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 namespace {

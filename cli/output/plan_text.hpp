@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/arguments/coordinates.hpp"
-#include "wend/report/plan_result.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 

@@ -6,7 +6,7 @@
 
 #include "cli/arguments/coordinates.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/report/drive_commands.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 namespace {

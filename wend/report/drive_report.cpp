@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/report/json.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {
@@ -110,6 +111,50 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
   return table.text() + (marked ? "* best of those that reached the goal\n" : "");
 }
 
+Json json_of(const std::vector<DriveSample>& samples, const Frame& frame) {
+  Json columns;
+  for (const char* name : {"time_s", "x_m", "y_m", "yaw", "linear_m_s", "angular_rad_s",
+                           "heading_error_degrees", "cross_track_m"}) {
+    columns[name] = Json::array();
+  }
+  for (const DriveSample& sample : samples) {
+    const Pose pose = frame.to_metres(sample.pose);
+    columns["time_s"].push_back(sample.time);
+    columns["x_m"].push_back(pose.x);
+    columns["y_m"].push_back(pose.y);
+    columns["yaw"].push_back(pose.heading);
+    columns["linear_m_s"].push_back(sample.velocity.linear);
+    columns["angular_rad_s"].push_back(sample.velocity.angular);
+    columns["heading_error_degrees"].push_back(degrees_from(sample.heading_error));
+    columns["cross_track_m"].push_back(sample.cross_track);
+  }
+  return columns;
+}
+
+Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples samples) {
+  const Drive& drive = driven.drive;
+  Json json{{"controller", driven.controller},
+            {"outcome", choice_name(drive.outcome)},
+            {"time_s", drive.time},
+            {"distance_m", drive.distance},
+            {"turned_degrees", degrees_from(drive.turned)},
+            {"cross_track_rms_m", drive.cross_track_rms},
+            {"cross_track_largest_m", drive.cross_track_largest},
+            {"final_error_m", drive.final_error},
+            {"final_heading_error_degrees", degrees_from(drive.final_heading_error)},
+            {"swings", drive.swings},
+            {"collisions", drive.collisions},
+            {"first_collision", Json()},
+            {"first_collision_m", Json()}};
+  if (drive.first_collision) {
+    const Point metres = frame.to_metres(*drive.first_collision);
+    json["first_collision"] = json_of(*drive.first_collision);
+    json["first_collision_m"] = Json::array({metres.x, metres.y});
+  }
+  if (samples == DriveSamples::all) json["samples"] = json_of(drive.samples, frame);
+  return json;
+}
+
 }  // namespace
 
 std::string drive_table(std::span<const ControlledDrive> drives) {
@@ -120,8 +165,7 @@ std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& fram
   std::string text =
       "controller,time_s,x_m,y_m,yaw,linear_m_s,angular_rad_s,heading_error_rad,cross_track_m\n";
   for (const ControlledDrive& driven : drives) {
-    std::string name = driven.controller;  // options have commas between them
-    if (name.find(',') != std::string::npos) name.insert(0, 1, '"').append(1, '"');
+    const std::string name = csv_field(driven.controller);
     for (const DriveSample& sample : driven.drive.samples) {
       const Pose pose = frame.to_metres(sample.pose);
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", name, sample.time,
@@ -130,6 +174,17 @@ std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& fram
     }
   }
   return text;
+}
+
+std::string drive_json(const RefinedPath& path, std::span<const ControlledDrive> drives,
+                       const Frame& frame, DriveSamples samples) {
+  Json json;
+  put_paths(json, path, frame);
+  json["drives"] = Json::array();
+  for (const ControlledDrive& driven : drives) {
+    json["drives"].push_back(json_of(driven, frame, samples));
+  }
+  return text_of(json);
 }
 
 }  // namespace wend

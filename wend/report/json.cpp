@@ -44,6 +44,12 @@ Json json_of_heading(double radians, bool y_up) {
   return heading ? Json(to_string(*heading)) : Json(radians);
 }
 
+Json json_of(const std::vector<Point>& points) {
+  Json json = Json::array();
+  for (const Point point : points) json.push_back(Json::array({point.x, point.y}));
+  return json;
+}
+
 Json json_of(Cell cell) { return Json::array({cell.x, cell.y}); }
 
 Json json_of(std::span<const Cell> cells) {
@@ -120,10 +126,7 @@ void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion) {
     return;
   }
   json["path"] = json_of(plan.path.cells());
-  Json& metres = json["path_m"] = Json::array();
-  for (const Point point : plan.path.points_in_metres(frame)) {
-    metres.push_back(Json::array({point.x, point.y}));
-  }
+  json["path_m"] = json_of(plan.path.points_in_metres(frame));
 }
 
 std::string text_of(const Json& report) {

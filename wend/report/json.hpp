@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/cell.hpp"
@@ -16,7 +17,8 @@
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/report/work_times.hpp"
+#include "wend/report/path_report.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend {
 
@@ -28,6 +30,9 @@ Json json_of(Cell cell);
 
 /// [x, y] of a point in grid coordinates: [3, 4] of a corner, else [2.5, 4.0].
 Json json_of(Point point);
+
+/// [[x, y], ...], all as numbers with a fraction.
+Json json_of(const std::vector<Point>& points);
 
 /// "E" of one of the four headings, else radians.
 Json json_of_heading(double radians, bool y_up);
@@ -54,8 +59,14 @@ Json in_microseconds(double seconds);
 Json json_of(const WorkTimes& times);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty. Of a car
-/// "steps", "headings", "moves" and "yaw" too, as plan_json.hpp has them.
+/// "steps", "headings", "moves" and "yaw" too, as plan_json() has them.
 void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion = Motion::cells);
+
+// What path_report.hpp describes: the lengths of a path, what smoothing_json() has besides the path as it
+// was, and that too.
+Json json_of(const MeasuredPath& path, const Frame& frame);
+void put_refined(Json& json, const RefinedPath& path, const Frame& frame);
+void put_paths(Json& json, const RefinedPath& path, const Frame& frame);
 
 /// The number of the schema that every report has as its first key, "schema". It grows when a key is
 /// renamed, removed or changes its meaning; not when one is added (docs/compatibility.md).

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "wend/base/parse.hpp"
+#include "wend/io/text.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/json.hpp"
 
@@ -67,12 +68,7 @@ std::string range_text(const OptionInfo& option) {
   if (option.kind != OptionKind::choice) {
     return format_number(option.least) + " to " + format_number(option.greatest);
   }
-  std::string text;
-  for (std::size_t i = 0; i < option.choices.size(); ++i) {
-    const bool last = i + 1 == option.choices.size();
-    text += (i == 0 ? "" : last ? " or " : ", ") + option.choices[i];
-  }
-  return text;
+  return either_of(option.choices);
 }
 
 std::string planner_listing_text(const Registry<PlannerInfo>& planners) {

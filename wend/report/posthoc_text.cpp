@@ -10,33 +10,8 @@
 namespace wend {
 namespace {
 
-constexpr std::string_view kYamlViews = R"(version: 1.4.0
-schema: 1
-views:
-  main:
-    - $: rect
-      $if: ${{ $.type == 'map' }}
-      $for: { $let: i, $from: 0, $to: "${{ $.blocked.length }}", $step: 1 }
-      x: ${{ $.blocked[$.i][0] }}
-      y: ${{ $.blocked[$.i][1] }}
-      width: ${{ $.blocked[$.i][2] }}
-      height: ${{ $.blocked[$.i][3] }}
-      fill: ${{ theme.foreground }}
-)";
-
-constexpr std::string_view kYamlCells = R"(    - $: rect
-      $if: ${{ $.type != 'map' }}
-      x: ${{ $.x }}
-      y: ${{ $.y }}
-      width: 1
-      height: 1
-      fill: ${{ color[$.type] }}
-pivot: { x: "${{ $.x + 0.5 }}", y: "${{ $.y + 0.5 }}", scale: 1 }
-events:)";
-
-constexpr std::string_view kJsonViews = R"({"version": "1.4.0",
-"schema": 1,
-"views": {"main": [
+// The value of "views", valid in JSON and in YAML: dark rectangles for the map, then a mark.
+constexpr std::string_view kViewOfMap = R"({"main": [
   {"$": "rect", "$if": "${{ $.type == 'map' }}",
    "$for": {"$let": "i", "$from": 0, "$to": "${{ $.blocked.length }}", "$step": 1},
    "x": "${{ $.blocked[$.i][0] }}", "y": "${{ $.blocked[$.i][1] }}",
@@ -44,42 +19,38 @@ constexpr std::string_view kJsonViews = R"({"version": "1.4.0",
    "fill": "${{ theme.foreground }}"},
 )";
 
-constexpr std::string_view kJsonCells =
+constexpr std::string_view kViewOfCells =
     R"(  {"$": "rect", "$if": "${{ $.type != 'map' }}", "x": "${{ $.x }}", "y": "${{ $.y }}",
-   "width": 1, "height": 1, "fill": "${{ color[$.type] }}"}]},
-"pivot": {"x": "${{ $.x + 0.5 }}", "y": "${{ $.y + 0.5 }}", "scale": 1},
-"events": [)";
+   "width": 1, "height": 1, "fill": "${{ color[$.type] }}"}]})";
 
 // Of a unit: how far a dot lies from its corner, and how large it is, so that four have room.
 constexpr double kDotDistance = 0.22;
 constexpr double kDotRadius = 0.14;
 
-/// The heads of a car's trace: {0} is how far dots lie from corners, {1} their radius.
-constexpr std::string_view kYamlCorners = R"(    - $: circle
-      $if: ${{{{ $.type != 'map' }}}}
-      x: ${{{{ $.x + {0} * (($.heading == 'E') - ($.heading == 'W')) }}}}
-      y: ${{{{ $.y + {0} * (($.heading == 'S') - ($.heading == 'N')) }}}}
-      radius: {1}
-      fill: ${{{{ color[$.type] }}}}
-pivot: {{ x: "${{{{ $.x }}}}", y: "${{{{ $.y }}}}", scale: 1 }}
-events:)";
-
-constexpr std::string_view kJsonCorners =
+/// Of a car: {0} is how far dots lie from corners, {1} their radius.
+constexpr std::string_view kViewOfCorners =
     R"(  {{"$": "circle", "$if": "${{{{ $.type != 'map' }}}}",
    "x": "${{{{ $.x + {0} * (($.heading == 'E') - ($.heading == 'W')) }}}}",
    "y": "${{{{ $.y + {0} * (($.heading == 'S') - ($.heading == 'N')) }}}}",
-   "radius": {1}, "fill": "${{{{ color[$.type] }}}}"}}]}},
-"pivot": {{"x": "${{{{ $.x }}}}", "y": "${{{{ $.y }}}}", "scale": 1}},
-"events": [)";
+   "radius": {1}, "fill": "${{{{ color[$.type] }}}}"}}]}})";
+
+constexpr std::string_view kPivotOfCells =
+    R"({"x": "${{ $.x + 0.5 }}", "y": "${{ $.y + 0.5 }}", "scale": 1})";
+constexpr std::string_view kPivotOfCorners =
+    R"({"x": "${{ $.x }}", "y": "${{ $.y }}", "scale": 1})";
 
 std::string head(TraceForm form, int unit) {
-  const bool yaml = form == TraceForm::yaml;
-  std::string text(yaml ? kYamlViews : kJsonViews);
-  if (unit == 0) return text.append(yaml ? kYamlCells : kJsonCells);
-  const std::string distance = format_number(kDotDistance * unit);
-  const std::string radius = format_number(kDotRadius * unit);
-  return text + (yaml ? fmt::format(kYamlCorners, distance, radius)
-                      : fmt::format(kJsonCorners, distance, radius));
+  std::string views(kViewOfMap);
+  views += unit == 0 ? std::string(kViewOfCells)
+                     : fmt::format(kViewOfCorners, format_number(kDotDistance * unit),
+                                   format_number(kDotRadius * unit));
+  const std::string_view pivot = unit == 0 ? kPivotOfCells : kPivotOfCorners;
+  if (form == TraceForm::yaml) {
+    return fmt::format("version: 1.4.0\nschema: 1\nviews: {}\npivot: {}\nevents:", views, pivot);
+  }
+  return fmt::format(
+      "{{\"version\": \"1.4.0\",\n\"schema\": 1,\n\"views\": {},\n\"pivot\": {},\n\"events\": [",
+      views, pivot);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "wend/base/parse.hpp"
-#include "wend/report/csv.hpp"
 #include "wend/report/json.hpp"
 #include "wend/report/text_table.hpp"
 

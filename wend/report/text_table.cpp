@@ -139,4 +139,14 @@ std::vector<bool> best_of(std::span<const double> values, bool more_is_better) {
   return marks;
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"') quoted += '"';
+    quoted += letter;
+  }
+  return quoted + "\"";
+}
+
 }  // namespace wend

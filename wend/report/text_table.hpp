@@ -1,6 +1,6 @@
 #pragma once
 
-// TextTable: aligned columns for a terminal.
+// Tables: aligned columns for a terminal, and fields of CSV.
 //
 //   wend::TextTable table({{"planner"}, {"mean us", wend::Align::right}});
 //   table.add({"astar", "12.5"});
@@ -51,5 +51,8 @@ class TextTable {
 /// Which of the values are the best: none if fewer than two compete (NaN does not) or if all that
 /// do are equal, but for rounding.
 std::vector<bool> best_of(std::span<const double> values, bool more_is_better);
+
+/// A field of CSV, in quotes where it needs them (RFC 4180).
+std::string csv_field(const std::string& text);
 
 }  // namespace wend

@@ -1,13 +1,14 @@
 #pragma once
 
-// A cost-to-go field, and paths taken from it, as JSON and CSV.
+// Analyses of a map for programs: a cost-to-go field, with paths taken from it, and why there is no path.
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
-#include "wend/report/plan_result.hpp"
+#include "wend/analysis/no_path.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend {
 
@@ -35,5 +36,17 @@ std::string field_json(const FieldReport& report, const Frame& frame, const Cost
 /// x,y,cost,move for every cell; cost and move are empty where there is no path, the move in a
 /// goal.
 std::string field_csv(const CostToGo& field);
+
+/// Why there is no path:
+///
+///   {"schema": 1, "status": "unreachable", "start_region": 57, "goal_region": 12,
+///    "widest": {"radius_cells": 3.5, "radius_m": 0.18, "narrowest": [64.5,82.5],
+///               "narrowest_m": [3.2,4.1]},
+///    "ways": [{"unknown_free": false, "squeeze": false, "smaller_robot": true, "widest": {...}}]}
+///
+/// `narrowest` is in grid coordinates. An infinite radius is null, and so is `widest` where not even a
+/// point gets through; the metres are null where the map has none. `status` is `found` if there is a path
+/// after all. One line with its line end.
+std::string no_path_json(const NoPath& why, const Frame& frame);
 
 }  // namespace wend

@@ -1,6 +1,6 @@
 #pragma once
 
-// A plan, or why there is none, as JSON:
+// One query's outcome, found or not, with all that a report says about it. In JSON:
 //
 //   {"schema": 1, "planner": "astar", "status": "found", "cost": 2.41, "bound": 1,
 //    "length_cells": 2.41, "length_m": 0.12, "path": [[1,1],[2,2],[3,2]], "path_m":
@@ -8,7 +8,7 @@
 //    "times": {"load_us": 310.5, "free_space_us": 92.1, "planner_us": 3.6, "index_us": null,
 //    "search_us": 4.2}}
 //
-// `times` are CPU time, see work_times.hpp; null is what there was not.
+// `times` are CPU time, see WorkTimes; null is what there was not.
 // `path` counts in cells, `path_m` are their centres in the map's frame. `bound` is the factor by
 // which the cost may exceed the cheapest one, null where nothing is guaranteed. On failure `status`
 // is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
@@ -39,17 +39,65 @@
 // list for every row, row 0 first: numbers, or names of directions as drawn ("up_left"); null where
 // there is nothing.
 
+// As text, a car's plan is what a driver is told to do: a line for the start, then one for each move with
+// the corner and the heading where it ends.
+//
+//   Start (1,0,E)
+//   Go FWD_RIGHT -> (2,1,S)
+//   Go FWD -> (2,2,S)
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "wend/analysis/layer.hpp"
+#include "wend/base/status.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/report/plan_result.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/planner/planner_info.hpp"
+#include "wend/report/path_report.hpp"
 
 namespace wend {
+
+/// What answering one query took from the map's file on, not the search alone: CPU seconds of the thread (thread_time.hpp), of an index that of all threads that built it.
+struct WorkTimes {
+  double load = 0;                  // reading the map
+  double free_space = 0;            // finding where the robot fits
+  std::optional<double> planner{};  // making the planner, with all that it prepares for the map
+  std::optional<double> index{};    // building an index, or opening one
+  double search = 0;                // one run of the query
+
+  double preparation() const { return load + free_space + planner.value_or(0) + index.value_or(0); }
+};
+
+struct PlanResult {
+  std::string planner;
+  Status status = Status::found;
+  Plan plan;  // of a failure: its metrics
+  WorkTimes times{};
+  std::string reason;  // of a failure, for people
+  Motion motion = Motion::cells;
+  std::uint64_t states = 0;  // Planner::state_count()
+  // What became of the path, where it was smoothed or the like.
+  std::optional<RefinedPath> refined{};
+  int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
+};
 
 /// One line with its line end.
 std::string plan_json(const PlanResult& result, const Frame& frame,
                       std::span<const Layer> layers = {});
+
+/// "(2,1,S)": grid coordinates, and the nearest of the four headings.
+std::string corner_pose_text(const Pose& pose, bool y_up);
+
+/// Of a driven plan, whose moves have names, in grid coordinates; empty if there is no path. Each
+/// line has its line end.
+std::string drive_commands(const Plan& plan, bool y_up);
+
+/// How many of a driven plan's moves go backwards.
+std::size_t steps_in_reverse(const Plan& plan);
 
 }  // namespace wend

@@ -1,4 +1,4 @@
-#include "wend/report/field_report.hpp"
+#include "wend/report/analysis_report.hpp"
 
 #include <cmath>
 
@@ -25,6 +25,26 @@ Json json_of_grid(const CostToGo& field) {
           {"height", costs.height()},
           {"costs", json_of(costs)},
           {"policy", json_of(policy)}};
+}
+
+Json json_of(const WidestPath& widest, const Frame& frame) {
+  Json json{{"radius_cells", widest.radius},
+            {"radius_m", nullptr},
+            {"narrowest", Json::array({widest.narrowest.x, widest.narrowest.y})},
+            {"narrowest_m", nullptr}};
+  if (frame.metric) {
+    const Point metres = frame.to_metres(widest.narrowest);
+    json["radius_m"] = widest.radius * frame.resolution;
+    json["narrowest_m"] = Json::array({metres.x, metres.y});
+  }
+  return json;
+}
+
+Json json_of(const Way& way, const Frame& frame) {
+  return {{"unknown_free", way.unknown_free},
+          {"squeeze", way.squeeze},
+          {"smaller_robot", way.smaller_robot},
+          {"widest", json_of(way.widest, frame)}};
 }
 
 }  // namespace
@@ -55,6 +75,16 @@ std::string field_csv(const CostToGo& field) {
     }
   }
   return csv;
+}
+
+std::string no_path_json(const NoPath& why, const Frame& frame) {
+  Json json{{"status", to_string(why.path_exists() ? Status::found : Status::unreachable)},
+            {"start_region", why.start_component},
+            {"goal_region", why.goal_component},
+            {"widest", why.widest ? json_of(*why.widest, frame) : Json()}};
+  Json& ways = json["ways"] = Json::array();
+  for (const Way& way : why.ways) ways.push_back(json_of(way, frame));
+  return text_of(json);
 }
 
 }  // namespace wend
