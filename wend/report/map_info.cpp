@@ -37,7 +37,7 @@ std::string terrain_text(const MapInfo& info) {
 }
 
 std::string components_text(const MapInfo& info) {
-  if (info.space.components == 0) return "none: there is no cell to stand on";
+  if (info.space.components == 0) return "none: the robot fits nowhere";
   if (info.space.components == 1) return "1: every free cell can be reached from every other";
   return fmt::format("{}; the largest has {} cells, {:.1f} % of the free ones",
                      info.space.components, info.space.largest_component,

@@ -55,12 +55,12 @@ std::string line(std::string_view name, const std::string& what) {
 
 std::string ending_text(const Smoothed& smoothed) {
   return fmt::format("{} {}{}", smoothed.sweeps, smoothed.sweeps == 1 ? "sweep" : "sweeps",
-                     smoothed.converged ? "" : ", then the limit ended it");
+                     smoothed.converged ? "" : ", stopped by the limit");
 }
 
 std::string held_text(const Smoothed& smoothed) {
-  if (smoothed.returned) return "all: the result would have been longer, the path is as it was";
-  if (smoothed.held == 0) return "nothing: no obstacle was in the way";
+  if (smoothed.returned) return "all: smoothing would have lengthened the path, which is unchanged";
+  if (smoothed.held == 0) return "none: no obstacle was in the way";
   return fmt::format("{:.3g} % of the inner points, by obstacles", 100 * smoothed.held);
 }
 
@@ -181,7 +181,7 @@ std::string smoothing_text(const RefinedPath& path) {
                      line("smoothed", ending_text(*smoothing)) +
                      line("held", held_text(*smoothing));
   if (!smoothing->within_bound) {
-    text += line("curvature", "beyond the bound in places: obstacles leave no room");
+    text += line("curvature", "exceeds the bound in places: obstacles leave no room");
   }
   return text;
 }

@@ -117,17 +117,18 @@ TEST(SmoothingJson, OfWaypointsHasNoCells) {
 TEST(SmoothingText, SaysHowItWent) {
   RefinedPath path = refined_by({.smoother = SmootherChoice{"gradient"}});
   EXPECT_THAT(smoothing_text(path), HasSubstr("smoother  gradient\nsmoothed  "));
-  EXPECT_THAT(smoothing_text(path), HasSubstr("held      nothing: no obstacle was in the way\n"));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("held      none: no obstacle was in the way\n"));
   path.refined.smoothing->held = 0.125;
   path.refined.smoothing->converged = false;
   path.refined.smoothing->sweeps = 1;
-  EXPECT_THAT(smoothing_text(path), HasSubstr("1 sweep, then the limit ended it\n"));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("1 sweep, stopped by the limit\n"));
   EXPECT_THAT(smoothing_text(path), HasSubstr("12.5 % of the inner points, by obstacles\n"));
   EXPECT_THAT(smoothing_text(path), Not(HasSubstr("bound")));
   path.refined.smoothing->within_bound = false;
   path.refined.smoothing->returned = true;
-  EXPECT_THAT(smoothing_text(path), HasSubstr("held      all: the result would have been longer"));
-  EXPECT_THAT(smoothing_text(path), HasSubstr("curvature beyond the bound"));
+  EXPECT_THAT(smoothing_text(path),
+              HasSubstr("held      all: smoothing would have lengthened the path"));
+  EXPECT_THAT(smoothing_text(path), HasSubstr("curvature exceeds the bound"));
 }
 
 TEST(FailedPlanJson, IsReadBackAsAPlanWithoutAPath) {

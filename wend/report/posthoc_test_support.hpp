@@ -14,7 +14,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/report/posthoc_text.hpp"
+#include "wend/report/posthoc_trace.hpp"
 
 namespace wend::test {
 

@@ -37,9 +37,39 @@
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
-#include "wend/report/posthoc_text.hpp"
+#include "wend/report/posthoc_trace.hpp"
 
 namespace wend {
+
+/// JSON, or YAML of the same shape.
+enum class TraceForm { yaml, json };
+
+/// The text of a trace, event by event. The views are fixed: dark rectangles for the event of type "map",
+/// whose `blocked` lists [x, y, width, height], and for every other event a mark in its type's colour: the
+/// square of a cell, or of a car a dot beside its corner, on the side that its `heading` faces.
+class PosthocText {
+ public:
+  /// The corners of a car lie `unit` cells apart; 0: cells.
+  explicit PosthocText(TraceForm form, int unit = 0);
+
+  /// An event, `id` being JSON. Everything that is put until the next one belongs to it.
+  void begin_event(std::string_view type, std::string_view id);
+
+  /// `json` is valid JSON on one line.
+  void put(std::string_view key, std::string_view json);
+  void put(std::string_view key, std::uint64_t value);
+  void put(std::string_view key, double value);  // null if it is not finite
+
+  /// The whole text. Nothing may be put any more.
+  std::string finish();
+
+ private:
+  void end_event();
+
+  TraceForm form_;
+  bool in_event_ = false;
+  std::string text_;
+};
 
 class PosthocTrace final : public SearchObserver {
  public:

@@ -126,7 +126,7 @@ class MovingAiReader {
     std::vector<CellState> states(static_cast<std::size_t>(width_));
     for (int y = 0; y < height_; ++y) {
       const auto row = lines_.next();
-      if (!row) return fmt::format("{} of the {} rows that the header declares", y, height_);
+      if (!row) return fmt::format("only {} of the {} rows that the header declares", y, height_);
       if (std::string wrong = read_row(*row, y, states); !wrong.empty()) return wrong;
       rows_->append(states);
     }

@@ -100,7 +100,8 @@ TEST(MovingAiMap, SizesWhoseProductOverflowsAreRefused) {
 }
 
 TEST(MovingAiMap, RowsAreAsManyAndAsLongAsTheHeaderSays) {
-  EXPECT_EQ(moving_ai_error(kHeader + "...\n"), "m:5: 1 of the 2 rows that the header declares");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n"),
+            "m:5: only 1 of the 2 rows that the header declares");
   EXPECT_EQ(moving_ai_error(kHeader + "...\n..\n"),
             "m:6: row 1 has 2 columns, the header declares 3");
   EXPECT_EQ(moving_ai_error(kHeader + "...\n....\n"),

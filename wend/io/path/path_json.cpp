@@ -172,7 +172,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
     return coordinate(value, of_cell, may_be_coordinate_of_pose(value), text);
   }
 
-  /// A value that is no number: fine but where one belongs.
+  /// A value that is not a number: an error only where a number is expected.
   bool no_number(const std::string& found) {
     if (depth_ == 0) return complain(kNoPlan);
     if (in_points(1))

@@ -65,7 +65,7 @@ Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int 
 /// `X.yaml.scen` means `X.yaml`; else it is the last part of the map column. Either way a file in the scenario's own folder, else an error.
 Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
 
-/// So many of them, evenly spread and in their order; all where there are no more.
+/// At most `count` of them, evenly spread and in their order.
 std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
                                           std::size_t count);
 
