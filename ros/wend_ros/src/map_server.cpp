@@ -81,9 +81,8 @@ int main(int argc, char** argv) {
   ros::NodeHandle own("~");
   std::string file = own.param<std::string>("file", argc > 1 ? argv[1] : "");
   if (file.empty() || argc > 2) {
-    ROS_ERROR(
-        "usage: map_server MAP, or the parameter ~file: a map.yaml, MovingAI .map, text grid or "
-        "image");
+    ROS_ERROR_STREAM("usage: map_server MAP, or the parameter ~file: "
+                     << wend::map_formats_text(wend::MapUse::load));
     return 2;
   }
   MapServer server(own.param<std::string>("frame_id", "map"));
