@@ -113,7 +113,7 @@ TEST_F(Convert, TellsEveryLossInALineOfItsOwn) {
       lines_in(convert("odd.txt", "odd.map").err),
       ElementsAre(
           "wend: " + out +
-              ": unknown cells become occupied (1 cell): a MovingAI map has no unknown ones",
+              ": unknown cells become occupied (1 cell): a MovingAI map cannot hold unknown cells",
           "wend: " + out +
               ": terrain is lost (2 cells): a MovingAI map cannot hold terrain, all cells cost the "
               "same"));
