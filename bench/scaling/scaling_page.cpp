@@ -3,33 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "bench/measure/machine.hpp"
+#include "bench/measure/markdown_table.hpp"
+#include "wend/report/text_table.hpp"
 
 namespace wend::bench {
 namespace {
 
-constexpr const char* kIntroduction = R"(# How planners grow with the map
-
-Written by `./run scaling`, which measures for some minutes; `./run scaling --help` says how to measure less.
-
-Maps come from `wend generate`, seed 7; start and goal are random cells that a path joins, the same for every planner. Every
-planner is measured in a process of its own: its memory is what it has beside the map, with its index. Times are CPU
-time of the thread and means over the queries of a map. A first query is that of a new planner, of up to ten; later queries
-are the same ones again, one after the other. A slow planner answers fewer queries: none begins after {} s.
-Paths are compared: {}.
-
-{}
-
-)";
-
-constexpr const char* kLeftOut =
-    "An index is left out (–) where it would take more than {:.0f} s to build, going by the map "
-    "before; a planner\n"
-    "where a query took more than {:.0f} s on the map before; Boost.Graph's A* above {} x {} "
-    "cells.\n\n";
+/// Five sentences.
+std::string introduction(const ScalingPlan& plan, bool any_wrong) {
+  return fmt::format(
+      "# Planning time and memory by map size\n\n"
+      "`./run scaling` writes this page: it asks every planner the same random queries on growing "
+      "maps of `wend generate`, seed 7, each planner in a process of its own ({}). "
+      "Times are mean CPU times over the queries of a map (no new query after {} s): a first query "
+      "is the first of a new planner, a later query repeats one with warm caches. "
+      "Memory is what a planner needs beside the map, its index included. "
+      "A dash stands for an index that would take more than {:.0f} s to build, for a planner that "
+      "took more than {:.0f} s a query on the map before, and for Boost.Graph's A* above {} x {} "
+      "cells. {}\n\n",
+      describe_machine(), plan.query_seconds, plan.most_build_seconds, plan.most_query_seconds,
+      plan.largest_for_boost, plan.largest_for_boost,
+      any_wrong ? "Some planners found paths of a WRONG cost."
+                : "All planners found paths of the same cost.");
+}
 
 /// Three significant digits.
 std::string digits(double value) {
@@ -39,111 +42,80 @@ std::string digits(double value) {
 
 using Field = std::function<std::string(const PlannerScale&)>;
 
-class Page {
- public:
-  Page(const ScalingPlan& plan, const std::vector<MapScale>& maps) : plan_(plan), maps_(maps) {}
-
-  std::string text(const std::string& picture) {
-    text_ = fmt::format(fmt::runtime(kIntroduction), plan_.query_seconds,
-                        any_wrong() ? "some were WRONG" : "every planner found the same lengths",
-                        describe_machine());
-    text_ += fmt::format("![Time, memory and build time against cells]({})\n\n", picture);
-    text_ += fmt::format(fmt::runtime(kLeftOut), plan_.most_build_seconds, plan_.most_query_seconds,
-                         plan_.largest_for_boost, plan_.largest_for_boost);
-    put_tables("To make a planner, in milliseconds", all(),
-               [](const PlannerScale& scale) { return digits(scale.prepare_ms); });
-    put_tables("Its first query, in microseconds", all(),
-               [](const PlannerScale& scale) { return digits(scale.first_us); });
-    put_tables("A later query, in microseconds", all(),
-               [](const PlannerScale& scale) { return digits(scale.later_us); });
-    put_tables("Two threads", all(), [](const PlannerScale& scale) {
-      return fmt::format("{:.2f}", scale.two_threads_gain);
+/// The planners' places in the plan; of those with an index, where any map has one.
+std::vector<std::size_t> planner_places(const std::vector<MapScale>& maps, bool indexed) {
+  std::vector<std::size_t> places;
+  const std::size_t count = maps.empty() ? 0 : maps.front().planners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool built = std::any_of(maps.begin(), maps.end(), [i](const MapScale& map) {
+      return map.planners[i] && map.planners[i]->index_bytes > 0;
     });
-    put_tables("Memory, in MB", all(), [](const PlannerScale& scale) {
-      return digits(static_cast<double>(scale.memory_bytes) * 1e-6);
-    });
-    put_tables("Building an index: seconds on one core, and its MB", with_index(),
-               [](const PlannerScale& scale) {
-                 return fmt::format("{}; {}", digits(scale.build_s),
-                                    digits(static_cast<double>(scale.index_bytes) * 1e-6));
-               });
-    put_maps();
-    return std::move(text_);
+    if (built || !indexed) places.push_back(i);
   }
+  return places;
+}
 
- private:
-  bool any_wrong() const {
-    return std::any_of(maps_.begin(), maps_.end(), [](const MapScale& map) {
-      return std::any_of(map.planners.begin(), map.planners.end(),
-                         [](const auto& scale) { return scale && scale->wrong; });
-    });
+std::string map_name(const MapScale& map) {
+  return fmt::format("{0}, {1} x {1}", map.kind.name, map.size);
+}
+
+/// A row a map, a column a planner.
+std::string section(const ScalingPlan& plan, const std::vector<MapScale>& maps,
+                    std::string_view title, const Field& field, bool indexed = false) {
+  const std::vector<std::size_t> places = planner_places(maps, indexed);
+  if (places.empty()) return {};
+  std::vector<TextTable::Column> columns{{"map"}};
+  for (const std::size_t i : places) {
+    columns.push_back({fmt::format("`{}`", plan.planners[i]), Align::right});
   }
-
-  std::vector<std::size_t> all() const {
-    std::vector<std::size_t> places(plan_.planners.size());
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
-    return places;
-  }
-
-  std::vector<std::size_t> with_index() const {
-    std::vector<std::size_t> places;
-    for (const std::size_t i : all()) {
-      const bool built = std::any_of(maps_.begin(), maps_.end(), [i](const MapScale& map) {
-        return map.planners[i] && map.planners[i]->index_bytes > 0;
-      });
-      if (built) places.push_back(i);
+  MarkdownTable table(std::move(columns));
+  for (const MapScale& map : maps) {
+    std::vector<std::string> row{map_name(map)};
+    for (const std::size_t i : places) {
+      row.push_back(map.planners[i] ? field(*map.planners[i]) : "–");
     }
-    return places;
+    table.add(row);
   }
+  return fmt::format("## {}\n\n{}\n", title, table.text());
+}
 
-  /// A table for each kind of map: a row a size, a column a planner.
-  void put_tables(const std::string& title, const std::vector<std::size_t>& planners,
-                  const Field& field) {
-    if (planners.empty()) return;
-    text_ += fmt::format("## {}\n\n", title);
-    if (title == "Two threads") {
-      text_ +=
-          "How many times as many queries two threads answer in the same time as one does, on one "
-          "map and index, each thread with a planner of its own.\n\n";
-    }
-    for (const MapKind& kind : plan_.kinds) {
-      text_ += fmt::format("| {} |", kind.name);
-      for (const std::size_t i : planners) text_ += fmt::format(" `{}` |", plan_.planners[i]);
-      text_ += "\n|---|";
-      for (std::size_t i = 0; i < planners.size(); ++i) text_ += "---:|";
-      text_ += "\n";
-      for (const MapScale& map : maps_) {
-        if (map.kind.name != kind.name) continue;
-        text_ += fmt::format("| {0} x {0} |", map.size);
-        for (const std::size_t i : planners) {
-          const std::optional<PlannerScale>& scale = map.planners[i];
-          text_ += fmt::format(" {} |", scale ? field(*scale) : "–");
-        }
-        text_ += "\n";
-      }
-      text_ += "\n";
-    }
+std::string map_section(const std::vector<MapScale>& maps) {
+  MarkdownTable table(
+      {{"map"}, {"free cells", Align::right}, {"seconds to make its `FreeSpace`", Align::right}});
+  for (const MapScale& map : maps) {
+    table.add({map_name(map), std::to_string(map.free_cells), digits(map.space_s)});
   }
+  return "## Maps\n\n" + table.text();
+}
 
-  void put_maps() {
-    text_ +=
-        "## The maps\n\n| map | free cells | seconds to make its `FreeSpace` |\n|---|---:|---:|\n";
-    for (const MapScale& map : maps_) {
-      text_ += fmt::format("| {0}, {1} x {1} | {2} | {3} |\n", map.kind.name, map.size,
-                           map.free_cells, digits(map.space_s));
-    }
-  }
-
-  const ScalingPlan& plan_;
-  const std::vector<MapScale>& maps_;
-  std::string text_;
-};
+std::string in_megabytes(std::uint64_t bytes) { return digits(static_cast<double>(bytes) * 1e-6); }
 
 }  // namespace
 
 std::string scaling_page(const ScalingPlan& plan, const std::vector<MapScale>& maps,
                          const std::string& picture) {
-  return Page(plan, maps).text(picture);
+  const bool any_wrong = std::any_of(maps.begin(), maps.end(), [](const MapScale& map) {
+    return std::any_of(map.planners.begin(), map.planners.end(),
+                       [](const auto& scale) { return scale && scale->wrong; });
+  });
+  std::string text = introduction(plan, any_wrong);
+  text += fmt::format("![Time, memory and index build time by map size]({})\n\n", picture);
+  const auto put = [&](std::string_view title, const Field& field, bool indexed = false) {
+    text += section(plan, maps, title, field, indexed);
+  };
+  put("First query, microseconds", [](const auto& scale) { return digits(scale.first_us); });
+  put("Later query, microseconds", [](const auto& scale) { return digits(scale.later_us); });
+  put("Two threads: queries answered, over those of one thread",
+      [](const auto& scale) { return fmt::format("{:.2f}", scale.two_threads_gain); });
+  put("Memory, MB", [](const auto& scale) { return in_megabytes(scale.memory_bytes); });
+  put("Making a planner, milliseconds", [](const auto& scale) { return digits(scale.prepare_ms); });
+  put(
+      "Building an index: seconds on one core, and its MB",
+      [](const auto& scale) {
+        return fmt::format("{}; {}", digits(scale.build_s), in_megabytes(scale.index_bytes));
+      },
+      true);
+  return text + map_section(maps);
 }
 
 }  // namespace wend::bench

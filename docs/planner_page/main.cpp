@@ -9,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
-#include "docs/planner_page/data_families.hpp"
+#include "docs/planner_page/clearance_cost.hpp"
+#include "docs/planner_page/driving.hpp"
 #include "docs/planner_page/page.hpp"
-#include "docs/planner_page/registry_part.hpp"
 #include "wend/io/files.hpp"
 
 namespace wend::planner_page {
@@ -19,40 +19,60 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct Arguments {
+  fs::path folder;
+  fs::path data = WEND_DATA;  // empty where the build found no data
+  bool quick = false;
+  bool registry_only = false;
+};
+
 /// Everything that the page measures; an error says what was wrong with the data.
 Expected<Measurements, IoError> measure_all(Effort effort, const fs::path& data) {
   Measurements measurements;
-  measurements.with_data = effort == Effort::full && !data.empty();
-  std::vector<Family> from_data;
-  if (measurements.with_data) {
-    auto loaded = data_families(data);
-    if (!loaded) return Unexpected<IoError>(loaded.error());
-    from_data = *std::move(loaded);
+  std::vector<BenchmarkMap> maps = generated_maps(effort);
+  if (effort == Effort::full && !data.empty()) {
+    const auto more = movingai_maps(data);
+    if (!more) return Unexpected<IoError>(more.error());
+    maps.insert(maps.end(), more->begin(), more->end());
+    measurements.with_movingai_maps = true;
   }
-  std::vector<Family> families = generated_families(effort);
-  families.insert(families.end(), from_data.begin(), from_data.end());
-  for (const Family& family : families) {
-    fmt::print(stderr, "{}\n", family.title);
-    measurements.families.push_back(measure_planners(family, effort));
+  for (const BenchmarkMap& map : maps) {
+    fmt::print(stderr, "{}\n", map.title);
+    measurements.maps.push_back(measure_planners(map, effort));
   }
-  measurements.small = measure_planners(small_family(effort), effort);
-  measurements.no_path = measure_planners(unreachable_family(effort), effort);
-  measurements.clearance_distance = study_clearance_distance(effort);
-  measurements.drives = study_drives(effort);
+  measurements.clearance_cost = clearance_cost_section(effort);
+  measurements.driving = driving_section(effort);
   return measurements;
 }
 
+Expected<std::string, IoError> page_of(const Arguments& arguments,
+                                       const std::vector<Picture>& pictures) {
+  if (!arguments.registry_only) {
+    const Effort effort = arguments.quick ? Effort::quick : Effort::full;
+    const auto measurements = measure_all(effort, arguments.data);
+    if (!measurements) return Unexpected<IoError>(measurements.error());
+    return planners_page(pictures, *measurements);
+  }
+  const fs::path file = arguments.folder / "planners.md";
+  const auto earlier = read_file(file);
+  if (!earlier) return Unexpected<IoError>(earlier.error());
+  auto page = with_new_registry_part(*earlier, pictures);
+  if (!page)
+    return io_failure(file.string(), 0, "the comments around the registry part are missing");
+  return *std::move(page);
+}
+
 Expected<void, IoError> write_all(const fs::path& folder, const std::vector<Picture>& pictures,
-                                  const std::string& text) {
+                                  const std::string& page) {
   const fs::path images = folder / kImages;
   std::error_code error;
   fs::create_directories(images, error);
-  if (error) return Unexpected<IoError>({images.string(), 0, error.message()});
+  if (error) return io_failure(images.string(), 0, error.message());
   for (const Picture& picture : pictures) {
     const auto written = write_file(images / (picture.planner + ".png"), picture.png);
     if (!written) return written;
   }
-  return write_file(folder / "planners.md", text);
+  return write_file(folder / "planners.md", page);
 }
 
 int complain(const std::string& what) {
@@ -60,33 +80,34 @@ int complain(const std::string& what) {
   return 2;
 }
 
-int run(const fs::path& folder, Effort effort, const fs::path& data) {
+int run(const Arguments& arguments) {
   const auto pictures = pictures_of_planners();
   if (!pictures) return complain(pictures.error().message());
-  const auto measurements = measure_all(effort, data);
-  if (!measurements) return complain(measurements.error().message());
-  const auto written = write_all(folder, *pictures, page(*pictures, *measurements));
-  if (!written) return complain(written.error().message());
-  return 0;
+  const auto page = page_of(arguments, *pictures);
+  if (!page) return complain(page.error().message());
+  const auto written = write_all(arguments.folder, *pictures, *page);
+  return written ? 0 : complain(written.error().message());
 }
 
 }  // namespace
 }  // namespace wend::planner_page
 
 int main(int argc, char** argv) {
-  std::filesystem::path folder;
-  std::filesystem::path data = WEND_DATA;  // empty where the build found no data
-  bool quick = false;
+  wend::planner_page::Arguments arguments;
   CLI::App app("Writes planners.md and its pictures: what each planner is, and how they compare.");
-  app.add_option("OUTPUT_FOLDER", folder, "where planners.md and images/ go")->required();
-  app.add_flag("--quick", quick, "small maps of our own and few queries: to see that it works");
-  app.add_option("--data", data, "folder with real maps; empty: only maps of our own")
+  app.add_option("OUTPUT_FOLDER", arguments.folder, "where planners.md and images/ go")->required();
+  auto* const quick = app.add_flag("--quick", arguments.quick,
+                                   "small generated maps and few queries: to test the program");
+  app.add_flag(
+         "--registry-only", arguments.registry_only,
+         "measure nothing: refresh the registry part and the pictures of the page that is there")
+      ->excludes(quick);
+  app.add_option("--data", arguments.data, "folder with MovingAI maps; empty: only generated maps")
       ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  using wend::planner_page::Effort;
-  return wend::planner_page::run(folder, quick ? Effort::quick : Effort::full, data);
+  return wend::planner_page::run(arguments);
 }

@@ -2,74 +2,127 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/measure/machine.hpp"
-#include "docs/planner_page/findings.hpp"
-#include "docs/planner_page/registry_part.hpp"
-#include "docs/planner_page/tables.hpp"
+#include "bench/measure/markdown_table.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/report/planner_listing.hpp"
 
 namespace wend::planner_page {
 namespace {
 
+constexpr std::string_view kRegistryBegins = "<!-- from the registry -->";
+constexpr std::string_view kRegistryEnds = "<!-- measured -->";
+
 constexpr std::string_view kIntroduction =
     "# Planners\n"
     "\n"
-    "What each planner is, what it guarantees and costs, when to take it, and how they do on the "
-    "same questions. `./run docs` writes this page: the first half from the registry of "
-    "planners, the second from measurements. Do not edit it by hand.\n";
+    "What each planner does, what it guarantees and costs, when to choose it, and how the planners "
+    "compare. `./run docs` writes this page from the registry of planners and from measurements "
+    "(`./run docs --registry-only`: without measuring); do not edit it by hand.\n";
 
-std::string how_it_was_measured(const Measurements& measurements) {
-  std::string text = fmt::format(
-      "Times are {} of one thread, from one run on one machine ({}): ratios mean more. The "
-      "planners take turns, query by query. They are made before, and each query is asked as "
-      "often as fills 5 ms; the quickest answer counts, which uses what a planner keeps (`jps` "
-      "does) of those before. Values are medians over "
-      "the queries that every planner of the table solved. *Cost / cheapest* is over the "
-      "cheapest path that any planner of the table found, *worst* the greatest of these. "
-      "*Clearance* is the smallest along the path. The best of a column is **bold**.\n",
-      thread_time_name(), describe_machine());
-  text += measurements.with_data
-              ? "\nMaps are made by `wend generate`, seed 7, or come from the benchmark sets of "
-                "movingai.com (N. Sturtevant, \"Benchmarks for Grid-Based Pathfinding\", 2012), "
-                "named in brackets.\n"
-              : "\nMaps are made by `wend generate`, seed 7.\n";
-  return text;
-}
+constexpr std::string_view kAboutOverview =
+    "n is the number of cells that a search expands, at most all that can be reached. Memory is "
+    "reserved for the whole map and touched only where a search goes; starting a search takes "
+    "constant time.";
 
-std::string section(const std::string& title, const std::string& about, const std::string& table) {
-  return fmt::format("\n### {}\n\n{}\n\n{}", title, about, table);
-}
-
-std::string numbers(const Measurements& measurements) {
-  std::string text;
-  for (const MeasuredFamily& family : measurements.families) {
-    text += section(family.title, family.about, family_table(family));
+std::string overview_table() {
+  MarkdownTable table({{"planner"}, {"terrain"}, {"preprocessing"}, {"time"}, {"memory"}});
+  for (const PlannerInfo& planner : planners()) {
+    table.add({fmt::format("[{0}](#{0})", planner.name), std::string(terrain_in_words(planner)),
+               std::string(choice_name(planner.preprocessing)), planner.time, planner.memory});
   }
-  const MeasuredFamily& small = measurements.small;
-  text += section(small.title, small.about, family_table(small));
-  const MeasuredFamily& no_path = measurements.no_path;
-  text += section(no_path.title, no_path.about, no_path_table(no_path));
-  text += section("Keeping away", measurements.clearance_distance.about,
-                  clearance_distance_table(measurements.clearance_distance));
-  text += section("Driving", measurements.drives.about, drive_tables(measurements.drives));
-  return text;
+  return table.text();
+}
+
+/// Planners that share an option, with the same default and values, share a row.
+std::string option_table() {
+  std::vector<std::vector<std::string>> rows;
+  for (const PlannerInfo& planner : planners()) {
+    for (const OptionInfo& option : planner.options) {
+      std::string names = fmt::format("`{}`", option.name);
+      for (const std::string& alias : option.aliases) names += fmt::format(" or `{}`", alias);
+      std::vector<std::string> row{names, planner.name, option.default_value, range_text(option),
+                                   option.help};
+      const auto same = std::ranges::find_if(rows, [&row](const std::vector<std::string>& other) {
+        return other[0] == row[0] && std::equal(row.begin() + 2, row.end(), other.begin() + 2);
+      });
+      if (same == rows.end()) {
+        rows.push_back(std::move(row));
+      } else {
+        (*same)[1] += ", " + planner.name;
+      }
+    }
+  }
+  MarkdownTable table({{"option"}, {"planners"}, {"default"}, {"values"}, {"meaning"}});
+  for (const std::vector<std::string>& row : rows) table.add(row);
+  return table.text();
+}
+
+std::string planner_section(const PlannerInfo& planner, const Picture& picture) {
+  return fmt::format(
+      "### {0}\n\n{1}. {2}\n\n![Cells that {0} expands]({3}/{0}.png)\\\n*{4}*\n\n"
+      "- **Guarantee**: {5}\n- **When to choose it**: {6}\n- **Paper**: {7}\n\n",
+      planner.name, planner.summary, planner.idea, kImages, picture.caption, planner.guarantee_text,
+      planner.when, planner.citation);
+}
+
+std::string registry_part(std::span<const Picture> pictures) {
+  std::string sections;
+  std::size_t number = 0;
+  for (const PlannerInfo& planner : planners()) {
+    sections += planner_section(planner, pictures[number++]);
+  }
+  return fmt::format("{}\n\n## Overview\n\n{}\n{}\n\n## Planners\n\n{}\n\n{}## Options\n\n{}\n",
+                     kRegistryBegins, overview_table(), kAboutOverview, about_pictures(), sections,
+                     option_table());
+}
+
+std::string how_it_was_measured(bool with_movingai_maps) {
+  return fmt::format(
+      "Times are {} of one thread on one machine ({}): compare ratios, not times. The planners "
+      "take "
+      "turns query by query, and each query is repeated for 5 ms; the fastest answer counts, with "
+      "warm caches (`jps` caches results across queries). Numbers are medians over the queries "
+      "that "
+      "every planner solved, and the best of a row is **bold**. Maps come from `wend generate`, "
+      "seed 7{}. [performance.md](performance.md) has planners with an index and larger maps.",
+      thread_time_name(), describe_machine(),
+      with_movingai_maps ? ", and from the benchmark sets of movingai.com (N. Sturtevant, "
+                           "\"Benchmarks for Grid-Based Pathfinding\", 2012), named in brackets"
+                         : "");
+}
+
+std::string measured_part(const Measurements& measurements) {
+  const auto& maps = measurements.maps;
+  return fmt::format(
+      "{}\n\n## Measurements\n\n{}\n\n{}\n"
+      "### Time\n\n`astar` in microseconds, the other planners as multiples of that.\n\n{}\n"
+      "### Cells expanded\n\n{}\n"
+      "### Path cost\n\nDivided by the cheapest cost: the median, and the worst in brackets. "
+      "Planners without a column always found a cheapest path.\n\n{}\n"
+      "### Clearance cost\n\n{}\n"
+      "### Driving\n\n{}",
+      kRegistryEnds, how_it_was_measured(measurements.with_movingai_maps), map_table(maps),
+      time_table(maps), expanded_table(maps), cost_table(maps), measurements.clearance_cost,
+      measurements.driving);
 }
 
 }  // namespace
 
-std::string page(std::span<const Picture> pictures, const Measurements& measurements) {
-  return fmt::format(
-      "{}\n{}\n\n{}\n{}\n\n"
-      "## Measured\n\n{}\n"
-      "Time over that of `astar` (less is faster; the fastest is bold). `astar:weight=2` may find "
-      "a path "
-      "of up to twice the cost, `astar:heuristic=euclidean` has a poorer estimate:\n\n{}\n"
-      "On how many of these {} maps each was the best:\n\n{}\n"
-      "## Which wins where, and why\n\n{}\n"
-      "## The numbers\n{}",
-      kIntroduction, kRegistryBegins, registry_part(pictures), kRegistryEnds,
-      how_it_was_measured(measurements), overview_table(measurements.families),
-      measurements.families.size(), wins_table(measurements.families), findings(measurements),
-      numbers(measurements));
+std::string planners_page(std::span<const Picture> pictures, const Measurements& measurements) {
+  return fmt::format("{}\n{}{}", kIntroduction, registry_part(pictures),
+                     measured_part(measurements));
+}
+
+std::optional<std::string> with_new_registry_part(std::string_view page,
+                                                  std::span<const Picture> pictures) {
+  const std::size_t begin = page.find(kRegistryBegins);
+  const std::size_t end = page.find(kRegistryEnds, begin == page.npos ? 0 : begin);
+  if (begin == page.npos || end == page.npos) return std::nullopt;
+  return fmt::format("{}{}{}", page.substr(0, begin), registry_part(pictures), page.substr(end));
 }
 
 }  // namespace wend::planner_page

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
-#include "docs/planner_page/generated_families.hpp"
+#include "docs/planner_page/benchmark_maps.hpp"
 #include "wend/analysis/layer.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/planner/planners.hpp"
@@ -15,48 +17,50 @@ namespace {
 
 constexpr int kWidth = 79;
 constexpr int kHeight = 47;
-constexpr std::uint64_t kSeed = 4;
+constexpr std::uint64_t kPictureSeed = 4;
 constexpr Cell kStart{4, 23};
 constexpr Cell kGoal{69, 23};
-constexpr int kYardWidth = 60;
-constexpr int kYardHeight = 40;
+constexpr int kLotWidth = 60;
+constexpr int kLotHeight = 40;
 
-std::string caption_of(const Plan& plan, Status status, const SearchRecorder& recorder) {
-  std::size_t cells = 0;
-  for (const std::uint32_t order : recorder.layers().expansion.values()) cells += order > 0 ? 1 : 0;
-  const std::string expanded =
-      plan.metrics.expanded == cells
-          ? fmt::format("{} cells expanded", cells)
-          : fmt::format("{} cells expanded, {} times in all", cells, plan.metrics.expanded);
-  if (status != Status::found) return fmt::format("{}; {}.", expanded, describe(status));
-  return fmt::format("{}; a path that costs {:.1f}.", expanded, plan.cost);
+std::string expanded_in_words(const PlannerInfo& info, const Plan& plan,
+                              const SearchRecorder& recorder) {
+  if (info.motion == Motion::car) return fmt::format("{} poses expanded", plan.metrics.expanded);
+  if (info.index_support) return "answered by the index, no cells expanded";
+  const auto& orders = recorder.layers().expansion.values();
+  const auto cells = std::ranges::count_if(orders, [](std::uint32_t order) { return order > 0; });
+  if (plan.metrics.expanded == static_cast<std::uint64_t>(cells)) {
+    return fmt::format("{} cells expanded", cells);
+  }
+  return fmt::format("{} expansions of {} cells", plan.metrics.expanded, cells);
 }
 
-std::string caption_of_drive(const Plan& plan, Status status) {
-  const std::string expanded = fmt::format("{} poses expanded", plan.metrics.expanded);
+std::string caption_of(const PlannerInfo& info, const Plan& plan, Status status,
+                       const SearchRecorder& recorder) {
+  const std::string expanded = expanded_in_words(info, plan, recorder);
   if (status != Status::found) return fmt::format("{}; {}.", expanded, describe(status));
-  return fmt::format("{}; a drive of {} moves that takes {:.1f} of fuel.", expanded,
-                     plan.moves.size(), plan.cost);
+  return fmt::format("{}; path cost {:.1f}.", expanded, plan.cost);
 }
 
-/// What a planner is asked in its picture.
-struct Question {
+/// The query of a picture.
+struct PictureQuery {
   FreeSpace space;
   Query query;
   Scene scene;
   int unit = 0;  // of a car
 };
 
-Question between_rooms() {
-  const FreeSpace space(generated_map("rooms", kWidth, kHeight, kSeed, {{"room_size", "11"}}));
+PictureQuery between_rooms() {
+  const FreeSpace space(
+      generated_map("rooms", kWidth, kHeight, kPictureSeed, {{"room_size", "11"}}));
   return {space, Query::between(kStart, kGoal), scene_between(space, kStart, kGoal)};
 }
 
-Question across_a_parking_yard() {
-  const FreeSpace space(generated_map("parking", kYardWidth, kYardHeight, kSeed));
+PictureQuery across_a_parking_lot() {
+  const FreeSpace space(generated_map("parking", kLotWidth, kLotHeight, kPictureSeed));
   const bool y_up = space.map().frame().y_up;
   const Pose start = pose_of({{0, 0}, Heading::east}, y_up);
-  const Pose goal = pose_of({{kYardWidth, kYardHeight}, Heading::east}, y_up);
+  const Pose goal = pose_of({{kLotWidth, kLotHeight}, Heading::east}, y_up);
   Scene scene{.space = space};
   scene.start = start;
   scene.goals = {goal};
@@ -65,23 +69,21 @@ Question across_a_parking_yard() {
 }
 
 Expected<Picture, RenderError> picture_of(const PlannerInfo& info) {
-  Question question = info.motion == Motion::car ? across_a_parking_yard() : between_rooms();
-  const auto planner = info.make(question.space, {});
+  PictureQuery asked = info.motion == Motion::car ? across_a_parking_lot() : between_rooms();
+  const auto planner = info.make(asked.space, {});
   if (!planner) return Unexpected<RenderError>({info.name + ": " + planner.error().message()});
-  SearchRecorder recorder(question.space, question.unit);
-  question.query.observer = &recorder;
+  SearchRecorder recorder(asked.space, asked.unit);
+  asked.query.observer = &recorder;
   Plan plan;
-  const Status status = (*planner)->plan(question.query, plan);
+  const Status status = (*planner)->plan(asked.query, plan);
 
-  Scene& scene = question.scene;
+  Scene& scene = asked.scene;
   scene.path = plan.path;
   scene.heatmap = {"order of expansion",
                    search_layer(LayerKind::expansion, **planner, recorder).numbers};
   auto png = draw_png(scene);
   if (!png) return Unexpected<RenderError>(png.error());
-  const std::string caption = info.motion == Motion::car ? caption_of_drive(plan, status)
-                                                         : caption_of(plan, status, recorder);
-  return Picture{info.name, *std::move(png), caption};
+  return Picture{info.name, *std::move(png), caption_of(info, plan, status, recorder)};
 }
 
 }  // namespace
@@ -98,10 +100,10 @@ Expected<std::vector<Picture>, RenderError> pictures_of_planners() {
 
 std::string about_pictures() {
   return fmt::format(
-      "The pictures show the same question on the same map: rooms, {} x {} cells, from left to "
-      "right; the car crosses a parking yard, {} x {} cells. The colours are the order of "
-      "expansion, from light (first) to dark (last); white cells were never expanded.",
-      kWidth, kHeight, kYardWidth, kYardHeight);
+      "The pictures show the same query on the same map: rooms, {} x {} cells, from left to right; "
+      "the car crosses a parking lot of {} x {} cells. The colours show the order of expansion, "
+      "from light (first) to dark (last); white cells were not expanded.",
+      kWidth, kHeight, kLotWidth, kLotHeight);
 }
 
 }  // namespace wend::planner_page
