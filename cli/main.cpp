@@ -47,6 +47,7 @@ std::vector<Command> add_commands(CLI::App& app) {
                                 add_generate(parser), add_convert(parser), add_index(parser),
                                 add_bench(parser),    add_planners(parser)};
   commands.push_back(add_completion(parser));
+  commands.push_back(add_reference(parser));
   return commands;
 }
 

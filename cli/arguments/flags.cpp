@@ -108,6 +108,25 @@ std::string wrapped(std::string_view text) {
   return lines;
 }
 
+std::string unwrapped(std::string_view text) {
+  std::string joined;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of(" \n");
+    const std::string_view word = text.substr(0, end);
+    joined += word;
+    column += word.size();
+    if (end == std::string_view::npos) break;
+    const bool at_line_end = text[end] == '\n';
+    text.remove_prefix(end + 1);
+    const std::size_t next = text.substr(0, text.find_first_of(" \n")).size();
+    const bool was_wrapped = at_line_end && column + 1 + next > kHelpWidth;
+    joined += at_line_end && !was_wrapped ? '\n' : ' ';
+    column = at_line_end ? 0 : column + 1;
+  }
+  return joined;
+}
+
 std::string or_list(const std::vector<std::string>& names) {
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -80,6 +80,9 @@ Argument add_texts(Parser& app, const std::string& flags, std::vector<std::strin
 /// The help of a flag, broken into lines.
 std::string wrapped(std::string_view text);
 
+/// The text that wrapped() broke: joins lines, except where the next word would have fitted.
+std::string unwrapped(std::string_view text);
+
 /// "one, two or three"
 std::string or_list(const std::vector<std::string>& names);
 

@@ -3,18 +3,21 @@
 #include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
-#include <vector>
 
 namespace wend::cli {
 
-std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_positional) const {
-  if (is_positional) return option->get_name(true, false);
+std::vector<std::string> shown_names(const CLI::Option& option) {
   std::vector<std::string> names;
-  for (const std::string& letter : option->get_snames()) names.push_back("-" + letter);
-  for (const std::string& name : option->get_lnames()) {
+  for (const std::string& letter : option.get_snames()) names.push_back("-" + letter);
+  for (const std::string& name : option.get_lnames()) {
     if (name.find('_') == std::string::npos) names.push_back("--" + name);
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
+}
+
+std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_positional) const {
+  if (is_positional) return option->get_name(true, false);
+  return fmt::format("{}", fmt::join(shown_names(*option), ", "));
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

@@ -6,8 +6,12 @@
 
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 namespace wend::cli {
+
+/// The spellings of an option that help shows: "-o", "--output".
+std::vector<std::string> shown_names(const CLI::Option& option);
 
 class HelpFormatter : public CLI::Formatter {
  public:

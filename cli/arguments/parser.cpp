@@ -71,11 +71,17 @@ Argument Parser::add_flag(const std::string& flags, const AssignCount& assign,
 
 void Parser::footer(const std::string& text) { app_->footer(text); }
 
+void Parser::hide() { app_->group(""); }
+
 bool Parser::parsed() const { return app_->parsed(); }
 
 bool Parser::given(const std::string& flag) const {
   const CLI::Option* option = app_->get_option_no_throw(flag);
   return option != nullptr && option->count() > 0;
+}
+
+std::vector<const CLI::App*> visible_subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); });
 }
 
 void refuse_value(const std::string& flags, const std::string& what) {

@@ -72,12 +72,18 @@ class Parser {
   /// Whether the command line has this flag of it: "--style". False for flags that it does not take.
   bool given(const std::string& flag) const;
 
-  /// For the sources that walk over all that was added: completion and usage errors.
+  /// Leaves this subcommand out of help, completion, suggestions and the reference.
+  void hide();
+
+  /// For the sources that walk over all that was added: completion, reference and usage errors.
   const CLI::App& app() const { return *app_; }
 
  private:
   CLI::App* app_;
 };
+
+/// The subcommands that are not hidden, in the order in which they were added.
+std::vector<const CLI::App*> visible_subcommands(const CLI::App& app);
 
 /// Throws what ends parsing with an error: the value of this flag is wrong.
 [[noreturn]] void refuse_value(const std::string& flags, const std::string& what);

@@ -11,6 +11,7 @@
 #include "cli/arguments/flags.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/io/text.hpp"
+#include "cli/arguments/parser.hpp"
 
 namespace wend::cli {
 namespace {
@@ -22,7 +23,7 @@ std::string flag_name_of(const std::string& flag) { return flag.substr(0, flag.f
 
 std::vector<std::string> subcommand_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::App* command : visible_subcommands(app)) names.push_back(command->get_name());
   return names;
 }
 

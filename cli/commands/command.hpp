@@ -35,4 +35,7 @@ Command add_follow(Parser& app);
 /// Completes the subcommands that have been added to `app` before.
 Command add_completion(Parser& app);
 
+/// Hidden: describes the subcommands of `app` as JSON.
+Command add_reference(Parser& app);
+
 }  // namespace wend::cli

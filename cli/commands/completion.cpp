@@ -129,12 +129,12 @@ void add_arguments(Subcommand& subcommand, const CLI::App& app) {
 /// What subcommands of their own choose between is their first argument, beside the words that it
 /// can be without them; their flags are those of all.
 void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
-  if (app.get_subcommands({}).empty()) return;
+  if (visible_subcommands(app).empty()) return;
   CompletedArgument choice;
   choice.help = "what to do";
   for (const CompletedArgument& own : std::exchange(subcommand.positionals, {}))
     choice.words = own.words;
-  for (const CLI::App* each : app.get_subcommands({})) {
+  for (const CLI::App* each : visible_subcommands(app)) {
     choice.words.push_back(each->get_name());
     add_arguments(subcommand, *each);
   }
@@ -144,7 +144,7 @@ void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
 
 std::vector<Subcommand> subcommands_of(const CLI::App& app) {
   std::vector<Subcommand> subcommands;
-  for (const CLI::App* each : app.get_subcommands({})) {
+  for (const CLI::App* each : visible_subcommands(app)) {
     Subcommand subcommand{each->get_name(), each->get_description(), {}, {}};
     add_arguments(subcommand, *each);
     add_subcommands(subcommand, *each);
