@@ -7,7 +7,6 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/control/simulation.hpp"
-#include "wend/render/render_error.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 

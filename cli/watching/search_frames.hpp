@@ -11,7 +11,6 @@
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/base/expected.hpp"
-#include "wend/render/render_error.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 

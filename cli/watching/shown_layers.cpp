@@ -5,7 +5,7 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/output/text_blocks.hpp"
-#include "wend/render/terminal/text_layers.hpp"
+#include "wend/render/terminal/text_picture.hpp"
 
 namespace wend::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wend/base/expected.hpp"
-#include "wend/render/render_error.hpp"
+#include "wend/render/scene.hpp"
 
 namespace wend::planner_page {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "wend/render/car_scene_test.hpp"
-#include "wend/render/terminal/text_glyphs.hpp"
+#include "wend/render/terminal/glyphs.hpp"
 #include "wend/render/terminal/text_picture.hpp"
 
 namespace wend {

@@ -4,18 +4,13 @@
 #include <array>
 #include <cstddef>
 
-#include "wend/render/picture/cell_paints.hpp"
-#include "wend/render/terminal/text_glyphs.hpp"
+#include "wend/map/every_cell.hpp"
+#include "wend/render/terminal/glyphs.hpp"
 
 namespace wend {
 namespace {
 
 constexpr double kTypicallyRough = 3;  // the multiplier whose colour the legend shows
-
-/// Some cells that are no obstacles may not be entered.
-bool has_too_close_cells(const FreeSpace& space) {
-  return space.passable().count() + space.obstacles().count() < space.map().size();
-}
 
 bool has_arrows(const Scene& scene) {
   return scene.arrows && std::ranges::any_of(scene.arrows->values(),
@@ -27,31 +22,16 @@ bool drives(const Path& path, bool reverse) {
                              [&](const Arc& arc) { return (arc.length < 0) == reverse; });
 }
 
-constexpr Swatch swatch_of(LineRole role) {
-  switch (role) {
-    case LineRole::planned:
-      return Swatch::planned_line;
-    case LineRole::smoothed:
-      return Swatch::smoothed_line;
-    case LineRole::possible:
-      return Swatch::possible_line;
-    case LineRole::driven:
-      break;
-  }
-  return Swatch::driven_line;
-}
-
 /// Each role once, in the enum's order.
 void add_lines(const Scene& scene, const Style& style, std::vector<LegendItem>& items) {
-  for (const LineRole role :
-       {LineRole::planned, LineRole::smoothed, LineRole::driven, LineRole::possible}) {
+  for (std::size_t i = 0; i < kLineRoles; ++i) {
+    const auto role = static_cast<LineRole>(i);
     const auto line = std::ranges::find(scene.lines, role, &SceneLine::role);
     if (line == scene.lines.end()) continue;
-    items.push_back({swatch_of(role),
-                     style.of(role),
-                     label_of(*line),
-                     {},
-                     ascii_of(glyph_of(role).text).front()});
+    const auto swatch = static_cast<Swatch>(static_cast<std::size_t>(Swatch::planned_line) + i);
+    const char character = ascii_of(glyph_of(role).text).front();
+    const std::string label(line->label.empty() ? describe(role) : line->label);
+    items.push_back({swatch, style.of(role), label, {}, character});
   }
 }
 
@@ -78,7 +58,9 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
   if (scene.unit && scene.space.obstacles().count() > 0) add(style.occupied, "obstacle", '#');
-  if (has_too_close_cells(scene.space)) add(style.too_close, "too close", ':');
+  const FreeSpace& space = scene.space;
+  const bool too_close = space.passable().count() + space.obstacles().count() < space.map().size();
+  if (too_close) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
     add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');
     if (style.stripes_all_rough) {
@@ -92,11 +74,9 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
 std::array<bool, kCellRoles> roles_on_rough_ground(const Scene& scene) {
   std::array<bool, kCellRoles> roles{};
   if (scene.heatmap || scene.marked.empty() || scene.space.map().uniform_terrain()) return roles;
-  for (int y = 0; y < scene.space.height(); ++y) {
-    for (int x = 0; x < scene.space.width(); ++x) {
-      if (!is_rough(scene, {x, y})) continue;
-      if (const auto role = role_of(scene, {x, y})) roles[static_cast<std::size_t>(*role)] = true;
-    }
+  for (const Cell cell : every_cell(scene.space)) {
+    if (!is_rough(scene, cell)) continue;
+    if (const auto role = role_of(scene, cell)) roles[static_cast<std::size_t>(*role)] = true;
   }
   return roles;
 }

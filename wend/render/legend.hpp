@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "wend/render/picture/cell_paints.hpp"
+#include "wend/render/heatmap.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 
 namespace wend {
 
-/// In the order of the legend: most interesting first.
+/// What an entry shows, in the order of the legend: most interesting first.
 enum class Swatch : unsigned char {
   heat,
   start,
@@ -24,7 +24,7 @@ enum class Swatch : unsigned char {
   path,
   driven,   // ahead, with an arrow
   reverse,  // driven in reverse
-  // Lines, by what they are.
+  // Lines, in the order of LineRole.
   planned_line,
   smoothed_line,
   driven_line,
@@ -41,6 +41,12 @@ struct LegendItem {
   HeatRange range{};                 // of heat
   char character = ' ';              // in ASCII pictures; heat has digits
   std::optional<Stripes> stripes{};  // where there is room for them; else the colour
+
+  /// Of a line.
+  std::optional<LineRole> line() const {
+    if (swatch < Swatch::planned_line || swatch > Swatch::possible_line) return std::nullopt;
+    return static_cast<LineRole>(static_cast<int>(swatch) - static_cast<int>(Swatch::planned_line));
+  }
 
   friend bool operator==(const LegendItem&, const LegendItem&) = default;
 };

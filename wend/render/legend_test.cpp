@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "wend/render/picture/cell_paints.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 
 namespace wend {

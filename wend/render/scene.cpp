@@ -1,6 +1,7 @@
 #include "wend/render/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <ranges>
 #include <utility>
@@ -8,37 +9,15 @@
 namespace wend {
 
 std::string_view describe(CellRole role) {
-  switch (role) {
-    case CellRole::expanded:
-      return "expanded";
-    case CellRole::frontier:
-      return "frontier";
-    case CellRole::current:
-      return "being expanded";
-    case CellRole::start_component:
-      return "start's region";
-    case CellRole::goal_component:
-      return "goal's region";
-  }
-  return "";
+  static constexpr std::array<std::string_view, kCellRoles> kNames{
+      "expanded", "frontier", "being expanded", "start's region", "goal's region"};
+  return kNames[static_cast<std::size_t>(role)];
 }
 
 std::string_view describe(LineRole role) {
-  switch (role) {
-    case LineRole::planned:
-      return "planned";
-    case LineRole::smoothed:
-      return "smoothed";
-    case LineRole::driven:
-      return "driven";
-    case LineRole::possible:
-      return "possible path";
-  }
-  return "";
-}
-
-std::string label_of(const SceneLine& line) {
-  return line.label.empty() ? std::string(describe(line.role)) : line.label;
+  static constexpr std::array<std::string_view, kLineRoles> kNames{"planned", "smoothed", "driven",
+                                                                   "possible path"};
+  return kNames[static_cast<std::size_t>(role)];
 }
 
 Scene scene_between(FreeSpace space, Cell start, Cell goal) {
@@ -82,12 +61,13 @@ std::optional<CellRole> role_of(const Scene& scene, Cell cell) {
 
 std::vector<CellRole> roles_in(const Scene& scene) {
   std::vector<CellRole> roles;
-  for (const MarkedCells& marked : scene.marked) {
-    if (marked.cells.count() > 0) roles.push_back(marked.role);
+  for (std::size_t i = 0; i < kCellRoles; ++i) {
+    const auto role = static_cast<CellRole>(i);
+    const bool occurs = std::ranges::any_of(scene.marked, [&](const MarkedCells& marked) {
+      return marked.role == role && marked.cells.count() > 0;
+    });
+    if (occurs) roles.push_back(role);
   }
-  std::ranges::sort(roles);
-  const auto repeated = std::ranges::unique(roles);
-  roles.erase(repeated.begin(), repeated.end());
   return roles;
 }
 

@@ -29,9 +29,10 @@
 //                  {wend::LineRole::smoothed, smoothed.points()}};
 //
 // In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
-// the map says; beside heat, rough ground looks like any other. A plain value. Copies share the map, not the layers. Whatever lies outside the map
-// is not drawn.
+// the map says; beside heat, rough ground looks like any other. Nothing outside the map is drawn. A
+// plain value; copies share the map, not the layers.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,9 +45,16 @@
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/path/path.hpp"
-#include "wend/render/heat_range.hpp"
+#include "wend/render/heatmap.hpp"
 
 namespace wend {
+
+/// Why a picture could not be drawn.
+struct RenderError {
+  std::string what;  // "out of memory"
+
+  const std::string& message() const { return what; }
+};
 
 /// What a cell is in a search, or in the reason why it found nothing.
 enum class CellRole : unsigned char {
@@ -56,7 +64,7 @@ enum class CellRole : unsigned char {
   start_component,  // what can be reached from the start,
   goal_component,   // and from where the goal can be: no path joins the two
 };
-inline constexpr int kCellRoles = 5;
+inline constexpr std::size_t kCellRoles = 5;
 
 /// As a legend calls it: "frontier", "start's region".
 std::string_view describe(CellRole role);
@@ -69,6 +77,7 @@ struct MarkedCells {
 /// What a line is: a path as planned, as smoothed, the way that a robot drove, or a path that there
 /// would be if something changed (a smaller robot).
 enum class LineRole : unsigned char { planned, smoothed, driven, possible };
+inline constexpr std::size_t kLineRoles = 4;
 
 /// As a legend calls it: "planned".
 std::string_view describe(LineRole role);
@@ -78,18 +87,6 @@ struct SceneLine {
   LineRole role;
   std::vector<Point> points;
   std::string label{};  // as the legend calls it; empty: as describe() does
-};
-
-/// "planned", or the line's own label.
-std::string label_of(const SceneLine& line);
-
-/// A number for every cell, drawn as a colour between those of the least and the greatest.
-struct Heatmap {
-  std::string title;    // what the numbers are: "order of expansion"
-  Grid<double> values;  // as large as the map; no colour where a value is not finite
-  /// What the colours span, to compare pictures; values outside take the colour of the nearer end.
-  /// Without one: from the least to the greatest finite value.
-  std::optional<HeatRange> range{};
 };
 
 /// Which way to move from a cell, as drawn. As large as the map.
@@ -123,6 +120,25 @@ struct Scene {
   std::optional<Pose> robot{};         // grid coordinates: where the robot is, drawn to scale
   std::optional<int> unit{};  // of a car on corners: they lie so many cells apart, 1 or more
 };
+
+/// How the rows of a map are drawn: row 0 at the top, or at the bottom where the map's file has y up.
+struct RowOrder {
+  int rows = 1;
+  bool y_up = false;
+
+  /// The row that is drawn as the n-th from the top; also how far from the top row n is drawn.
+  int row(int n) const { return y_up ? rows - 1 - n : n; }
+
+  /// How far below the top edge a grid coordinate lies.
+  double down(double y) const { return y_up ? rows - y : y; }
+
+  /// The direction nearest to a heading, as drawn.
+  Direction direction(double heading) const { return nearest_direction(heading, y_up); }
+};
+
+inline RowOrder row_order(const FreeSpace& space) {
+  return {space.height(), space.map().frame().y_up};
+}
 
 /// The map with a start and a goal, at the centres of cells.
 Scene scene_between(FreeSpace space, Cell start, Cell goal);

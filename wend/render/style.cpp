@@ -1,6 +1,7 @@
 #include "wend/render/style.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace wend {
@@ -73,6 +74,25 @@ Style print() {
           .ink = kBlack};
 }
 
+// A wall one cell wide must not fade away where eight cells share a pixel.
+constexpr double kObstacleWeight = 3;
+constexpr double kRoleWeight = 2;
+
+// The one cell that is expanded now shows among hundreds.
+constexpr double kCurrentWeight = 40;
+
+double weight_of(CellRole role) { return role == CellRole::current ? kCurrentWeight : kRoleWeight; }
+
+// Only an assertion asks.
+[[maybe_unused]] bool fits(const Scene& scene) {
+  const auto as_large = [&](const auto& layer) {
+    return layer.width() == scene.space.width() && layer.height() == scene.space.height();
+  };
+  return std::ranges::all_of(scene.marked, as_large, &MarkedCells::cells) &&
+         (!scene.heatmap || as_large(scene.heatmap->values)) &&
+         (!scene.arrows || as_large(*scene.arrows));
+}
+
 }  // namespace
 
 std::uint32_t rgb_of(const Colour& colour) {
@@ -108,51 +128,68 @@ Colour Style::heat(double share) const {
 }
 
 Colour Style::of(CellRole role) const {
-  switch (role) {
-    case CellRole::expanded:
-      return expanded;
-    case CellRole::frontier:
-      return frontier;
-    case CellRole::current:
-      return current;
-    case CellRole::start_component:
-      return start_component;
-    case CellRole::goal_component:
-      return goal_component;
-  }
-  return free;
+  static constexpr std::array<Colour Style::*, kCellRoles> kColours{
+      &Style::expanded, &Style::frontier, &Style::current, &Style::start_component,
+      &Style::goal_component};
+  return this->*kColours[static_cast<std::size_t>(role)];
 }
 
 Colour Style::of(LineRole role) const {
-  switch (role) {
-    case LineRole::planned:
-      return lines.planned;
-    case LineRole::smoothed:
-      return lines.smoothed;
-    case LineRole::driven:
-      return lines.driven;
-    case LineRole::possible:
-      break;
-  }
-  return path;
+  const std::array<Colour, kLineRoles> colours{lines.planned, lines.smoothed, lines.driven, path};
+  return colours[static_cast<std::size_t>(role)];
 }
 
 Style style_of(StyleName name) {
-  switch (name) {
-    case StyleName::light:
-      break;
-    case StyleName::dark:
-      return dark();
-    case StyleName::print:
-      return print();
-  }
-  return {};
+  return name == StyleName::dark ? dark() : name == StyleName::print ? print() : Style{};
 }
 
 Style style_for(const Scene& scene, const Style& style) {
   Style shown = style;
   if (scene.unit && !scene.heatmap) shown.occupied = style.yard_occupied;
   return shown;
+}
+
+/// The colours of rough ground would be taken for heat.
+bool is_rough(const Scene& scene, Cell cell) {
+  const GridMap& map = scene.space.map();
+  return !scene.heatmap && map.state(cell) != CellState::occupied && map.terrain(cell) != 1;
+}
+
+CellPaints::CellPaints(const Scene& scene, const Style& style) : scene_(scene), style_(style) {
+  assert(fits(scene));
+  if (scene.heatmap) range_ = range_of(*scene.heatmap);
+}
+
+std::optional<Colour> CellPaints::heat(Cell cell) const {
+  const auto& heatmap = scene_.heatmap;
+  if (!heatmap || !range_) return std::nullopt;
+  if (scene_.space.map().state(cell) == CellState::occupied) return std::nullopt;
+  const double value = heatmap->values[cell];
+  if (!std::isfinite(value)) return std::nullopt;
+  return style_.heat(range_->share(value));
+}
+
+Paint CellPaints::operator[](Cell cell) const {
+  const FreeSpace& space = scene_.space;
+  const CellState state = space.map().state(cell);
+  if (state == CellState::occupied) return {style_.occupied, kObstacleWeight};
+  if (const auto role = role_of(scene_, cell)) {
+    return {is_rough(scene_, cell) ? style_.of(*role, space.map().terrain(cell)) : style_.of(*role),
+            weight_of(*role)};
+  }
+  if (const auto colour = heat(cell)) return {*colour};
+  if (state == CellState::unknown) return {style_.unknown};
+  if (!space.passable()[cell]) return {style_.too_close};
+  if (!is_rough(scene_, cell)) return {style_.free};
+  return {style_.rough(space.map().terrain(cell))};
+}
+
+std::optional<Stripes> CellPaints::stripes(Cell cell) const {
+  if (!is_rough(scene_, cell)) return std::nullopt;
+  const auto role = role_of(scene_, cell);
+  if (!role && !style_.stripes_all_rough) return std::nullopt;
+  const double multiplier = scene_.space.map().terrain(cell);
+  return Stripes{role ? style_.of(*role) : style_.rough(multiplier), style_.stripe(multiplier)};
 }
 
 }  // namespace wend

@@ -9,10 +9,12 @@
 // terminal's; docs/colours.md lists them, and a test compares that list with this file.
 //
 //   const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
+//
+// CellPaints gives the colour of every cell of a scene in a style.
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+#include <optional>
 
 #include "wend/base/choice.hpp"
 #include "wend/render/scene.hpp"
@@ -46,7 +48,7 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double share) {
 /// Black or white: what is better to read on that colour.
 Colour readable_on(const Colour& colour);
 
-/// Lines differ in width and dashes too: see scene_lines.hpp. The light style's.
+/// Lines differ in width and dashes too: see path_drawing.cpp. The light style's.
 struct LineColours {
   Colour planned = colour_from(0xBE1A2B);
   Colour smoothed = colour_from(0x2FB563);
@@ -125,5 +127,45 @@ double roughness(double multiplier);
 /// The style as a scene is drawn in it: obstacles are red where a car drives, except beside heat,
 /// which has red of its own.
 Style style_for(const Scene& scene, const Style& style);
+
+/// The colour of a cell, and how much it counts where many cells share a pixel.
+struct Paint {
+  Colour colour;
+  double weight = 1;
+};
+
+/// A cell of two colours.
+struct Stripes {
+  Colour base;
+  Colour stripe;
+
+  friend constexpr bool operator==(const Stripes&, const Stripes&) = default;
+};
+
+class CellPaints {
+ public:
+  /// Both must outlive this; the scene's layers are as large as its map.
+  CellPaints(const Scene& scene, const Style& style);
+
+  int width() const { return scene_.space.width(); }
+  int height() const { return scene_.space.height(); }
+
+  Paint operator[](Cell cell) const;
+
+  /// How rough ground shows where it needs stripes: under a role, or everywhere in a style that has
+  /// greys alone.
+  std::optional<Stripes> stripes(Cell cell) const;
+
+  /// The colour of a cell's value in the heatmap, where it has a finite one and is not an obstacle.
+  std::optional<Colour> heat(Cell cell) const;
+
+ private:
+  const Scene& scene_;
+  const Style& style_;
+  std::optional<HeatRange> range_;  // of the heatmap, where it has a finite value
+};
+
+/// Is that ground drawn as rough, by itself or under a role?
+bool is_rough(const Scene& scene, Cell cell);
 
 }  // namespace wend

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "wend/render/picture/cell_paints.hpp"
-
 namespace wend {
 namespace {
 

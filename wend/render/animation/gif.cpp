@@ -24,10 +24,6 @@ struct GifCloser {
   void operator()(GifFileType* file) const { EGifCloseFile(file, nullptr); }
 };
 
-struct ColourMapDeleter {
-  void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
-};
-
 int append_bytes(GifFileType* file, const GifByteType* data, int length) {
   static_cast<std::string*>(file->UserData)
       ->append(reinterpret_cast<const char*>(data), static_cast<std::size_t>(length));
@@ -156,8 +152,8 @@ class GifAnimation::Writer {
   void write_head() {
     const auto& palette = colours_.palette();
     const auto size = std::bit_ceil(palette.size() + 1);
-    const std::unique_ptr<ColorMapObject, ColourMapDeleter> map(
-        GifMakeMapObject(static_cast<int>(size), nullptr));
+    const std::unique_ptr<ColorMapObject, decltype(&GifFreeMapObject)> map(
+        GifMakeMapObject(static_cast<int>(size), nullptr), GifFreeMapObject);
     if (map == nullptr) {
       error_ = E_GIF_ERR_NOT_ENOUGH_MEM;
       return;

@@ -21,7 +21,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/map/grid.hpp"
-#include "wend/render/render_error.hpp"
+#include "wend/render/scene.hpp"
 
 namespace wend {
 
@@ -40,8 +40,6 @@ class GifAnimation {
   /// Width and height from 1 to kMostGifPixels; 1 to kMostGifColours colours as 0xRRGGBB. Colours
   /// of frames that are not among them become the nearest (Euclidean in RGB).
   GifAnimation(int width, int height, std::vector<std::uint32_t> palette);
-  GifAnimation(const GifAnimation&) = delete;
-  GifAnimation& operator=(const GifAnimation&) = delete;
   GifAnimation(GifAnimation&&) noexcept;
   GifAnimation& operator=(GifAnimation&&) noexcept;
   ~GifAnimation();

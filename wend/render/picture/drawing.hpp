@@ -21,7 +21,6 @@
 #include "wend/base/choice.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/map/grid.hpp"
-#include "wend/render/render_error.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "wend/render/picture/picture_layout.hpp"
+#include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/png_picture_test.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 
@@ -139,7 +139,7 @@ TEST(Drawing, ExplainsEverythingOnAsManyLinesAsItTakes) {
   scene.narrowest = centre_of({4, 4});
   BitGrid some(10, 6);
   some.set({3, 3}, true);
-  for (int role = 0; role < kCellRoles; ++role) {
+  for (std::size_t role = 0; role < kCellRoles; ++role) {
     scene.marked.push_back({static_cast<CellRole>(role), some});
   }
   const Picture picture = png_of(scene);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "wend/render/legend.hpp"
-#include "wend/render/picture/cairo_objects.hpp"
-#include "wend/render/picture/scale_bar.hpp"
+#include "wend/render/picture/canvas.hpp"
+#include "wend/render/picture/layout.hpp"
 #include "wend/render/style.hpp"
 
 namespace wend {
@@ -23,10 +23,13 @@ class Footer {
   /// At least one.
   int lines() const { return static_cast<int>(rows_.size()); }
 
-  /// `top_left` is the left end of the middle of the first line.
+  /// `left` is the left end of the middle of the first line.
   void draw(cairo_t* context, Point left, const Style& style) const;
 
  private:
+  /// Distributes the legend over rows.
+  void arrange(cairo_t* context, std::vector<LegendItem> legend);
+
   std::optional<ScaleBar> bar_;
   std::vector<std::vector<LegendItem>> rows_;
   double width_;

@@ -1,22 +1,20 @@
 #include "wend/render/picture/panels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <map>
 #include <vector>
 
 #include "wend/render/picture/canvas.hpp"
 #include "wend/render/picture/footer.hpp"
-#include "wend/render/picture/labels.hpp"
-#include "wend/render/picture/panel_layout.hpp"
+#include "wend/render/picture/layout.hpp"
+#include "wend/render/picture/scene_drawing.hpp"
 
 namespace wend {
 namespace {
 
 constexpr double kTitleSize = 20;
 constexpr double kCaptionSize = 16;
-constexpr double kLongestPanelBar = 200;
 constexpr int kPad = 12;  // around a panel on a page of its own
 
 /// The panels, heatmaps of one title with one range.
@@ -56,9 +54,8 @@ std::optional<ScaleBar> shared_bar(std::span<const Panel> panels, const PanelLay
   std::optional<ScaleBar> shared;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const MapView& view = layout.places[i].view;
-    ScaleBar bar = scale_bar(panels[i].scene.space.map().frame(), view.scale(), kLongestPanelBar);
-    const bool same = !shared || (bar.pixels == shared->pixels && bar.label == shared->label);
-    if (!same || bar.pixels > layout.width / 3.0) return std::nullopt;
+    ScaleBar bar = scale_bar(panels[i].scene.space.map().frame(), view.scale());
+    if ((shared && bar != *shared) || bar.pixels > layout.width / 3.0) return std::nullopt;
     shared = std::move(bar);
   }
   return shared;
@@ -101,15 +98,14 @@ Footer own_footer(const Scene& scene, const Style& style, double width) {
 
 /// How many lines the longest caption takes below the maps of this layout.
 std::size_t lines_of_captions(std::span<const Panel> panels, const PanelLayout& layout) {
-  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
-  const CairoContext context(cairo_create(surface.get()));
-  select_label_font(context.get(), kCaptionSize);
   std::size_t most = 0;
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const std::string& caption = panels[i].caption;
-    const auto lines = caption_lines(context.get(), caption, layout.places[i].width);
-    most = std::max({most, lines.size(), least_lines(caption)});
-  }
+  with_label_font(kCaptionSize, [&](cairo_t* context) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const std::string& caption = panels[i].caption;
+      const auto lines = caption_lines(context, caption, layout.places[i].width);
+      most = std::max({most, lines.size(), least_lines(caption)});
+    }
+  });
   return most;
 }
 
@@ -133,16 +129,15 @@ PanelLayout layout_of(std::span<const Panel> panels) {
 void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, const Style& style,
                 PictureKind kind) {
   if (panel.style) {
-    set_source(context, style.page);
     cairo_rectangle(context, place.left - kPad, place.top - kPad, place.width + 2 * kPad,
                     place.height + 2 * kPad);
-    cairo_fill(context);
+    fill(context, style.page);
   }
   select_label_font(context, kTitleSize);
   draw_text(context, {place.left, place.top + kTitleSize},
             shortened(context, panel.title, place.width), style.ink);
-  draw_scene(context, panel.scene, place.view, style, map_form(kind));
-  double y = place.view.top + place.view.height + place.axes.bottom + PanelLayout::kCaptionLine;
+  draw_scene(context, panel.scene, place.view, style, kind);
+  double y = place.view.bottom() + place.axes.bottom + PanelLayout::kCaptionLine;
   select_label_font(context, kCaptionSize);
   for (const std::string& line : caption_lines(context, panel.caption, place.width)) {
     draw_text(context, {place.left, y}, line, style.ink);
@@ -167,9 +162,7 @@ Expected<std::string, RenderError> draw_panels(std::span<const Panel> panels, Pi
   const bool explains = !legend.empty() || bar;
   const Footer footer(std::move(legend), std::move(bar), room);
   const int height = layout.height + (explains ? footer.lines() * Footer::kLine : 0);
-  return drawn_file(kind, layout.width, height, [&](cairo_t* context) {
-    set_source(context, style.page);
-    cairo_paint(context);
+  return drawn_file(kind, layout.width, height, style.page, [&](cairo_t* context) {
     for (std::size_t i = 0; i < shared.size(); ++i) {
       draw_panel(context, shared[i], layout.places[i], shared[i].style.value_or(style), kind);
     }

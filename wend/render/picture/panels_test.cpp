@@ -1,9 +1,8 @@
 #include "wend/render/picture/panels.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include "wend/render/picture/panel_layout.hpp"
+#include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/png_picture_test.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 
@@ -26,50 +25,6 @@ Picture png_of(const std::vector<Panel>& panels, const Style& style = {}) {
 std::uint32_t pixel_at(const Picture& picture, const PanelPlace& place, Point grid) {
   const Point point = place.view.to_picture(grid);
   return picture.pixel(point.x, point.y);
-}
-
-bool overlap(const PanelPlace& a, const PanelPlace& b) {
-  return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height &&
-         b.top < a.top + a.height;
-}
-
-RC_GTEST_PROP(PanelLayout, PutsAllPanelsSideBySideInThePicture, ()) {
-  std::vector<Panel> panels;
-  const int count = *rc::gen::inRange(1, 10);
-  for (int i = 0; i < count; ++i) {
-    const Grid<CellState> cells(*rc::gen::inRange(1, 900), *rc::gen::inRange(1, 900));
-    panels.push_back({"title", {.space = FreeSpace(GridMap(cells))}});
-  }
-  const PanelLayout layout = panel_layout(panels, *rc::gen::inRange(0, 100));
-  RC_ASSERT(layout.places.size() == panels.size());
-  RC_ASSERT(layout.width >= 348 && layout.width <= 2000);
-  for (std::size_t i = 0; i < layout.places.size(); ++i) {
-    const PanelPlace& place = layout.places[i];
-    RC_ASSERT(place.left >= 0 && place.left + place.width <= layout.width);
-    RC_ASSERT(place.top >= 0 && place.top + place.height <= layout.height);
-    RC_ASSERT(place.view.left >= place.left);
-    RC_ASSERT(place.view.left + place.view.width <= place.left + place.width);
-    RC_ASSERT(place.view.top + place.view.height <= place.top + place.height);
-    for (std::size_t k = 0; k < i; ++k) RC_ASSERT(!overlap(place, layout.places[k]));
-  }
-}
-
-TEST(PanelLayout, FillsRows) {
-  const auto columns = [](int count, int width, int height) {
-    const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height)))};
-    const auto layout =
-        panel_layout(std::vector<Panel>(static_cast<std::size_t>(count), {"title", scene}), 50);
-    int first_row = 0;
-    for (const PanelPlace& place : layout.places) first_row += place.top == layout.places[0].top;
-    return first_row;
-  };
-  EXPECT_EQ(columns(1, 100, 100), 1);
-  EXPECT_EQ(columns(2, 100, 100), 2);
-  EXPECT_EQ(columns(3, 100, 100), 3);
-  EXPECT_EQ(columns(3, 160, 100), 3) << "none is left empty";
-  EXPECT_EQ(columns(4, 100, 80), 2);
-  EXPECT_EQ(columns(6, 100, 100), 3);
-  EXPECT_EQ(columns(2, 100, 10), 1) << "long maps lie one above the other";
 }
 
 TEST(Panels, CompareHeatmapsOfOneTitleInOneRange) {

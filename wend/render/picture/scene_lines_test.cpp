@@ -9,9 +9,8 @@
 
 #include "wend/render/legend.hpp"
 #include "wend/render/picture/drawing.hpp"
-#include "wend/render/picture/picture_layout.hpp"
+#include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/png_picture_test.hpp"
-#include "wend/render/terminal/ascii_picture.hpp"
 #include "wend/render/terminal/terminal_picture.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 #include "wend/render/terminal/text_picture.hpp"

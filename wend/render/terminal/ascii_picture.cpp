@@ -1,31 +1,21 @@
-#include "wend/render/terminal/ascii_picture.hpp"
+// A map of any size in few characters of ASCII: see ascii_picture() in terminal_picture.hpp.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "wend/geometry/line.hpp"
+#include "wend/map/every_cell.hpp"
 #include "wend/map/grid.hpp"
-#include "wend/render/terminal/text_glyphs.hpp"
+#include "wend/render/heatmap.hpp"
+#include "wend/render/terminal/glyphs.hpp"
+#include "wend/render/terminal/terminal_picture.hpp"
 
 namespace wend {
 namespace {
-
-/// How many cells of a block are what.
-struct Block {
-  int cells = 0;
-  int obstacles = 0;
-  int unknown = 0;
-  int too_close = 0;
-  int rough = 0;
-
-  char character(double columns_of_cells) const {
-    // A thin wall through half of the block shows; a speck in a large block does not.
-    if (obstacles > 0 && obstacles >= columns_of_cells / 2) return '#';
-    if (2 * unknown > cells) return '?';
-    if (2 * too_close > cells) return ':';
-    return 2 * rough > cells ? '~' : '.';
-  }
-};
 
 struct Mean {
   double sum = 0;
@@ -40,43 +30,33 @@ struct Mean {
   }
 };
 
+int blocks(int cells, double size) {
+  return std::max(1, static_cast<int>(std::ceil(cells / size - 1e-9)));
+}
+
 /// A character covers `size` columns and 2 `size` rows of cells.
 class AsciiCanvas {
  public:
   AsciiCanvas(const FreeSpace& space, double size)
       : space_(space),
         size_(size),
-        columns_(blocks(space.width(), size)),
-        rows_(blocks(space.height(), 2 * size)),
-        characters_(columns_, rows_, '.') {}
-
-  void draw_map() {
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        characters_[{column, row}] = block(column, row).character(size_);
-      }
-    }
+        order_(row_order(space)),
+        characters_(blocks(space.width(), size), blocks(space.height(), 2 * size)) {
+    for (const Cell block : every_cell(characters_)) characters_[block] = map_character(block);
   }
 
   /// Digits for the mean heat of a block: 0 the least, 9 the greatest. Walls stay.
   void draw_heat(const Heatmap& heatmap) {
     const auto range = range_of(heatmap);
     if (!range) return;
-    Grid<Mean> means(columns_, rows_);
-    for (int y = 0; y < space_.height(); ++y) {
-      for (int x = 0; x < space_.width(); ++x) {
-        const double value = heatmap.values[{x, y}];
-        if (!std::isfinite(value)) continue;
-        if (const auto block = block_at(centre_of(Cell{x, y})))
-          means[*block].add(range->share(value));
-      }
+    Grid<Mean> means(characters_.width(), characters_.height());
+    for (const Cell cell : every_cell(space_)) {
+      const double value = heatmap.values[cell];
+      const auto block = block_at(centre_of(cell));
+      if (block && std::isfinite(value)) means[*block].add(range->share(value));
     }
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        char& character = characters_[{column, row}];
-        const Mean& mean = means[{column, row}];
-        if (mean.count > 0 && character != '#') character = mean.digit();
-      }
+    for (const Cell block : every_cell(means)) {
+      if (means[block].count > 0) put_unless_wall(block, means[block].digit());
     }
   }
 
@@ -84,16 +64,53 @@ class AsciiCanvas {
   void draw_roles(const Scene& scene) {
     for (const MarkedCells& marked : scene.marked) {
       const char character = glyph_of(marked.role).text.front();
-      for (int y = 0; y < space_.height(); ++y) {
-        for (int x = 0; x < space_.width(); ++x) {
-          if (marked.cells[{x, y}]) put_unless_wall(centre_of(Cell{x, y}), character);
-        }
+      for (const Cell cell : every_cell(space_)) {
+        if (!marked.cells[cell]) continue;
+        if (const auto block = block_at(centre_of(cell))) put_unless_wall(*block, character);
       }
     }
   }
 
   void put(Point grid, char character) {
     if (const auto block = block_at(grid)) characters_[*block] = character;
+  }
+
+  void draw_path(const Path& path) {
+    for (const Arc& arc : path.arcs()) {
+      const auto point_at = [&](double share) { return point_on(arc, share * arc.length); };
+      draw_line(std::abs(arc.length), point_at, arc.length < 0 ? '=' : 'o');
+    }
+  }
+
+  void draw_points(const std::vector<Point>& points, char character) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Line line{points[i - 1], points[i]};
+      draw_line(line.length(), [&](double share) { return line.at(share); }, character);
+    }
+  }
+
+  std::string text() const {
+    std::string text;
+    for (int row = 0; row < characters_.height(); ++row) {
+      const auto characters = characters_.row(row);
+      text.append(characters.begin(), characters.end()).push_back('\n');
+    }
+    return text;
+  }
+
+ private:
+  /// Corners on the far edges of the map belong to its last blocks.
+  std::optional<Cell> block_at(Point grid) const {
+    const double y = order_.down(grid.y);
+    if (!(grid.x >= 0 && y >= 0 && grid.x <= space_.width() && y <= space_.height())) {
+      return std::nullopt;
+    }
+    return Cell{std::min(static_cast<int>(grid.x / size_), characters_.width() - 1),
+                std::min(static_cast<int>(y / (2 * size_)), characters_.height() - 1)};
+  }
+
+  void put_unless_wall(Cell block, char character) {
+    if (characters_[block] != '#') characters_[block] = character;
   }
 
   /// `point_at(share)` gives the points of the line, from 0 to 1.
@@ -105,82 +122,38 @@ class AsciiCanvas {
     }
   }
 
-  void draw_path(const Path& path) {
-    for (const Arc& arc : path.arcs()) {
-      const auto point_at = [&](double share) { return pose_on(arc, share * arc.length).point(); };
-      draw_line(std::abs(arc.length), point_at, arc.length < 0 ? '=' : 'o');
-    }
-  }
-
-  void draw_points(const std::vector<Point>& points, char character) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Point from = points[i - 1];
-      const Point to = points[i];
-      const auto point_at = [&](double share) {
-        return Point{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-      };
-      draw_line(distance(from, to), point_at, character);
-    }
-  }
-
-  std::string text() const {
-    std::string text;
-    for (int row = 0; row < rows_; ++row) {
-      const auto characters = characters_.row(row);
-      text.append(characters.begin(), characters.end());
-      text += '\n';
-    }
-    return text;
-  }
-
- private:
-  static int blocks(int cells, double size) {
-    return std::max(1, static_cast<int>(std::ceil(cells / size - 1e-9)));
-  }
-
-  /// Corners on the far edges of the map belong to its last blocks.
-  std::optional<Cell> block_at(Point grid) const {
-    const double y = space_.map().frame().y_up ? space_.height() - grid.y : grid.y;
-    if (!(grid.x >= 0 && y >= 0 && grid.x <= space_.width() && y <= space_.height())) {
-      return std::nullopt;
-    }
-    return Cell{std::min(static_cast<int>(grid.x / size_), columns_ - 1),
-                std::min(static_cast<int>(y / (2 * size_)), rows_ - 1)};
-  }
-
-  void put_unless_wall(Point grid, char character) {
-    const auto block = block_at(grid);
-    if (block && characters_[*block] != '#') characters_[*block] = character;
-  }
-
-  /// Blocks of fewer than one cell have one all the same.
-  Block block(int column, int row) const {
-    Block block;
-    const int left = static_cast<int>(column * size_);
-    const int right = std::clamp(static_cast<int>((column + 1) * size_), left + 1, space_.width());
-    const int top = static_cast<int>(row * 2 * size_);
+  /// What most of a block is. Blocks of fewer than one cell have one all the same.
+  char map_character(Cell block) const {
+    const int left = static_cast<int>(block.x * size_);
+    const int right = std::clamp(static_cast<int>((block.x + 1) * size_), left + 1, space_.width());
+    const int top = static_cast<int>(block.y * 2 * size_);
     const int bottom =
-        std::clamp(static_cast<int>((row + 1) * 2 * size_), top + 1, space_.height());
-    for (int drawn_y = top; drawn_y < bottom; ++drawn_y) {
-      const int y = space_.map().frame().y_up ? space_.height() - 1 - drawn_y : drawn_y;
-      for (int x = left; x < right; ++x) count({x, y}, block);
+        std::clamp(static_cast<int>((block.y + 1) * 2 * size_), top + 1, space_.height());
+    int obstacles = 0;
+    int unknown = 0;
+    int too_close = 0;
+    int rough = 0;
+    for (int n = top; n < bottom; ++n) {
+      for (int x = left; x < right; ++x) {
+        const Cell cell{x, order_.row(n)};
+        const CellState state = space_.map().state(cell);
+        obstacles += state == CellState::occupied;
+        unknown += state == CellState::unknown;
+        too_close += state == CellState::free && !space_.passable()[cell];
+        rough += space_.map().terrain(cell) != 1;
+      }
     }
-    return block;
-  }
-
-  void count(Cell cell, Block& block) const {
-    const CellState state = space_.map().state(cell);
-    ++block.cells;
-    block.obstacles += state == CellState::occupied;
-    block.unknown += state == CellState::unknown;
-    block.too_close += state == CellState::free && !space_.passable()[cell];
-    block.rough += space_.map().terrain(cell) != 1;
+    const int cells = (right - left) * (bottom - top);
+    // A thin wall through half of the block shows; a speck in a large block does not.
+    if (obstacles > 0 && obstacles >= size_ / 2) return '#';
+    if (2 * unknown > cells) return '?';
+    if (2 * too_close > cells) return ':';
+    return 2 * rough > cells ? '~' : '.';
   }
 
   const FreeSpace& space_;
   double size_;
-  int columns_;
-  int rows_;
+  RowOrder order_;
   Grid<char> characters_;
 };
 
@@ -191,7 +164,6 @@ std::string ascii_picture(const Scene& scene, int columns, int rows) {
   const double size = std::max({0.5, static_cast<double>(space.width()) / std::max(1, columns),
                                 static_cast<double>(space.height()) / std::max(1, rows) / 2});
   AsciiCanvas canvas(space, size);
-  canvas.draw_map();
   if (scene.heatmap) canvas.draw_heat(*scene.heatmap);
   canvas.draw_roles(scene);
   canvas.draw_path(scene.path);

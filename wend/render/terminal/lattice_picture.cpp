@@ -1,17 +1,18 @@
-#include "wend/render/terminal/lattice_picture.hpp"
+// The text picture of a scene with a unit: the corners that a car stands on and the cells between
+// them.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "wend/render/picture/round_step.hpp"
-#include "wend/render/terminal/lattice_cells.hpp"
-#include "wend/render/terminal/lattice_lines.hpp"
-#include "wend/render/terminal/text_rows.hpp"
+#include "wend/map/every_cell.hpp"
+#include "wend/render/picture/layout.hpp"
+#include "wend/render/style.hpp"
+#include "wend/render/terminal/glyphs.hpp"
 
 namespace wend {
 namespace {
@@ -22,45 +23,70 @@ constexpr int kFewestColumnsACell = 2;
 constexpr double kSamplesAUnit = 32;  // of an arc
 constexpr double kMostSamples = 4096;
 
-// In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 17> kLatticeLegend{{
-    {Meaning::start, "S start"},
-    {Meaning::goal, "G goal"},
-    {Meaning::pose, "→ pose", "> pose"},
-    {Meaning::ahead, "─ driven ahead", "- driven ahead"},
-    {Meaning::reverse, "═ in reverse", "= in reverse"},
-    {Meaning::narrowest, "! narrowest"},
-    {Meaning::current, "@ being expanded"},
-    {Meaning::frontier, "+ frontier"},
-    {Meaning::expanded, "* expanded"},
-    {Meaning::expanded_rough, "% expanded, rough"},
-    {Meaning::start_component, "s start's region"},
-    {Meaning::goal_component, "g goal's region"},
-    {Meaning::yard_obstacle, "█ obstacle", "# obstacle"},
-    {Meaning::rough, "░▒▓ rough road", "~ 3-9 rough road"},
-    {Meaning::too_close, ": too close for the robot"},
-    {Meaning::unknown, "? unknown"},
-    {Meaning::corner, "· corner", ". corner"},
-}};
-
 // By the quarters that are filled: 1 the upper left one, 2 the upper right, 4 and 8 those below.
 constexpr std::array<std::string_view, 16> kQuarters{" ", "▘", "▝", "▀", "▖", "▌", "▞", "▛",
                                                      "▗", "▚", "▐", "▜", "▄", "▙", "▟", "█"};
 
 int digits(int number) { return static_cast<int>(std::to_string(number).size()); }
 
-/// Characters around the lattice.
-struct Margins {
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
-};
+/// How many cells of the lattice there are across and down. What is left over at the map's far edges
+/// belongs to none.
+Cell lattice_size(const Scene& scene) {
+  const int unit = scene.unit.value_or(1);
+  return {scene.space.width() / unit, scene.space.height() / unit};
+}
+
+Glyph shade(double multiplier) {
+  if (multiplier == 1) return {" ", Meaning::blank};
+  const double rough = roughness(multiplier);
+  return {rough < 1.0 / 3 ? "░" : rough < 2.0 / 3 ? "▒" : "▓", Meaning::rough_road};
+}
+
+/// A cell of the lattice, unit x unit cells of the map: an obstacle if any of them is, else what has a
+/// role, else unknown if any is, too close if more than half of them are; else rough by their mean
+/// terrain. In ASCII that has its digit.
+Glyph block_glyph(const Scene& scene, Cell block, bool ascii) {
+  const FreeSpace& space = scene.space;
+  const int unit = scene.unit.value_or(1);
+  std::optional<CellRole> role;
+  bool unknown = false;
+  int too_close = 0;
+  double terrain = 0;
+  for (int y = unit * block.y; y < unit * (block.y + 1); ++y) {
+    for (int x = unit * block.x; x < unit * (block.x + 1); ++x) {
+      const CellState state = space.map().state({x, y});
+      if (state == CellState::occupied) return {"#", Meaning::yard_obstacle};
+      if (const auto of_cell = role_of(scene, {x, y})) role = of_cell;
+      unknown = unknown || state == CellState::unknown;
+      too_close += space.passable()[{x, y}] ? 0 : 1;
+      terrain += space.map().terrain({x, y});
+    }
+  }
+  const int cells = unit * unit;
+  if (role) return terrain != cells ? glyph_on_rough_ground(*role) : glyph_of(*role);
+  if (unknown) return glyph_of(Meaning::unknown);
+  if (2 * too_close > cells) return glyph_of(Meaning::too_close);
+  const double mean = terrain / cells;
+  if (ascii && mean != 1) return {glyph_of_terrain(mean).text, Meaning::rough_road};
+  return shade(mean);
+}
+
+Grid<Glyph> lattice_cells(const Scene& scene, bool ascii) {
+  const Cell size = lattice_size(scene);
+  Grid<Glyph> cells(size.x, size.y);
+  for (const Cell cell : every_cell(cells)) cells[cell] = block_glyph(scene, cell, ascii);
+  return cells;
+}
 
 /// Which way a place's heading is drawn.
-std::optional<Cell> drawn_step(const ScenePlace& place, bool y_up) {
+std::optional<Direction> drawn_heading(const ScenePlace& place, const RowOrder& order) {
   if (!place.heading) return std::nullopt;
-  return kDrawnSteps[static_cast<std::size_t>(nearest_direction(*place.heading, y_up))];
+  return order.direction(*place.heading);
+}
+
+Cell neighbour(Cell character, Direction direction) {
+  const Cell step = kDrawnSteps[static_cast<std::size_t>(direction)];
+  return {character.x + step.x, character.y + step.y};
 }
 
 class LatticePicture {
@@ -71,12 +97,11 @@ class LatticePicture {
         cells_(lattice_cells(scene, ascii)),
         columns_a_cell_(columns_a_cell),
         ascii_(ascii),
-        y_up_(scene.space.map().frame().y_up),
+        order_{cells_.height(), row_order(scene.space).y_up},
         columns_(cells_.width() * columns_a_cell + 1),
         rows_(cells_.height() * kRowsACell + 1),
         margins_(margins()),
-        glyphs_(margins_.left + columns_ + margins_.right, margins_.top + rows_ + margins_.bottom,
-                {" ", Meaning::free}) {
+        glyphs_(columns_ + margins_.across(), rows_ + margins_.down(), {" ", Meaning::blank}) {
     draw_cells();
     draw_path();
     draw_marks();
@@ -93,8 +118,7 @@ class LatticePicture {
     const auto nearest = [](double at, int most) {
       return static_cast<int>(std::lround(std::clamp<double>(at, -2, most + 2)));
     };
-    return {nearest(columns_a_cell_ * x, columns_),
-            nearest(kRowsACell * (y_up_ ? cells_.height() - y : y), rows_)};
+    return {nearest(columns_a_cell_ * x, columns_), nearest(kRowsACell * order_.down(y), rows_)};
   }
 
   bool on_lattice(Cell character) const {
@@ -105,13 +129,14 @@ class LatticePicture {
   Margins margins() const {
     const int numbers = digits(scene_.space.height());
     Margins margins{.left = numbers + 1, .right = 1 + digits(scene_.space.width()) / 2};
-    (y_up_ ? margins.bottom : margins.top) = 1;
+    (order_.y_up ? margins.bottom : margins.top) = 1;
     const auto make_room = [&](const ScenePlace& marked) {
-      const auto step = drawn_step(marked, y_up_);
+      const auto heading = drawn_heading(marked, order_);
       const Cell at = character_at(marked.point);
-      if (!step || !on_lattice(at)) return;
-      if (at.y + step->y < 0) margins.top = y_up_ ? 1 : 2;
-      if (at.y + step->y >= rows_) margins.bottom = y_up_ ? 2 : 1;
+      if (!heading || !on_lattice(at)) return;
+      const int row = neighbour(at, *heading).y;
+      if (row < 0) margins.top = order_.y_up ? 1 : 2;
+      if (row >= rows_) margins.bottom = order_.y_up ? 2 : 1;
     };
     if (scene_.start) make_room(*scene_.start);
     std::ranges::for_each(scene_.goals, make_room);
@@ -122,30 +147,25 @@ class LatticePicture {
     glyphs_[{margins_.left + character.x, margins_.top + character.y}] = glyph;
   }
 
-  Cell drawn_corner(Cell corner) const {
-    return {corner.x * columns_a_cell_,
-            (y_up_ ? cells_.height() - corner.y : corner.y) * kRowsACell};
+  void put_at(Point grid, const Glyph& glyph) {
+    if (const Cell at = character_at(grid); on_lattice(at)) put(at, glyph);
   }
 
   void draw_cells() {
-    for (int y = 0; y < cells_.height(); ++y) {
-      for (int x = 0; x < cells_.width(); ++x) fill({x, y});
-    }
-    for (int y = 0; y < rows_; ++y) {
-      for (int x = 0; x < columns_; ++x) {
-        const unsigned quarters = blocked_quarters({x, y});
-        if (quarters != 0) {
-          put({x, y}, {ascii_ ? "#" : kQuarters[quarters], Meaning::yard_obstacle});
-        } else if (x % columns_a_cell_ == 0 && y % kRowsACell == 0) {
-          put({x, y}, {"·", Meaning::corner});
-        }
+    for (const Cell cell : every_cell(cells_)) fill_cell(cell);
+    for (const Cell at : CellRange(columns_, rows_)) {
+      const unsigned quarters = blocked_quarters(at);
+      if (quarters != 0) {
+        put(at, {ascii_ ? "#" : kQuarters[quarters], Meaning::yard_obstacle});
+      } else if (at.x % columns_a_cell_ == 0 && at.y % kRowsACell == 0) {
+        put(at, glyph_of(Meaning::corner));
       }
     }
   }
 
   /// The characters between a cell's edges.
-  void fill(Cell cell) {
-    const Cell corner = drawn_corner({cell.x, y_up_ ? cell.y + 1 : cell.y});
+  void fill_cell(Cell cell) {
+    const Cell corner{cell.x * columns_a_cell_, order_.row(cell.y) * kRowsACell};
     for (int y = 1; y < kRowsACell; ++y) {
       for (int x = 1; x < columns_a_cell_; ++x) {
         put({corner.x + x, corner.y + y}, cells_[cell]);
@@ -161,8 +181,7 @@ class LatticePicture {
       const int x = 2 * character.x + ((quarter & 1U) == 0 ? -1 : 1);
       const int y = 2 * character.y + ((quarter & 2U) == 0 ? -1 : 1);
       if (x < 0 || y < 0) continue;
-      const int row = y / (2 * kRowsACell);
-      const Cell cell{x / (2 * columns_a_cell_), y_up_ ? cells_.height() - 1 - row : row};
+      const Cell cell{x / (2 * columns_a_cell_), order_.row(y / (2 * kRowsACell))};
       if (!cells_.contains(cell) || cells_[cell].meaning != Meaning::yard_obstacle) continue;
       blocked |= 1U << quarter;
     }
@@ -170,16 +189,13 @@ class LatticePicture {
   }
 
   void draw_path() {
-    LatticeLines lines(columns_, rows_, ascii_);
+    GlyphLines lines(columns_, rows_, ascii_);
     for (const Arc& arc : scene_.path.arcs()) lines.add(way_of(arc), arc.length < 0);
-    for (int y = 0; y < rows_; ++y) {
-      for (int x = 0; x < columns_; ++x) {
-        if (const auto glyph = lines[{x, y}]) put({x, y}, *glyph);
-      }
+    for (const Cell at : CellRange(columns_, rows_)) {
+      if (const auto glyph = lines[at]) put(at, *glyph);
     }
     for (const Pose& pose : scene_.path.poses()) {
-      const Cell at = character_at(pose.point());
-      if (on_lattice(at)) put(at, arrow(nearest_direction(pose.heading, y_up_), Meaning::pose));
+      put_at(pose.point(), arrow(order_.direction(pose.heading), Meaning::pose));
     }
   }
 
@@ -195,30 +211,23 @@ class LatticePicture {
   }
 
   void draw_marks() {
-    if (scene_.narrowest) {
-      const Cell at = character_at(*scene_.narrowest);
-      if (on_lattice(at)) put(at, {"!", Meaning::narrowest});
-    }
-    for (const ScenePlace& goal : scene_.goals) draw_mark(goal, {"G", Meaning::goal});
-    if (scene_.start) draw_mark(*scene_.start, {"S", Meaning::start});
+    if (scene_.narrowest) put_at(*scene_.narrowest, glyph_of(Meaning::narrowest));
+    for (const ScenePlace& goal : scene_.goals) draw_mark(goal, glyph_of(Meaning::goal));
+    if (scene_.start) draw_mark(*scene_.start, glyph_of(Meaning::start));
   }
 
   /// Its heading is an arrow beside it.
   void draw_mark(const ScenePlace& place, const Glyph& glyph) {
+    put_at(place.point, glyph);
     const Cell at = character_at(place.point);
-    if (!on_lattice(at)) return;
-    put(at, glyph);
-    const auto step = drawn_step(place, y_up_);
-    if (step && place.heading) {
-      put({at.x + step->x, at.y + step->y},
-          arrow(nearest_direction(*place.heading, y_up_), glyph.meaning));
-    }
+    const auto heading = drawn_heading(place, order_);
+    if (heading && on_lattice(at)) put(neighbour(at, *heading), arrow(*heading, glyph.meaning));
   }
 
   void draw_axes() {
     const int width = digits(scene_.space.width());
     const int step = round_step((width + 1.0) / columns_a_cell_);
-    const int row = y_up_ ? glyphs_.height() - 1 : 0;
+    const int row = order_.y_up ? glyphs_.height() - 1 : 0;
     for (int x = 0; x <= cells_.width(); x += step) {
       const std::string number = std::to_string(x * unit_);
       const int centre = margins_.left + x * columns_a_cell_;
@@ -226,9 +235,8 @@ class LatticePicture {
     }
     for (int y = 0; y <= cells_.height(); y += step) {
       const std::string number = std::to_string(y * unit_);
-      write({margins_.left - 1 - static_cast<int>(number.size()),
-             margins_.top + drawn_corner({0, y}).y},
-            number);
+      const int first = margins_.left - 1 - static_cast<int>(number.size());
+      write({first, margins_.top + kRowsACell * static_cast<int>(order_.down(y))}, number);
     }
   }
 
@@ -245,7 +253,7 @@ class LatticePicture {
   Grid<Glyph> cells_;
   int columns_a_cell_;
   bool ascii_;
-  bool y_up_;
+  RowOrder order_;  // of the lattice
   int columns_;
   int rows_;
   Margins margins_;
@@ -266,22 +274,10 @@ int columns_a_cell(const Scene& scene, int columns) {
   return kFewestColumnsACell;
 }
 
-std::span<const Glyph> without_trailing_blanks(std::span<const Glyph> row) {
-  while (!row.empty() && row.back().text == " ") row = row.first(row.size() - 1);
-  return row;
-}
-
 }  // namespace
 
-std::string lattice_picture(const Scene& scene, const TextStyle& style) {
-  const LatticePicture picture(scene, columns_a_cell(scene, style.columns), style.ascii);
-  const Grid<Glyph>& glyphs = picture.glyphs();
-  std::string text;
-  for (int y = 0; y < glyphs.height(); ++y) {
-    append_row(text, without_trailing_blanks(glyphs.row(y)), style);
-  }
-  if (style.legend) append_legend(text, glyphs, kLatticeLegend, style);
-  return text;
+Grid<Glyph> lattice_glyphs(const Scene& scene, const TextStyle& style) {
+  return LatticePicture(scene, columns_a_cell(scene, style.columns), style.ascii).glyphs();
 }
 
 bool lattice_fits(const Scene& scene, int columns, int rows) {

@@ -1,4 +1,4 @@
-#include "wend/render/terminal/lattice_picture.hpp"
+#include "wend/render/terminal/text_picture.hpp"
 
 #include <gtest/gtest.h>
 

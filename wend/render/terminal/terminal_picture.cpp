@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string_view>
+#include <vector>
 
-#include "wend/render/picture/arrows.hpp"
-#include "wend/render/picture/cairo_objects.hpp"
-#include "wend/render/picture/cell_paints.hpp"
-#include "wend/render/picture/map_image.hpp"
-#include "wend/render/picture/marks.hpp"
-#include "wend/render/picture/picture_layout.hpp"
-#include "wend/render/picture/sparse_dots.hpp"
-#include "wend/render/terminal/ascii_picture.hpp"
+#include "wend/render/heatmap.hpp"
+#include "wend/render/legend.hpp"
+#include "wend/render/picture/canvas.hpp"
+#include "wend/render/picture/layout.hpp"
+#include "wend/render/picture/scene_drawing.hpp"
 
 namespace wend {
 namespace {
@@ -39,34 +36,6 @@ constexpr double kMostCellsAPixel = 2;  // along its side: a wall one cell wide 
 constexpr int kMostCharacters = 400;         // across, and down
 constexpr int kMostPixelsPerCharacter = 64;  // a character
 
-std::string_view variable(const char* const* environment, std::string_view name) {
-  for (; *environment != nullptr; ++environment) {
-    const std::string_view entry = *environment;
-    if (entry.size() > name.size() && entry.starts_with(name) && entry[name.size()] == '=') {
-      return entry.substr(name.size() + 1);
-    }
-  }
-  return {};
-}
-
-TerminalColours colours_of(const ChafaTermInfo* info) {
-  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_DIRECT)) {
-    return TerminalColours::true_colour;
-  }
-  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_256)) {
-    return TerminalColours::palette_256;
-  }
-  return TerminalColours::sixteen;
-}
-
-TerminalGraphics graphics_of(const ChafaTermInfo* info) {
-  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_BEGIN_KITTY_IMMEDIATE_IMAGE_V1)) {
-    return TerminalGraphics::kitty;
-  }
-  if (chafa_term_info_have_seq(info, CHAFA_TERM_SEQ_BEGIN_SIXELS)) return TerminalGraphics::sixel;
-  return TerminalGraphics::half_blocks;
-}
-
 /// Pixels of a character that a picture is drawn with: half blocks are one wide and two high.
 struct CharacterSize {
   int width;
@@ -74,41 +43,47 @@ struct CharacterSize {
 };
 
 CharacterSize character_size(const Terminal& terminal) {
-  if (terminal.graphics == TerminalGraphics::half_blocks) return {1, 2};
+  if (terminal.plain() || terminal.graphics == TerminalGraphics::half_blocks) return {1, 2};
   return {std::clamp(terminal.cell_width, 1, kMostPixelsPerCharacter),
           std::clamp(terminal.cell_height, 1, kMostPixelsPerCharacter)};
+}
+
+/// With sixteen colours the marks take the pure ones, or they would all come out as one.
+Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
+  Style shown = style_for(scene, style);
+  if (colours == TerminalColours::sixteen) {
+    shown.path = colour_from(0x0000FF);
+    shown.start = colour_from(0x00A000);
+    shown.goal = colour_from(0xFF0000);
+    shown.lines = {.planned = colour_from(0xE00000),
+                   .smoothed = colour_from(0x00A000),
+                   .driven = colour_from(0x0000FF)};
+  }
+  return shown;
 }
 
 /// The scene on an image of `width` x `height` pixels; what the map does not cover is transparent.
 CairoSurface scene_image(const Scene& scene, const MapView& view, int width, int height,
                          const MarkSizes& sizes, const Style& style) {
-  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  CairoSurface surface = new_image(CAIRO_FORMAT_ARGB32, width, height);
   const CairoContext context(cairo_create(surface.get()));
+  const SceneDrawing drawing{{context.get(), sizes, style}, scene, view};
   cairo_rectangle(context.get(), view.left, view.top, view.width, view.height);
   cairo_clip(context.get());
-  const CairoSurface map =
-      image_of(map_image(CellPaints(scene, style), view.width, view.height, view.y_up));
-  cairo_set_source_surface(context.get(), map.get(), view.left, view.top);
-  cairo_paint(context.get());
-  if (scene.arrows && sizes.halo > 0) {  // half blocks have no room for arrows
-    draw_arrows(context.get(), *scene.arrows, view, false, style);
-  }
-  draw_path(context.get(), scene, view, sizes, style);
-  if (sizes.halo > 0) {
-    draw_sparse_cells(context.get(), scene, view, style);
-  } else {
-    draw_sparse_pixels(context.get(), scene, view, style);
-  }
-  draw_marks(context.get(), scene, view, sizes, style);
+  draw_map(drawing, PictureKind::png);
+  if (sizes.halo > 0) draw_arrows(drawing, false);  // half blocks have no room for arrows
+  draw_path(drawing);
+  draw_sparse_cells(drawing);
+  draw_marks(drawing);
   cairo_surface_flush(surface.get());
   return surface;
 }
 
 /// Every pixel as many, so that chafa need not scale (it would blur).
 CairoSurface enlarged(cairo_surface_t* image, int across, int down) {
-  const int width = cairo_image_surface_get_width(image) * across;
-  const int height = cairo_image_surface_get_height(image) * down;
-  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  CairoSurface surface =
+      new_image(CAIRO_FORMAT_ARGB32, cairo_image_surface_get_width(image) * across,
+                cairo_image_surface_get_height(image) * down);
   const CairoContext context(cairo_create(surface.get()));
   cairo_scale(context.get(), across, down);
   cairo_set_source_surface(context.get(), image, 0, 0);
@@ -122,17 +97,9 @@ ChafaCanvasMode canvas_mode(const Terminal& terminal) {
   if (terminal.graphics == TerminalGraphics::kitty) return CHAFA_CANVAS_MODE_TRUECOLOR;
   // A palette made for the picture would leave out the colours of small marks.
   if (terminal.graphics == TerminalGraphics::sixel) return CHAFA_CANVAS_MODE_INDEXED_240;
-  switch (terminal.colours) {
-    case TerminalColours::none:
-      break;
-    case TerminalColours::sixteen:
-      return CHAFA_CANVAS_MODE_INDEXED_16;
-    case TerminalColours::palette_256:
-      return CHAFA_CANVAS_MODE_INDEXED_240;  // the 16 others are the user's own
-    case TerminalColours::true_colour:
-      return CHAFA_CANVAS_MODE_TRUECOLOR;
-  }
-  return CHAFA_CANVAS_MODE_FGBG;
+  if (terminal.colours == TerminalColours::sixteen) return CHAFA_CANVAS_MODE_INDEXED_16;
+  if (terminal.colours == TerminalColours::true_colour) return CHAFA_CANVAS_MODE_TRUECOLOR;
+  return CHAFA_CANVAS_MODE_INDEXED_240;  // of 256 colours, 16 are the user's own
 }
 
 ChafaPixelMode pixel_mode(TerminalGraphics graphics) {
@@ -176,40 +143,34 @@ std::string printed(cairo_surface_t* image, const ChafaCanvasConfig* config) {
   return result;
 }
 
-}  // namespace
+// The legend.
 
-Terminal detect_terminal(const char* const* environment) {
-  const std::string_view term = variable(environment, "TERM");
-  if (term.empty() || term == "dumb") return {.unicode = false};
-  if (!variable(environment, "NO_COLOR").empty()) return {};
-  // Chafa copies what it reads, but its type is that of C's environ.
-  const Owned<ChafaTermInfo> info(
-      chafa_term_db_detect(chafa_term_db_get_default(), const_cast<gchar**>(environment)));
-  Terminal terminal;
-  terminal.graphics = graphics_of(info.get());
-  terminal.colours = colours_of(info.get());
-  return terminal;
+constexpr int kBar = 20;  // characters
+
+std::string plain_entry(const LegendItem& item) {
+  if (item.swatch != Swatch::heat) return std::string(1, item.character) + " " + item.label;
+  return "0-9 " + item.label + ", " + short_number(item.range.least) + " to " +
+         short_number(item.range.greatest);
 }
 
-Style suited(const Scene& scene, const Style& style, TerminalColours colours) {
-  Style shown = style_for(scene, style);
-  if (colours == TerminalColours::sixteen) {
-    shown.path = colour_from(0x0000FF);
-    shown.start = colour_from(0x00A000);
-    shown.goal = colour_from(0xFF0000);
-    shown.lines = {.planned = colour_from(0xE00000),
-                   .smoothed = colour_from(0x00A000),
-                   .driven = colour_from(0x0000FF)};
+std::string coloured_entry(const LegendItem& item, TerminalColours colours, const Style& style) {
+  if (item.swatch != Swatch::heat) {
+    return ansi_background(item.colour, colours) + "  " + kAnsiReset + " " + item.label;
   }
-  return shown;
+  std::string bar;
+  for (int i = 0; i < kBar; ++i) {
+    bar += ansi_background(style.heat(static_cast<double>(i) / (kBar - 1)), colours) + " ";
+  }
+  return item.label + "  " + short_number(item.range.least) + " " + bar + kAnsiReset + " " +
+         short_number(item.range.greatest);
 }
+
+}  // namespace
 
 std::string terminal_shortage(const Scene& scene, int columns, int rows, const Terminal& terminal) {
   columns = std::clamp(columns, 1, kMostCharacters);
   rows = std::clamp(rows, 1, kMostCharacters);
-  const bool ascii =
-      terminal.graphics == TerminalGraphics::ascii || terminal.colours == TerminalColours::none;
-  const CharacterSize character = ascii ? CharacterSize{1, 2} : character_size(terminal);
+  const CharacterSize character = character_size(terminal);
   const double across = static_cast<double>(scene.space.width()) / (columns * character.width);
   const double down = static_cast<double>(scene.space.height()) / (rows * character.height);
   const double cells = std::max(across, down);  // along the side of a pixel
@@ -227,9 +188,7 @@ std::string terminal_picture(const Scene& scene, int columns, int rows, const Te
                              const Style& style) {
   columns = std::clamp(columns, 1, kMostCharacters);
   rows = std::clamp(rows, 1, kMostCharacters);
-  if (terminal.graphics == TerminalGraphics::ascii || terminal.colours == TerminalColours::none) {
-    return ascii_picture(scene, columns, rows);
-  }
+  if (terminal.plain()) return ascii_picture(scene, columns, rows);
   const CharacterSize character = character_size(terminal);
   const bool blocks = terminal.graphics == TerminalGraphics::half_blocks;
   const MapView view = fitted_view(scene.space.map(), columns * character.width,
@@ -243,6 +202,21 @@ std::string terminal_picture(const Scene& scene, int columns, int rows, const Te
                   suited(scene, style, terminal.colours));
   if (blocks) image = enlarged(image.get(), kSymbolPixels, kSymbolPixels / 2);
   return printed(image.get(), canvas_config(used_columns, used_rows, terminal).get());
+}
+
+std::string terminal_legend(const Scene& scene, int columns, const Terminal& terminal,
+                            const Style& style) {
+  const Style shown = suited(scene, style, terminal.colours);
+  std::vector<std::string> entries;
+  for (const LegendItem& item : legend_of(scene, shown)) {
+    if (terminal.plain()) {
+      if (item.swatch == Swatch::heat || item.character != ' ')
+        entries.push_back(plain_entry(item));
+    } else if (item.swatch != Swatch::arrow || terminal.graphics != TerminalGraphics::half_blocks) {
+      entries.push_back(coloured_entry(item, terminal.colours, shown));
+    }
+  }
+  return entries.empty() ? "" : in_lines(entries, columns) + "\n";
 }
 
 }  // namespace wend

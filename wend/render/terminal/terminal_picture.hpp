@@ -13,38 +13,33 @@
 
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
+#include "wend/render/terminal/terminal.hpp"
 
 namespace wend {
-
-enum class TerminalGraphics { ascii, half_blocks, sixel, kitty };
-enum class TerminalColours { none, sixteen, palette_256, true_colour };
-
-struct Terminal {
-  TerminalGraphics graphics = TerminalGraphics::ascii;
-  TerminalColours colours = TerminalColours::none;
-  int cell_width = 10;   // pixels a column, for sixel and kitty
-  int cell_height = 20;  // pixels a row
-  bool unicode = true;   // it has characters beyond ASCII
-};
-
-/// What the environment ("NAME=value", then a null pointer) tells about the terminal. ASCII without
-/// colours if NO_COLOR is set and not empty, or TERM is missing or "dumb"; then text beside the
-/// pictures had better be ASCII too. Whether the output is a terminal at all is the caller's to
-/// know.
-Terminal detect_terminal(const char* const* environment);
 
 /// The whole map in at most that many columns and rows, in proportion, '\n' after every row. Paths
 /// and marks are drawn after scaling and so stay visible however large the map is.
 std::string terminal_picture(const Scene& scene, int columns, int rows, const Terminal& terminal,
                              const Style& style = {});
 
-/// A note for below the picture if too many cells share a pixel to show the map, with what would help;
-/// else empty.
+/// A note for below the picture if too many cells share a pixel to show the map, with what would
+/// help; else empty.
 std::string terminal_shortage(const Scene& scene, int columns, int rows, const Terminal& terminal);
 
-/// The style as terminal_picture() draws the scene in it: with sixteen colours the marks take the
-/// pure ones, or they would all come out as one.
-Style suited(const Scene& scene, const Style& style, TerminalColours colours);
+/// The same in plain ASCII: every character stands for a block of cells that is twice as high as
+/// wide, as characters are.
+///
+///   #  an obstacle across half of the block, or more     S  start
+///   ?  mostly unknown                                    G  goal
+///   :  mostly too close for the robot                    o  path
+///   .  free                                              =  driven in reverse
+///   ~  mostly rough                                      !  the narrowest place
+///   o % & -  planned, smoothed, driven, possible         R  the robot    X  a collision
+///   N  the nearest free cell
+///   0-9  heat, from the least to the greatest value
+///   * + @ s g  some of it has a role: expanded, frontier, being expanded, start's or goal's
+///   component
+std::string ascii_picture(const Scene& scene, int columns, int rows);
 
 /// Lines for below that picture: what its colours mean, with the heatmap's title, its least and its
 /// greatest value; in ASCII, what its characters mean. No longer than `columns`, unless one entry

@@ -1,127 +1,120 @@
 #include "wend/render/terminal/text_picture.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
-#include <deque>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "wend/render/terminal/lattice_picture.hpp"
-#include "wend/render/terminal/text_rows.hpp"
+#include "wend/geometry/line.hpp"
+#include "wend/map/every_cell.hpp"
+#include "wend/render/heatmap.hpp"
+#include "wend/render/terminal/glyphs.hpp"
 
 namespace wend {
 namespace {
 
-// In the order of the legend, most interesting first.
-constexpr std::array<TextLegendEntry, 23> kLegend{{
-    {Meaning::start, "S start"},
-    {Meaning::goal, "G goal"},
-    {Meaning::path, "→ path", "> path"},
-    {Meaning::planned_line, "○ planned", "o planned"},
-    {Meaning::smoothed_line, "● smoothed", "% smoothed"},
-    {Meaning::driven_line, "◆ driven", "& driven"},
-    {Meaning::possible_line, "◇ possible path", "- possible path"},
-    {Meaning::robot, "R robot"},
-    {Meaning::collision, "✗ collision", "X collision"},
-    {Meaning::narrowest, "! narrowest"},
-    {Meaning::nearest_free, "N nearest free cell"},
-    {Meaning::current, "@ being expanded"},
-    {Meaning::frontier, "+ frontier"},
-    {Meaning::expanded, "* expanded"},
-    {Meaning::expanded_rough, "% expanded, rough"},
-    {Meaning::start_component, "s start's region"},
-    {Meaning::goal_component, "g goal's region"},
-    {Meaning::move, "→ way to move", "> way to move"},
-    {Meaning::obstacle, "# obstacle"},
-    {Meaning::too_close, ": too close for the robot"},
-    {Meaning::unknown, "? unknown"},
-    {Meaning::rough, "~ 3-9 rough"},
-    {Meaning::free, ". free"},
-}};
+constexpr double kSpacing = 0.25;  // cells, between points of a line
 
-/// The legend's entries, with the labels that the scene's lines have of their own.
-class SceneLegend {
- public:
-  explicit SceneLegend(const Scene& scene) : entries_(kLegend.begin(), kLegend.end()) {
-    for (const SceneLine& line : scene.lines) {
-      if (line.label.empty()) continue;
-      const Glyph glyph = glyph_of(line.role);
-      const auto entry = std::ranges::find(entries_, glyph.meaning, &TextLegendEntry::meaning);
-      entry->text = keep(glyph.text, line.label);
-      entry->ascii = keep(ascii_of(glyph.text), line.label);
-    }
-  }
-
-  std::span<const TextLegendEntry> entries() const { return entries_; }
-
- private:
-  std::string_view keep(std::string_view character, const std::string& label) {
-    return words_.emplace_back(std::string(character) + " " + label);
-  }
-
-  std::vector<TextLegendEntry> entries_;
-  std::deque<std::string> words_;  // what entries of lines show
-};
+int pieces_of(double length) {
+  return std::max(1, static_cast<int>(std::ceil(std::abs(length) / kSpacing)));
+}
 
 void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
-  for (int y = 0; y < glyphs.height(); ++y) {
-    for (int x = 0; x < glyphs.width(); ++x) {
-      if (glyphs[{x, y}].meaning == Meaning::obstacle) continue;
-      const auto role = role_of(scene, {x, y});
-      if (!role) continue;
-      const bool rough = scene.space.map().terrain({x, y}) != 1;
-      glyphs[{x, y}] = rough ? glyph_on_rough_ground(*role) : glyph_of(*role);
-    }
+  for (const Cell cell : every_cell(glyphs)) {
+    const auto role = role_of(scene, cell);
+    if (!role || glyphs[cell].meaning == Meaning::obstacle) continue;
+    const bool rough = scene.space.map().terrain(cell) != 1;
+    glyphs[cell] = rough ? glyph_on_rough_ground(*role) : glyph_of(*role);
   }
 }
 
-/// In every cell that poses or waypoints lead through: the heading there.
-void put_driven_path(const Scene& scene, Grid<Glyph>& glyphs) {
-  constexpr double kSpacing = 0.25;  // cells
-  const bool y_up = scene.space.map().frame().y_up;
-  if (!scene.path.cells().empty()) return;
-  for (const Arc& arc : scene.path.arcs()) {
-    const auto pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length) / kSpacing)));
-    for (int i = 0; i <= pieces; ++i) {
-      const Pose pose = pose_on(arc, arc.length * i / pieces);
-      if (const auto cell = cell_under(scene.space, pose.point())) {
-        glyphs[*cell] = arrow(nearest_direction(pose.heading, y_up), Meaning::path);
-      }
-    }
-  }
-}
-
+/// In every cell of the path: the direction towards the next one.
 void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
   const auto cells = scene.path.cells();
-  const bool y_up = scene.space.map().frame().y_up;
+  const bool y_up = row_order(scene.space).y_up;
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
     if (!glyphs.contains(cells[i]) || cells[i] == cells[i + 1]) continue;
     glyphs[cells[i]] = arrow(nearest_direction(cells[i], cells[i + 1], y_up), Meaning::path);
   }
 }
 
-}  // namespace
+/// In every cell that poses or waypoints lead through: the heading there.
+void put_driven_path(const Scene& scene, Grid<Glyph>& glyphs) {
+  for (const Arc& arc : scene.path.arcs()) {
+    const int pieces = pieces_of(arc.length);
+    for (int i = 0; i <= pieces; ++i) {
+      const Pose pose = pose_on(arc, arc.length * i / pieces);
+      if (const auto cell = cell_under(scene.space, pose.point())) {
+        glyphs[*cell] = arrow(row_order(scene.space).direction(pose.heading), Meaning::path);
+      }
+    }
+  }
+}
 
-std::string text_picture(const Scene& scene, const TextStyle& style) {
-  if (scene.unit) return lattice_picture(scene, style);
+/// Later ones over earlier ones.
+void put_lines(const Scene& scene, Grid<Glyph>& glyphs) {
+  for (const SceneLine& line : scene.lines) {
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      const Line piece{line.points[i - 1], line.points[i]};
+      const int pieces = pieces_of(piece.length());
+      for (int k = 0; k <= pieces; ++k) {
+        const auto cell = cell_under(scene.space, piece.at(static_cast<double>(k) / pieces));
+        if (cell) glyphs[*cell] = glyph_of(line.role);
+      }
+    }
+  }
+}
+
+Grid<Glyph> cell_glyphs(const Scene& scene) {
   Grid<Glyph> glyphs = glyphs_of(scene.space);
   put_roles(scene, glyphs);
   put_arrows(scene, glyphs);
-  put_path(scene, glyphs);
-  put_driven_path(scene, glyphs);
+  scene.path.cells().empty() ? put_driven_path(scene, glyphs) : put_path(scene, glyphs);
   put_lines(scene, glyphs);
   put_marks(scene, glyphs);
+  return glyphs;
+}
 
+/// A grid of texts of at most `width` characters, one a cell: `text_of(cell)`.
+template <class TextOf>
+std::string grid_text(const Scene& scene, TerminalColours colours, const Style& style, int width,
+                      const TextOf& text_of) {
+  const CellPaints paints(scene, style);
   std::string text;
-  for (int n = 0; n < glyphs.height(); ++n) {
-    append_row(text, std::as_const(glyphs).row(drawn_row(scene.space, n)), style);
+  for (int n = 0; n < scene.space.height(); ++n) {
+    const int y = row_order(scene.space).row(n);
+    for (int x = 0; x < scene.space.width(); ++x) {
+      const auto shown = text_of(Cell{x, y});
+      // The blank before a number is part of its tile, so that tiles touch each other.
+      const auto columns = static_cast<std::size_t>(width + (x > 0 ? 1 : 0));
+      const auto heat = paints.heat({x, y});
+      const std::string tile = heat ? ansi_tile(*heat, colours) : std::string();
+      text.append(tile).append(columns - columns_of(shown), ' ').append(shown);
+      if (!tile.empty()) text += kAnsiReset;
+    }
+    text += '\n';
   }
-  if (style.legend) append_legend(text, glyphs, SceneLegend(scene).entries(), style);
   return text;
+}
+
+/// Digits of terrain would be taken for what the layer knows.
+Glyph unless_rough(Glyph glyph) {
+  return glyph.meaning == Meaning::rough ? glyph_of(Meaning::free) : glyph;
+}
+
+std::string number_or_cell(double number, const FreeSpace& space, Cell cell,
+                           const NumberText& text) {
+  const Glyph glyph = glyph_of(space, cell);
+  if (glyph.meaning == Meaning::obstacle) return std::string(glyph.text);
+  if (std::isfinite(number)) return text(number);
+  if (std::isinf(number) && space.passable()[cell]) return "-";
+  return std::string(unless_rough(glyph).text);
+}
+
+}  // namespace
+
+std::string text_picture(const Scene& scene, const TextStyle& style) {
+  if (!scene.unit) return as_text(cell_glyphs(scene), row_order(scene.space), scene, style);
+  return as_text(lattice_glyphs(scene, style), {}, scene, style);
 }
 
 bool fits_as_text(const Scene& scene, int columns, int rows) {
@@ -131,6 +124,28 @@ bool fits_as_text(const Scene& scene, int columns, int rows) {
 
 bool fits_as_text(const GridMap& map, int columns, int rows) {
   return map.width() <= columns && map.height() <= rows;
+}
+
+std::string text_arrows(const Scene& scene, TerminalColours colours, const Style& style) {
+  assert(scene.arrows);
+  Grid<Glyph> glyphs = glyphs_of(scene.space);
+  for (const Cell cell : every_cell(glyphs)) glyphs[cell] = unless_rough(glyphs[cell]);
+  put_arrows(scene, glyphs);
+  put_marks(scene, glyphs);
+  return grid_text(scene, colours, style, 1, [&](Cell cell) { return glyphs[cell].text; });
+}
+
+std::string text_numbers(const Scene& scene, TerminalColours colours, const Style& style) {
+  assert(scene.heatmap);
+  const Grid<double>& numbers = scene.heatmap->values;
+  const NumberText text(numbers);
+  return grid_text(scene, colours, style, std::max(1, text.columns()), [&](Cell cell) {
+    return number_or_cell(numbers[cell], scene.space, cell, text);
+  });
+}
+
+int columns_a_number(const Grid<double>& numbers) {
+  return std::max(1, NumberText(numbers).columns()) + 1;
 }
 
 }  // namespace wend

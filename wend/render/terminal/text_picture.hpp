@@ -6,12 +6,13 @@
 //   S→↘.#    #  obstacle       S  start     →  path, towards the next cell
 //   ..#↓~    ?  unknown        G  goal      !  the narrowest place
 //   .?::G    :  too close for the robot     .  free
-//   *  expanded     %  the same on rough ground     +  frontier     @  being expanded     s  start's component     g  goal's component
+//   *  expanded     %  the same on rough ground     +  frontier     @  being expanded
+//   s  start's component     g  goal's component
 //   ~  rough (a multiplier of 2, or one that is no digit), 3 to 9  rough, by that multiplier
 //   ○ ● ◆ ◇  lines: planned, smoothed, driven, possible     R  the robot     ✗  a collision
 //   N  the nearest free cell
 //
-// A scene's arrows are shown too, its heatmap is not: see text_numbers() in text_layers.hpp.
+// A scene's arrows are shown too, its heatmap is not: text_numbers() shows that.
 //
 // Where a scene has a unit, the corners that a car stands on have characters too, with the cells
 // between them: two rows and two to four columns a cell, the numbers of corners at the sides:
@@ -35,6 +36,8 @@
 
 #include "wend/map/grid_map.hpp"
 #include "wend/render/scene.hpp"
+#include "wend/render/style.hpp"
+#include "wend/render/terminal/terminal.hpp"
 
 namespace wend {
 
@@ -53,5 +56,29 @@ bool fits_as_text(const Scene& scene, int columns, int rows);
 
 /// Does the map fit into that many columns and rows, one character a cell?
 bool fits_as_text(const GridMap& map, int columns, int rows);
+
+// What is known of every cell of a small map: a grid of a scene's arrows (which way to move) or of
+// its heatmap's numbers (costs), with blanks between the columns.
+//
+//   → ↓ #        0     1     #
+//   → G #        1  1.41     -
+//
+// The one rule for what stands in a cell: an obstacle is "#" whatever is known of it; what has an
+// arrow or a finite number shows it; a passable cell whose number is infinite (no path leads from
+// there) shows "-"; any other is "?", ":" or ".", as in text_picture() but for rough terrain, whose
+// digits would be taken for numbers.
+
+/// The scene's arrows, with its start, goals and narrowest place over them. Two columns a cell. In
+/// colours, arrows lie on the heat of their cells where the scene has a heatmap.
+std::string text_arrows(const Scene& scene, TerminalColours colours = TerminalColours::none,
+                        const Style& style = {});
+
+/// The numbers of the scene's heatmap, right-aligned, all with as many decimals as are needed (at
+/// most two). With 256 colours or more each lies on its colour of heat.
+std::string text_numbers(const Scene& scene, TerminalColours colours = TerminalColours::none,
+                         const Style& style = {});
+
+/// How many columns text_numbers() takes for one cell, the blank before it included.
+int columns_a_number(const Grid<double>& numbers);
 
 }  // namespace wend

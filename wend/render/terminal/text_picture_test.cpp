@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
+#include "tests/testing/drawn_map.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 
 namespace wend {
@@ -186,6 +188,115 @@ TEST(TextPicture, KnowsWhetherAMapFits) {
   EXPECT_TRUE(fits_as_text(map, 4, 2));
   EXPECT_FALSE(fits_as_text(map, 3, 2));
   EXPECT_FALSE(fits_as_text(map, 4, 1));
+}
+
+constexpr double kNoNumber = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Numbers for the cells of a map without any.
+Scene numbered(const FreeSpace& space) {
+  Scene scene{.space = space};
+  scene.heatmap = {"cost", Grid<double>(space.width(), space.height())};
+  return scene;
+}
+
+TEST(TextArrows, ShowsAPolicyAsDrawn) {
+  Scene scene{.space = FreeSpace(map_of({
+                  ".#.",
+                  "..?",
+                  "...",
+              }))};
+  scene.goals = {centre_of({2, 2})};
+  ArrowField policy(3, 3);
+  policy[{0, 0}] = Direction::down;
+  policy[{1, 0}] = Direction::down;  // the obstacle stays
+  policy[{0, 1}] = Direction::down_right;
+  policy[{1, 1}] = Direction::down;
+  policy[{0, 2}] = Direction::right;
+  policy[{1, 2}] = Direction::right;
+  scene.arrows = policy;
+  EXPECT_EQ(text_arrows(scene), lines_of({
+                                    "↓ # .",
+                                    "↘ ↓ ?",
+                                    "→ → G",
+                                }));
+}
+
+TEST(TextArrows, DrawsTheLastRowFirstWithYUp) {
+  Scene scene{.space = FreeSpace(map_of({"..", ".#"}, {.y_up = true}))};
+  ArrowField policy(2, 2);
+  policy[{0, 0}] = Direction::up;  // the bottom row
+  policy[{0, 1}] = Direction::up_right;
+  scene.arrows = policy;
+  EXPECT_EQ(text_arrows(scene), lines_of({"↗ .", "↑ #"}));
+}
+
+TEST(TextNumbers, AlignsWholeNumbersWithoutDecimals) {
+  Scene scene = numbered(FreeSpace(map_of({
+      "...",
+      ".#.",
+  })));
+  Grid<double>& costs = scene.heatmap->values;
+  costs[{1, 0}] = 1;
+  costs[{2, 0}] = 12;
+  costs[{0, 1}] = 100;
+  costs[{2, 1}] = kNoNumber;
+  EXPECT_EQ(text_numbers(scene), lines_of({
+                                     "  0   1  12",
+                                     "100   #   -",
+                                 }));
+  EXPECT_EQ(columns_a_number(costs), 4);
+}
+
+/// A 3 would be read as a cost of 3.
+TEST(TextNumbers, ShowNoDigitsOfTerrain) {
+  Scene scene = numbered(test::drawn_space("23#"));
+  scene.heatmap->values[{0, 0}] = 7;
+  scene.heatmap->values[{1, 0}] = kNotANumber;
+  EXPECT_EQ(text_numbers(scene), "7 . #\n");
+  scene.arrows = ArrowField(3, 1);
+  EXPECT_EQ(text_arrows(scene), ". . #\n");
+}
+
+TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
+  Scene scene = numbered(FreeSpace(map_of({"#..?.."}), {.robot_radius = 1}));
+  Grid<double>& numbers = scene.heatmap->values;
+  for (int x = 0; x < 6; ++x) numbers[{x, 0}] = x == 5 ? kNotANumber : kNoNumber;
+  EXPECT_EQ(text_numbers(scene), "# : : ? : .\n");
+  numbers[{1, 0}] = 0.5;  // a clearance, say
+  numbers[{3, 0}] = 2;
+  EXPECT_EQ(text_numbers(scene), "  # 0.5   : 2.0   :   .\n");
+}
+
+TEST(TextNumbers, ShowsAsManyDecimalsAsAreNeeded) {
+  Scene scene = numbered(FreeSpace(map_of({"...."})));
+  Grid<double>& costs = scene.heatmap->values;
+  costs[{0, 0}] = 1.5;
+  costs[{1, 0}] = 0.1 + 0.2;
+  costs[{2, 0}] = kNotANumber;
+  EXPECT_EQ(text_numbers(scene), "1.5 0.3   . 0.0\n");
+  costs[{3, 0}] = 1 + std::numbers::sqrt2;
+  EXPECT_EQ(text_numbers(scene), "1.50 0.30    . 2.41\n");
+}
+
+TEST(TextNumbers, DrawsTheLastRowFirstWithYUp) {
+  Scene scene = numbered(FreeSpace(map_of({".", "."}, {.y_up = true})));
+  scene.heatmap->values[{0, 1}] = 7;
+  EXPECT_EQ(text_numbers(scene), lines_of({"7", "0"}));
+}
+
+TEST(TextNumbers, LieOnTheirHeatInColours) {
+  Scene scene = numbered(FreeSpace(map_of({"..#"})));
+  scene.heatmap->values[{1, 0}] = 5;
+  Style style;
+  style.heat_colours.front() = colour_from(0xFFFFFF);
+  style.heat_colours.back() = colour_from(0x000000);
+  EXPECT_EQ(text_numbers(scene, TerminalColours::true_colour, style),
+            "\x1b[48;2;255;255;255m\x1b[38;2;0;0;0m0\x1b[0m"
+            "\x1b[48;2;0;0;0m\x1b[38;2;255;255;255m 5\x1b[0m #\n");
+  EXPECT_EQ(text_numbers(scene, TerminalColours::palette_256, style),
+            "\x1b[48;5;231m\x1b[38;5;16m0\x1b[0m\x1b[48;5;16m\x1b[38;5;231m 5\x1b[0m #\n");
+  EXPECT_EQ(text_numbers(scene, TerminalColours::sixteen, style), "0 5 #\n");
 }
 
 }  // namespace
