@@ -90,7 +90,8 @@ Argument add_word(Parser& app, const std::string& flags, const std::vector<std::
 void refuse_idle(const Parser& command, const std::vector<std::string>& flags,
                  std::string_view why) {
   for (const std::string& flag : flags) {
-    if (command.given(flag)) throw InputError(fmt::format("{} changes nothing: {}", flag, why));
+    const std::string typed = command.typed(flag);
+    if (!typed.empty()) throw InputError(fmt::format("{} changes nothing: {}", typed, why));
   }
 }
 

@@ -56,19 +56,23 @@ void RobotArguments::add_robot_to(Parser& app) {
 }
 
 void RobotArguments::add_clearance_cost_to(Parser& app) {
-  add_number(app, "--clearance-distance", clearance_distance, kDistances,
-             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
-             "more (units as --robot-radius; default 0, off)");
-  add_number(app, "--clearance-cost", clearance_cost, kCosts,
-             "How many times more a cell costs where the robot would touch an obstacle, fading to "
-             "nothing at --clearance-distance (default " +
-                 format_number(FreeSpaceOptions{}.clearance_cost) + ")");
+  const Argument distance = add_number(
+      app, "--clearance-distance", clearance_distance, kDistances,
+      "Distance to keep from obstacles where there is room, measured from the robot's edge; nearer "
+      "cells cost more (units as --robot-radius; default 0, off)");
+  add_number(app, "--keep-away", clearance_distance, kDistances, "").former_name_of(distance);
+  const Argument cost = add_number(
+      app, "--clearance-cost", clearance_cost, kCosts,
+      "Additional cost of a cell where the robot would touch an obstacle, as a multiple of the "
+      "cell's cost; it falls to 0 at --clearance-distance (default " +
+          format_number(FreeSpaceOptions{}.clearance_cost) + ")");
+  add_number(app, "--keep-away-cost", clearance_cost, kCosts, "").former_name_of(cost);
 }
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   if (clearance_cost && clearance_distance.value_or(0) == 0) {
     throw InputError(
-        "--clearance-cost changes nothing: say from how far on with --clearance-distance");
+        "--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),

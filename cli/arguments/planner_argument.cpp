@@ -28,7 +28,9 @@ const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find
 int unit_of(const PlannerSpec& planner, const Frame& frame) {
   std::int64_t unit = 1;
   for (const auto& [name, value] : planner.options) {
-    if (name == "unit") unit = parse_integer<int>(value).value_or(1);
+    if (name == "lattice_resolution" || name == "unit") {
+      unit = parse_integer<int>(value).value_or(1);
+    }
     if (name == "turning_radius") unit = unit_for(parse_number(value).value_or(0), frame);
   }
   return static_cast<int>(std::max<std::int64_t>(unit, 1));

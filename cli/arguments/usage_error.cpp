@@ -26,9 +26,10 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
   return names;
 }
 
-std::vector<std::string> flag_names(const CLI::App& app) {
+std::vector<std::string> shown_flags(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // a former name
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
@@ -61,10 +62,12 @@ std::string equals_sign_text(const CLI::App& app) {
 
 /// "--start needs a value: X,Y", where the next flag was taken for the value of one.
 std::string swallowed_flag_text(const CLI::App& app) {
-  const std::vector<std::string> flags = flag_names(app);
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
-      if (std::ranges::find(flags, flag_name_of(value)) != flags.end()) return needs_value(*option);
+      const bool is_long = value.starts_with("--");
+      if (is_long && app.get_option_no_throw(flag_name_of(value)) != nullptr) {
+        return needs_value(*option);
+      }
     }
   }
   return {};
@@ -85,7 +88,7 @@ std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& erro
 std::string surplus_text(const CLI::App& app, const std::string& argument) {
   if (is_flag(argument)) {
     const std::string name = flag_name_of(argument);
-    const auto closest = closest_name(name, flag_names(app));
+    const auto closest = closest_name(name, shown_flags(app));
     return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
   }
   const std::vector<std::string> commands = subcommand_names(app);
@@ -131,6 +134,8 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     text = surplus_text(*at, surplus(left));
   } else if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     text = mismatch_text(*at, *mismatch);
+  } else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    text += ": give one of them";
   } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
              !subcommand_names(*at).empty()) {
     text = "choose a subcommand: " + or_list(subcommand_names(*at));

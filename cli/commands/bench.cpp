@@ -52,7 +52,7 @@ constexpr const char* kBenchExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps,hub_labels
   wend bench rooms.map.scen --planner astar,jps --fresh --sample 20
-  wend bench . --planner astar,dijkstra --passes 2 --per-query queries.csv
+  wend bench . --planner astar,dijkstra --repetitions 2 --per-query queries.csv
   wend bench rooms.map.scen --robot-radius 1.5 --connectivity 4
   wend bench . --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
@@ -92,8 +92,8 @@ std::string text_of(const BenchArguments& arguments, const std::vector<BenchRow>
   return {};
 }
 
-void check(const BenchArguments& arguments) {
-  arguments.settings.check();
+void check(const Parser& bench, const BenchArguments& arguments) {
+  arguments.settings.check(bench);
   check_positive("--sample", arguments.sample);
   if (!arguments.database.empty()) {
     check_folder(arguments.database, "--database " + arguments.database);
@@ -168,7 +168,7 @@ BenchResults run_races(const BenchArguments& arguments, BenchInput& input, Bench
   const BenchSettings& settings = arguments.settings;
   std::uint64_t queries = 0;
   for (const Course& course : input.courses) queries += course.scenario.queries.size();
-  const std::uint64_t answers = queries * input.contestants.size() * settings.passes;
+  const std::uint64_t answers = queries * input.contestants.size() * settings.repetitions;
   BenchProgress progress{{"queries", answers}};
   BenchResults results;
   for (Course& course : input.courses) {
@@ -233,8 +233,8 @@ bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
   return ranks.rank() == 0;
 }
 
-int run(const BenchArguments& arguments) {
-  check(arguments);
+int run(const Parser& bench, const BenchArguments& arguments) {
+  check(bench, arguments);
   try {
     BenchInput input = load_input(arguments);
     if (!arguments.per_query.empty()) {
@@ -308,7 +308,7 @@ Command add_bench(Parser& app) {
             if (arguments->plot.empty()) {
               refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");
             }
-            return run(*arguments);
+            return run(bench, *arguments);
           }};
 }
 

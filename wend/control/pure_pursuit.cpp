@@ -33,7 +33,8 @@ struct PurePursuitOptions {
     field({"lateral_acceleration", "slower in curves in which it would be greater, m/s^2"},
           self.lateral_acceleration, {1e-3, 1e3});
     field({"approach", "slower this near to the goal, m"}, self.approach, {0, 1e3});
-    field({"min_speed", "but never slower, m/s"}, self.min_speed, {1e-4, 1e3});
+    field({.name = "min_speed", .help = "lower limit on the speed, m/s", .former = "least_speed"},
+          self.min_speed, {1e-4, 1e3});
   }
 };
 

@@ -46,7 +46,7 @@ void BenchRace::recall(Runner& runner) {
 }
 
 void BenchRace::run(const std::vector<GivenIndex>& indexes, BenchProgress& progress) {
-  const std::uint64_t passes = settings_.passes;
+  const std::uint64_t passes = settings_.repetitions;
   for (Runner& runner : runners_) {
     std::uint64_t known = 0;
     bool all_known = true;

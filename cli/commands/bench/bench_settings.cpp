@@ -11,7 +11,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr std::uint64_t kMostPasses = 1'000'000;
+constexpr std::uint64_t kMostRepetitions = 1'000'000;
 constexpr NumberRange kBenchSeconds{1e-6, 1e9, "s"};
 
 std::string_view corner_text(CornerRule rule) {
@@ -36,8 +36,10 @@ void BenchSettings::add_to(Parser& app) {
       app, "--threads", threads,
       "Number of threads that answer queries at the same time, each with its planner (default 1: "
       "threads share caches and slow each other down)");
-  add_count(app, "--passes", passes,
-            "Repetitions of the whole scenario, planner after planner (default 1)");
+  const Argument repeated =
+      add_count(app, "--repetitions", repetitions,
+                "Number of times that all queries are run, planner after planner (default 1)");
+  add_count(app, "--passes", repetitions, "").former_name_of(repeated);
   app.add_flag("--fresh", fresh,
                wrapped("Make a new planner for every query, and time its first query, one run; the "
                        "preparation is shown beside it"));
@@ -47,9 +49,9 @@ void BenchSettings::add_to(Parser& app) {
       "wrong");
 }
 
-void BenchSettings::check() const {
+void BenchSettings::check(const Parser& app) const {
   check_range("--threads", threads, 1, kMostThreads);
-  check_range("--passes", passes, 1, kMostPasses);
+  check_range(app.typed("--repetitions"), repetitions, 1, kMostRepetitions);
 }
 
 bool BenchSettings::as_in_scenarios() const {

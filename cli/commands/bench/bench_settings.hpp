@@ -18,14 +18,14 @@ struct BenchSettings {
   RobotArguments robot;
   MovesArguments moves;
   std::uint64_t threads = 1;
-  std::uint64_t passes = 1;
+  std::uint64_t repetitions = 1;
   bool fresh = false;  // a new planner for every query
   std::optional<double> limit_s;
 
   void add_to(Parser& app);
 
-  /// Throws InputError for a number out of range.
-  void check() const;
+  /// Throws InputError for a number out of range. `app`: whose arguments were parsed.
+  void check(const Parser& app) const;
 
   /// Is the robot the one that MovingAI's lengths are for: a point that moves to 8 neighbours without
   /// cutting corners?

@@ -34,10 +34,14 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
   }
   if (options->turning_radius > 0) {
-    const auto is_unit = [](const auto& value) { return value.first == "unit"; };
-    if (std::ranges::any_of(values, is_unit)) {
+    const auto is_resolution = [](const auto& value) {
+      return value.first == "lattice_resolution" || value.first == "unit";
+    };
+    const auto given = std::ranges::find_if(values, is_resolution);
+    if (given != values.end()) {
       return Unexpected<PlannerError>(
-          {Status::invalid_option, "unit and turning_radius say the same: give one of them"});
+          {Status::invalid_option,
+           given->first + " and turning_radius set the same value: give one of them"});
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }

@@ -82,7 +82,7 @@ TEST(Car, TurnsTheSameWayAsDrawnWhereYIsUp) {
 }
 
 TEST(Car, SaysByHowMuchItMissesWhatWasAsked) {
-  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   const Query query{{0.3, 0.4, 0.25}, {Goal(Point{7.6, 9}), Goal(Point{4, 3})}};
   const auto plan = planner->plan(query);
   ASSERT_TRUE(plan);
@@ -203,12 +203,12 @@ TEST(Car, SaysWhichGoalItSearchedForInVain) {
 }
 
 TEST(Car, SaysOfAMapThatItIsTooSmall) {
-  const auto made = make_planner("car", test::open_space(4, 2), {{"unit", "3"}});
+  const auto made = make_planner("car", test::open_space(4, 2), {{"lattice_resolution", "3"}});
   ASSERT_FALSE(made);
   EXPECT_EQ(to_string(made.error().status), "unsupported_map");
   const std::string why = "the map of 4 x 2 cells is too small for a lattice of 3 map cells a unit";
   EXPECT_EQ(made.error().message(), why);
-  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   planner->update(test::open_space(4, 2));
   expect_refusal(*planner, {at(0, 0, Heading::east), {at(0, 0, Heading::east)}}, "unsupported_map",
                  why);
