@@ -32,11 +32,12 @@ struct MotionModel {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"drivetrain", "what turns the robot: two wheels (differential) or steering (bicycle)"},
+    field({"drivetrain",
+           "how the robot turns: by two driven wheels (differential) or by steering (bicycle)"},
           self.drivetrain);
-    field({"wheelbase", "of a bicycle: from axle to axle, m"}, self.wheelbase, {1e-3, 1e3});
-    field({"steering_limit", "of a bicycle: the greatest steering angle, rad"}, self.steering_limit,
-          {1e-3, 1.5});
+    field({"wheelbase", "bicycle: distance between the axles, m"}, self.wheelbase, {1e-3, 1e3});
+    field({"steering_limit", "bicycle: upper limit on the steering angle, rad"},
+          self.steering_limit, {1e-3, 1.5});
     VelocityLimits::fields(self.limits, field);
   }
 

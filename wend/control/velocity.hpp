@@ -21,11 +21,11 @@ struct VelocityLimits {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"speed", "the greatest speed, m/s"}, self.speed, {1e-3, 1e3});
-    field({"turn_rate", "the greatest turn rate, rad/s"}, self.turn_rate, {1e-3, 1e3});
-    field({"acceleration", "the greatest acceleration, m/s^2; braking too"}, self.acceleration,
+    field({"speed", "upper limit on the speed, m/s"}, self.speed, {1e-3, 1e3});
+    field({"turn_rate", "upper limit on the turn rate, rad/s"}, self.turn_rate, {1e-3, 1e3});
+    field({"acceleration", "upper limit on acceleration and braking, m/s^2"}, self.acceleration,
           {1e-3, 1e6});
-    field({"turn_acceleration", "the greatest change of the turn rate, rad/s^2"},
+    field({"turn_acceleration", "upper limit on the angular acceleration, rad/s^2"},
           self.turn_acceleration, {1e-3, 1e6});
   }
 };

@@ -123,7 +123,7 @@ std::string_view describe(BlockReason reason) {
     case BlockReason::too_close:
       return "closer to an obstacle than the robot's radius";
     case BlockReason::over_edge:
-      return "so close to the map's edge that the robot would leave the map";
+      return "too close to the map's edge for the robot's radius";
   }
   return {};
 }

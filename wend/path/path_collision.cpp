@@ -153,7 +153,7 @@ std::string_view describe(CollisionKind kind) {
     case CollisionKind::too_close:
       return "comes closer to an obstacle than the robot's radius";
     case CollisionKind::squeezed:
-      return "squeezes between two obstacles that touch at a corner";
+      return "passes between two obstacles that touch at a corner";
   }
   return {};
 }

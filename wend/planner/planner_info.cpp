@@ -42,10 +42,10 @@ std::string_view to_string(Preprocessing preprocessing) {
 
 std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space) {
   if (space.uniform_terrain()) return std::nullopt;
-  return PlannerError{Status::unsupported_map,
-                      std::string(planner) +
-                          " plans where all cells cost the same, and this map has terrain, or the "
-                          "robot keeps away from obstacles"};
+  return PlannerError{
+      Status::unsupported_map,
+      std::string(planner) +
+          " supports uniform terrain only; this map has terrain or clearance costs"};
 }
 
 }  // namespace wend

@@ -51,7 +51,7 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
   if (!info) return Unexpected<PlannerError>(info.error());
   if (!(*info)->index_support) {
     return Unexpected<PlannerError>(
-        {Status::invalid_option, std::string(name) + " plans without an index"});
+        {Status::invalid_option, std::string(name) + " does not use an index"});
   }
   return (*info)->index_support->make_planner(space, options, std::move(index));
 }

@@ -68,7 +68,7 @@ std::string reason_in_cells(const FreeSpace& space, const Query& query, Status s
     case Status::goal_blocked:
       return end_in_cells(space, "goal", query.goals.front().point);
     case Status::unreachable:
-      return "no path joins " + end_in_cells(space, "start", query.start.point()) + ", and " +
+      return "there is no path: " + end_in_cells(space, "start", query.start.point()) + ", and " +
              end_in_cells(space, "goal", query.goals.front().point);
     default:
       return {};
