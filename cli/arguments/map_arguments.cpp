@@ -4,9 +4,9 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
-#include "cli/arguments/memory_need.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
 
 namespace wend::cli {
@@ -16,6 +16,13 @@ constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
 constexpr NumberRange kDistances{0, 1e9, kMapUnit};
 constexpr NumberRange kCosts{0, 1e6};
 constexpr NumberRange kMegabytes{0, 1e9, "MB"};
+
+/// "5.3 GB", "120 MB"
+std::string size_of(double bytes) {
+  const double megabytes = bytes / 1e6;
+  return megabytes < 1000 ? fmt::format("{:.3g} MB", megabytes)
+                          : fmt::format("{:.3g} GB", megabytes / 1000);
+}
 
 }  // namespace
 
@@ -71,8 +78,7 @@ void RobotArguments::add_clearance_cost_to(Parser& app) {
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   if (clearance_cost && clearance_distance.value_or(0) == 0) {
-    throw InputError(
-        "--clearance-cost changes nothing without --clearance-distance");
+    throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),
@@ -103,6 +109,16 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
   return FreeSpace(map, robot);
+}
+
+void check_memory(const std::string& file, const GridMap& map, double need,
+                  std::optional<double> available) {
+  if (!available || need <= *available) return;
+  const std::string reason = fmt::format(
+      "{}: {} x {} cells need about {} of memory, and {} are available; a coarser map needs less, "
+      "and --limit-memory MB tries all the same",
+      file, map.width(), map.height(), size_of(need), size_of(*available));
+  throw NoPathError(reason, {std::string(to_string(Status::memory_limit)), reason});
 }
 
 }  // namespace wend::cli

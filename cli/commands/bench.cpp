@@ -12,20 +12,17 @@
 #include "bench/scenario/bench_queries.hpp"
 #include "bench/scenario/bench_rows.hpp"
 #include "cli/arguments/flags.hpp"
-#include "cli/commands/bench/bench_contestant.hpp"
-#include "cli/commands/bench/bench_course.hpp"
-#include "cli/commands/bench/bench_race.hpp"
-#include "cli/commands/bench/bench_reference.hpp"
-#include "cli/commands/bench/bench_settings.hpp"
-#include "cli/commands/bench/bench_shards.hpp"
-#include "cli/commands/bench/bench_store.hpp"
+#include "cli/commands/bench/entry.hpp"
 #include "cli/commands/bench/ranks.hpp"
+#include "cli/commands/bench/run.hpp"
+#include "cli/commands/bench/scenarios.hpp"
+#include "cli/commands/bench/settings.hpp"
+#include "cli/commands/bench/store.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
 
 namespace wend::cli {
@@ -115,19 +112,19 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-std::vector<std::filesystem::path> files_of(const std::vector<Course>& courses) {
+std::vector<std::filesystem::path> files_of(const std::vector<BenchScenario>& scenarios) {
   std::vector<std::filesystem::path> files;
-  for (const Course& course : courses) {
-    files.emplace_back(course.scenario.file);
-    append(files, course.map_files);
+  for (const BenchScenario& scenario : scenarios) {
+    files.emplace_back(scenario.file);
+    append(files, scenario.map_files);
   }
   return files;
 }
 
 /// Every index that was given is to be used.
-void check_used(const GivenIndex& index, const std::vector<Contestant>& contestants) {
-  const bool taken = std::ranges::any_of(
-      contestants, [&](const Contestant& contestant) { return contestant.takes(index); });
+void check_used(const GivenIndex& index, const std::vector<BenchEntry>& entries) {
+  const bool taken =
+      std::ranges::any_of(entries, [&](const BenchEntry& entry) { return entry.takes(index); });
   if (taken) return;
   throw InputError(fmt::format("--index {}: it is for {}, which is not in --planner", index.file,
                                index.header.planner_name()));
@@ -135,21 +132,21 @@ void check_used(const GivenIndex& index, const std::vector<Contestant>& contesta
 
 /// All that a benchmark needs, read and checked before anything is measured or written.
 struct BenchInput {
-  std::vector<Contestant> contestants;
+  std::vector<BenchEntry> entries;
   std::vector<GivenIndex> indexes;
-  std::vector<Course> courses;
+  std::vector<BenchScenario> scenarios;
 };
 
 BenchInput load_input(const BenchArguments& arguments) {
   const BenchSettings& settings = arguments.settings;
-  BenchInput input{parse_contestants(arguments.planners, settings.moves.moves),
+  BenchInput input{parse_entries(arguments.planners, settings.moves.moves),
                    open_indexes(arguments.indexes),
-                   load_courses(arguments.scenarios, arguments.map, arguments.sample)};
-  for (const GivenIndex& index : input.indexes) check_used(index, input.contestants);
+                   load_scenarios(arguments.scenarios, arguments.map, arguments.sample)};
+  for (const GivenIndex& index : input.indexes) check_used(index, input.entries);
   std::vector<bool> fits(input.indexes.size(), false);
-  for (const Course& course : input.courses) {
-    const FreeSpace space = settings.robot.free_space(course.map);
-    for (const Contestant& contestant : input.contestants) contestant.check(space);
+  for (const BenchScenario& scenario : input.scenarios) {
+    const FreeSpace space = settings.robot.free_space(scenario.map);
+    for (const BenchEntry& entry : input.entries) entry.check(space);
     for (std::size_t i = 0; i < fits.size(); ++i) {
       fits[i] = fits[i] || is_for(input.indexes[i], space);
     }
@@ -162,26 +159,25 @@ BenchInput load_input(const BenchArguments& arguments) {
   return input;
 }
 
-/// Of the courses, or of a share of their queries.
-BenchResults run_races(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
-                       BenchShare share = {}) {
+/// Of the scenarios, or of a share of their queries.
+BenchResults run_scenarios(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
+                           BenchShare share = {}) {
   const BenchSettings& settings = arguments.settings;
   std::uint64_t queries = 0;
-  for (const Course& course : input.courses) queries += course.scenario.queries.size();
-  const std::uint64_t answers = queries * input.contestants.size() * settings.repetitions;
+  for (const BenchScenario& scenario : input.scenarios) queries += scenario.queries.size();
+  const std::uint64_t answers = queries * input.entries.size() * settings.repetitions;
   BenchProgress progress{{"queries", answers}};
   BenchResults results;
-  for (Course& course : input.courses) {
+  for (BenchScenario& scenario : input.scenarios) {
     if (!settings.as_in_scenarios()) {
-      set_lengths(course.scenario.queries, settings.robot.free_space(course.map),
-                  settings.moves.moves);
+      set_lengths(scenario.queries, settings.robot.free_space(scenario.map), settings.moves.moves);
     }
-    BenchRace race(course, input.contestants, settings, store, share);
-    race.run(input.indexes, progress);
+    BenchRun bench_run(scenario, input.entries, settings, store, share);
+    bench_run.run(input.indexes, progress);
     if (share.ranks > 1) continue;
-    append(results.rows, race.rows());
+    append(results.rows, bench_run.rows());
     if (!arguments.plot.empty() || !arguments.per_query.empty()) {
-      append(results.maps, race.benched());
+      append(results.maps, bench_run.benched());
     }
   }
   if (progress.known > 0 && !arguments.distributed) {
@@ -211,8 +207,9 @@ void run_share(const BenchArguments& arguments, BenchInput& input, Ranks& ranks)
   ranks.wait_for_all();
   {
     BenchStore store(arguments.database, shard_file(arguments.database, ranks.rank()));
-    run_races(arguments, input, store,
-              {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
+    run_scenarios(
+        arguments, input, store,
+        {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
   }
   ranks.wait_for_all();
   if (merges) merge_shards(arguments.database);
@@ -238,12 +235,12 @@ int run(const Parser& bench, const BenchArguments& arguments) {
   try {
     BenchInput input = load_input(arguments);
     if (!arguments.per_query.empty()) {
-      check_not_among(files_of(input.courses), arguments.per_query,
+      check_not_among(files_of(input.scenarios), arguments.per_query,
                       "--per-query " + arguments.per_query);
     }
     if (arguments.distributed && !run_distributed(arguments, input)) return success;
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
-    const BenchResults results = run_races(arguments, input, store);
+    const BenchResults results = run_scenarios(arguments, input, store);
     const std::vector<BenchRow>& rows = results.rows;
     print(text_of(arguments, rows));
     if (!arguments.per_query.empty()) write_queries(arguments, results.maps);

@@ -5,19 +5,16 @@
 #include <memory>
 #include <utility>
 
-#include "cli/arguments/corner_rule.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/map_arguments.hpp"
-#include "cli/arguments/path_file.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/collision_text.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
+#include "cli/output/plan_text.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/report/path_report.hpp"

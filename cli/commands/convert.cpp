@@ -12,7 +12,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/map_saving.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/io/map/losses.hpp"
 #include "wend/io/map/save_map.hpp"
 #include "wend/io/map/text_grid.hpp"

@@ -12,12 +12,9 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
-#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/report/no_path_json.hpp"
 

@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/limit_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
 #include "cli/output/field_text.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/plan_text.hpp"
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/cost_to_go.hpp"

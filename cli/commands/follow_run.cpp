@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "bench/plot/drive_plot.hpp"
-#include "cli/arguments/path_file.hpp"
+#include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/picture_files.hpp"
-#include "cli/watching/drive_frames.hpp"
-#include "cli/watching/search_frames.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/watching/films.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/planner/planner.hpp"

@@ -12,7 +12,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/map_saving.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/io/map/save_map.hpp"

@@ -11,11 +11,10 @@
 #include "bench/scenario/scenario_queries.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/map_arguments.hpp"
-#include "cli/arguments/moves_arguments.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {

@@ -5,14 +5,12 @@
 #include <memory>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/index_argument.hpp"
-#include "cli/arguments/limit_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"

@@ -141,4 +141,13 @@ std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
          named_line("before", preparation_text(times));
 }
 
+std::string collision_text(const PathCollision& collision, const Coordinates& coordinates) {
+  std::string text = fmt::format("after {}, at {}, it {}", coordinates.length(collision.along),
+                                 coordinates.text(collision.point), describe(collision.kind));
+  if (collision.obstacle) {
+    text += fmt::format(": the one at {}", coordinates.text(centre_of(*collision.obstacle)));
+  }
+  return text;
+}
+
 }  // namespace wend::cli

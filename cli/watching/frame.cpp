@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 
 namespace wend::cli {
 namespace {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "wend/planner/observer.hpp"
+#include "wend/planner/open_list.hpp"
 
 namespace wend::cli {
 
@@ -40,5 +41,13 @@ class LastExpansion final : public SearchObserver {
 
 /// "(3,4) f=9.24 g=4 h=5.24"
 std::string event_text(const SearchEvent& event);
+
+inline constexpr int kMostOpenEntries = 10;
+
+/// In at most `rows` rows, but with at least one entry.
+std::string open_list_text(const OpenList& list, int rows);
+
+/// With kMostOpenEntries entries at most.
+std::string open_list_text(const OpenList& list);
 
 }  // namespace wend::cli

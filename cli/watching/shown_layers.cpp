@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/render/terminal/text_layers.hpp"
 
 namespace wend::cli {

@@ -6,7 +6,7 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/output_files.hpp"
+#include "cli/output/output.hpp"
 
 namespace wend::cli {
 namespace {
