@@ -65,7 +65,7 @@ TEST_F(CheckCommand, SaysWhereAPathFirstCollides) {
 
 TEST_F(CheckCommand, LetsARobotSqueezeIfTheCornerRuleDoes) {
   const std::string path = waypoints("5.5,4.5,0,0,0\n6.5,5.5,0,0,0\n");
-  EXPECT_THAT(check(path).err, HasSubstr("squeezes between two obstacles"));
+  EXPECT_THAT(check(path).err, HasSubstr("passes between two obstacles"));
   EXPECT_EQ(check(path, {"--corner-rule", "both"}).code, 0);
 }
 

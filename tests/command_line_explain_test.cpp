@@ -42,7 +42,7 @@ TEST_F(ExplainCommand, FindsTheDoorThatIsTooNarrow) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(
       outcome.out,
-      AllOf(StartsWith("no path joins start (1,2) and goal (9,2)\n"),
+      AllOf(StartsWith("there is no path from start (1,2) to goal (9,2)\n"),
             HasSubstr("with a radius of up to 0.5 cells, narrowest at cell (5,2)"),
             HasSubstr("--robot-radius 0.5"), HasSubstr("robot's size    the cause"),
             HasSubstr("unknown cells   not the cause"), HasSubstr("corner rule     not the cause"),
@@ -83,7 +83,7 @@ TEST_F(ExplainCommand, NamesUnknownCellsAndTheCornerRule) {
   const Outcome walled = explain(corner, {"--start", "0,0", "--goal", "4,1"});
   EXPECT_EQ(walled.code, 1);
   EXPECT_THAT(walled.out,
-              AllOf(HasSubstr("widest path     none"), HasSubstr("nothing but another map")));
+              AllOf(HasSubstr("widest path       none"), HasSubstr("nothing but another map")));
 }
 
 /// Two cells that touch with their corners are one component for a point, but not for a disc.
@@ -93,13 +93,13 @@ TEST_F(ExplainCommand, CountsWhatThisRobotCanReach) {
                                        "--corner-rule", "both", "--robot-radius", "0.5"};
   const Outcome outcome = explain(map, query);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("start's region  1 cell\n"), HasSubstr("goal's region   1 cell\n")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's component 1 cell\n"),
+                                 HasSubstr("goal's component  1 cell\n")));
   for (const std::string command : {"plan", "field"}) {
     std::vector<std::string> arguments{command, map};
     arguments.insert(arguments.end(), query.begin(), query.end());
     EXPECT_THAT(wend(arguments).err,
-                HasSubstr("the start's region has 1 cell, the goal's has 1 cell"));
+                HasSubstr("the start's connected component has 1 cell, the goal's has 1 cell"));
   }
 }
 
@@ -115,7 +115,7 @@ TEST_F(ExplainCommand, IsWhatPlanSaysInOneSentence) {
   const Outcome outcome =
       wend({"plan", door_, "--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the start's region has 21 cells"),
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the start's connected component has 21 cells"),
                                  HasSubstr("a radius of at most 0.5 cells (--robot-radius 0.5)"),
                                  HasSubstr("wend explain")));
 }
@@ -124,11 +124,11 @@ TEST_F(ExplainCommand, ExplainsABlockedEnd) {
   const Outcome outcome =
       explain(door_, {"--start", "5,2", "--goal", "9,2", "--robot-radius", "0.6"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's region  the start (5,2) is blocked"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's component the start (5,2) is blocked"),
                                  HasSubstr("--robot-radius 0.5")));
   const Outcome outside = explain(door_, {"--start", "50,2", "--goal", "9,2"});
   EXPECT_EQ(outside.code, 2);
-  EXPECT_THAT(outside.err, HasSubstr("lies outside the map"));
+  EXPECT_THAT(outside.err, HasSubstr("is outside the map"));
 }
 
 TEST_F(ExplainCommand, AsksForAnotherEndWhereOneLiesOnAnObstacle) {

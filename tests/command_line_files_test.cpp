@@ -27,7 +27,7 @@ constexpr const char* kTwoComponents =
     "....##.\n"
     ".~3..#?\n";
 
-constexpr const char* kReason = "no path joins start (0,0) and goal (6,0)";
+constexpr const char* kReason = "there is no path from start (0,0) to goal (6,0)";
 
 class NoPath : public testing::Test {
  protected:

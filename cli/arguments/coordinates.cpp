@@ -55,7 +55,7 @@ std::string metres(Point point) {
 
 constexpr std::string_view kAny = "any";
 constexpr std::string_view kHeadingsThatAre =
-    "N, W, E or S (or 0, 1, 2, 3), or an angle as 45deg or 0.8rad";
+    "N, W, E or S (or 0, 1, 2, 3), or an angle such as 45deg or 0.8rad";
 
 /// "45deg" and "0.8rad" in radians.
 std::optional<double> parse_angle(std::string_view text) {
@@ -113,8 +113,8 @@ TypedPose parse(const Coordinates& coordinates, const std::string& name, const s
 Place Coordinates::parse(const std::string& name, const std::string& typed) const {
   if (has_heading(typed)) {
     throw InputError(
-        fmt::format("--{}: {} has a heading, and a robot that moves from cell to cell has none: "
-                    "leave it out, or plan for a car (wend plan --planner car)",
+        fmt::format("--{}: {} has a heading, and grid planners do not use one: leave it out, or "
+                    "use the car planner (wend plan --planner car)",
                     name, quote(typed)));
   }
   const Point point = parse_point(name, typed, "cell");
@@ -135,9 +135,9 @@ Point Coordinates::parse_point(const std::string& name, const std::string& typed
     throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
   }
   if (!metric_ && (!is_whole(point->x) || !is_whole(point->y))) {
-    throw InputError(fmt::format("--{0}: {1} is not a {2}: {2}s are counted in whole numbers{3}",
-                                 name, quote(typed), what,
-                                 frame_.metric ? "; without --cells, X,Y are metres" : ""));
+    throw InputError(
+        fmt::format("--{0}: {1} is not a {2}: the coordinates of a {2} are whole numbers{3}", name,
+                    quote(typed), what, frame_.metric ? "; without --cells, X,Y are metres" : ""));
   }
   return *point;
 }
@@ -187,7 +187,7 @@ std::string Coordinates::extent() const {
 
 std::string Coordinates::extent_of_corners() const {
   if (metric_) return metric_extent();
-  return fmt::format("the corners with x from 0 to {} and y from 0 to {}", width_, height_);
+  return fmt::format("the grid vertices with x from 0 to {} and y from 0 to {}", width_, height_);
 }
 
 std::string Coordinates::metric_extent() const {
@@ -233,7 +233,8 @@ TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& ty
   TypedPose pose = parse(coordinates, "start", typed, parts);
   if (!parts.heading) {
     throw InputError(
-        fmt::format("--start: {} has no heading, and a car needs one: {},E say; it is {}",
+        fmt::format("--start: {} has no heading, and the car planner needs one, for example {},E; "
+                    "a heading is {}",
                     quote(typed), typed, kHeadingsThatAre));
   }
   pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());

@@ -60,7 +60,7 @@ std::optional<std::string> part_outside(const Path& path, const FreeSpace& space
 void check_read_once(const std::vector<std::string>& names) {
   const auto from_input = [](const std::string& name) { return is_standard_input(name); };
   if (std::count_if(names.begin(), names.end(), from_input) < 2) return;
-  throw InputError("standard input can be read only once: name a file for all but one '-'");
+  throw InputError("standard input can be read only once: use '-' for one file only");
 }
 
 LoadedMap read_map(const std::string& file, const LoadOptions& options) {
@@ -85,8 +85,8 @@ Path read_path(const std::string& file, const Frame& frame, PathStage stage) {
 
 void add_path_file(Parser& app, std::string& file) {
   app.add_option("PATH", file,
-                 wrapped("The path, as `wend plan -o` writes it (.csv, .json), or points in metres "
-                         "(.csv with columns x_m and y_m); - reads it from standard input"))
+                 wrapped("Path, as written by `wend plan -o` (.csv, .json), or points in metres "
+                         "(.csv with columns x_m and y_m); - reads standard input"))
       .required()
       .type_name(kFileType);
 }
@@ -99,7 +99,7 @@ Path load_path_on(const FreeSpace& space, const std::string& file, PathStage sta
   Path path = load_path_for(space, file, stage);
   const auto outside = part_outside(path, space);
   if (!outside) return path;
-  throw InputError(fmt::format("{}: {} does not lie on the map, which has {}", file, *outside,
+  throw InputError(fmt::format("{}: {} is outside the map, which has {}", file, *outside,
                                size_text(space.map())));
 }
 

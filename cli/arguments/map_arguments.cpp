@@ -12,7 +12,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
+constexpr NumberRange kResolutions{1e-6, 1e6, "metres per cell"};
 constexpr NumberRange kDistances{0, 1e9, kMapUnit};
 constexpr NumberRange kCosts{0, 1e6};
 constexpr NumberRange kMegabytes{0, 1e9, "MB"};
@@ -28,12 +28,12 @@ std::string size_of(double bytes) {
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
   app.add_option(name, file,
-                 wrapped("ROS map.yaml, MovingAI .map, text grid (.txt, .grid), "
-                         "or a bare PNG or PNM image; - reads one from standard input"))
+                 wrapped("Map file: ROS map.yaml, MovingAI .map, text grid (.txt, .grid), or a "
+                         "bare PNG or PNM image; - reads standard input"))
       .required()
       .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
-             "Metres a cell of a bare image, which then counts in metres");
+             "Resolution of a bare image in metres per cell; its unit of length is then the metre");
 }
 
 LoadedMap MapFileArguments::load() const {
@@ -49,17 +49,17 @@ LoadedMap MapFileArguments::load() const {
 
 void RobotArguments::add_robot_to(Parser& app) {
   add_number(app, "--robot-radius", robot_radius, kDistances,
-             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
-             "for others and with --cells (default 0, a point)");
+             "Radius of the robot, a disc: in metres on maps with a resolution, in cells on others "
+             "and with --cells (default 0, a point)");
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
-                            "What unknown cells are (default blocked)");
+                            "Whether unknown cells are blocked or free (default blocked)");
   add_choice<std::optional<OutsidePolicy>>(
       app, "--outside", outside,
       {{"blocked", OutsidePolicy::blocked}, {"free", OutsidePolicy::free}},
-      "What lies outside the map: whether the robot's disc may hang over the map's edge (default "
+      "Outside of the map: with free the robot's disc may extend beyond the map's edge (default "
       "blocked for maps in metres, free for maps in cells)");
-  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
+  app.add_flag("--cells", cells, wrapped("Use cells as the unit of length on maps in metres"));
 }
 
 void RobotArguments::add_clearance_cost_to(Parser& app) {
@@ -91,10 +91,9 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
   add_robot_to(app);
-  add_number(
-      app, "--limit-memory", limit_memory, kMegabytes,
-      "Limit on memory in megabytes; a map that needs more is refused (default: what the system "
-      "has available)");
+  add_number(app, "--limit-memory", limit_memory, kMegabytes,
+             "Limit on memory in megabytes; a map that needs more is rejected (default: the memory "
+             "available on the system)");
 }
 
 void MapArguments::check_memory(const GridMap& map, double need) const {
@@ -116,7 +115,7 @@ void check_memory(const std::string& file, const GridMap& map, double need,
   if (!available || need <= *available) return;
   const std::string reason = fmt::format(
       "{}: {} x {} cells need about {} of memory, and {} are available; a coarser map needs less, "
-      "and --limit-memory MB tries all the same",
+      "and --limit-memory MB overrides the check",
       file, map.width(), map.height(), size_of(need), size_of(*available));
   throw NoPathError(reason, {std::string(to_string(Status::memory_limit)), reason});
 }

@@ -28,7 +28,8 @@ std::vector<PlannerSpec> parse_planners(const std::string& text) {
 
 PlannerSpec parse_planner(const std::string& text) {
   const std::vector<PlannerSpec> specs = parse_planners(text);
-  if (specs.size() > 1) throw InputError(fmt::format("--planner {}: name one planner", text));
+  if (specs.size() > 1)
+    throw InputError(fmt::format("--planner {}: --planner takes exactly one planner", text));
   return specs.front();
 }
 

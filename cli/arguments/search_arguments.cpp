@@ -21,9 +21,9 @@ constexpr NumberRange kLimitSeconds{0, 1e9, "s"};
 
 void MovesArguments::add_to(Parser& app) {
   add_choice<Connectivity>(app, "--connectivity", moves.connectivity, named_values<Connectivity>(),
-                           "Move to 4 or 8 neighbours (default 8)");
+                           "Number of neighbours of a cell: 4 or 8 (default 8)");
   add_choice<CornerRule>(app, "--corner-rule", moves.corner_rule, named_values<CornerRule>(),
-                         "How many corners a diagonal step may cut (default none)");
+                         "Corners that a diagonal step may cut (default none)");
 }
 
 void add_corner_rule(Parser& app, CornerRule& rule) {
@@ -31,16 +31,17 @@ void add_corner_rule(Parser& app, CornerRule& rule) {
   for (const auto& choice : choice_names(CornerRule{})) {
     rules.emplace_back(choice.name, choice.value);
   }
-  add_choice<CornerRule>(app, "--corner-rule", rule, rules,
-                         "As the path was planned: with both, a robot without a radius may pass "
-                         "between two obstacles that touch at a corner (default none)");
+  add_choice<CornerRule>(
+      app, "--corner-rule", rule, rules,
+      "Corner rule that the path was planned with: with both, a robot with radius 0 may pass "
+      "between two obstacles that touch at a corner (default none)");
 }
 
 void LimitArguments::add_to(Parser& app) {
-  add_count(app, "--limit-expansions", expansions, "Give up after so many expansions");
+  add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
   add_number(app, "--limit-time", seconds, kLimitSeconds,
-             "Give up after so many seconds of search (wall time); reading the map and making "
-             "the planner do not count");
+             "Limit on the search time in seconds (wall time); the time to read the map and make "
+             "the planner does not count");
 }
 
 Limits LimitArguments::limits(ProgressBar& progress) const {

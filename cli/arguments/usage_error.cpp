@@ -54,7 +54,7 @@ std::string equals_sign_text(const CLI::App& app) {
     const bool value_is_optional =
         !option->get_type_name().empty() && option->get_items_expected_max() == 0;
     if (!value_is_optional || option->count() == 0 || !option->results().front().empty()) continue;
-    return fmt::format("; a value of --{0} is joined by an equals sign, --{0}=VALUE",
+    return fmt::format("; the value of --{0} needs an equals sign, --{0}=VALUE",
                        option->get_lnames().front());
   }
   return {};
@@ -80,7 +80,7 @@ std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& erro
   const CLI::Option* option = app.get_option_no_throw(name);
   if (option == nullptr) return what;
   if (option->results().size() > 1) {
-    return fmt::format("{} is given {} times, and takes one value", name, option->results().size());
+    return fmt::format("{} is given {} times but takes one value", name, option->results().size());
   }
   return needs_value(*option);
 }
@@ -89,11 +89,11 @@ std::string surplus_text(const CLI::App& app, const std::string& argument) {
   if (is_flag(argument)) {
     const std::string name = flag_name_of(argument);
     const auto closest = closest_name(name, shown_flags(app));
-    return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
+    return "unknown option " + name + (closest ? ": did you mean " + *closest + "?" : "");
   }
   const std::vector<std::string> commands = subcommand_names(app);
   if (commands.empty()) return "unexpected argument " + quote(argument) + equals_sign_text(app);
-  const std::string text = "there is no subcommand " + quote(argument);
+  const std::string text = "unknown subcommand " + quote(argument);
   const auto closest = closest_name(argument, commands);
   return text + (closest ? ": did you mean " + *closest + "?" : ": choose " + or_list(commands));
 }
@@ -113,7 +113,7 @@ std::string with_help(const CLI::App& command, const std::string& text) {
        above = above->get_parent()) {
     name.insert(0, above->get_name() + " ");
   }
-  return fmt::format("{}\n`{} --help` says more", text, name);
+  return fmt::format("{}\nsee `{} --help`", text, name);
 }
 
 }  // namespace

@@ -55,21 +55,21 @@ constexpr const char* kBenchExamples = R"(Examples:
   wend bench queries.scen --map arena.map
   mpirun -n 4 wend bench . --planner astar --database results.db --distributed
 
-Times are CPU time of the thread. A first query is one run of a new planner; of
-ten queries it is measured, of all with --fresh. Later queries take the least of
-as many runs as fill 5 ms. What a planner prepares is shown beside them: its
-index, and what it makes of the map.
+Times are CPU times of the thread. The first query is one run of a new planner;
+it is measured for ten queries, with --fresh for all. A later query is the
+minimum of as many runs as fill 5 ms. The preparation of a planner, its index and
+its view of the map, is shown separately.
 
-The map of X.map.scen is X.map, of X.yaml.scen X.yaml, of other scenarios the
-name in their map column; it lies in the scenario's folder. Cells are those of
---cells: from the upper left one, of a ROS map from the lower left one. On
-terrain lengths are costs. Lengths in scenarios hold for a point on 8 neighbours
-without corner cutting: for other robots Dijkstra's algorithm finds them first.
-Wrong is: no path though there is a length; a path though there is none; another
-length; a path that is not valid cell by cell; another answer than in a pass
-before. A run with --database that was interrupted goes on where it was when it
-is started again; Planner Arena opens the file. Exit codes: 0 all right, 1
-something is wrong, 2 bad usage or input.)";
+The map of X.map.scen is X.map, of X.yaml.scen it is X.yaml; other scenarios name
+their map in the map column, in the scenario's folder. Cells are numbered as with
+--cells: from the upper left cell, on ROS maps from the lower left cell. On
+terrain, lengths are costs. Lengths in scenarios are for a point on 8 neighbours
+without corner cutting; for other robots Dijkstra's algorithm computes them
+first. An answer is wrong if it finds no path and the scenario has a length, or
+the reverse; if its length differs; if the path is not valid cell by cell; or if
+it differs from an earlier pass. An interrupted run with --database continues
+when it is started again; Planner Arena opens the file. Exit codes: 0 all answers
+are right, 1 an answer is wrong, 2 bad usage or input.)";
 
 struct BenchResults {
   std::vector<BenchRow> rows{};
@@ -96,7 +96,7 @@ void check(const Parser& bench, const BenchArguments& arguments) {
     check_folder(arguments.database, "--database " + arguments.database);
   }
   if (arguments.distributed && arguments.database.empty()) {
-    throw InputError("--distributed: name the file for the results of all ranks with --database");
+    throw InputError("--distributed needs --database FILE for the results of all ranks");
   }
   if (!arguments.per_query.empty()) {
     check_folder(arguments.per_query, "--per-query " + arguments.per_query);
@@ -126,8 +126,9 @@ void check_used(const GivenIndex& index, const std::vector<BenchEntry>& entries)
   const bool taken =
       std::ranges::any_of(entries, [&](const BenchEntry& entry) { return entry.takes(index); });
   if (taken) return;
-  throw InputError(fmt::format("--index {}: it is for {}, which is not in --planner", index.file,
-                               index.header.planner_name()));
+  throw InputError(
+      fmt::format("--index {}: the index is for the planner {}, which is not in --planner",
+                  index.file, index.header.planner_name()));
 }
 
 /// All that a benchmark needs, read and checked before anything is measured or written.
@@ -154,7 +155,8 @@ BenchInput load_input(const BenchArguments& arguments) {
   const auto unused = std::ranges::find(fits, false);
   if (unused != fits.end()) {
     const auto at = static_cast<std::size_t>(unused - fits.begin());
-    throw InputError(fmt::format("--index {}: it is for another map", input.indexes[at].file));
+    throw InputError(
+        fmt::format("--index {}: the index is for another map", input.indexes[at].file));
   }
   return input;
 }
@@ -181,7 +183,7 @@ BenchResults run_scenarios(const BenchArguments& arguments, BenchInput& input, B
     }
   }
   if (progress.known > 0 && !arguments.distributed) {
-    complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
+    complain(fmt::format("{}: {} of {} answers were already stored", arguments.database,
                          progress.known, answers));
   }
   return results;
@@ -224,7 +226,7 @@ bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
     complain(error.what());
     ranks.end_all(bad_input);
   } catch (const Cancelled&) {
-    complain("cancelled; the same command goes on where the ranks were");
+    complain("cancelled; run the same command again to continue");
     ranks.end_all(interrupted);
   }
   return ranks.rank() == 0;
@@ -248,10 +250,10 @@ int run(const Parser& bench, const BenchArguments& arguments) {
     const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
     return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
   } catch (const Cancelled&) {
-    complain(
-        arguments.database.empty()
-            ? "cancelled"
-            : fmt::format("cancelled; the same command goes on where {} ends", arguments.database));
+    complain(arguments.database.empty()
+                 ? "cancelled"
+                 : fmt::format("cancelled; run the same command again to continue {}",
+                               arguments.database));
     return interrupted;
   }
 }
@@ -263,47 +265,47 @@ Command add_bench(Parser& app) {
   const auto arguments = std::make_shared<BenchArguments>();
   bench
       .add_option("SCEN", arguments->scenarios,
-                  wrapped("MovingAI scenarios, and folders with .scen files"))
+                  wrapped("MovingAI scenario files, or folders with .scen files"))
       .required()
       .type_name(kFileType);
   bench
       .add_option("--planner", arguments->planners,
-                  wrapped("Planners with commas between, options after a colon: "
+                  wrapped("Planners, separated by commas, each with options after a colon: "
                           "astar:weight=2,dijkstra (default astar)"))
       .type_name(kPlannerType);
-  bench.add_option("--map", arguments->map, "The map, for all scenarios").type_name(kFileType);
+  bench.add_option("--map", arguments->map, "Map for all scenarios").type_name(kFileType);
   arguments->settings.add_to(bench);
   add_count(bench, "--sample", arguments->sample,
-            "Number of queries of every scenario, evenly spread (default: all)");
+            "Number of queries per scenario, evenly spread (default: all)");
   add_texts(bench, "--index", arguments->indexes,
-            "An index for one of the planners; may be given several times. One that is not given "
-            "is built first, by one thread")
+            "Index for one of the planners; may be given several times. A missing index is built "
+            "first, by one thread")
       .type_name(kFileType);
   bench
       .add_option("--database", arguments->database,
-                  wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
-                          "benchmarks; what it has is not done again"))
+                  wrapped("Store every answer in this SQLite database, in the schema of OMPL's "
+                          "benchmarks; stored answers are not computed again"))
       .type_name(kFileType);
   bench.add_flag("--distributed", arguments->distributed,
-                 wrapped("Under mpirun: share the queries among the ranks, and put their answers "
-                         "together in the database"));
+                 wrapped("Under mpirun: divide the queries among the ranks and merge their answers "
+                         "in the database"));
   bench.add_flag("--check", arguments->check,
-                 wrapped("Check every path cell by cell: always done, whether asked for or not"));
+                 wrapped("Check every path cell by cell (always done; kept for compatibility)"));
   add_table_format(bench, arguments->format);
   bench
       .add_option("--per-query", arguments->per_query,
-                  wrapped("Also write every query of every planner to this file, as CSV"))
+                  wrapped("Also write the result of every query and planner to this CSV file"))
       .type_name(kFileType);
   bench
       .add_option("--plot", arguments->plot,
-                  wrapped("Time against length, distributions and, of several maps, time against "
-                          "size, as .png, .svg or .pdf; needs gnuplot"))
+                  wrapped("Plot time against path length, distributions and, for several maps, "
+                          "time against map size, as .png, .svg or .pdf; needs gnuplot"))
       .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
   bench.footer(kBenchExamples);
   return {bench, [bench, arguments] {
             if (arguments->plot.empty()) {
-              refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");
+              refuse_idle(bench, {"--style"}, "it needs --plot FILE");
             }
             return run(bench, *arguments);
           }};

@@ -37,10 +37,9 @@ constexpr const char* kConvertExamples = R"(Examples:
   wend convert grid.txt grid.png
   wend convert grid.txt grid.map --strict
 
-What the new format cannot hold, standard error says, a line each.
+Standard error lists what the new format cannot hold, one loss per line.
 
-Exit codes: 0 the map is saved, 1 it is not, as --strict asks where something
-would be lost, 2 bad usage or input.)";
+Exit codes: 0 written, 1 not written because of --strict and a loss, 2 bad usage or input.)";
 
 struct Conversion {
   LoadedMap loaded;
@@ -110,7 +109,7 @@ int run(const ConvertArguments& arguments) {
   if (saved) {
     save(nearest_map(conversion.loaded.map, conversion.format), arguments);
   } else {
-    complain(fmt::format("{} is not written: --strict", arguments.output));
+    complain(fmt::format("{} was not written because of --strict", arguments.output));
   }
   if (arguments.prints()) return saved ? success : no_plan;
   if (arguments.format == Format::json) {
@@ -124,18 +123,18 @@ int run(const ConvertArguments& arguments) {
 }  // namespace
 
 Command add_convert(Parser& app) {
-  Parser convert = app.add_subcommand("convert", "Save a map in another format");
+  Parser convert = app.add_subcommand("convert", "Convert a map to another format");
   const auto arguments = std::make_shared<ConvertArguments>();
   arguments->input.add_to(convert, "IN");
   convert
       .add_option("OUT", arguments->output,
-                  wrapped("The new file, in the format of its name: a ROS map (.yaml, .yml) and "
-                          "its picture .png, MovingAI (.map), a text grid (.txt, .grid) or a "
-                          "picture (.png, .pgm, .pnm); - prints it as a text grid"))
+                  wrapped("Output file; the extension sets the format: a ROS map (.yaml, .yml) and "
+                          "its image .png, MovingAI (.map), a text grid (.txt, .grid) or an image "
+                          "(.png, .pgm, .pnm); - prints a text grid"))
       .required()
       .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,
-                   wrapped("Save nothing if the new format cannot hold the whole map"));
+                   wrapped("Write nothing if the new format would lose information"));
   add_force(convert, arguments->force);
   add_format(convert, arguments->format);
   convert.footer(kConvertExamples);

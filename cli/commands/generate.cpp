@@ -44,7 +44,7 @@ The same kind, size, options and seed give the same map everywhere.)";
 
 /// Where a format cannot hold the terrain.
 constexpr const char* kWayOut =
-    "; a .txt can, and `wend convert` then rounds it and says what is lost";
+    "; write a .txt instead, then `wend convert` rounds the costs and reports the losses";
 
 struct Size {
   int width;
@@ -67,7 +67,7 @@ Size parse_size(const std::string& text) {
 void check_kind(const GenerateArguments& arguments) {
   if (arguments.kind.empty()) {
     throw InputError(
-        "generate: name a KIND of map, or `scenario`; `wend generate --help` lists them");
+        "generate needs a KIND of map or `scenario`; `wend generate --help` lists the kinds");
   }
 }
 
@@ -132,7 +132,7 @@ int run(const GenerateArguments& arguments) {
 }
 
 std::string default_sizes() {
-  std::string text = "Columns and rows, as in 160x100 (default";
+  std::string text = "Size in columns and rows, as in 160x100 (default";
   const GeneratorInfo& first = *generators().begin();
   const auto is_usual = [&](const GeneratorInfo& kind) {
     return kind.default_width == first.default_width && kind.default_height == first.default_height;
@@ -147,7 +147,8 @@ std::string default_sizes() {
 }  // namespace
 
 Command add_generate(Parser& app) {
-  Parser generate = app.add_subcommand("generate", "Make a map from a seed, or a scenario for one");
+  Parser generate =
+      app.add_subcommand("generate", "Generate a map from a seed, or a scenario for a map");
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {
@@ -157,14 +158,13 @@ Command add_generate(Parser& app) {
   }
   generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
-  add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
+  add_count(generate, "--seed", arguments->seed, "Seed of the map (default 1)");
   add_format(generate, arguments->format);
-  arguments->output.add_to(
-      generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
-      "Save the map: a ROS map (.yaml and its picture), MovingAI (.map), a text grid (.txt, .grid) "
-      "or a picture (.png, .pgm); may be given several times. Without it the map is printed as a "
-      "text grid",
-      "the text grid");
+  arguments->output.add_to(generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
+                           "Write the map: a ROS map (.yaml and its image), MovingAI (.map), a "
+                           "text grid (.txt, .grid) or an image (.png, .pgm); may be given several "
+                           "times. Without -o the map is printed as a text grid",
+                           "the text grid");
   add_force(generate, arguments->force);
   arguments->options.add_to(generate);
   generate.footer(kGenerateExamples);

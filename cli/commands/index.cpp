@@ -45,30 +45,31 @@ constexpr const char* kBuildExamples = R"(Examples:
   wend index build office.yaml --planner corner_hierarchy -o office.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
 
-An index holds for the cells where the robot fits: plan with the same map,
-radius and --unknown. Ctrl-C ends it, and no file is written. Exit codes: 0
-built, 1 not built (standard error says why), 2 bad usage or input.)";
+An index is valid for the cells where the robot fits: plan with the same map,
+radius and --unknown. Ctrl-C stops the build, and no file is written. Exit codes:
+0 built, 1 not built (standard error gives the reason), 2 bad usage or input.)";
 
 constexpr const char* kIndexInfoExamples = R"(Examples:
   wend index info arena.idx
   wend index info arena.idx --format json
 
-Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)";
+Exit codes: 0 valid, 2 damaged or not an index (standard error gives the reason).)";
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
   if (arguments.output == kStandardOutput) {
-    throw InputError("-o -: an index is used where its file lies: name a file");
+    throw InputError("-o -: an index must be a file");
   }
   check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
   if (!planner.index_support) {
-    throw InputError(fmt::format("--planner {}: it plans without an index; with one plan {}",
-                                 planner.name, planners_with_index()));
+    throw InputError(
+        fmt::format("--planner {}: this planner does not use an index; planners with an index: {}",
+                    planner.name, planners_with_index()));
   }
   if (!spec.options.empty()) {
-    throw InputError(fmt::format("--planner {}: it has no options", arguments.planner));
+    throw InputError(fmt::format("--planner {}: this planner has no options", arguments.planner));
   }
   const LoadedMap loaded = arguments.map.load();
   check_not_among(loaded.files, arguments.output, "-o " + arguments.output);

@@ -79,7 +79,7 @@ class QueryLane {
     // What would help is worth a search of its own for one query, not for each of thousands.
     fail(answer, status,
          status == Status::unreachable
-             ? fmt::format("{}; `wend explain` says why", describe(status))
+             ? fmt::format("{}; `wend explain` shows the reason", describe(status))
              : asked->reason(*planner_, status, query.limits, answer.plan.metrics));
   }
 
@@ -136,7 +136,7 @@ void complain_of(const std::string& file, const std::vector<QueryAnswer>& answer
   for (const QueryAnswer& answer : answers) {
     if (answer.found()) continue;
     if (++complaints > kMostRowsTold) {
-      complain("... and more of these; the answers have all of them");
+      complain("... and more; the answers list all of them");
       return;
     }
     const std::string line = fmt::format("line {}: ", answer.line);
@@ -153,12 +153,12 @@ void check_queries(const PlanArguments& arguments) {
   const WatchArguments& watch = arguments.watch;
   const bool watched = watch.verbose || watch.step || watch.animate || !watch.trace.empty();
   if (!arguments.ends.start.empty() || !arguments.ends.goals.empty()) {
-    throw InputError("--queries has the starts and goals: leave out --start and --goal");
+    throw InputError("--queries reads starts and goals from a file: leave out --start and --goal");
   }
   if (watched || !arguments.layers.empty() || arguments.refine.any()) {
     throw InputError(
-        "--queries answers many queries: leave out --show, --verbose, --step, --animate, --trace, "
-        "--simplify, --smooth and --resample");
+        "--queries cannot be combined with --show, --verbose, --step, --animate, --trace, "
+        "--simplify, --smooth or --resample");
   }
   arguments.output.check_not_among({arguments.queries});
   for (const std::string& file : arguments.output.files()) {

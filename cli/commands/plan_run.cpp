@@ -46,10 +46,10 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace
   result_.times = times;
   asked_->check(arguments.layers);
   if (!arguments.refine.any() || info_of(maker_.spec()).motion == Motion::cells) return;
-  throw InputError(fmt::format(
-      "--simplify, --smooth and --resample are for paths from cell to cell: what the planner {} "
-      "drives is made of arcs, which are to stay as they are",
-      maker_.spec().name));
+  throw InputError(
+      fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
+                  "planner {} consists of arcs",
+                  maker_.spec().name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -130,7 +130,8 @@ bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.o
 /// Only the search is timed, not the person.
 Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
   if (!info_of(maker_.spec()).can_step) {
-    throw InputError(fmt::format("--step: the planner {} cannot be stepped", maker_.spec().name));
+    throw InputError(
+        fmt::format("--step: the planner {} does not support stepping", maker_.spec().name));
   }
   SteppedSearch search(*planner_, query, recorder, told, result_.plan);
   const Status status =
@@ -259,7 +260,7 @@ std::string PlanRun::text() const {
   std::string summary;
   if (found) summary += asked_->summary(result_);
   if (found && maker_.built_index()) {
-    summary += "index     built for this query and not kept: `wend index build` keeps it\n";
+    summary += "index     built for this query and not saved; `wend index build` saves it\n";
   }
   if (result_.refined) {
     summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
@@ -276,8 +277,9 @@ void PlanRun::write_trace(PosthocTrace& trace) const {
   const std::string wrong = write_bytes(watch.trace, trace.finish(result_.plan.path));
   if (!wrong.empty()) throw InputError(wrong);
   if (trace.dropped() == 0) return;
-  complain(fmt::format("{}: the trace ends after {} events, {} more are left out (--trace-limit)",
-                       watch.trace, watch.trace_limit, trace.dropped()));
+  complain(fmt::format(
+      "{}: the trace is truncated after {} events; {} more events are missing (--trace-limit)",
+      watch.trace, watch.trace_limit, trace.dropped()));
 }
 
 std::string PlanRun::csv() const {

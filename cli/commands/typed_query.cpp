@@ -94,7 +94,7 @@ Query CellQuery::query() const {
 }
 
 std::vector<std::string> CellQuery::move_to_nearest() {
-  if (goals_.size() > 1) throw InputError("--nearest moves one goal: name one");
+  if (goals_.size() > 1) throw InputError("--nearest supports exactly one goal");
   Ends ends{start_, goals_.front()};
   auto notes = cli::move_to_nearest(ends, space_, coordinates_, moves_);
   start_ = ends.start;
@@ -135,7 +135,7 @@ std::string CellQuery::reason(const Planner& /*planner*/, Status status, const L
   std::vector<std::string> reasons;
   for (const Place& goal : goals_) {
     const std::string blocked = explainer.blocked(goal);
-    reasons.push_back(blocked.empty() ? "no path leads to the goal " + goal.text : blocked);
+    reasons.push_back(blocked.empty() ? "there is no path to the goal " + goal.text : blocked);
   }
   return fmt::format("none of {} goals can be reached: {}", goals_.size(),
                      fmt::join(reasons, "; "));
@@ -164,7 +164,7 @@ CarQuery::CarQuery(FreeSpace space, const Coordinates& coordinates, int unit,
 
 void CarQuery::check(const ShownLayers& layers) const {
   if (!layers.any_from(LayerSource::cost_to_go)) return;
-  throw InputError("--show: cost and policy are of robots that move from cell to cell");
+  throw InputError("--show: cost and policy support grid planners only");
 }
 
 Query CarQuery::query() const {
@@ -174,7 +174,7 @@ Query CarQuery::query() const {
 }
 
 std::vector<std::string> CarQuery::move_to_nearest() {
-  throw InputError("--nearest is for planners that move from cell to cell");
+  throw InputError("--nearest supports grid planners only");
 }
 
 Scene CarQuery::scene() const {
@@ -204,7 +204,7 @@ std::string CarQuery::reason(const Planner& planner, Status status, const Limits
 }
 
 std::string CarQuery::outside(const std::string& name, const TypedPose& pose) const {
-  return fmt::format("the {} {} lies outside the map, which covers {}", name, pose.text,
+  return fmt::format("the {} {} is outside the map, which covers {}", name, pose.text,
                      coordinates_.extent_of_corners());
 }
 

@@ -58,8 +58,8 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
     std::error_code error;  // a file that is not there yet is no input
     const auto& read = input == "-" ? std::filesystem::path("/dev/stdin") : input;
     if (!std::filesystem::equivalent(file, read, error)) continue;
-    throw InputError(
-        fmt::format("{}: this file is read, too, and would be lost; choose another name", name));
+    throw InputError(fmt::format(
+        "{}: this file is also an input and would be overwritten; choose another name", name));
   }
 }
 
@@ -67,7 +67,7 @@ void check_folder(const std::filesystem::path& file, const std::string& name) {
   const auto folder = file.parent_path();
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-    throw InputError(fmt::format("{}: there is no folder {}", name, folder.string()));
+    throw InputError(fmt::format("{}: the folder {} does not exist", name, folder.string()));
   }
 }
 
@@ -85,8 +85,7 @@ void OutputFiles::add_to(Parser& app, std::vector<std::string> extensions, const
   extensions_ = std::move(extensions);
   may_print_ = !printed.empty();
   const std::string to_output =
-      may_print_ ? fmt::format(". -o - writes {} to standard output, and nothing else", printed)
-                 : "";
+      may_print_ ? fmt::format(". -o - writes only {} to standard output", printed) : "";
   add_texts(app, "-o,--output", files_, help + to_output).type_name(kFileType);
 }
 

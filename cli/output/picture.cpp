@@ -39,17 +39,17 @@ void PictureArguments::add_to(Parser& app) {
                           {{"auto", PictureWhen::automatic},
                            {"always", PictureWhen::always},
                            {"never", PictureWhen::never}},
-                          "Show the map: auto, the default, shows small ones (up to 80 x 40 cells) "
-                          "always and large ones on a terminal only");
-  add_style(app, style,
-            "Colours of pictures: light (the default), dark, or print, which survives "
-            "a black-and-white printer");
+                          "Show the map: with auto (the default) small maps (up to 80 x 40 cells) "
+                          "always, large maps on a terminal only");
+  add_style(
+      app, style,
+      "Colours of pictures: light (the default), dark, or print (for black-and-white printers)");
 }
 
 void PictureArguments::check(const Parser& command, bool drawn, bool shown) const {
   if (!shown) refuse_idle(command, {"--picture"}, "leave out --format json to see the map");
   if (!drawn && (!shown || when == PictureWhen::never)) {
-    refuse_idle(command, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+    refuse_idle(command, {"--style"}, "there is no picture; add -o FILE.png");
   }
 }
 
@@ -74,10 +74,9 @@ void add_styles(Parser& app, std::vector<StyleName>& styles) {
       }
     }
   };
-  app.add_list(
-         "--style", add,
-         wrapped("Colours: light (the default), dark or print; several with commas between come "
-                 "side by side"))
+  app.add_list("--style", add,
+               wrapped("Colours: light (the default), dark or print; several, separated by commas, "
+                       "are shown side by side"))
       .separated_by_commas()
       .type_name(kStyleType);
 }

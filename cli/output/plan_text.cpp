@@ -25,9 +25,9 @@ std::string length_text(double cells, const Frame& frame) {
 }
 
 std::string bound_text(const Plan& plan) {
-  if (plan.optimal()) return "no path is cheaper";
+  if (plan.optimal()) return "optimal";
   if (std::isfinite(plan.bound)) return fmt::format("at most {:g} times the optimum", plan.bound);
-  return "no claim: a cheaper path may exist";
+  return "no guarantee: a cheaper path may exist";
 }
 
 std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }

@@ -85,8 +85,8 @@ std::string aligned(const std::vector<Row>& rows) {
 /// What the marks mean that occur among the first entries.
 std::string explained(const OpenList& list, std::size_t shown) {
   static constexpr std::array<std::pair<OpenTie, std::string_view>, 2> kMeanings{
-      {{OpenTie::g, "g: same f as above, the larger g is first\n"},
-       {OpenTie::newest, "new: tied with the one above, the newest is first\n"}}};
+      {{OpenTie::g, "g: same f as above; the larger g comes first\n"},
+       {OpenTie::newest, "new: tied with the entry above; the newest comes first\n"}}};
   std::string text;
   for (const auto& [tie, meaning] : kMeanings) {
     const auto has = [tie = tie](const OpenEntry& entry) { return entry.tie == tie; };
@@ -100,7 +100,7 @@ std::string table(const OpenList& list, std::size_t shown) {
   const bool headings = !list.entries.empty() && list.entries.front().state.heading.has_value();
   std::vector<Row> rows{titles_of(headings)};
   for (std::size_t i = 0; i < shown; ++i) rows.push_back(row_of(i + 1, list.entries[i]));
-  std::string text = fmt::format("open list: {}, the next first\n", list.count) + aligned(rows);
+  std::string text = fmt::format("open list: {}, next entry first\n", list.count) + aligned(rows);
   if (list.count > shown) text += fmt::format("{} more\n", list.count - shown);
   return text + explained(list, shown);
 }

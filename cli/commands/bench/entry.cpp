@@ -50,19 +50,19 @@ bool has_option(const PlannerInfo& info, const std::string& name) {
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
   if (info.motion != Motion::cells) {
     throw InputError(fmt::format(
-        "{}: scenarios are for planners that move from cell to cell, and this one drives a car",
-        spec.text));
+        "{}: scenarios support grid planners only, and this planner is for a car", spec.text));
   }
   const GridMoves own = moves_of(spec);
   if (own != GridMoves{} && own != moves) {
-    throw InputError(fmt::format(
-        "{}: all planners move alike: give bench --connectivity and --corner-rule instead",
-        spec.text));
+    throw InputError(
+        fmt::format("{}: all planners must use the same moves: set --connectivity and "
+                    "--corner-rule of bench instead",
+                    spec.text));
   }
   if (moves == GridMoves{} || own == moves) return;
   if (!has_option(info, "connectivity") || !has_option(info, "corner_rule")) {
-    throw InputError(
-        fmt::format("{}: it moves to 8 neighbours without corner cutting only", spec.text));
+    throw InputError(fmt::format(
+        "{}: this planner supports only 8 neighbours without corner cutting", spec.text));
   }
   std::erase_if(spec.options, [](const auto& option) {
     return option.first == "connectivity" || option.first == "corner_rule";

@@ -172,7 +172,7 @@ void BenchRun::complain_of(Runner& runner, const ScenarioQuery& query, const std
   if (++runner.complaints <= kMostComplaints) {
     complain(fmt::format("{}:{}: {}: {}", scenario_.file, query.line, runner.entry.name(), wrong));
   }
-  if (runner.complaints == kMostComplaints + 1) complain("... and more of these");
+  if (runner.complaints == kMostComplaints + 1) complain("... and more");
 }
 
 }  // namespace wend::cli

@@ -32,21 +32,19 @@ void BenchSettings::add_to(Parser& app) {
   robot.add_robot_to(app);
   robot.add_clearance_cost_to(app);
   moves.add_to(app);
-  add_count(
-      app, "--threads", threads,
-      "Number of threads that answer queries at the same time, each with its planner (default 1: "
-      "threads share caches and slow each other down)");
+  add_count(app, "--threads", threads,
+            "Number of threads that answer queries in parallel, each with its own planner (default "
+            "1: threads share caches and slow each other down)");
   const Argument repeated =
       add_count(app, "--repetitions", repetitions,
                 "Number of times that all queries are run, planner after planner (default 1)");
   add_count(app, "--passes", repetitions, "").former_name_of(repeated);
   app.add_flag("--fresh", fresh,
-               wrapped("Make a new planner for every query, and time its first query, one run; the "
-                       "preparation is shown beside it"));
-  add_number(
-      app, "--limit-time", limit_s, kBenchSeconds,
-      "Give up a query after so many seconds of CPU time: it then counts as timed out, not as "
-      "wrong");
+               wrapped("Make a new planner for every query and time its first query in one run; "
+                       "the preparation time is shown beside it"));
+  add_number(app, "--limit-time", limit_s, kBenchSeconds,
+             "Limit on the CPU time of a query in seconds; a query that reaches it counts as timed "
+             "out, not as wrong");
 }
 
 void BenchSettings::check(const Parser& app) const {

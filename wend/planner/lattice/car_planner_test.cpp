@@ -129,9 +129,9 @@ TEST(Car, NamesThePlaceAndTheCauseOfARefusal) {
                  "the goal (0,-1) lies outside: the map's corners have x from 0 to 9 and y from 0 "
                  "to 4");
   expect_refusal(*planner, {at(5, 1, Heading::north), {here}}, "start_blocked",
-                 "the start (5,1,N) is an impassable corner: cell (5,0) beside it is an obstacle");
+                 "the start (5,1,N) is impassable: cell (5,0) next to it is an obstacle");
   expect_refusal(*planner, {here, {Goal(Point{6, 3})}}, "goal_blocked",
-                 "the goal (6,3,any) is an impassable corner: cell (5,2) beside it is unknown");
+                 "the goal (6,3,any) is impassable: cell (5,2) next to it is unknown");
   expect_refusal(*planner, {here, {}}, "unsupported_query", "a goal is missing");
 }
 
@@ -143,24 +143,24 @@ TEST(Car, SaysWhenItIsBoxedIn) {
 ........
 )"));
   expect_refusal(*planner, {at(5, 2, Heading::east), {at(0, 0, Heading::east)}}, "unreachable",
-                 "no drive joins the start (5,2,E) and the goal (0,0,E): obstacles part them for a "
-                 "car");
+                 "there is no path from the start (5,2,E) to the goal (0,0,E): obstacles separate "
+                 "them for the car");
   const auto tight = car_on(test::drawn_space(R"(
 .#...
 ##...
 .....
 )"));
   expect_refusal(*tight, {at(0, 0, Heading::south), {at(4, 2, Heading::east)}}, "unreachable",
-                 "boxed in: no move leads away from the start (0,0,S)");
+                 "no motion primitive leaves the start (0,0,S)");
   expect_refusal(*tight, {at(4, 2, Heading::east), {Goal(Point{0, 0})}}, "unreachable",
-                 "boxed in: no move leads to the goal (0,0,any)");
+                 "no motion primitive reaches the goal (0,0,any)");
 }
 
 TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
   const auto planner = car_on(test::drawn_space("....\n....\n....\n...#", {.robot_radius = 1.5}));
   expect_refusal(*planner, {at(2, 3, Heading::east), {at(0, 0, Heading::east)}}, "start_blocked",
-                 "the start (2,3,E) is an impassable corner: the nearest obstacle is 1 cells away, "
-                 "the robot's radius is 1.5");
+                 "the start (2,3,E) is impassable: the nearest obstacle is 1 cells away, the "
+                 "robot's radius is 1.5");
 }
 
 TEST(Car, RefusesWhatIsNoNumber) {
@@ -198,8 +198,8 @@ TEST(Car, SaysWhichGoalItSearchedForInVain) {
   // The way to it leads around the corner (0,0), along two edges of the map.
   const Goal hopeless(at(1, 0, Heading::south));
   expect_refusal(*planner, {start, {outside, blocked, hopeless}}, "unreachable",
-                 "no drive joins the start (2,4,E) and the goal (1,0,S): obstacles part them for a "
-                 "car");
+                 "there is no path from the start (2,4,E) to the goal (1,0,S): obstacles separate "
+                 "them for the car");
 }
 
 TEST(Car, SaysOfAMapThatItIsTooSmall) {
