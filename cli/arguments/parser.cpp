@@ -83,7 +83,8 @@ std::string Parser::typed(const std::string& flag) const {
   if (option == nullptr) return {};
   if (option->count() > 0) return flag;
   for (const CLI::Option* former : option->get_excludes()) {
-    if (former->get_group().empty() && former->count() > 0) return former->get_name();
+    if (former->get_group().empty() && former->count() > 0)
+      return "--" + former->get_lnames().front();
   }
   return {};
 }

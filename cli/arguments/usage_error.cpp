@@ -73,6 +73,19 @@ std::string swallowed_flag_text(const CLI::App& app) {
   return {};
 }
 
+/// Where an argument is given by its present name and by its former one.
+std::string both_names_text(const CLI::App& app) {
+  for (const CLI::Option* former : app.get_options()) {
+    if (!former->get_group().empty() || former->count() == 0) continue;
+    for (const CLI::Option* current : former->get_excludes()) {
+      if (current->count() == 0) continue;
+      return fmt::format("--{} is the former name of --{}: give one of them",
+                         former->get_lnames().front(), current->get_lnames().front());
+    }
+  }
+  return {};
+}
+
 /// A flag without its value, or one that was given too often.
 std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& error) {
   std::string what = error.what();  // "--start: 1 required X,Y missing"
@@ -135,7 +148,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   } else if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     text = mismatch_text(*at, *mismatch);
   } else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
-    text += ": give one of them";
+    text = both_names_text(*at);
   } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
              !subcommand_names(*at).empty()) {
     text = "choose a subcommand: " + or_list(subcommand_names(*at));

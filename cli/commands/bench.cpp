@@ -57,19 +57,19 @@ constexpr const char* kBenchExamples = R"(Examples:
 
 Times are CPU times of the thread. The first query is one run of a new planner;
 it is measured for ten queries, with --fresh for all. A later query is the
-minimum of as many runs as fill 5 ms. The preparation of a planner, its index and
-its view of the map, is shown separately.
+minimum of as many runs as fill 5 ms. The preparation of a planner, its index
+and its view of the map, is shown separately.
 
-The map of X.map.scen is X.map, of X.yaml.scen it is X.yaml; other scenarios name
-their map in the map column, in the scenario's folder. Cells are numbered as with
---cells: from the upper left cell, on ROS maps from the lower left cell. On
-terrain, lengths are costs. Lengths in scenarios are for a point on 8 neighbours
-without corner cutting; for other robots Dijkstra's algorithm computes them
-first. An answer is wrong if it finds no path and the scenario has a length, or
-the reverse; if its length differs; if the path is not valid cell by cell; or if
-it differs from an earlier pass. An interrupted run with --database continues
-when it is started again; Planner Arena opens the file. Exit codes: 0 all answers
-are right, 1 an answer is wrong, 2 bad usage or input.)";
+The map of X.map.scen is X.map, of X.yaml.scen it is X.yaml; other scenarios
+name their map in the map column, in the scenario's folder. Cells are numbered
+as with --cells: from the upper left cell, on ROS maps from the lower left cell.
+On terrain, lengths are costs. Lengths in scenarios are for a point on 8
+neighbours without corner cutting; for other robots Dijkstra's algorithm
+computes them first. An answer is wrong if it finds no path and the scenario has
+a length, or the reverse; if its length differs; if the path is not valid cell
+by cell; or if it differs from an earlier pass. An interrupted run with
+--database continues when it is started again; Planner Arena opens the file.
+Exit codes: 0 all answers are right, 1 an answer is wrong, 2 bad usage or input.)";
 
 struct BenchResults {
   std::vector<BenchRow> rows{};

@@ -37,10 +37,10 @@ constexpr const char* kCheckExamples = R"(Examples:
   wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
   wend check track.yaml centerline.csv --robot-radius 0.3 --format json
 
-A path is a file of `wend plan -o` or `wend smooth -o` (.csv, .json; the smoothed
-path if there is one), or a centreline in metres. The robot's disc is swept along
-the path exactly. Exit codes: 0 free, 1 not free (standard error shows the first
-collision), 2 bad usage or input.)";
+A path is a file of `wend plan -o` or `wend smooth -o` (.csv, .json; the
+smoothed path if there is one), or a centreline in metres. The robot's disc is
+swept along the path exactly. Exit codes: 0 free, 1 not free (standard error
+shows the first collision), 2 bad usage or input.)";
 
 /// Paths that leave the map are shown as far as they are on it.
 Scene scene_of(const FreeSpace& space, const Path& path,

@@ -55,8 +55,8 @@ constexpr const char* kCompareExamples = R"(Examples:
 
 Runs all planners, or those of --planner, on one query or on N random queries.
 Car planners are compared with car planners only. The picture has a panel for
-each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0 a
-path was found, 1 no path was found, 2 bad usage or input.)";
+each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0
+a path was found, 1 no path was found, 2 bad usage or input.)";
 
 /// All that move as the typed start asks for (cars have a heading), need no index and take the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {

@@ -39,7 +39,8 @@ constexpr const char* kConvertExamples = R"(Examples:
 
 Standard error lists what the new format cannot hold, one loss per line.
 
-Exit codes: 0 written, 1 not written because of --strict and a loss, 2 bad usage or input.)";
+Exit codes: 0 written, 1 not written because of --strict and a loss, 2 bad usage
+or input.)";
 
 struct Conversion {
   LoadedMap loaded;

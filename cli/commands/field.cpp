@@ -210,7 +210,7 @@ Command add_field(Parser& app) {
       field, {".csv", ".json"},
       "Also write x,y,cost,move of every cell (.csv) or the JSON; may be given "
       "several times",
-      "the same (JSON with --format json, else CSV)");
+      "the field (JSON with --format json, else CSV)");
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
   field.footer(kFieldExamples);

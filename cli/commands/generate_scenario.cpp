@@ -38,12 +38,12 @@ constexpr const char* kExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps
 
-Queries in MovingAI's format: pairs of connected cells, and the optimal cost found
-by Dijkstra's algorithm. Bucket 0 has lengths below 4 cells, bucket 1 lengths
-below 8, and so on. Cells are numbered as with --cells: from the upper left cell,
-on ROS maps from the lower left cell. The last buckets may have fewer queries
-than requested, and a small map may have fewer buckets. Exit codes: 0 written, 2
-bad usage or input.)";
+Queries in MovingAI's format: pairs of connected cells, and the optimal cost
+found by Dijkstra's algorithm. Bucket 0 has lengths below 4 cells, bucket 1
+lengths below 8, and so on. Cells are numbered as with --cells: from the upper
+left cell, on ROS maps from the lower left cell. The last buckets may have fewer
+queries than requested, and a small map may have fewer buckets. Exit codes: 0
+written, 2 bad usage or input.)";
 
 std::vector<ScenarioQuery> make_queries(const ScenarioArguments& arguments, const GridMap& map) {
   const FreeSpace space = arguments.map.free_space(map);
@@ -94,8 +94,7 @@ int run(const ScenarioArguments& arguments) {
 }  // namespace
 
 Command add_generate_scenario(Parser& generate) {
-  Parser scenario =
-      generate.add_subcommand("scenario", "Generate queries for a map as a MovingAI scenario");
+  Parser scenario = generate.add_subcommand("scenario", "Generate a MovingAI scenario for a map");
   const auto arguments = std::make_shared<ScenarioArguments>();
   arguments->map.add_to(scenario);
   arguments->moves.add_to(scenario);

@@ -46,14 +46,16 @@ constexpr const char* kBuildExamples = R"(Examples:
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
 
 An index is valid for the cells where the robot fits: plan with the same map,
-radius and --unknown. Ctrl-C stops the build, and no file is written. Exit codes:
-0 built, 1 not built (standard error gives the reason), 2 bad usage or input.)";
+radius and --unknown. Ctrl-C stops the build, and no file is written. Exit
+codes: 0 built, 1 not built (standard error gives the reason), 2 bad usage or
+input.)";
 
 constexpr const char* kIndexInfoExamples = R"(Examples:
   wend index info arena.idx
   wend index info arena.idx --format json
 
-Exit codes: 0 valid, 2 damaged or not an index (standard error gives the reason).)";
+Exit codes: 0 valid, 2 damaged or not an index (standard error gives the
+reason).)";
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
@@ -136,7 +138,7 @@ int info(const IndexInfoArguments& arguments) {
 }  // namespace
 
 Command add_index(Parser& app) {
-  Parser index = app.add_subcommand("index", "Build an index of a map, to plan at once");
+  Parser index = app.add_subcommand("index", "Build an index of a map for fast queries");
   index.require_subcommand();
   index.footer(kIndexExamples);
 
@@ -145,17 +147,17 @@ Command add_index(Parser& app) {
   to_build->map.add_to(build_command);
   build_command
       .add_option("--planner", to_build->planner,
-                  wrapped("For which planner (default hub_labels): " + planners_with_index()))
+                  wrapped("Planner of the index (default hub_labels): " + planners_with_index()))
       .type_name(kPlannerType);
   add_count(build_command, "--threads", to_build->threads,
             "Number of threads that build (default: all cores)");
   add_format(build_command, to_build->format);
-  build_command.add_option("-o,--output", to_build->output, "The index to write")
+  build_command.add_option("-o,--output", to_build->output, "Index file to write")
       .required()
       .type_name(kFileType);
   build_command.footer(kBuildExamples);
 
-  Parser info_command = index.add_subcommand("info", "Say what an index holds");
+  Parser info_command = index.add_subcommand("info", "Describe an index");
   const auto to_tell = std::make_shared<IndexInfoArguments>();
   info_command.add_option("FILE", to_tell->file, "An index").required().type_name(kFileType);
   add_format(info_command, to_tell->format);

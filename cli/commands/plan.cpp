@@ -30,8 +30,8 @@ constexpr const char* kPlanExamples = R"(Examples:
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
 with arrows; large maps show a summary and, on a terminal, a picture. The car
-planner uses grid vertices; its path is printed as commands. Exit codes: 0 found,
-1 no path (standard error gives the reason), 2 bad usage or input.)";
+planner uses grid vertices; its path is printed as commands. Exit codes: 0
+found, 1 no path (standard error gives the reason), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
 std::string planner_text(const PlanArguments& arguments,

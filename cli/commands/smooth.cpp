@@ -47,11 +47,11 @@ constexpr const char* kSmoothExamples = R"(Examples:
   wend smooth office.yaml plan.csv --smoother none --simplify=sight -o taut.csv
   wend smooth office.yaml plan.csv --unsafe --format json
 
-A path is a file of `wend plan -o` (.csv, .json; the planned path of a plan), or a
-centreline in metres. The path is simplified first (--simplify), then smoothed,
-then resampled. Without --unsafe the result is clear of obstacles. Exit codes: 0
-done, 1 the given path is not free (standard error gives the reason), 2 bad usage
-or input.)";
+A path is a file of `wend plan -o` (.csv, .json; the planned path of a plan), or
+a centreline in metres. The path is simplified first (--simplify), then
+smoothed, then resampled. Without --unsafe the result is clear of obstacles.
+Exit codes: 0 done, 1 the given path is not free (standard error gives the
+reason), 2 bad usage or input.)";
 
 /// What the flags of the command say otherwise.
 bool is_said_by_a_flag(const OptionInfo& option) {
