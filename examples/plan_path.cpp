@@ -8,8 +8,9 @@ int main() {
   if (!loaded) return std::puts(loaded.error().message().c_str()), 2;
   const wend::FreeSpace space(loaded->map, {.robot_radius = 0.2});
   const auto planner = wend::make_planner("astar", space);
+  if (!planner) return std::puts(planner.error().message().c_str()), 2;
   const auto plan = (*planner)->plan(wend::Query::between({10, 10}, {150, 68}));
-  if (!plan) return std::puts(wend::describe(plan.error().status).data()), 1;
+  if (!plan) return std::puts(plan.error().reason.c_str()), 1;
   for (const wend::Point point : plan->path.points_in_metres(space.map().frame())) {
     std::printf("%.2f %.2f\n", point.x, point.y);
   }

@@ -18,7 +18,6 @@
 #include "wend/control/motion_model.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/planner/planner_spec.hpp"
 #include "wend/planner/planners.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)

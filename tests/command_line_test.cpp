@@ -393,13 +393,16 @@ TEST_F(Examples, OfTheDocumentationWork) {
   for (const std::string& command : commands) expect_to_work(command);
 }
 
-TEST_F(Examples, OfTheReadmeWorkInTheirOrder) {
-  const std::string readme = bytes_of(WEND_SOURCE_DIR "/README.md");
-  const auto commands = commands_in_blocks(readme);
-  EXPECT_GE(commands.size(), 15U);
-  for (const std::string& command : commands) expect_to_work(command);
-  EXPECT_LT(readme.find("\nexport PATH="), readme.find("\nwend generate"))
-      << "wend is on the PATH before it is called";
+TEST_F(Examples, OfTheReadmeAndTheTourWorkInTheirOrder) {
+  for (const auto& [page, fewest] :
+       {std::pair{"/README.md", 3U}, {"/docs/getting_started.md", 15U}}) {
+    const std::string text = bytes_of(std::string(WEND_SOURCE_DIR) + page);
+    const auto commands = commands_in_blocks(text);
+    EXPECT_GE(commands.size(), fewest) << page;
+    for (const std::string& command : commands) expect_to_work(command);
+    EXPECT_LT(text.find("\nexport PATH="), text.find("\nwend generate"))
+        << page << ": wend is on the PATH before it is called";
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "bench/comparison/comparison_run.hpp"
+#include "bench/comparison/random_queries.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/car_move.hpp"

@@ -28,8 +28,7 @@
 #include "wend/base/random.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/nearest_ahead.hpp"
-#include "wend/control/pid_term.hpp"
-#include "wend/control/remaining.hpp"
+#include "wend/control/pid.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/speed_profile.hpp"
 #include "wend/generate/generators.hpp"
@@ -40,13 +39,13 @@
 #include "wend/geometry/line.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/write_file.hpp"
-#include "wend/map/arc_clearance.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/point_sweep.hpp"
-#include "wend/path/corner_rounding.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoother.hpp"
@@ -205,6 +204,13 @@ TEST(Snippets, OfSmoothingAndSimplification) {
                                      {.simplify = wend::Simplification{wend::SimplifyBy::sight},
                                       .smoother = wend::SmootherChoice{"gradient"}});
   EXPECT_TRUE(refined);
+}
+
+TEST(Snippets, OfMapsRowByRow) {
+  wend::GridMapBuilder rows(2);
+  rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
+  const wend::GridMap map = std::move(rows).finish();
+  EXPECT_EQ(map.state({1, 0}), wend::CellState::occupied);
 }
 
 TEST(Snippets, OfMapsAndFreeSpace) {
@@ -631,17 +637,17 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "base/random.hpp",
                                         "map/grid_map.hpp",
                                         "map/free_space.hpp",
-                                        "map/generators.hpp",
+                                        "generate/generators.hpp",
                                         "geometry/heading.hpp",
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
                                         "geometry/arc_distance.hpp",
-                                        "map/arc_clearance.hpp",
+                                        "map/swept_clearance.hpp",
                                         "path/path.hpp",
                                         "path/polyline.hpp",
                                         "path/path_collision.hpp",
                                         "path/simplification.hpp",
-                                        "path/corner_rounding.hpp",
+                                        "path/path_metrics.hpp",
                                         "path/smoother.hpp",
                                         "path/gradient_smoother.hpp",
                                         "path/curvature_smoother.hpp",
@@ -649,33 +655,33 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "geometry/line.hpp",
                                         "map/point_sweep.hpp",
                                         "control/motion_model.hpp",
-                                        "control/pid_term.hpp",
+                                        "control/pid.hpp",
                                         "control/controller.hpp",
                                         "control/route.hpp",
                                         "control/nearest_ahead.hpp",
                                         "control/follower.hpp",
-                                        "control/remaining.hpp",
                                         "control/simulation.hpp",
                                         "control/speed_profile.hpp",
-                                        "io/load_map.hpp",
+                                        "io/map/load_map.hpp",
                                         "planner/planner.hpp",
-                                        "planner/cost_to_go.hpp",
+                                        "analysis/cost_to_go.hpp",
                                         "planner/index_support.hpp",
-                                        "planner/search_recorder.hpp",
-                                        "planner/layer.hpp",
-                                        "planner/open_list.hpp",
+                                        "analysis/search_recorder.hpp",
+                                        "analysis/layer.hpp",
+                                        "planner/observer.hpp",
                                         "report/posthoc_trace.hpp",
-                                        "render/gif.hpp",
+                                        "render/animation/gif.hpp",
                                         "render/scene.hpp",
                                         "render/style.hpp",
-                                        "render/drawing.hpp",
-                                        "render/terminal_picture.hpp",
-                                        "render/panels.hpp",
-                                        "planner/widest_path.hpp",
-                                        "planner/no_path.hpp",
-                                        "report/comparison_run.hpp",
-                                        "report/bench_database.hpp"}) {
-    std::istringstream text(text_of(kSource / "wend" / header));
+                                        "render/picture/drawing.hpp",
+                                        "render/terminal/terminal_picture.hpp",
+                                        "render/picture/panels.hpp",
+                                        "analysis/widest_path.hpp",
+                                        "analysis/no_path.hpp",
+                                        "bench/comparison/comparison_run.hpp",
+                                        "bench/database/bench_database.hpp"}) {
+    std::istringstream text(
+        text_of((header.starts_with("bench/") ? kSource : kSource / "wend") / header));
     int lines = 0;
     for (std::string line; std::getline(text, line);) {
       const bool in_comment = line.find("//   ") < line.find_first_not_of(" /");

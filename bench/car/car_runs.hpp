@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/car/yard.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::bench {
 

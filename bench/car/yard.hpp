@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/map/free_space.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 
 namespace wend::bench {
 

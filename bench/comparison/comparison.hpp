@@ -16,8 +16,8 @@
 #include "wend/base/status.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/query.hpp"
 
 namespace wend {
 

@@ -5,7 +5,7 @@
 
 #include "bench/comparison/comparison_measures.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/path/corner_rounding.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {

@@ -21,7 +21,7 @@
 #include "wend/base/thread_time.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/comparison/comparison_run.hpp"
+#include "bench/comparison/random_queries.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -11,7 +11,7 @@
 #include "bench/measure/speed_baseline.hpp"
 #include "bench/speed/speed_maps.hpp"
 #include "wend/base/expected.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::bench {
 

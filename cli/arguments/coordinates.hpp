@@ -16,7 +16,7 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/grid_map.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/path_report.hpp"
 

@@ -33,7 +33,7 @@ ChosenController made(const OptionSpec& spec, const MotionModel& robot) {
 }
 
 std::vector<OptionSpec> parse_controllers(const std::string& list) {
-  auto specs = parse_option_specs(list, "controller", wend::controllers());
+  auto specs = parse_option_specs(list, "controller", wend::controllers().names());
   if (!specs) throw InputError(specs.error());
   return *std::move(specs);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/arguments/option_flags.hpp"
-#include "wend/base/option_spec.hpp"
+#include "wend/base/options.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
 

@@ -7,7 +7,6 @@
 
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/base/parse_in_range.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {

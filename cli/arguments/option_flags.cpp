@@ -9,7 +9,6 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/base/parse_in_range.hpp"
 
 namespace wend::cli {
 namespace {

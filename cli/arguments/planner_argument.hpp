@@ -15,7 +15,7 @@
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/report/work_times.hpp"
 
 namespace wend::cli {

@@ -8,7 +8,7 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/exit_code.hpp"
-#include "wend/base/option_spec.hpp"
+#include "wend/base/options.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/quote.hpp"
 #include "wend/path/polyline.hpp"
@@ -125,7 +125,7 @@ Refinement RefineArguments::refinement(const Coordinates& coordinates, Adjacency
 }
 
 SmootherChoice parse_smoother(std::string_view text) {
-  auto specs = parse_option_specs(text, "smoother", smoothers());
+  auto specs = parse_option_specs(text, "smoother", smoothers().names());
   if (!specs) throw InputError(specs.error());
   if (specs->size() > 1)
     throw InputError(fmt::format("--smoother {}: --smoother takes exactly one smoother", text));

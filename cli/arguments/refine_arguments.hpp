@@ -11,7 +11,7 @@
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/path/refinement.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/path_report.hpp"
 

@@ -10,7 +10,7 @@
 #include "cli/output/progress_bar.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/base/limits.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

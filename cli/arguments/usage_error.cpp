@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/arguments/flags.hpp"
-#include "wend/base/suggestion.hpp"
+#include "wend/base/registry.hpp"
 #include "wend/io/quote.hpp"
 
 namespace wend::cli {

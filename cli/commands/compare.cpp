@@ -24,7 +24,6 @@
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {

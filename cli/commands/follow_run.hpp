@@ -15,7 +15,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/render/picture/panels.hpp"
 #include "wend/report/drive_report.hpp"
 

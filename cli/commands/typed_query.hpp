@@ -17,7 +17,7 @@
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_result.hpp"
 #include "wend/report/posthoc_trace.hpp"

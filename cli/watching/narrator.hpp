@@ -11,7 +11,6 @@
 #include <string>
 
 #include "wend/planner/observer.hpp"
-#include "wend/planner/open_list.hpp"
 
 namespace wend::cli {
 

@@ -8,7 +8,7 @@
 
 #include "bench/comparison/comparison_run.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::planner_page {
 

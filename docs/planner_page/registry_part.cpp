@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "docs/planner_page/markdown.hpp"
-#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/planner_listing.hpp"
 
@@ -41,7 +40,7 @@ std::string section(const PlannerInfo& planner, const Picture& picture) {
   item("Time", planner.time);
   item("Memory", planner.memory);
   item("Terrain", std::string(terrain_in_words(planner)));
-  item("Preprocessing", to_string(planner.preprocessing));
+  item("Preprocessing", choice_name(planner.preprocessing));
   item("When", planner.when);
   item("Paper", planner.citation);
   if (!planner.options.empty()) text += fmt::format("\n{}", options_of(planner));

@@ -18,7 +18,7 @@
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/query/query_csv.hpp"
 #include "wend/io/query/scenario.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::test {
 

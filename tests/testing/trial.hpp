@@ -11,8 +11,8 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_options.hpp"
 #include "tests/testing/reference.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/query.hpp"
 
 namespace wend::test {
 

@@ -1,14 +1,12 @@
 #include "wend/analysis/cost_to_go.hpp"
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/planner/search_status.hpp"
-#include "wend/search/bucket_frontier.hpp"
 #include "wend/search/forward_search.hpp"
-#include "wend/search/heap_frontier.hpp"
+#include "wend/search/frontiers.hpp"
+#include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {

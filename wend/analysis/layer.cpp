@@ -1,7 +1,6 @@
 #include "wend/analysis/layer.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace wend {
@@ -89,35 +88,21 @@ LayerSource source_of(LayerKind kind) {
 bool is_length(LayerKind kind) { return kind == LayerKind::clearance; }
 
 std::string_view title_of(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::expansion:
-      return "order of expansion";
-    case LayerKind::generation:
-      return "order of generation";
-    case LayerKind::g:
-      return "g, cost from the start";
-    case LayerKind::heuristic:
-      return "h, estimate of the rest";
-    case LayerKind::f:
-      return "f, priority";
-    case LayerKind::closed:
-      return "closed";
-    case LayerKind::frontier:
-      return "frontier";
-    case LayerKind::parent:
-      return "parent";
-    case LayerKind::cost:
-      return "cost to the goal";
-    case LayerKind::policy:
-      return "policy";
-    case LayerKind::occupied:
-      return "occupied";
-    case LayerKind::clearance:
-      return "clearance";
-    case LayerKind::terrain:
-      return "terrain, cost of a unit of length";
-  }
-  return {};
+  constexpr std::array<Choice<LayerKind>, 13> kTitles{
+      {{"order of expansion", LayerKind::expansion},
+       {"order of generation", LayerKind::generation},
+       {"g, cost from the start", LayerKind::g},
+       {"h, estimate of the rest", LayerKind::heuristic},
+       {"f, priority", LayerKind::f},
+       {"closed", LayerKind::closed},
+       {"frontier", LayerKind::frontier},
+       {"parent", LayerKind::parent},
+       {"cost to the goal", LayerKind::cost},
+       {"policy", LayerKind::policy},
+       {"occupied", LayerKind::occupied},
+       {"clearance", LayerKind::clearance},
+       {"terrain, cost of a unit of length", LayerKind::terrain}}};
+  return choice_name(kind, kTitles);
 }
 
 Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder& recorder) {

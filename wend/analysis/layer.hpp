@@ -10,7 +10,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "wend/analysis/cost_to_go.hpp"

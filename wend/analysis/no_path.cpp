@@ -15,18 +15,6 @@ namespace {
 
 constexpr GridMoves kSqueezing{Connectivity::eight, CornerRule::both};
 
-/// What can be changed, as a set.
-struct Changes {
-  bool unknown_free = false;
-  bool squeeze = false;
-  bool smaller_robot = false;
-
-  bool contain(const Way& way) const {
-    return unknown_free >= way.unknown_free && squeeze >= way.squeeze &&
-           smaller_robot >= way.smaller_robot;
-  }
-};
-
 /// All sets, smaller ones first.
 constexpr std::array<Changes, 8> kAllChanges{{{},
                                               {.unknown_free = true},
@@ -141,8 +129,7 @@ NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves 
                                       [&](const Way& way) { return changes.contain(way); });
     if (!minimal || !widths.path_under(changes)) continue;
     if (auto widest = widths.path(changes)) {
-      why.ways.push_back(
-          {changes.unknown_free, changes.squeeze, changes.smaller_robot, *std::move(widest)});
+      why.ways.push_back({changes, *std::move(widest)});
     }
   }
   return why;

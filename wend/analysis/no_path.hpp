@@ -22,12 +22,20 @@
 
 namespace wend {
 
-/// A set of changes under which there is a path, though there is none under a part of them.
-struct Way {
+/// A set of changes.
+struct Changes {
   bool unknown_free = false;
   bool squeeze = false;
   bool smaller_robot = false;
 
+  bool contain(const Changes& other) const {
+    return unknown_free >= other.unknown_free && squeeze >= other.squeeze &&
+           smaller_robot >= other.smaller_robot;
+  }
+};
+
+/// A set of changes under which there is a path, though there is none under a part of them.
+struct Way : Changes {
   int changes() const { return int{unknown_free} + int{squeeze} + int{smaller_robot}; }
 
   /// Under these changes, for a robot of any size. Its radius is smaller than the robot's if

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,7 +13,7 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/distance_field.hpp"
-#include "wend/map/way_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/search/min_heap.hpp"
 

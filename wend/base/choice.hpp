@@ -15,14 +15,20 @@ struct Choice {
   Enum value;
 };
 
+/// The name of a value in a table.
+template <class Enum, class Names>
+constexpr std::string_view choice_name(Enum value, const Names& names) {
+  for (const Choice<Enum>& choice : names) {
+    if (choice.value == value) return choice.name;
+  }
+  return {};
+}
+
 /// The name of a value.
 template <class Enum>
   requires std::is_enum_v<Enum>
 std::string_view choice_name(Enum value) {
-  for (const auto& choice : choice_names(value)) {
-    if (choice.value == value) return choice.name;
-  }
-  return {};
+  return choice_name(value, choice_names(value));
 }
 
 /// The closed range of a number.

@@ -1,45 +1,45 @@
 #include "wend/base/options.hpp"
 
-#include <algorithm>
-
-#include "wend/base/parse_in_range.hpp"
-#include "wend/base/suggestion.hpp"
+#include "wend/base/registry.hpp"
 
 namespace wend {
 namespace {
 
 std::string quoted(std::string_view text) { return '\'' + std::string(text) + '\''; }
 
-std::string out_of_range(std::string_view text, OptionRange range) {
-  return quoted(text) + " is not between " + format_number(range.least) + " and " +
-         format_number(range.greatest);
+Unexpected<std::string> refused(std::string what) {
+  return Unexpected<std::string>(std::move(what));
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  return text;
+/// Cuts off and returns the text before the first separator, or all of it.
+std::string_view take_until(std::string_view& text, char separator) {
+  const std::size_t end = text.find(separator);
+  const std::string_view taken = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return taken;
+}
+
+/// Adds "name=value" to the options; false if it is not of that form.
+bool add_option(std::string_view word, OptionSpec& spec) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string_view::npos || equals == 0) return false;
+  spec.options.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+  return true;
 }
 
 }  // namespace
 
 std::string_view to_string(OptionKind kind) {
-  switch (kind) {
-    case OptionKind::flag:
-      return "flag";
-    case OptionKind::integer:
-      return "integer";
-    case OptionKind::number:
-      return "number";
-    case OptionKind::choice:
-      return "choice";
-  }
-  return {};
+  constexpr std::array<Choice<OptionKind>, 4> kNames{{{"flag", OptionKind::flag},
+                                                      {"integer", OptionKind::integer},
+                                                      {"number", OptionKind::number},
+                                                      {"choice", OptionKind::choice}}};
+  return choice_name(kind, kNames);
 }
 
 namespace option_text {
 
-std::string parse(std::string_view text, bool& value) {
+std::string parse(std::string_view text, bool& value, OptionRange /*range*/) {
   if (text != "true" && text != "false") return quoted(text) + " is neither true nor false";
   value = text == "true";
   return {};
@@ -47,15 +47,13 @@ std::string parse(std::string_view text, bool& value) {
 
 std::string parse(std::string_view text, std::int64_t& value, OptionRange range) {
   const auto parsed = parse_integer<std::int64_t>(text);
-  if (!parsed) {
-    const bool too_large = parse_number(text).has_value() &&
-                           text.find_first_not_of("+-0123456789") == std::string_view::npos;
-    return too_large ? out_of_range(text, range) : quoted(text) + " is not a whole number";
-  }
-  const auto number = static_cast<double>(*parsed);
-  if (number < range.least || number > range.greatest) return out_of_range(text, range);
-  value = *parsed;
-  return {};
+  const bool too_large = parse_number(text).has_value() &&
+                         text.find_first_not_of("+-0123456789") == std::string_view::npos;
+  if (!parsed && !too_large) return quoted(text) + " is not a whole number";
+  double number = 0;
+  std::string wrong = parse_in_range(text, number, range.least, range.greatest);
+  if (wrong.empty()) value = parsed.value_or(value);
+  return wrong;
 }
 
 std::string parse(std::string_view text, double& value, OptionRange range) {
@@ -68,10 +66,7 @@ std::string unknown_choice(std::string_view text, const std::vector<std::string>
 
 OptionError unknown_option(std::string_view name, const std::vector<std::string>& known) {
   if (known.empty()) return {std::string(name), "there are no options here"};
-  if (const auto closest = closest_name(name, known)) {
-    return {std::string(name), "there is no such option: did you mean '" + *closest + "'?"};
-  }
-  return {std::string(name), "there is no such option: choose from " + listed(known)};
+  return {std::string(name), "there is no such option: " + suggestion(name, known)};
 }
 
 std::string format(bool value) { return value ? "true" : "false"; }
@@ -103,6 +98,33 @@ std::optional<OptionError> OptionParser::error() const {
     if (!has(known_, name) && !has(former_, name)) return option_text::unknown_option(name, known_);
   }
   return bad_value_;
+}
+
+Expected<std::vector<OptionSpec>, std::string> parse_option_specs(
+    std::string_view list, std::string_view kind, const std::vector<std::string>& names) {
+  if (list.empty()) return refused("no " + std::string(kind) + " is named");
+  std::vector<OptionSpec> specs;
+  bool more = true;
+  while (more) {
+    more = list.find(',') != std::string_view::npos;
+    const std::string_view word = take_until(list, ',');
+    std::string_view rest = word;
+    const std::string_view name = take_until(rest, ':');
+    const bool continues = !specs.empty() && name.find('=') != std::string_view::npos;
+    if (continues) {
+      specs.back().text.append(",").append(word);
+      if (!add_option(word, specs.back())) return refused(quoted(word) + " is no option");
+      continue;
+    }
+    if (std::ranges::find(names, name) == names.end()) {
+      return refused(unknown_name(kind, name, names));
+    }
+    specs.push_back({std::string(word), std::string(name), {}});
+    if (word.size() > name.size() && !add_option(rest, specs.back())) {
+      return refused(quoted(rest) + " in " + quoted(word) + " is not of the form option=value");
+    }
+  }
+  return specs;
 }
 
 }  // namespace wend

@@ -72,12 +72,26 @@ struct OptionError {
 
 /// Checks and converts the text of one option; each returns what is wrong, empty if nothing is.
 namespace option_text {
-std::string parse(std::string_view text, bool& value);
+std::string parse(std::string_view text, bool& value, OptionRange range = {});
 std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
 std::string parse(std::string_view text, double& value, OptionRange range);
 std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
 OptionError unknown_option(std::string_view name, const std::vector<std::string>& known);
 std::string format(bool value);
+
+template <class Enum>
+  requires std::is_enum_v<Enum>
+std::string parse(std::string_view text, Enum& value, OptionRange /*range*/) {
+  std::vector<std::string> names;
+  for (const auto& choice : choice_names(Enum{})) {
+    if (choice.name == text) {
+      value = choice.value;
+      return {};
+    }
+    names.emplace_back(choice.name);
+  }
+  return unknown_choice(text, names);
+}
 }  // namespace option_text
 
 /// Collects the schema of an option struct, its defaults read from a default-made one.
@@ -116,25 +130,9 @@ class OptionParser {
  public:
   explicit OptionParser(const OptionValues& values) : values_(values) {}
 
-  void operator()(const OptionText& text, bool& value) { apply(text, value); }
-  void operator()(const OptionText& text, std::int64_t& value, OptionRange range) {
-    apply(text, value, range);
-  }
-  void operator()(const OptionText& text, double& value, OptionRange range) {
-    apply(text, value, range);
-  }
-  template <class Enum>
-    requires std::is_enum_v<Enum>
-  void operator()(const OptionText& text, Enum& value) {
-    apply(text, value);
-  }
-
-  /// The first thing wrong, if any: a name that no field has, else a bad value.
-  std::optional<OptionError> error() const;
-
- private:
-  template <class Value, class... Range>
-  void apply(const OptionText& text, Value& value, Range... range) {
+  /// A range counts for numbers only.
+  template <class Value>
+  void operator()(const OptionText& text, Value& value, OptionRange range = {}) {
     known_.emplace_back(text.name);
     for (const std::string_view alias : text.aliases) {
       if (!alias.empty()) known_.emplace_back(alias);
@@ -142,39 +140,20 @@ class OptionParser {
     if (!text.former.empty()) former_.emplace_back(text.former);
     for (const auto& [name, given] : values_) {
       if (!is_name_of(text, name)) continue;
-      const std::string wrong = assign(given, value, range...);
+      const std::string wrong = option_text::parse(given, value, range);
       if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
     }
   }
 
+  /// The first thing wrong, if any: a name that no field has, else a bad value.
+  std::optional<OptionError> error() const;
+
+ private:
   static bool is_name_of(const OptionText& text, std::string_view name) {
     return name == text.name ||
            (!name.empty() &&
             (name == text.former ||
              std::find(text.aliases.begin(), text.aliases.end(), name) != text.aliases.end()));
-  }
-
-  static std::string assign(std::string_view text, bool& value) {
-    return option_text::parse(text, value);
-  }
-  static std::string assign(std::string_view text, std::int64_t& value, OptionRange range) {
-    return option_text::parse(text, value, range);
-  }
-  static std::string assign(std::string_view text, double& value, OptionRange range) {
-    return option_text::parse(text, value, range);
-  }
-  template <class Enum>
-    requires std::is_enum_v<Enum>
-  static std::string assign(std::string_view text, Enum& value) {
-    std::vector<std::string> names;
-    for (const auto& choice : choice_names(Enum{})) {
-      if (choice.name == text) {
-        value = choice.value;
-        return {};
-      }
-      names.emplace_back(choice.name);
-    }
-    return option_text::unknown_choice(text, names);
   }
 
   const OptionValues& values_;
@@ -201,5 +180,20 @@ Expected<Options, OptionError> parse_options(const OptionValues& values) {
   if (auto error = parser.error()) return Unexpected<OptionError>(*std::move(error));
   return options;
 }
+
+/// A thing of a registry and its options in one word, as people type them in lists:
+///
+///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
+struct OptionSpec {
+  std::string text;  // as typed: "astar:weight=2"
+  std::string name;
+  OptionValues options{};
+};
+
+/// The things of a list, of those with these names; `kind` is what they are called: "planner". Fails
+/// for another name, a word that is not name=value, and an empty list; whether the options fit is not
+/// checked.
+Expected<std::vector<OptionSpec>, std::string> parse_option_specs(
+    std::string_view list, std::string_view kind, const std::vector<std::string>& names);
 
 }  // namespace wend

@@ -25,6 +25,12 @@ std::optional<Integer> parse_integer(std::string_view text) {
 /// Nothing for numbers that a double cannot hold (1e999).
 std::optional<double> parse_number(std::string_view text);
 
+/// Reads a number that has to be in a range, both ends included. Sets `value` and returns an empty
+/// text; or returns what is wrong: "'9' is not between 0 and 5 m", "'0,2' is not a number: the decimal
+/// point is a dot, did you mean 0.2?". Numbers that a double cannot hold are out of every range.
+std::string parse_in_range(std::string_view text, double& value, double least, double greatest,
+                           std::string_view unit = {});
+
 /// The shortest text that parse_number reads back as the same number.
 std::string format_number(double value);
 

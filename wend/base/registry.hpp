@@ -1,17 +1,33 @@
 #pragma once
 
-// A list of named things that can be chosen at run time: planners, generators, later smoothers and
-// controllers. T has a member `name` that converts to std::string.
+// Registry: a list of named things that can be chosen at run time (planners, generators, smoothers,
+// controllers), and what to tell a user who misspells a name.
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "wend/base/suggestion.hpp"
-
 namespace wend {
 
+/// The name with the smallest edit distance to `typed` (letters put in, left out, changed or swapped
+/// with their neighbour), if at most a third of its letters differ. O(|typed| * total length of
+/// names).
+std::optional<std::string> closest_name(std::string_view typed, std::span<const std::string> names);
+
+/// "astar, bfs, dfs".
+std::string listed(std::span<const std::string> names);
+
+/// "did you mean 'astar'?", or "choose from astar, bfs, dfs" where no name is near.
+std::string suggestion(std::string_view typed, std::span<const std::string> names);
+
+/// "there is no planner 'astr': did you mean 'astar'?"
+std::string unknown_name(std::string_view kind, std::string_view typed,
+                         std::span<const std::string> names);
+
+/// T has a member `name` that converts to std::string.
 template <class T>
 class Registry {
  public:
@@ -33,17 +49,8 @@ class Registry {
     return names;
   }
 
-  /// What to tell a user who typed a name that is not here: "there is no planner 'astr': did you
-  /// mean 'astar'?", or all names where none is near.
   std::string unknown(std::string_view kind, std::string_view typed) const {
-    std::string text = "there is no " + std::string(kind) + " '" + std::string(typed) + "'";
-    const std::vector<std::string> known = names();
-    if (const auto closest = closest_name(typed, known)) {
-      return text + ": did you mean '" + *closest + "'?";
-    }
-    text += ": choose from";
-    for (std::size_t i = 0; i < known.size(); ++i) text += (i == 0 ? " " : ", ") + known[i];
-    return text;
+    return unknown_name(kind, typed, names());
   }
 
   auto begin() const { return entries_.begin(); }

@@ -1,5 +1,10 @@
 #include "wend/control/controller.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
 namespace wend {
 
 #define WEND_CONTROLLER(name) ControllerInfo name##_controller();
@@ -18,6 +23,27 @@ const Registry<ControllerInfo>& controllers() {
 std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model) {
   if (!info.turns_in_place || model.turning_radius() == 0) return std::nullopt;
   return "the controller '" + info.name + "' turns in place, and a bicycle cannot";
+}
+
+double turn_to(const Pose& pose, Point point) {
+  if (point == pose.point()) return 0;
+  return normalized_angle(std::atan2(point.y - pose.y, point.x - pose.x) - pose.heading);
+}
+
+double way_left(const Polyline& route, double along, Point point) {
+  return std::max(route.length() - along, distance(route.points().back(), point));
+}
+
+TrackingError tracking_error_of(const ControllerInput& input) {
+  const Polyline& route = *input.route;
+  return {turn_to(input.pose, route.points()[input.waypoint]),
+          way_left(route, input.along, input.pose.point())};
+}
+
+Velocity while_turning(double linear, double angular, const TrackingError& aim,
+                       double standing_angle, const VelocityLimits& limits) {
+  const double share = std::max(1 - std::abs(aim.heading) / standing_angle, 0.0);
+  return {std::clamp(linear, 0.0, limits.speed) * share, angular};
 }
 
 }  // namespace wend

@@ -22,7 +22,6 @@
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/control/motion_model.hpp"
-#include "wend/control/velocity.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/polyline.hpp"
 
@@ -73,8 +72,35 @@ struct ControllerInfo {
 /// p, p_moving, pid, pure_pursuit.
 const Registry<ControllerInfo>& controllers();
 
+/// What ControllerInfo::make does: makes a controller from its options as text.
+template <class Made, class Options>
+ControllerResult make_controller(const OptionValues& values) {
+  const auto options = parse_options<Options>(values);
+  if (!options) return Unexpected<OptionError>(options.error());
+  return std::make_unique<Made>(*options);
+}
+
 /// Why a controller is none for a robot: it turns in place, and the robot cannot. Nothing if it is;
 /// whoever puts the two together asks.
 std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
+
+/// How far the robot must turn to face a point, in (-pi, pi]; 0 where it stands on it.
+double turn_to(const Pose& pose, Point point);
+
+/// What is left of a route: along it and, where that has come to its end, straight to the end.
+double way_left(const Polyline& route, double along, Point point);
+
+/// The errors that P and PID controllers feed back.
+struct TrackingError {
+  double heading = 0;   // rad, to face the next waypoint
+  double distance = 0;  // m, what is left
+};
+
+TrackingError tracking_error_of(const ControllerInput& input);
+
+/// Drives so fast, but slower the larger the heading error is, and not at all from `standing_angle`
+/// on; and turns so fast.
+Velocity while_turning(double linear, double angular, const TrackingError& aim,
+                       double standing_angle, const VelocityLimits& limits);
 
 }  // namespace wend

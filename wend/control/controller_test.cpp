@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/control/pid_term.hpp"
-#include "wend/control/tracking_error.hpp"
+#include "wend/control/pid.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {

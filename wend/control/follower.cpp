@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "wend/control/nearest_ahead.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -15,11 +14,6 @@ namespace {
 
 bool is_finite(const Pose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
-
-/// The robot as its controller sees it.
-Pose shown_to_controller(const Pose& pose, bool reverse) {
-  return reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
 }
 
 /// The greatest speed that can be held for a moment and then be braked within `way`.
@@ -58,7 +52,7 @@ FollowerStep Follower::step(const Pose& pose, double seconds) {
     watch_progress(best_headway_, least_heading_error_, seconds);
     return brake(seconds);
   }
-  const Pose shown = shown_to_controller(pose, current_leg().reverse);
+  const Pose shown = turned_round(pose, current_leg().reverse);
   locate(shown);
   const Polyline& line = current_leg().line;
   const double turn_left = normalized_angle(line.at(along_).heading - shown.heading);

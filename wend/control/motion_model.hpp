@@ -1,7 +1,7 @@
 #pragma once
 
 // Motion models: how a robot moves when it is told a velocity. Integrated exactly: with constant
-// velocities a robot drives an arc.
+// velocities a robot drives an arc. Metres, radians, seconds, in the map's frame.
 //
 //   wend::RobotState robot{{0, 0, 0}};
 //   const wend::Step step = wend::drive(wend::MotionModel{}, robot, {0.3, 0.1}, 0.05);
@@ -10,10 +10,40 @@
 #include <array>
 
 #include "wend/base/choice.hpp"
-#include "wend/control/velocity.hpp"
 #include "wend/geometry/arc.hpp"
 
 namespace wend {
+
+/// What a controller asks for and a robot does.
+struct Velocity {
+  double linear = 0;   // m/s along the heading, negative in reverse
+  double angular = 0;  // rad/s, positive where the heading grows
+
+  friend bool operator==(const Velocity&, const Velocity&) = default;
+};
+
+/// What a robot can do, and so what is asked of it at most.
+struct VelocityLimits {
+  double speed = 0.5;            // m/s
+  double turn_rate = 1.5;        // rad/s
+  double acceleration = 1;       // m/s^2, braking too
+  double turn_acceleration = 5;  // rad/s^2
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"speed", "upper limit on the speed, m/s"}, self.speed, {1e-3, 1e3});
+    field({"turn_rate", "upper limit on the turn rate, rad/s"}, self.turn_rate, {1e-3, 1e3});
+    field({"acceleration", "upper limit on acceleration and braking, m/s^2"}, self.acceleration,
+          {1e-3, 1e6});
+    field({"turn_acceleration", "upper limit on the angular acceleration, rad/s^2"},
+          self.turn_acceleration, {1e-3, 1e6});
+  }
+};
+
+/// The nearest to `wanted` that the limits allow `seconds` after `now`; if `now` is beyond them, as
+/// near to them as the accelerations allow.
+Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
+                 double seconds);
 
 enum class Drivetrain {
   differential,  // turns in place

@@ -1,6 +1,7 @@
 #pragma once
 
-// Where on a line a robot is, that has come so far along it: what a follower and remaining() go by.
+// Where on a line a robot is, that has come so far along it, and what is left of its path: what a
+// follower and remaining() go by.
 //
 // The nearest place, unless the line comes near the robot several times, where it crosses itself or
 // comes back: then the first of those visits in which the line leads the way the robot faces, so
@@ -15,6 +16,7 @@
 #include <span>
 
 #include "wend/geometry/pose.hpp"
+#include "wend/path/path.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {
@@ -30,5 +32,22 @@ struct Reach {
 /// back leads; empty: ahead. O(lines in reach).
 OnPolyline nearest_ahead(const Polyline& line, const Pose& pose, const Reach& reach,
                          std::span<const std::int8_t> gears = {});
+
+/// What is left of a path from where the robot is: for plans that are updated while driving.
+///
+///   const wend::Remaining rest = wend::remaining(path, pose, driven_so_far);
+///   driven_so_far = rest.along;
+///
+/// In grid coordinates. The path goes on from its nearest point ahead: never back behind `from`, and
+/// where it crosses or meets itself, on the strand that comes next and leads the way the robot faces,
+/// so that no loop is skipped.
+struct Remaining {
+  Path path;            // waypoints, the nearest point first; of a car's path its poses
+  double along = 0;     // cells of the path that are behind
+  double distance = 0;  // cells, from the robot to the path
+};
+
+/// Of a path (not empty); `from` is how much of it was behind before. O(n).
+Remaining remaining(const Path& path, const Pose& pose, double from = 0);
 
 }  // namespace wend

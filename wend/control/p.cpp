@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "wend/control/controller.hpp"
-#include "wend/control/make_controller.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {

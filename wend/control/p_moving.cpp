@@ -2,8 +2,6 @@
 // Systems", 2008, chapter 1.
 
 #include "wend/control/controller.hpp"
-#include "wend/control/make_controller.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {

@@ -1,9 +1,10 @@
 // PID on heading and distance. K. J. Åström and R. M. Murray, "Feedback Systems", 2008, chapter 10.
 
+#include "wend/control/pid.hpp"
+
+#include <cmath>
+
 #include "wend/control/controller.hpp"
-#include "wend/control/make_controller.hpp"
-#include "wend/control/pid_term.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -70,6 +71,24 @@ class PidController final : public Controller {
 };
 
 }  // namespace
+
+void PidTerm::reset() {
+  integral_ = 0;
+  slope_ = 0;
+  is_first_ = true;
+}
+
+double PidTerm::output(double error, double change, double seconds, double limit) {
+  if (!is_first_) slope_ += (change / seconds - slope_) * seconds / (filter_time_ + seconds);
+  is_first_ = false;
+  const double other = gains_.proportional * error + gains_.derivative * slope_;
+  const double summed = integral_ + error * seconds;
+  const double wanted = other + gains_.integral * summed;
+  const bool winds_up = std::abs(wanted) > limit && wanted * error > 0;
+  if (winds_up) return other + gains_.integral * integral_;
+  integral_ = summed;
+  return wanted;
+}
 
 ControllerInfo pid_controller() {
   return {.name = "pid",

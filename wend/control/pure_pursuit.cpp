@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "wend/control/controller.hpp"
-#include "wend/control/make_controller.hpp"
 #include "wend/control/speed_profile.hpp"
-#include "wend/control/tracking_error.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {

@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <cstddef>
-#include <utility>
 
 #include "wend/geometry/angle.hpp"
 
@@ -52,11 +51,14 @@ void join_end_to_start(std::vector<RouteLeg>& legs) {
 
 /// How the robot stands there.
 Pose facing(const RouteLeg& leg, double along) {
-  const Pose pose = leg.line.at(along);
-  return leg.reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+  return turned_round(leg.line.at(along), leg.reverse);
 }
 
 }  // namespace
+
+Pose turned_round(const Pose& pose, bool reverse) {
+  return reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
 
 Route::Route(const Path& path, const Frame& frame, bool closed) {
   assert(!path.empty());

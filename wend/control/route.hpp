@@ -14,6 +14,10 @@
 
 namespace wend {
 
+/// A pose, or the same facing backwards: how the robot stands, and how its controller sees it, on a leg
+/// that is driven in reverse.
+Pose turned_round(const Pose& pose, bool reverse);
+
 struct RouteLeg {
   Polyline line;         // metres
   bool reverse = false;  // the robot's back leads

@@ -4,12 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/map/arc_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {
@@ -261,19 +260,13 @@ class Simulation {
 bool Drive::oscillates() const { return static_cast<double>(swings) > std::max(time, 1.0); }
 
 std::string_view describe(DriveOutcome outcome) {
-  switch (outcome) {
-    case DriveOutcome::reached:
-      return "reached the goal";
-    case DriveOutcome::stuck:
-      return "got stuck";
-    case DriveOutcome::off_path:
-      return "left the path";
-    case DriveOutcome::collision:
-      return "ran into an obstacle";
-    case DriveOutcome::time:
-      return "ran out of time";
-  }
-  return {};
+  constexpr std::array<Choice<DriveOutcome>, 5> kTexts{
+      {{"reached the goal", DriveOutcome::reached},
+       {"got stuck", DriveOutcome::stuck},
+       {"left the path", DriveOutcome::off_path},
+       {"ran into an obstacle", DriveOutcome::collision},
+       {"ran out of time", DriveOutcome::time}}};
+  return choice_name(outcome, kTexts);
 }
 
 Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,

@@ -17,7 +17,7 @@
 
 #include <vector>
 
-#include "wend/control/velocity.hpp"
+#include "wend/control/motion_model.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {

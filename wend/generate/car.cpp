@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

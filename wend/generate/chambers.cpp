@@ -1,7 +1,6 @@
 #include "wend/generate/chambers.hpp"
 
 #include <array>
-#include <cassert>
 
 #include "wend/geometry/direction.hpp"
 

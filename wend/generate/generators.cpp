@@ -1,6 +1,6 @@
 #include "wend/generate/generators.hpp"
 
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {
@@ -11,32 +11,29 @@ std::string text_of(MapSize size) {
 
 }  // namespace
 
-GeneratorError size_error(std::string_view name, MapSize size, std::string_view wrong) {
-  return {"a map of kind '" + std::string(name) + "' with " + text_of(size) + " cells is " +
-          std::string(wrong)};
+std::string fault_of(MapSize size, MapSize least) {
+  if (size.width < least.width || size.height < least.height) {
+    return "too small: it needs at least " + text_of(least);
+  }
+  constexpr MapSize kMost{kMostGeneratedCells, kMostGeneratedCells};
+  if (size.width <= kMost.width && size.height <= kMost.height) return {};
+  return "too large: it can have at most " + text_of(kMost);
 }
 
-std::optional<GeneratorError> check_size(std::string_view name, MapSize size, MapSize least) {
-  if (size.width < least.width || size.height < least.height) {
-    return size_error(name, size, "too small: it needs at least " + text_of(least));
-  }
-  if (size.width > kMostGeneratedCells || size.height > kMostGeneratedCells) {
-    const MapSize most{kMostGeneratedCells, kMostGeneratedCells};
-    return size_error(name, size, "too large: it can have at most " + text_of(most));
-  }
-  return std::nullopt;
+GeneratorError size_error(std::string_view name, MapSize size, std::string_view fault) {
+  return {"a map of kind '" + std::string(name) + "' with " + text_of(size) + " cells is " +
+          std::string(fault)};
 }
+
+#define WEND_GENERATOR(name) GeneratorInfo name##_generator();
+#include "wend/generate/generators.def"
+#undef WEND_GENERATOR
 
 const Registry<GeneratorInfo>& generators() {
   static const Registry<GeneratorInfo> registry({
-      random_generator(),
-      maze_generator(),
-      rooms_generator(),
-      office_generator(),
-      warehouse_generator(),
-      rough_generator(),
-      car_generator(),
-      parking_generator(),
+#define WEND_GENERATOR(name) name##_generator(),
+#include "wend/generate/generators.def"
+#undef WEND_GENERATOR
   });
   return registry;
 }

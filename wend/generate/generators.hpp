@@ -40,22 +40,22 @@ struct GeneratorInfo {
   int default_height = 21;
 
   /// All free cells are connected by their edges.
-  bool connected;
+  bool connected = true;
 
   /// A start and a goal for demos: the cells (free_corner, free_corner) and, counted from the
   /// opposite corner, (width-1-free_corner, height-1-free_corner) are free where the map has them.
   /// In the office and the warehouse, which are in metres, a robot with a radius of 0.3 m gets from
   /// one (1 m, 1 m) to the other.
-  int free_corner;
+  int free_corner = 1;
 
   std::vector<OptionInfo> options;
   std::function<GeneratorResult(int width, int height, std::uint64_t seed, const OptionValues&)>
       make;
 };
 
-/// random, maze, rooms, office, warehouse, rough, car, parking. The office and the warehouse are in
-/// metres, 0.1 m a cell, y up, the lower left corner at (0, 0) and unknown cells around and inside
-/// what stands there; the others have a plain frame. A car and a parking yard are for cars that
+/// The generators of generators.def; a new one is one file and one line. The office and the warehouse
+/// are in metres, 0.1 m a cell, y up, the lower left corner at (0, 0) and unknown cells around and
+/// inside what stands there; the others have a plain frame. A car and a parking yard are for cars that
 /// stand on corners of cells and turn with a radius of one cell; rough road costs 2.
 const Registry<GeneratorInfo>& generators();
 

@@ -1,7 +1,7 @@
 // A perfect maze: exactly one way between any two passages.
 
 #include "wend/generate/chambers.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "wend/generate/floor_plan.hpp"
 #include "wend/generate/furniture.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

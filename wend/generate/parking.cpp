@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "wend/generate/block.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 #include "wend/generate/hills.hpp"
 
 namespace wend {

@@ -1,6 +1,6 @@
 // Random obstacles: every cell is blocked with the same probability.
 
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

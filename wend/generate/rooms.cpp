@@ -1,7 +1,7 @@
 // Square rooms in rows and columns, with doors one cell wide.
 
 #include "wend/generate/chambers.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

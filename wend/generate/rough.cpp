@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "wend/generate/block.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 #include "wend/generate/hills.hpp"
 
 namespace wend {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "wend/generate/floor_plan.hpp"
-#include "wend/generate/generator_kinds.hpp"
+#include "wend/generate/generator_info.hpp"
 
 namespace wend {
 namespace {

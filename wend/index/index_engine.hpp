@@ -11,7 +11,7 @@
 #include <span>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/search/search_metrics.hpp"
+#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 

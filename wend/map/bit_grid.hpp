@@ -87,4 +87,12 @@ class BitGrid {
   std::vector<std::uint64_t> words_;
 };
 
+/// Sets in a row (BitGrid::row_words(), all false) the cells of which this holds, 64 at a time.
+template <class T, class Predicate>
+void set_row(std::span<std::uint64_t> words, std::span<const T> values, Predicate&& is_set) {
+  for (std::size_t x = 0; x < values.size(); ++x) {
+    words[(x + 1) / 64] |= std::uint64_t{is_set(values[x])} << ((x + 1) % 64);
+  }
+}
+
 }  // namespace wend

@@ -6,8 +6,11 @@
 // 4-connected; where both corners may be cut, if they are 8-connected. One label a cell serves
 // both: 8-connected components are unions of 4-connected ones.
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "wend/map/bit_grid.hpp"
@@ -55,6 +58,60 @@ class ConnectedComponents {
   std::vector<std::uint32_t> merged_{0};  // by label: the 8-connected component
   std::vector<std::size_t> sizes_{0};     // by label
   std::vector<std::size_t> merged_sizes_{0};
+};
+
+/// Set cells [begin, end) of one row.
+struct RowRun {
+  static constexpr std::uint32_t kNoComponent = UINT32_MAX;
+
+  int begin;
+  int end;
+  std::uint32_t component = kNoComponent;  // as whoever labels runs numbers them
+};
+
+/// The first cell from x on whose bit is `value`, or width. `words` are those of a row, in which
+/// cell x is bit x+1.
+inline int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value) {
+  const auto first = static_cast<std::size_t>(x) + 1;
+  std::size_t word = first / 64;
+  std::uint64_t bits = (value ? words[word] : ~words[word]) & (~std::uint64_t{0} << (first % 64));
+  while (bits == 0) {
+    if (++word == words.size()) return width;
+    bits = value ? words[word] : ~words[word];
+  }
+  const auto found = static_cast<int>(word * 64) + std::countr_zero(bits) - 1;
+  return std::min(found, width);
+}
+
+/// Calls take(run) for every run of a row, from left to right.
+template <class Take>
+void for_each_run(std::span<const std::uint64_t> words, int width, Take&& take) {
+  for (int x = next_cell(words, 0, width, true); x < width;) {
+    const int end = next_cell(words, x, width, false);
+    take(RowRun{x, end});
+    x = end < width ? next_cell(words, end, width, true) : width;
+  }
+}
+
+/// How many 4-connected components the set cells of a grid make, and how large the largest is, told
+/// row by row in the memory of two rows.
+class ComponentCounter {
+ public:
+  explicit ComponentCounter(int width) : width_(width) {}
+
+  /// The words of the next row, as BitGrid::row_words() has them. O(width).
+  void add_row(std::span<const std::uint64_t> words);
+
+  /// Of all rows so far.
+  std::size_t count() const { return closed_ + open_.size(); }
+  std::size_t largest() const;
+
+ private:
+  int width_;
+  std::vector<RowRun> above_;      // of the row that came last; their components are those of open_
+  std::vector<std::size_t> open_;  // sizes of the components that reach that row
+  std::size_t closed_ = 0;         // how many end above it
+  std::size_t largest_closed_ = 0;
 };
 
 }  // namespace wend

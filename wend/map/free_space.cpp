@@ -1,10 +1,11 @@
 #include "wend/map/free_space.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "wend/base/choice.hpp"
 #include "wend/map/distance_field.hpp"
 
 namespace wend {
@@ -49,11 +50,8 @@ BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least)
   BitGrid passable(clearance.width(), clearance.height());
   const auto threshold = static_cast<std::uint32_t>(std::ceil(least));
   for (int y = 0; y < clearance.height(); ++y) {
-    const auto row = clearance.row(y);
-    const auto words = passable.row_words(y);
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      words[(x + 1) / 64] |= std::uint64_t{row[x] >= threshold} << ((x + 1) % 64);
-    }
+    set_row(passable.row_words(y), clearance.row(y),
+            [threshold](std::uint32_t here) { return here >= threshold; });
   }
   return passable;
 }
@@ -113,19 +111,13 @@ Grid<double> terrain_away_from_obstacles(const GridMap& map, const BitGrid& pass
 }  // namespace
 
 std::string_view describe(BlockReason reason) {
-  switch (reason) {
-    case BlockReason::outside:
-      return "outside the map";
-    case BlockReason::obstacle:
-      return "an obstacle";
-    case BlockReason::unknown:
-      return "unknown";
-    case BlockReason::too_close:
-      return "closer to an obstacle than the robot's radius";
-    case BlockReason::over_edge:
-      return "too close to the map's edge for the robot's radius";
-  }
-  return {};
+  constexpr std::array<Choice<BlockReason>, 5> kTexts{
+      {{"outside the map", BlockReason::outside},
+       {"an obstacle", BlockReason::obstacle},
+       {"unknown", BlockReason::unknown},
+       {"closer to an obstacle than the robot's radius", BlockReason::too_close},
+       {"too close to the map's edge for the robot's radius", BlockReason::over_edge}}};
+  return choice_name(reason, kTexts);
 }
 
 OutsidePolicy default_outside_policy(const Frame& frame) {

@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace wend {
 namespace {
 
-/// The cells of one state, 64 at a time.
+/// Sets in a row of a plane, all false, the cells of one state.
+void set_state(std::span<std::uint64_t> words, std::span<const CellState> row, CellState state) {
+  set_row(words, row, [state](CellState here) { return here == state; });
+}
+
 BitGrid plane(const Grid<CellState>& cells, CellState state) {
   BitGrid bits(cells.width(), cells.height());
-  for (int y = 0; y < cells.height(); ++y) {
-    const auto row = cells.row(y);
-    const auto words = bits.row_words(y);
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      words[(x + 1) / 64] |= std::uint64_t{row[x] == state} << ((x + 1) % 64);
-    }
-  }
+  for (int y = 0; y < cells.height(); ++y) set_state(bits.row_words(y), cells.row(y), state);
   return bits;
+}
+
+void turn_over(BitGrid& plane) {
+  for (int y = 0; y < plane.height() / 2; ++y) {
+    const auto row = plane.row_words(y);
+    std::swap_ranges(row.begin(), row.end(), plane.row_words(plane.height() - 1 - y).begin());
+  }
 }
 
 }  // namespace
@@ -48,6 +52,47 @@ GridMap GridMap::with_frame(Frame frame) const {
   Data copy = *data_;
   copy.frame = frame;
   return GridMap(std::make_shared<const Data>(std::move(copy)));
+}
+
+GridMapBuilder::GridMapBuilder(int width) : occupied_(width, 0), unknown_(width, 0) {
+  assert(width >= 1);
+}
+
+void GridMapBuilder::reserve(int height) {
+  occupied_.reserve_rows(height);
+  unknown_.reserve_rows(height);
+}
+
+void GridMapBuilder::append(std::span<const CellState> states, std::span<const double> terrain) {
+  assert(states.size() == static_cast<std::size_t>(width()));
+  assert(terrain.empty() || terrain.size() == states.size());
+  const bool uniform = std::all_of(terrain.begin(), terrain.end(),
+                                   [](double multiplier) { return multiplier == 1; });
+  if (!uniform || !terrain_.empty()) {
+    terrain_.resize(static_cast<std::size_t>(height()) * states.size(), 1);
+    if (uniform) {
+      terrain_.resize(terrain_.size() + states.size(), 1);
+    } else {
+      terrain_.insert(terrain_.end(), terrain.begin(), terrain.end());
+    }
+  }
+  set_state(occupied_.append_row(), states, CellState::occupied);
+  set_state(unknown_.append_row(), states, CellState::unknown);
+}
+
+GridMap GridMapBuilder::finish(Frame frame) && {
+  assert(height() >= 1);
+  Grid<double> terrain;
+  if (!terrain_.empty()) terrain = Grid<double>(width(), height(), std::move(terrain_));
+  if (frame.y_up) {
+    turn_over(occupied_);
+    turn_over(unknown_);
+    for (int y = 0; y < terrain.height() / 2; ++y) {
+      const auto row = terrain.row(y);
+      std::swap_ranges(row.begin(), row.end(), terrain.row(terrain.height() - 1 - y).begin());
+    }
+  }
+  return {std::move(occupied_), std::move(unknown_), frame, std::move(terrain)};
 }
 
 }  // namespace wend

@@ -3,7 +3,6 @@
 // Rows of runs become few rectangles: equal runs in rows that follow each other are joined.
 
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>

@@ -57,25 +57,16 @@ std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
       std::max({std::abs(std::int64_t{from.x}), std::abs(std::int64_t{space.width()} - from.x),
                 std::abs(std::int64_t{from.y}), std::abs(std::int64_t{space.height()} - from.y)});
   for (std::int64_t ring = first; ring <= last && nearest.open(ring); ++ring) {
-    // The part of the square ring that lies on the map: two rows, and two columns between them.
+    // The part of the square ring that lies on the map: whole rows above and below, and between them
+    // the first and the last column.
     const std::int64_t left = from.x - ring;
-    const std::int64_t right = from.x + ring;
-    const std::int64_t top = from.y - ring;
-    const std::int64_t bottom = from.y + ring;
-    const auto x_begin = std::max<std::int64_t>(left, 0);
-    const auto x_end = std::min<std::int64_t>(right, space.width() - 1);
-    for (const std::int64_t y : {top, bottom}) {
-      if (y < 0 || y >= space.height()) continue;
-      for (std::int64_t x = x_begin; x <= x_end; ++x) {
-        nearest.offer({static_cast<int>(x), static_cast<int>(y)});
-      }
-    }
-    const auto y_begin = std::max<std::int64_t>(top + 1, 0);
-    const auto y_end = std::min<std::int64_t>(bottom - 1, space.height() - 1);
-    for (const std::int64_t x : {left, right}) {
-      if (x < 0 || x >= space.width()) continue;
-      for (std::int64_t y = y_begin; y <= y_end; ++y) {
-        nearest.offer({static_cast<int>(x), static_cast<int>(y)});
+    const std::int64_t x_begin = std::max<std::int64_t>(left, 0);
+    const std::int64_t x_end = std::min<std::int64_t>(from.x + ring, space.width() - 1);
+    const std::int64_t y_end = std::min<std::int64_t>(from.y + ring, space.height() - 1);
+    for (std::int64_t y = std::max<std::int64_t>(from.y - ring, 0); y <= y_end; ++y) {
+      const bool whole_row = std::abs(y - from.y) == ring;
+      for (std::int64_t x = whole_row ? x_begin : left; x <= x_end; x += whole_row ? 1 : 2 * ring) {
+        if (x >= x_begin) nearest.offer({static_cast<int>(x), static_cast<int>(y)});
       }
     }
   }

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/swept_piece.hpp"
+#include "wend/map/sweep.hpp"
 
 namespace wend {
 namespace {

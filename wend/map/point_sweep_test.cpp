@@ -11,7 +11,7 @@
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
-#include "wend/map/arc_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {

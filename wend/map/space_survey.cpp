@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/map/component_counter.hpp"
+#include "wend/map/connected_components.hpp"
 
 namespace wend {
 namespace {

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
-#include "wend/path/corner_rounding.hpp"
-#include "wend/path/movable_path.hpp"
+#include "wend/path/path_metrics.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
@@ -102,11 +101,10 @@ bool is_within(std::vector<Point> points, double radius) {
   return true;
 }
 
-/// Moves the points of a path, a MovablePath or an UnboundPath, sweep by sweep.
-template <class Moved>
+/// Moves the points of a path, sweep by sweep.
 class CurvatureSweeps {
  public:
-  CurvatureSweeps(const Path& path, Moved moved, const CurvatureOptions& options)
+  CurvatureSweeps(const Path& path, MovablePath moved, const CurvatureOptions& options)
       : path_(path.points()), moved_(std::move(moved)), options_(options), held_(path_.size()) {}
 
   Smoothed run() && {
@@ -130,7 +128,7 @@ class CurvatureSweeps {
     if (path_.size() > 2) {
       result.held = static_cast<double>(held) / static_cast<double>(path_.size() - 2);
     }
-    finish(result, Path::along(path_), moved_.points(), options_.unsafe);
+    moved_.finish(result, Path::along(path_));
     result.within_bound = is_within(result.path.points(), options_.radius);
     result.converged = result.converged || result.within_bound;
     return result;
@@ -191,7 +189,7 @@ class CurvatureSweeps {
   }
 
   std::vector<Point> path_;
-  Moved moved_;
+  MovablePath moved_;
   CurvatureOptions options_;
   std::vector<bool> held_;  // points that did not go all the way in this sweep
   double squared_change_ = 0;
@@ -204,13 +202,8 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
                                     const CurvatureOptions& options) {
   assert(!path.empty());
   if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
-  if (path.driven()) return refused_drive();
-  const Path dense = divided(path, options.radius);
-  if (options.unsafe) {
-    return CurvatureSweeps(dense, UnboundPath(dense.points()), options).run();
-  }
-  auto movable = MovablePath::from(
-      dense, space, options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges);
+  const Path dense = path.driven() ? path : divided(path, options.radius);
+  auto movable = MovablePath::from(dense, space, options);
   if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
   return CurvatureSweeps(dense, *std::move(movable), options).run();
 }

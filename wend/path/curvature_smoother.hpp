@@ -9,7 +9,7 @@
 // three successive points that bend more than they may are moved by the least that puts them right,
 // and somewhat more (S. Kaczmarz 1937, with over-relaxation; as M. Müller and others do it in
 // position-based dynamics, 2007), and in which points keep even distances. A bend is wide enough if an
-// arc of that radius rounds it within a tenth of a cell (corner_rounding.hpp), as measure() says it;
+// arc of that radius rounds it within a tenth of a cell (Corner in path_metrics.hpp), as measure() says it;
 // lines that are long for that (more than 1.5 cells or half the radius) are divided first, so the
 // result may have more points than the path.
 //

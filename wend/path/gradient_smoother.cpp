@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "wend/path/movable_path.hpp"
 #include "wend/path/smoothing.hpp"
 
 namespace wend {
@@ -21,9 +20,8 @@ struct Sweep {
   std::size_t held = 0;  // points that did not go all the way
 };
 
-/// One sweep over points that `moved` moves, a MovablePath or an UnboundPath.
-template <class Moved>
-Sweep sweep_over(const std::vector<Point>& path, Moved& moved, const GradientOptions& options) {
+Sweep sweep_over(const std::vector<Point>& path, MovablePath& moved,
+                 const GradientOptions& options) {
   const double alpha = options.alpha;
   const double beta = options.beta;
   Sweep sweep;
@@ -43,8 +41,7 @@ Sweep sweep_over(const std::vector<Point>& path, Moved& moved, const GradientOpt
   return sweep;
 }
 
-template <class Moved>
-Smoothed smoothed(const Path& path, Moved moved, const GradientOptions& options) {
+Smoothed smoothed(const Path& path, MovablePath moved, const GradientOptions& options) {
   const std::vector<Point> points = path.points();
   const double inner = points.size() < 3 ? 1 : static_cast<double>(points.size() - 2);
   Smoothed result;
@@ -54,7 +51,7 @@ Smoothed smoothed(const Path& path, Moved moved, const GradientOptions& options)
     result.converged = sweep.squared_change < options.epsilon || sweep.squared_change == 0;
     result.held = static_cast<double>(sweep.held) / inner;
   }
-  finish(result, path, moved.points(), options.unsafe);
+  moved.finish(result, path);
   return result;
 }
 
@@ -64,10 +61,7 @@ SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
                                    const GradientOptions& options) {
   assert(!path.empty());
   if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
-  if (path.driven()) return refused_drive();
-  if (options.unsafe) return smoothed(path, UnboundPath(path.points()), options);
-  auto movable = MovablePath::from(
-      path, space, options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges);
+  auto movable = MovablePath::from(path, space, options);
   if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
   return smoothed(path, *std::move(movable), options);
 }

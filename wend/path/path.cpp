@@ -1,6 +1,5 @@
 #include "wend/path/path.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,14 +1,13 @@
 #include "wend/path/path_collision.hpp"
 
+#include <array>
 #include <cassert>
-#include <cmath>
 
+#include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/arc_clearance.hpp"
-#include "wend/map/map_edge.hpp"
-#include "wend/map/obstacles_near.hpp"
 #include "wend/map/point_sweep.hpp"
-#include "wend/map/swept_piece.hpp"
+#include "wend/map/sweep.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {
@@ -129,11 +128,9 @@ class PathSweep {
     if (space_.radius_in_cells() == 0 || space_.outside() == OutsidePolicy::free) {
       return !on_map(space_, way) && fits_from_here(way);
     }
-    if (far_enough(edge_clearance(space_, way))) return false;
-    return !obstacle || far_enough(distance(end_point(way), *obstacle));
+    if (keeps_distance(space_, edge_clearance(space_, way))) return false;
+    return !obstacle || keeps_distance(space_, distance(end_point(way), *obstacle));
   }
-
-  bool far_enough(double cells) const { return cells > 0 && space_.far_enough(4 * cells * cells); }
 
   const FreeSpace& space_;
   Adjacency adjacency_;
@@ -145,17 +142,12 @@ class PathSweep {
 }  // namespace
 
 std::string_view describe(CollisionKind kind) {
-  switch (kind) {
-    case CollisionKind::outside:
-      return "leaves the map";
-    case CollisionKind::obstacle:
-      return "enters an obstacle";
-    case CollisionKind::too_close:
-      return "comes closer to an obstacle than the robot's radius";
-    case CollisionKind::squeezed:
-      return "passes between two obstacles that touch at a corner";
-  }
-  return {};
+  constexpr std::array<Choice<CollisionKind>, 4> kTexts{
+      {{"leaves the map", CollisionKind::outside},
+       {"enters an obstacle", CollisionKind::obstacle},
+       {"comes closer to an obstacle than the robot's radius", CollisionKind::too_close},
+       {"passes between two obstacles that touch at a corner", CollisionKind::squeezed}}};
+  return choice_name(kind, kTexts);
 }
 
 std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,

@@ -1,7 +1,5 @@
 #include "wend/path/refinement.hpp"
 
-#include <cstdint>
-#include <string>
 #include <utility>
 
 #include "wend/path/simplification.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/arc_clearance.hpp"
 #include "wend/map/point_sweep.hpp"
+#include "wend/map/swept_clearance.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {
@@ -38,16 +38,6 @@ class Sight {
   Adjacency adjacency_;
 };
 
-double distance_to_line(Point point, Point from, Point to) {
-  const double dx = to.x - from.x;
-  const double dy = to.y - from.y;
-  const double squared = dx * dx + dy * dy;
-  if (squared == 0) return distance(point, from);
-  const double share =
-      std::clamp(((point.x - from.x) * dx + (point.y - from.y) * dy) / squared, 0.0, 1.0);
-  return distance(point, Point{from.x + share * dx, from.y + share * dy});
-}
-
 /// Does a line go straight on, from b to c, in the direction in which it left a for `second`? All
 /// its points are held to one direction, so that many small bends are not lost one by one.
 bool goes_straight_on(Point a, Point second, Point b, Point c) {
@@ -62,7 +52,7 @@ std::size_t farthest_from_line(std::span<const Point> points, std::size_t first,
   std::size_t farthest = first + 1;
   double greatest = -1;
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double off = distance_to_line(points[i], points[first], points[last]);
+    const double off = distance(Line{points[first], points[last]}, points[i]);
     if (off > greatest) {
       greatest = off;
       farthest = i;
@@ -181,7 +171,7 @@ Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adja
       continue;
     }
     const std::size_t farthest = farthest_from_line(points, first, last);
-    const double off = distance_to_line(points[farthest], points[first], points[last]);
+    const double off = distance(Line{points[first], points[last]}, points[farthest]);
     if (off <= tolerance && sight(points[first], points[last])) {
       kept.push_back(points[last]);
     } else {  // the nearer half comes off the stack first

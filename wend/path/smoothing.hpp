@@ -1,14 +1,20 @@
 #pragma once
 
-// What all smoothers do before and after: refuse what cannot be smoothed, and let no safe result be
-// longer than the path.
+// What smoothers are made of: they refuse what cannot be smoothed, move the points of a MovablePath,
+// and let no safe result be longer than the path.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "wend/base/expected.hpp"
+#include "wend/geometry/line.hpp"
+#include "wend/map/connected_components.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/path/path.hpp"
 #include "wend/path/smoother.hpp"
 
 namespace wend {
@@ -17,40 +23,94 @@ inline Unexpected<SmoothingError> refused(Status status, std::string what) {
   return Unexpected<SmoothingError>({status, std::move(what)});
 }
 
-inline Unexpected<SmoothingError> refused_drive() {
-  return refused(Status::unsupported_query,
-                 "a car's drive is not smoothed: it is arcs that a car can drive already");
-}
-
 /// Why gradient descent with such weights would not converge; nothing if it does. `in_place`: each
 /// point sees where its neighbours are already, not where they were in the sweep before.
 std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place);
 
-/// Moves the points of a path wherever they are to go: what is left of MovablePath for an unsafe
-/// smoother.
-class UnboundPath {
+/// A path whose inner points are moved, one at a time, and that stays free all the while, unless it is
+/// unbound.
+///
+/// Every line remembers where its ends were when it was last looked at on the map, and how much room
+/// there was beside it (room_along()): while its ends stay within that room the line is free, as all
+/// its points stay within it. So most moves cost two comparisons. What was found to be blocked is
+/// looked at less and less often.
+class MovablePath {
  public:
-  explicit UnboundPath(std::vector<Point> points) : points_(std::move(points)) {}
-
-  const std::vector<Point>& points() const { return points_; }
-  double move(std::size_t i, Point to) {
-    points_[i] = to;
-    return 1;
+  /// Of a path (not empty) that first_collision() finds free. A path that is not, and a drive, are
+  /// unsupported_query. The options say `squeeze`, and `unsafe` for an unbound path. The space
+  /// outlives it.
+  template <class Options>
+  static Expected<MovablePath, SmoothingError> from(const Path& path, const FreeSpace& space,
+                                                    const Options& options) {
+    std::optional<Adjacency> adjacency;
+    if (!options.unsafe) {
+      adjacency = options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges;
+    }
+    return from(path, space, adjacency);
   }
 
- private:
-  std::vector<Point> points_;
-};
+  /// Without an adjacency it is unbound: its points move wherever they are to go.
+  static Expected<MovablePath, SmoothingError> from(const Path& path, const FreeSpace& space,
+                                                    std::optional<Adjacency> adjacency);
 
-/// Puts the points into the result, or the path where they are longer.
-inline void finish(Smoothed& smoothed, const Path& path, std::span<const Point> points,
-                   bool may_be_longer) {
-  smoothed.path = Path::along({points.begin(), points.end()});
-  const double longest = path.length() * (1 + 1e-12);  // summed up in another order
-  if (may_be_longer || smoothed.path.length() <= longest) return;
-  smoothed.path = Path::along(path.points());
-  smoothed.returned = true;
-}
+  std::span<const Point> points() const { return points_; }
+
+  /// Moves an inner point all the way to a place, or an eighth of it, or not at all: the most after
+  /// which both of its lines are free. Returns that share. A point that could not move at all rests:
+  /// unless the room seen before allows it, its next 1, 2, 4, 8, 8 ... moves are left out.
+  double move(std::size_t i, Point to) {
+    if (!adjacency_ ||
+        (beside_[i - 1].allows_end(to) && beside_[i].allows_begin(to) && on_map(to))) {
+      points_[i] = to;
+      return 1;
+    }
+    return move_as_far_as_free(i, to);
+  }
+
+  /// Puts the points into the result, or the path that they come from where they are longer; an
+  /// unbound one may be longer.
+  void finish(Smoothed& smoothed, const Path& path) const;
+
+ private:
+  struct Beside {
+    Line line;
+    double squared_room = 0;
+
+    bool allows_begin(Point point) const { return near(line.from, point); }
+    bool allows_end(Point point) const { return near(line.to, point); }
+
+   private:
+    bool near(Point a, Point b) const {
+      const double dx = a.x - b.x;
+      const double dy = a.y - b.y;
+      return dx * dx + dy * dy <= squared_room;
+    }
+  };
+
+  struct Rest {
+    int left = 0;    // moves to leave out
+    int before = 0;  // how many that were when it could not move the last time
+  };
+
+  MovablePath(const FreeSpace& space, std::vector<Point> points, std::optional<Adjacency> adjacency)
+      : space_(&space), adjacency_(adjacency), points_(std::move(points)) {}
+
+  bool on_map(Point point) const {
+    return point.x >= 0 && point.x <= space_->width() && point.y >= 0 &&
+           point.y <= space_->height();
+  }
+
+  std::optional<double> room_beside(const Line& line) const;
+  bool look_around();
+  double move_as_far_as_free(std::size_t i, Point to);
+  bool try_move(std::size_t i, Point to);
+
+  const FreeSpace* space_;              // never null
+  std::optional<Adjacency> adjacency_;  // nothing: unbound
+  std::vector<Point> points_;
+  std::vector<Rest> rests_;     // of the points
+  std::vector<Beside> beside_;  // line i goes from point i to the next
+};
 
 /// Tells of a smoother by its options: those texts of them that are wrong are Status::invalid_option.
 template <class Options, class Smooth>

@@ -3,7 +3,6 @@
 // GoalCells: the goals of a query as the loop of a grid search asks for them.
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 #include <vector>
 

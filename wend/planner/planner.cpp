@@ -24,29 +24,15 @@ std::optional<Status> Planner::begin(const Query& query, Plan& out) {
   return do_begin(query, out);
 }
 
-std::optional<Status> Planner::step(Plan& out) { return do_step(out); }
-
 void Planner::update(FreeSpace free_space, std::span<const Cell> changed) {
   free_space_ = std::move(free_space);
   do_update(changed);
 }
 
-std::optional<Status> Planner::do_begin(const Query& /*query*/, Plan& /*out*/) {
-  return Status::unsupported_query;
-}
-
-std::optional<Status> Planner::do_step(Plan& /*out*/) { return Status::unsupported_query; }
-
-OpenList Planner::do_open_list(std::size_t /*most*/) const { return {}; }
-
 std::string Planner::reason(const Query& query, Status status) const {
   const std::string reason = do_reason(query, status);
   return reason.empty() ? std::string(describe(status)) : reason;
 }
-
-std::string Planner::do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
-
-double Planner::do_heuristic(const Pose& /*pose*/) const { return 0; }
 
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.path.clear();

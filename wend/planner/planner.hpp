@@ -20,10 +20,9 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
-#include "wend/planner/open_list.hpp"
+#include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/planner/query.hpp"
 
 namespace wend {
 
@@ -47,7 +46,7 @@ class Planner {
   ///   auto outcome = planner.begin(query, plan);
   ///   while (!outcome) outcome = planner.step(plan);
   std::optional<Status> begin(const Query& query, Plan& out);
-  std::optional<Status> step(Plan& out);
+  std::optional<Status> step(Plan& out) { return do_step(out); }
 
   /// Of a search that is stepped: the states that it would expand next, the next one first, at most
   /// `most` of them, and how many are open. The search goes on as if nobody had asked. O(entries of
@@ -80,12 +79,14 @@ class Planner {
   virtual std::optional<Status> do_check(const Query& query) = 0;
   /// The algorithm; the query has been checked, `out` has been cleared.
   virtual Status do_plan(const Query& query, Plan& out) = 0;
-  virtual std::optional<Status> do_begin(const Query& query, Plan& out);
-  virtual std::optional<Status> do_step(Plan& out);
-  virtual OpenList do_open_list(std::size_t most) const;
+  virtual std::optional<Status> do_begin(const Query& /*query*/, Plan& /*out*/) {
+    return Status::unsupported_query;
+  }
+  virtual std::optional<Status> do_step(Plan& /*out*/) { return Status::unsupported_query; }
+  virtual OpenList do_open_list(std::size_t /*most*/) const { return {}; }
   /// Where and why; empty where there is no more to say than what the status does.
-  virtual std::string do_reason(const Query& query, Status status) const;
-  virtual double do_heuristic(const Pose& pose) const;
+  virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
+  virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
   virtual int do_corner_unit() const { return 0; }
   virtual void do_update(std::span<const Cell> changed) = 0;

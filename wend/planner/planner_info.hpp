@@ -3,6 +3,7 @@
 // PlannerInfo: what a planner is and what it guarantees. Front ends list it; the conformance test
 // holds every planner to it.
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/choice.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/status.hpp"
@@ -30,7 +32,13 @@ enum class Guarantee {
   optimal,       // complete, and no path is cheaper
 };
 
-std::string_view to_string(Guarantee guarantee);
+constexpr std::array<Choice<Guarantee>, 5> choice_names(Guarantee) {
+  return {{{"none", Guarantee::none},
+           {"complete", Guarantee::complete},
+           {"fewest steps", Guarantee::fewest_steps},
+           {"bounded", Guarantee::bounded},
+           {"optimal", Guarantee::optimal}}};
+}
 
 /// What a planner moves.
 enum class Motion {
@@ -38,7 +46,9 @@ enum class Motion {
   car,    // a car, from corner to corner, by the moves of car_move.hpp
 };
 
-std::string_view to_string(Motion motion);
+constexpr std::array<Choice<Motion>, 2> choice_names(Motion) {
+  return {{{"cells", Motion::cells}, {"car", Motion::car}}};
+}
 
 /// Work that is done for a map before the first query, beyond reading it.
 enum class Preprocessing {
@@ -47,7 +57,11 @@ enum class Preprocessing {
   slow,   // minutes
 };
 
-std::string_view to_string(Preprocessing preprocessing);
+constexpr std::array<Choice<Preprocessing>, 3> choice_names(Preprocessing) {
+  return {{{"none", Preprocessing::none},
+           {"quick", Preprocessing::quick},
+           {"slow", Preprocessing::slow}}};
+}
 
 /// Why a planner could not be made, or its index not be built.
 struct PlannerError {
@@ -59,6 +73,9 @@ struct PlannerError {
 
 /// For planners that know no terrain: why they cannot plan there, if they cannot.
 std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space);
+
+/// For planners without options: why options cannot be taken, if there are any.
+std::optional<PlannerError> refused_options(const OptionValues& values);
 
 using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
 
@@ -72,15 +89,15 @@ struct PlannerInfo {
   std::string memory;          // "8 bytes a cell", and what grows with a search
   double bytes_per_cell = 0;   // of the map, that a search may come to use; 0: says nothing
   std::string when;            // when to choose it and when not, in one to three sentences
-  Guarantee guarantee;
-  bool plans_on_terrain;  // takes terrain costs into account
-  Preprocessing preprocessing;
-  bool can_step;       // Planner::begin and step work
-  bool jumps = false;  // expands only some cells of its paths, if any
+  Guarantee guarantee = Guarantee::none;
+  bool plans_on_terrain = false;  // takes terrain costs into account
+  Preprocessing preprocessing = Preprocessing::none;
+  bool can_step = false;  // Planner::begin and step work
+  bool jumps = false;     // expands only some cells of its paths, if any
   Motion motion = Motion::cells;
-  std::vector<OptionInfo> options;
+  std::vector<OptionInfo> options = {};
   /// Where there is preprocessing, this does it too, and alone.
-  std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make;
+  std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 
   /// Builds and opens the planner's index; null for planners without an index.
   std::shared_ptr<const IndexSupport> index_support = nullptr;

@@ -1,5 +1,6 @@
 #include "wend/planner/planners.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "wend/index/file/index_bytes.hpp"
@@ -54,6 +55,44 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
         {Status::invalid_option, std::string(name) + " does not use an index"});
   }
   return (*info)->index_support->make_planner(space, options, std::move(index));
+}
+
+std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space) {
+  if (space.uniform_terrain()) return std::nullopt;
+  return PlannerError{
+      Status::unsupported_map,
+      std::string(planner) +
+          " supports uniform terrain only; this map has terrain or clearance costs"};
+}
+
+std::optional<PlannerError> refused_options(const OptionValues& values) {
+  if (values.empty()) return std::nullopt;
+  return PlannerError{Status::invalid_option,
+                      option_text::unknown_option(values.front().first, {}).message()};
+}
+
+Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list) {
+  auto specs = parse_option_specs(list, "planner", planners().names());
+  if (!specs) return Unexpected<PlannerError>({Status::invalid_option, specs.error()});
+  return *std::move(specs);
+}
+
+GridMoves moves_of(const PlannerSpec& planner) {
+  const std::vector<OptionInfo> schema = option_schema<GridMoves>();
+  OptionValues values;
+  for (const auto& value : planner.options) {
+    const auto is_it = [&value](const OptionInfo& option) { return option.name == value.first; };
+    if (std::any_of(schema.begin(), schema.end(), is_it)) values.push_back(value);
+  }
+  return parse_options<GridMoves>(values).value_or(GridMoves{});
+}
+
+std::string_view terrain_in_words(const PlannerInfo& planner) {
+  if (planner.plans_on_terrain) return "costs count";
+  constexpr int kSide = 2;
+  const GridMap rough(Grid<CellState>(kSide, kSide, CellState::free), {},
+                      Grid<double>(kSide, kSide, 2));
+  return planner.make(FreeSpace(rough), {}) ? "ignored" : "refused";
 }
 
 }  // namespace wend

@@ -15,9 +15,8 @@
 #include "wend/base/limits.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/planner/open_list.hpp"
 #include "wend/search/forward_search.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 

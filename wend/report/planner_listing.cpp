@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "wend/base/parse.hpp"
-#include "wend/planner/planner_terrain.hpp"
+#include "wend/planner/planners.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -53,7 +53,7 @@ std::string planner_text(const PlannerInfo& planner) {
   text += entry("moves", planner.motion == Motion::car ? "a car, from corner to corner"
                                                        : "a disc, from cell to cell");
   text += entry("terrain", std::string(terrain_in_words(planner)));
-  text += entry("preprocessing", to_string(planner.preprocessing));
+  text += entry("preprocessing", choice_name(planner.preprocessing));
   text += entry("paper", planner.citation);
   if (!planner.options.empty()) text += "  options\n";
   for (const OptionInfo& option : planner.options) text += option_text(option);
@@ -94,13 +94,13 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
                        {"summary", planner.summary},
                        {"idea", planner.idea},
                        {"guarantee", planner.guarantee_text},
-                       {"promise", to_string(planner.guarantee)},
+                       {"promise", choice_name(planner.guarantee)},
                        {"time", planner.time},
                        {"memory", planner.memory},
                        {"when", planner.when},
-                       {"motion", to_string(planner.motion)},
+                       {"motion", choice_name(planner.motion)},
                        {"plans_on_terrain", planner.plans_on_terrain},
-                       {"preprocessing", to_string(planner.preprocessing)},
+                       {"preprocessing", choice_name(planner.preprocessing)},
                        {"can_step", planner.can_step},
                        {"citation", planner.citation},
                        {"options", options}});

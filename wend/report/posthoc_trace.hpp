@@ -36,7 +36,7 @@
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/report/posthoc_text.hpp"
 
 namespace wend {

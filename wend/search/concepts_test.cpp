@@ -9,8 +9,7 @@
 #include <cstddef>
 
 #include "wend/search/forward_search.hpp"
-#include "wend/search/heap_frontier.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {

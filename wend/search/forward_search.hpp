@@ -26,7 +26,6 @@
 #include "wend/search/concepts.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
-#include "wend/search/search_metrics.hpp"
 #include "wend/search/search_outcome.hpp"
 
 namespace wend {

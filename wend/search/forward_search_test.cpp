@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/search/heap_frontier.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {

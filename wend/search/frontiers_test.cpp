@@ -8,9 +8,7 @@
 #include <deque>
 #include <vector>
 
-#include "wend/search/bucket_frontier.hpp"
-#include "wend/search/heap_frontier.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {

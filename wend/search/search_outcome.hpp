@@ -1,6 +1,10 @@
 #pragma once
 
-// How a search stands.
+// How a search stands, the work that it took, and how its end is told to users.
+
+#include <cstdint>
+
+#include "wend/base/status.hpp"
 
 namespace wend {
 
@@ -13,6 +17,40 @@ enum class SearchOutcome {
   cancelled,
   cost_overflow,  // costs outgrew their type: search again with a larger one
   out_of_memory,  // there was none for the nodes
+  step_limit,     // a walk used up its steps
 };
+
+/// The work of one search.
+struct SearchMetrics {
+  std::uint64_t expanded = 0;      // states taken from the frontier; the goal counts
+  std::uint64_t generated = 0;     // states that were reached for the first time; the start counts
+  std::uint64_t max_frontier = 0;  // the most states that were generated and not yet expanded
+
+  friend bool operator==(const SearchMetrics&, const SearchMetrics&) = default;
+};
+
+/// Of a search that has ended. An exhausted one has found that there is no way.
+constexpr Status status_of(SearchOutcome outcome) {
+  switch (outcome) {
+    case SearchOutcome::found:
+      return Status::found;
+    case SearchOutcome::expansion_limit:
+      return Status::expansion_limit;
+    case SearchOutcome::time_limit:
+      return Status::time_limit;
+    case SearchOutcome::cancelled:
+      return Status::cancelled;
+    case SearchOutcome::out_of_memory:
+      return Status::memory_limit;
+    case SearchOutcome::step_limit:
+      return Status::step_limit;
+    case SearchOutcome::cost_overflow:
+      return Status::unsupported_map;
+    case SearchOutcome::exhausted:
+    case SearchOutcome::running:
+      break;
+  }
+  return Status::unreachable;
+}
 
 }  // namespace wend

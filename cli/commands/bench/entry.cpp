@@ -13,7 +13,6 @@
 #include "wend/index/index_building.hpp"
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planner_terrain.hpp"
 #include "wend/planner/planners.hpp"
 
 #ifdef WEND_HAS_BOOST_ASTAR
@@ -136,7 +135,7 @@ std::unique_ptr<Planner> BenchEntry::make_planner(const FreeSpace& space,
 }
 
 std::vector<BenchEntry> parse_entries(const std::string& list, GridMoves moves) {
-  auto specs = parse_option_specs(list, "planner", known_planners());
+  auto specs = parse_option_specs(list, "planner", known_planners().names());
   if (!specs) throw InputError(specs.error());
   std::vector<BenchEntry> entries;
   for (PlannerSpec& spec : *specs) {

@@ -11,7 +11,7 @@
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

@@ -10,7 +10,7 @@
 #include "wend/io/query/scenario.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid_map.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

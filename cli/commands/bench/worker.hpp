@@ -10,7 +10,7 @@
 #include "bench/scenario/bench_answer.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planner.hpp"
-#include "wend/planner/planner_spec.hpp"
+#include "wend/planner/planners.hpp"
 
 namespace wend::cli {
 

@@ -8,7 +8,6 @@
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/path/gradient_smoother.hpp"
-#include "wend/planner/planner_spec.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend_ros/path_message.hpp"
 

@@ -21,7 +21,7 @@
 
 #include "wend/index/corner_hierarchy/contraction_hierarchy.hpp"
 #include "wend/search/jump_queue.hpp"
-#include "wend/search/search_metrics.hpp"
+#include "wend/search/search_outcome.hpp"
 
 namespace wend {
 

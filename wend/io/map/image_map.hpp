@@ -27,7 +27,6 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/io/image/grey_image.hpp"
 #include "wend/map/grid_map.hpp"
-#include "wend/map/grid_map_builder.hpp"
 
 namespace wend {
 

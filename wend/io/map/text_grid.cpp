@@ -13,7 +13,7 @@
 
 #include "wend/io/map/drawn_row.hpp"
 #include "wend/io/quote.hpp"
-#include "wend/map/grid_map_builder.hpp"
+#include "wend/map/grid_map.hpp"
 
 namespace wend {
 namespace {

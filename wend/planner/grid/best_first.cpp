@@ -1,13 +1,11 @@
 #include "wend/planner/grid/best_first.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/widening_engine.hpp"
-#include "wend/search/bucket_frontier.hpp"
-#include "wend/search/heap_frontier.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend {

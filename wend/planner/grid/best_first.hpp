@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "wend/map/free_space.hpp"
-#include "wend/planner/grid/grid_engine.hpp"
+#include "wend/planner/grid/grid_planner.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/heuristic.hpp"
 

@@ -5,63 +5,46 @@
 
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {
-
-struct BfsOptions {
-  GridMoves moves;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-  }
-};
 
 using BfsEngine = GridEngineOf<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
 /// The fewest steps are the cheapest path where all steps cost the same, and within sqrt(2) of it
 /// where some are diagonal.
-double bound(const FreeSpace& space, const BfsOptions& options) {
+double bound(const FreeSpace& space, const GridMoves& moves) {
   if (!space.uniform_terrain()) return Plan::kNoBound;
-  return options.moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
+  return moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
-  return {options.moves, std::make_unique<BfsEngine>(ExactGrid(space, options.moves), ByArrival()),
-          bound(space, options)};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+  return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByArrival()),
+          bound(space, moves)};
 }
 
 }  // namespace
 
 PlannerInfo bfs_planner() {
-  return {.name = "bfs",
-          .summary = "Breadth-first search: expands cells in the order in which they are reached",
-          .idea =
-              "Open cells are kept in a queue and expanded in the order in which they were "
-              "reached: all cells one step away, then all cells two steps away. The first path to "
-              "the goal therefore has the fewest steps.",
-          .citation = "Moore 1959",
-          .guarantee_text =
-              "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
-              "sqrt(2) times the optimum on 8",
-          .time = "O(n) in the n cells expanded",
-          .memory = "16 bytes per cell and 4 per open cell",
-          .bytes_per_cell = 16,
-          .when =
-              "Where the number of moves matters, or on 4 neighbours and uniform terrain, where "
-              "the path with the fewest moves is also the cheapest and a queue is the simplest "
-              "frontier. On 8 neighbours it counts a diagonal step as one step, like a straight "
-              "one. It ignores terrain.",
-          .guarantee = Guarantee::fewest_steps,
-          .plans_on_terrain = false,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<BfsOptions>(),
-          .make = [](const FreeSpace& space, const OptionValues& values) {
-            return make_grid_planner<BfsOptions>(space, values, choose_parts);
-          }};
+  return grid_planner<GridMoves>(
+      {.name = "bfs",
+       .summary = "Breadth-first search: expands cells in the order in which they are reached",
+       .idea = "Open cells are kept in a queue and expanded in the order in which they were "
+               "reached: all cells one step away, then all cells two steps away. The first path to "
+               "the goal therefore has the fewest steps.",
+       .citation = "Moore 1959",
+       .guarantee_text = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
+                         "sqrt(2) times the optimum on 8",
+       .time = "O(n) in the n cells expanded",
+       .memory = "16 bytes per cell and 4 per open cell",
+       .bytes_per_cell = 16,
+       .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain, where "
+               "the path with the fewest moves is also the cheapest and a queue is the simplest "
+               "frontier. On 8 neighbours it counts a diagonal step as one step, like a straight "
+               "one. It ignores terrain.",
+       .guarantee = Guarantee::fewest_steps},
+      choose_parts);
 }
 
 }  // namespace wend

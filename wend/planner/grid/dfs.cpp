@@ -3,53 +3,36 @@
 
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {
 
-struct DfsOptions {
-  GridMoves moves;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-  }
-};
-
 using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
-  return {options.moves, std::make_unique<DfsEngine>(ExactGrid(space, options.moves), ByArrival()),
-          Plan::kNoBound};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+  return {moves, std::make_unique<DfsEngine>(ExactGrid(space, moves), ByArrival()), Plan::kNoBound};
 }
 
 }  // namespace
 
 PlannerInfo dfs_planner() {
-  return {
-      .name = "dfs",
-      .summary = "Depth-first search: expands the cell that was reached last",
-      .idea =
-          "Open cells are kept on a stack and the one that was reached last is expanded first: the "
-          "search follows one path until it is stuck, then returns to the most recent open cell.",
-      .citation = "Trémaux 1882",
-      .guarantee_text = "complete; the path is rarely short",
-      .time = "O(n) in the n cells expanded",
-      .memory = "16 bytes per cell and 4 per open cell",
-      .bytes_per_cell = 16,
-      .when =
-          "To see the effect of a stack in place of a queue, and to find a path through a maze "
-          "that has only one. In open space its paths wander over the whole map: do not execute "
-          "them on a robot.",
-      .guarantee = Guarantee::complete,
-      .plans_on_terrain = false,
-      .preprocessing = Preprocessing::none,
-      .can_step = true,
-      .options = option_schema<DfsOptions>(),
-      .make = [](const FreeSpace& space, const OptionValues& values) {
-        return make_grid_planner<DfsOptions>(space, values, choose_parts);
-      }};
+  return grid_planner<GridMoves>(
+      {.name = "dfs",
+       .summary = "Depth-first search: expands the cell that was reached last",
+       .idea = "Open cells are kept on a stack and the one that was reached last is expanded "
+               "first: the search follows one path until it is stuck, then returns to the most "
+               "recent open cell.",
+       .citation = "Trémaux 1882",
+       .guarantee_text = "complete; the path is rarely short",
+       .time = "O(n) in the n cells expanded",
+       .memory = "16 bytes per cell and 4 per open cell",
+       .bytes_per_cell = 16,
+       .when = "To see the effect of a stack in place of a queue, and to find a path through a "
+               "maze that has only one. In open space its paths wander over the whole map: do not "
+               "execute them on a robot.",
+       .guarantee = Guarantee::complete},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -7,48 +7,31 @@
 namespace wend {
 namespace {
 
-struct DijkstraOptions {
-  GridMoves moves;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-  }
-};
-
-GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
-  const BestFirst parts{options.moves, HeuristicKind::zero, 0, 0};
-  return {options.moves, make_best_first_engine(space, parts), parts.bound()};
+GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+  const BestFirst parts{moves, HeuristicKind::zero, 0, 0};
+  return {moves, make_best_first_engine(space, parts), parts.bound()};
 }
 
 }  // namespace
 
 PlannerInfo dijkstra_planner() {
-  return {.name = "dijkstra",
-          .summary = "Dijkstra: expands the cell with the lowest cost from the start",
-          .idea =
-              "Cells are expanded in the order of their cost from the start, so the search grows "
-              "evenly in all directions until it reaches the goal. It needs no estimate.",
-          .citation = "Dijkstra 1959",
-          .guarantee_text = "optimal",
-          .time =
-              "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the size "
-              "of a small bucket",
-          .memory =
-              "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain or when the search "
-              "is observed",
-          .bytes_per_cell = 8,
-          .when =
-              "In mazes, where an estimate helps little, and as a baseline for other planners. "
-              "Elsewhere astar finds paths of the same cost and expands fewer cells.",
-          .guarantee = Guarantee::optimal,
-          .plans_on_terrain = true,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<DijkstraOptions>(),
-          .make = [](const FreeSpace& space, const OptionValues& values) {
-            return make_grid_planner<DijkstraOptions>(space, values, choose_parts);
-          }};
+  return grid_planner<GridMoves>(
+      {.name = "dijkstra",
+       .summary = "Dijkstra: expands the cell with the lowest cost from the start",
+       .idea = "Cells are expanded in the order of their cost from the start, so the search grows "
+               "evenly in all directions until it reaches the goal. It needs no estimate.",
+       .citation = "Dijkstra 1959",
+       .guarantee_text = "optimal",
+       .time = "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the "
+               "size of a small bucket",
+       .memory = "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain or when the "
+                 "search is observed",
+       .bytes_per_cell = 8,
+       .when = "In mazes, where an estimate helps little, and as a baseline for other planners. "
+               "Elsewhere astar finds paths of the same cost and expands fewer cells.",
+       .guarantee = Guarantee::optimal,
+       .plans_on_terrain = true},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -3,7 +3,7 @@
 
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/search/heap_frontier.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/grid/heuristic.hpp"
 
 namespace wend {
@@ -34,30 +34,22 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& opt
 }  // namespace
 
 PlannerInfo greedy_planner() {
-  return {
-      .name = "greedy",
-      .summary = "Greedy best-first search: expands the cell with the lowest estimate to the goal",
-      .idea =
-          "The open cell with the lowest estimate is expanded next; the cost of reaching it is "
-          "ignored. In open space the search goes straight to the goal. Where a wall is in the way "
-          "it explores the whole area in front of the wall before it goes around.",
-      .citation = "Doran, Michie 1966",
-      .guarantee_text = "complete; often fast, with no bound on the cost",
-      .time = "O(n log n) in the n cells expanded",
-      .memory = "16 bytes per cell and 24 per frontier entry",
-      .bytes_per_cell = 16,
-      .when =
-          "Where any path is good enough and time matters. It ignores terrain, and its paths "
-          "follow the obstacles that the search met: smooth them, or use astar with a weight, "
-          "which has a bound.",
-      .guarantee = Guarantee::complete,
-      .plans_on_terrain = false,
-      .preprocessing = Preprocessing::none,
-      .can_step = true,
-      .options = option_schema<GreedyOptions>(),
-      .make = [](const FreeSpace& space, const OptionValues& values) {
-        return make_grid_planner<GreedyOptions>(space, values, choose_parts);
-      }};
+  return grid_planner<GreedyOptions>(
+      {.name = "greedy",
+       .summary = "Greedy best-first search: expands the cell with the lowest estimate to the goal",
+       .idea = "The open cell with the lowest estimate is expanded next; the cost of reaching it "
+               "is ignored. In open space the search goes straight to the goal. Where a wall is in "
+               "the way it explores the whole area in front of the wall before it goes around.",
+       .citation = "Doran, Michie 1966",
+       .guarantee_text = "complete; often fast, with no bound on the cost",
+       .time = "O(n log n) in the n cells expanded",
+       .memory = "16 bytes per cell and 24 per frontier entry",
+       .bytes_per_cell = 16,
+       .when = "Where any path is good enough and time matters. It ignores terrain, and its paths "
+               "follow the obstacles that the search met: smooth them, or use astar with a weight, "
+               "which has a bound.",
+       .guarantee = Guarantee::complete},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -1,10 +1,6 @@
 #include "wend/planner/grid/grid_planner.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "wend/base/parse.hpp"
-#include "wend/planner/search_status.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {
@@ -68,53 +64,30 @@ std::string reason_in_cells(const FreeSpace& space, const Query& query, Status s
     case Status::goal_blocked:
       return end_in_cells(space, "goal", query.goals.front().point);
     case Status::unreachable:
-      return "there is no path from " + end_in_cells(space, "start", query.start.point()) + ", to " +
-             end_in_cells(space, "goal", query.goals.front().point);
+      return "there is no path from " + end_in_cells(space, "start", query.start.point()) +
+             ", to " + end_in_cells(space, "goal", query.goals.front().point);
     default:
       return {};
   }
 }
 
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
-    : Planner(std::move(space)),
-      choose_parts_(std::move(choose_parts)),
-      parts_(choose_parts_(free_space())) {}
+    : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
+  GridPlanner::do_update({});
+}
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
-  if (parts_.engine == nullptr) return Status::unsupported_map;
-  return cells_.assign(free_space(), parts_.moves.adjacency(), query);
+  if (engine_ == nullptr) return Status::unsupported_map;
+  return cells_.assign(free_space(), moves_.adjacency(), query);
 }
 
-Status GridPlanner::do_plan(const Query& query, Plan& out) {
-  parts_.engine->begin(cells_.start, cells_.goals, query.limits, query.observer);
-  return finish(parts_.engine->run(), out);
+void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
+  engine_->begin(cells_.start, cells_.goals, limits, observer);
 }
 
-std::optional<Status> GridPlanner::do_begin(const Query& query, Plan& out) {
-  limits_ = query.limits;
-  parts_.engine->begin(cells_.start, cells_.goals, limits_, query.observer);
-  out.metrics = parts_.engine->metrics();
-  return std::nullopt;
-}
-
-std::optional<Status> GridPlanner::do_step(Plan& out) {
-  const SearchOutcome outcome = parts_.engine->step();
-  out.metrics = parts_.engine->metrics();
-  if (outcome == SearchOutcome::running) return std::nullopt;
-  return finish(outcome, out);
-}
-
-Status GridPlanner::finish(SearchOutcome outcome, Plan& out) const {
-  out.metrics = parts_.engine->metrics();
-  if (outcome != SearchOutcome::found) return status_of(outcome);
-  parts_.engine->write_path(out.path);
+void GridPlanner::assess(Plan& out) {
   out.cost = grid_path_cost(free_space(), out.path.cells());
-  out.bound = parts_.bound;
-  return Status::found;
-}
-
-OpenList GridPlanner::do_open_list(std::size_t most) const {
-  return parts_.engine == nullptr ? OpenList{} : parts_.engine->open_list(most);
+  out.bound = bound_;
 }
 
 std::string GridPlanner::do_reason(const Query& query, Status status) const {
@@ -123,12 +96,15 @@ std::string GridPlanner::do_reason(const Query& query, Status status) const {
 
 double GridPlanner::do_heuristic(const Pose& pose) const {
   const auto cell = cell_on_map(free_space(), pose.point());
-  return cell && parts_.engine != nullptr ? parts_.engine->heuristic(*cell) : 0;
+  return cell && engine_ != nullptr ? engine_->heuristic(*cell) : 0;
 }
 
 void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
-  parts_.engine.reset();  // its memory first
-  parts_ = choose_parts_(free_space());
+  engine_.reset();  // its memory first
+  Parts parts = choose_parts_(free_space());
+  moves_ = parts.moves;
+  engine_ = std::move(parts.engine);
+  bound_ = parts.bound;
 }
 
 }  // namespace wend

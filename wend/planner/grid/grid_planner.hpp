@@ -1,19 +1,34 @@
 #pragma once
 
 // GridPlanner: a planner that moves from cell to cell. It checks queries the same way for all of
-// them, runs the GridEngine that it was made with, and says what the answer is worth.
+// them, runs the GridEngine that it was made with, a search on the cells of a grid, and says what the
+// answer is worth.
 
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "wend/planner/grid/grid_engine.hpp"
-#include "wend/planner/planner.hpp"
+#include "wend/planner/search_planner.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
+
+using GridEngine = SearchEngine<Cell, Cell>;
+
+struct GridNames {
+  static Cell place(const auto& state) { return state.cell; }
+  static void tell_place(SearchEvent& event, const auto& /*space*/, Cell cell) {
+    event.cell = cell;
+  }
+  static void tell_parent(SearchEvent& event, const auto& /*space*/, Cell cell) {
+    event.parent = cell;
+  }
+  static void append(Path& path, const auto& /*space*/, Cell cell) { path.append(cell); }
+};
+
+template <class Space, class Frontier, class Priority, DuplicateRule kDuplicates>
+using GridEngineOf = SearchEngineOf<GridEngine, GridNames, Space, Frontier, Priority, kDuplicates>;
 
 /// The cells that a query names, once it has been found answerable.
 struct GridQuery {
@@ -27,7 +42,7 @@ struct GridQuery {
 /// Planner::reason() of a planner that moves from cell to cell.
 std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status);
 
-class GridPlanner final : public Planner {
+class GridPlanner final : public SearchPlanner<GridEngine> {
  public:
   struct Parts {
     GridMoves moves;
@@ -40,42 +55,41 @@ class GridPlanner final : public Planner {
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts);
 
-  bool allocated() const { return parts_.engine == nullptr || parts_.engine->allocated(); }
-
  private:
   std::optional<Status> do_check(const Query& query) override;
-  Status do_plan(const Query& query, Plan& out) override;
-  std::optional<Status> do_begin(const Query& query, Plan& out) override;
-  std::optional<Status> do_step(Plan& out) override;
-  OpenList do_open_list(std::size_t most) const override;
+  void begin_search(const Limits& limits, SearchObserver* observer) override;
+  void assess(Plan& out) override;
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   void do_update(std::span<const Cell> changed) override;
 
-  Status finish(SearchOutcome outcome, Plan& out) const;
-
   PartsChooser choose_parts_;
-  Parts parts_;
+  GridMoves moves_;
+  double bound_ = Plan::kNoBound;
   GridQuery cells_;
-  Limits limits_;  // of a search that is stepped
 };
 
-/// Makes a GridPlanner from options as text: `parts(space, options)` chooses its parts.
+/// A planner that is made from options as text: `parts(space, options)` chooses its parts.
 template <class Options, class ChooseParts>
-PlannerResult make_grid_planner(const FreeSpace& space, const OptionValues& values,
-                                ChooseParts parts) {
-  const auto options = parse_options<Options>(values);
-  if (!options) {
-    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
-  }
-  auto planner = std::make_unique<GridPlanner>(
-      space, [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
-  if (!planner->allocated()) {
-    return Unexpected<PlannerError>(
-        {Status::memory_limit,
-         "no memory for the nodes of " + std::to_string(space.map().size()) + " cells"});
-  }
-  return planner;
+PlannerInfo grid_planner(PlannerInfo info, ChooseParts parts) {
+  info.can_step = true;
+  info.options = option_schema<Options>();
+  info.make = [parts](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
+    const auto options = parse_options<Options>(values);
+    if (!options) {
+      return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+    }
+    auto planner = std::make_unique<GridPlanner>(
+        space,
+        [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
+    if (!planner->allocated()) {
+      return Unexpected<PlannerError>(
+          {Status::memory_limit,
+           "no memory for the nodes of " + std::to_string(space.map().size()) + " cells"});
+    }
+    return planner;
+  };
+  return info;
 }
 
 }  // namespace wend

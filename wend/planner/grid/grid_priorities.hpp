@@ -8,36 +8,41 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 #include <span>
 
 #include "wend/base/limits.hpp"
 #include "wend/planner/goal_cells.hpp"
 #include "wend/search/forward_search.hpp"
-#include "wend/search/list_frontiers.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/heuristic.hpp"
 
 namespace wend {
 
-/// No order but that of arrival.
-class ByArrival {
+/// What the priorities of grid searches share: they know the goals of the query, need no memory that
+/// could be missing, and never stop a search.
+class TowardsGoals {
  public:
-  using Key = NoKey;
-
   bool allocated() const { return true; }
   std::optional<SearchOutcome> stopped() const { return std::nullopt; }
   void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
 
-  Key key(const GridState& /*state*/, std::uint64_t /*g*/) const { return {}; }
   bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
+
+ protected:
+  GoalCells goals_;
+};
+
+/// No order but that of arrival.
+class ByArrival : public TowardsGoals {
+ public:
+  using Key = NoKey;
+
+  Key key(const GridState& /*state*/, std::uint64_t /*g*/) const { return {}; }
   bool near_overflow(Key /*key*/) const { return false; }
   double h(Cell /*cell*/) const { return 0; }
   double f(Cell /*cell*/, double g) const { return g; }
-
- private:
-  GoalCells goals_;
 };
 
 /// f, then the larger g, as one comparison of whole numbers.
@@ -79,7 +84,7 @@ std::uint64_t f_of(const ExactKey<Cost>& key) {
 /// f = g + h in whole numbers, for the heuristics that are sums of straight and diagonal steps:
 /// h = major * (the longer side) + minor * (the shorter side).
 template <class Cost>
-class ExactEstimate {
+class ExactEstimate : public TowardsGoals {
  public:
   using Key = ExactKey<Cost>;
 
@@ -92,10 +97,6 @@ class ExactEstimate {
     }
   }
 
-  bool allocated() const { return true; }
-  std::optional<SearchOutcome> stopped() const { return std::nullopt; }
-  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
-
   Key key(const GridState& state, Cost g) const {
     const Cost estimate = goals_.least([&](Cell goal) {
       const auto dx = static_cast<Cost>(std::abs(state.cell.x - goal.x));
@@ -104,8 +105,6 @@ class ExactEstimate {
     });
     return {static_cast<Cost>(g + estimate), g};
   }
-
-  bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
 
   /// Keys grow by less than this between two looks (256 expansions of at most 2 sqrt(2) cells).
   bool near_overflow(Key key) const {
@@ -125,7 +124,6 @@ class ExactEstimate {
   double constant_;
   Cost major_ = 0;
   Cost minor_ = 0;
-  GoalCells goals_;
 };
 
 /// f, then the larger g, where f is a real number.
@@ -147,7 +145,7 @@ double f_of(const RealKey<Cost>& key) {
 
 /// f = a g + w h: any heuristic and weight, and with a = 0 greedy search.
 template <class Space>
-class RealEstimate {
+class RealEstimate : public TowardsGoals {
  public:
   using Cost = typename Space::Cost;
   using Key = RealKey<Cost>;
@@ -161,15 +159,10 @@ class RealEstimate {
         weight_in_key_(
             kind == HeuristicKind::constant ? 0 : weight * kNotAbove * Space::kUnitsPerCell) {}
 
-  bool allocated() const { return true; }
-  std::optional<SearchOutcome> stopped() const { return std::nullopt; }
-  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
-
   Key key(const GridState& state, Cost g) const {
     return {g_share_ * static_cast<double>(g) + weight_in_key_ * h(state.cell), g};
   }
 
-  bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
   bool near_overflow(const Key& /*key*/) const { return false; }
 
   double h(Cell cell) const {
@@ -186,7 +179,6 @@ class RealEstimate {
   double g_share_;
   double weight_;
   double weight_in_key_;
-  GoalCells goals_;
 };
 
 }  // namespace wend

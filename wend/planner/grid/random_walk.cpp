@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "wend/base/random.hpp"
+#include "wend/planner/goal_cells.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
-#include "wend/planner/search_status.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
-#include "wend/space/grid/grid_path.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend {
@@ -56,108 +57,82 @@ class ShortMemory {
   NodeTable<std::uint32_t> visits_;  // g is the step
 };
 
-class RandomWalkPlanner final : public Planner {
+/// It keeps no frontier: it goes on from where it is.
+class RandomWalk final : public GridEngine {
  public:
-  RandomWalkPlanner(FreeSpace space, RandomWalkOptions options)
-      : Planner(std::move(space)),
-        options_(options),
-        grid_(free_space(), kOrthogonal),
-        memory_(free_space().map().size(), memory_length()) {}
+  RandomWalk(const FreeSpace& space, const RandomWalkOptions& options)
+      : options_(options),
+        grid_(space, kOrthogonal),
+        memory_(space.map().size(),
+                static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options.max_steps)))) {}
 
-  bool allocated() const { return memory_.allocated(); }
+  bool allocated() const override { return memory_.allocated(); }
 
- private:
-  std::optional<Status> do_check(const Query& query) override {
-    return cells_.assign(free_space(), kOrthogonal.adjacency(), query);
-  }
-
-  Status do_plan(const Query& query, Plan& out) override {
-    begin_walk(query.limits, query.observer, out);
-    for (;;) {
-      if (const auto outcome = walk_on(out)) return *outcome;
-    }
-  }
-
-  std::optional<Status> do_begin(const Query& query, Plan& out) override {
-    stepped_limits_ = query.limits;
-    begin_walk(stepped_limits_, query.observer, out);
-    return std::nullopt;
-  }
-
-  std::optional<Status> do_step(Plan& out) override { return walk_on(out); }
-
-  /// It keeps no frontier: it goes on from where it is.
-  OpenList do_open_list(std::size_t most) const override {
-    OpenList list{{}, 1};
-    if (most > 0) list.entries.push_back({event(last_)});
-    return list;
-  }
-
-  std::string do_reason(const Query& query, Status status) const override {
-    return reason_in_cells(free_space(), query, status);
-  }
-
-  void do_update(std::span<const Cell> /*changed*/) override {
-    grid_ = ExactGrid(free_space(), kOrthogonal);
-    memory_ = ShortMemory(free_space().map().size(), memory_length());
-  }
-
-  std::uint32_t memory_length() const {
-    return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(options_.max_steps)));
-  }
-
-  /// Both are needed as long as the walk goes on.
-  void begin_walk(const Limits& limits, SearchObserver* observer, Plan& out) {
+  void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    if (!allocated()) return;
+    goals_.assign(goals);
     limits_.begin(limits);
     observer_ = observer;
     random_ = Random(static_cast<std::uint64_t>(options_.seed));
     memory_.clear();
-    steps_ = 0;
-    here_ = grid_.state(cells_.start);
-    arrive(out, std::nullopt);
+    path_.clear();
+    metrics_ = {.max_frontier = 1};
+    here_ = grid_.state(start);
+    arrive();
   }
 
-  void arrive(Plan& out, std::optional<Cell> from) {
-    out.path.append(here_.cell);
-    memory_.add(here_.number, steps_);
-    ++out.metrics.generated;
-    out.metrics.max_frontier = 1;
-    if (observer_ != nullptr) observer_->on_generate(event(from));
-    last_ = from;
-  }
-
-  SearchEvent event(std::optional<Cell> from) const {
-    const double steps = steps_;
-    return {here_.cell, from, steps, 0, steps};
-  }
-
-  /// One step; an outcome if the walk is over.
-  std::optional<Status> walk_on(Plan& out) {
-    if (const auto status = stopped(out.metrics.expanded)) return give_up(*status, out);
-    ++out.metrics.expanded;
-    if (observer_ != nullptr) observer_->on_expand(event(last_));
-    if (std::find(cells_.goals.begin(), cells_.goals.end(), here_.cell) != cells_.goals.end()) {
-      out.cost = grid_path_cost(free_space(), out.path.cells());
-      return Status::found;
+  SearchOutcome step() override {
+    if (!allocated()) return SearchOutcome::out_of_memory;
+    if (limits_.due(metrics_.expanded)) {
+      const SearchOutcome outcome = limits_.look(metrics_.expanded);
+      if (outcome != SearchOutcome::running) return outcome;
     }
-    if (steps_ == options_.max_steps) return give_up(Status::step_limit, out);
-    const Cell from = here_.cell;
+    ++metrics_.expanded;
+    if (observer_ != nullptr) observer_->on_expand(event());
+    if (goals_.contains(here_.cell)) return SearchOutcome::found;
+    if (steps() == options_.max_steps) return SearchOutcome::step_limit;
     here_ = random_neighbour();
-    ++steps_;
-    arrive(out, from);
-    return std::nullopt;
+    arrive();
+    return SearchOutcome::running;
   }
 
-  static Status give_up(Status status, Plan& out) {
-    out.path.clear();
-    return status;
+  SearchOutcome run() override {
+    SearchOutcome outcome = step();
+    while (outcome == SearchOutcome::running) outcome = step();
+    return outcome;
   }
 
-  std::optional<Status> stopped(std::uint64_t expanded) {
-    if (!limits_.due(expanded)) return std::nullopt;
-    const SearchOutcome outcome = limits_.look(expanded);
-    if (outcome == SearchOutcome::running) return std::nullopt;
-    return status_of(outcome);
+  const SearchMetrics& metrics() const override { return metrics_; }
+
+  OpenList open_list(std::size_t most) const override {
+    OpenList list{{}, 1};
+    if (most > 0) list.entries.push_back({event()});
+    return list;
+  }
+
+  double heuristic(const Cell& /*cell*/) const override { return 0; }
+
+  void write_path(Path& path) const override {
+    std::ranges::copy(path_, path.make_cells(path_.size()).begin());
+  }
+
+ private:
+  std::uint32_t steps() const { return static_cast<std::uint32_t>(path_.size() - 1); }
+
+  void arrive() {
+    path_.push_back(here_.cell);
+    memory_.add(here_.number, steps());
+    ++metrics_.generated;
+    if (observer_ != nullptr) observer_->on_generate(event());
+  }
+
+  /// Where it is, and from where it came.
+  SearchEvent event() const {
+    const double g = steps();
+    SearchEvent event{here_.cell, {}, g, 0, g};
+    if (steps() > 0) event.parent = path_[steps() - 1];
+    return event;
   }
 
   /// One of the neighbours that are not remembered, or, if there is none, one of all. There is one:
@@ -169,7 +144,7 @@ class RandomWalkPlanner final : public Planner {
     std::size_t count = 0;
     grid_.for_each_successor(here_, kNoMove, [&](const GridState& next, Move, std::uint64_t) {
       all[count++] = next;
-      if (!memory_.holds(next.number, steps_)) fresh[fresh_count++] = next;
+      if (!memory_.holds(next.number, steps())) fresh[fresh_count++] = next;
     });
     return fresh_count > 0 ? fresh[random_.below(fresh_count)] : all[random_.below(count)];
   }
@@ -177,52 +152,37 @@ class RandomWalkPlanner final : public Planner {
   RandomWalkOptions options_;
   ExactGrid grid_;
   ShortMemory memory_;
-  GridQuery cells_;
+  GoalCells goals_;
   Random random_{0};
   GridState here_;
-  std::optional<Cell> last_;
-  std::uint32_t steps_ = 0;
+  std::vector<Cell> path_;  // so far, its last cell is here_
+  SearchMetrics metrics_;
   LimitCheck limits_;
   SearchObserver* observer_ = nullptr;
-  Limits stepped_limits_;  // of a walk that is stepped
 };
 
-PlannerResult make(const FreeSpace& space, const OptionValues& values) {
-  const auto options = parse_options<RandomWalkOptions>(values);
-  if (!options) {
-    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
-  }
-  auto planner = std::make_unique<RandomWalkPlanner>(space, *options);
-  if (!planner->allocated()) {
-    return Unexpected<PlannerError>(
-        {Status::memory_limit, "not enough memory for the cells that the walk remembers"});
-  }
-  return planner;
+GridPlanner::Parts choose_parts(const FreeSpace& space, const RandomWalkOptions& options) {
+  return {kOrthogonal, std::make_unique<RandomWalk>(space, options), Plan::kNoBound};
 }
 
 }  // namespace
 
 PlannerInfo random_walk_planner() {
-  return {.name = "random_walk",
-          .summary = "Random walk with a short memory, on 4 neighbours",
-          .idea =
-              "At every step it moves to a random one of the 4 neighbours and avoids the cells "
-              "that it has just left if there is another. It has no frontier and does not use the "
-              "position of the goal.",
-          .citation = "Pearson 1905",
-          .guarantee_text = "none: the walk ends after max_steps",
-          .time = "O(s) in the s steps taken; max_steps is the only bound on s",
-          .memory = "8 bytes per cell and 8 per step",
-          .bytes_per_cell = 8,
-          .when =
-              "As a baseline that every planner must beat, and to test how a program handles a "
-              "planner that fails. Not for execution on a robot.",
-          .guarantee = Guarantee::none,
-          .plans_on_terrain = false,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .options = option_schema<RandomWalkOptions>(),
-          .make = make};
+  return grid_planner<RandomWalkOptions>(
+      {.name = "random_walk",
+       .summary = "Random walk with a short memory, on 4 neighbours",
+       .idea = "At every step it moves to a random one of the 4 neighbours and avoids the cells "
+               "that it has just left if there is another. It has no frontier and does not use the "
+               "position of the goal.",
+       .citation = "Pearson 1905",
+       .guarantee_text = "none: the walk ends after max_steps",
+       .time = "O(s) in the s steps taken; max_steps is the only bound on s",
+       .memory = "8 bytes per cell and 8 per step",
+       .bytes_per_cell = 8,
+       .when = "As a baseline that every planner must beat, and to test how a program handles a "
+               "planner that fails. Not for execution on a robot.",
+       .guarantee = Guarantee::none},
+      choose_parts);
 }
 
 }  // namespace wend

@@ -25,12 +25,7 @@ PlannerInfo corner_hierarchy_planner() {
        .when = "For many queries on one map, where the index must be small and built within "
                "seconds, mostly within a tenth of a second. hub_labels answers faster and takes "
                "longer to build. It does not plan on terrain.",
-       .guarantee = Guarantee::optimal,
-       .plans_on_terrain = false,
-       .preprocessing = Preprocessing::quick,
-       .can_step = false,
-       .options = {},
-       .make = {}},
+       .preprocessing = Preprocessing::quick},
       {.build =
            [](const BitGrid& passable, const IndexBuilding& building) {
              return build_corner_hierarchy(passable, building);

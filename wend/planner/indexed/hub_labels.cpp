@@ -22,12 +22,7 @@ PlannerInfo hub_labels_planner() {
        .bytes_per_cell = 0.5,
        .when = "For many queries on a map that does not change. Building the index takes seconds, "
                "so it is not worth it for a few queries.",
-       .guarantee = Guarantee::optimal,
-       .plans_on_terrain = false,
-       .preprocessing = Preprocessing::slow,
-       .can_step = false,
-       .options = {},
-       .make = {}},
+       .preprocessing = Preprocessing::slow},
       {.build = build_hub_index, .open = open_hub_index});
 }
 

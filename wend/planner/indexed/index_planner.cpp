@@ -5,7 +5,7 @@
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/no_options.hpp"
+#include "wend/planner/planner_info.hpp"
 
 namespace wend {
 namespace {

@@ -8,7 +8,7 @@
 #include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
-#include "wend/planner/no_options.hpp"
+#include "wend/planner/planner_info.hpp"
 #include "wend/planner/widening_engine.hpp"
 
 namespace wend {

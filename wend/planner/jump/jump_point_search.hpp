@@ -38,7 +38,6 @@
 #include "wend/planner/jump/jump_trail.hpp"
 #include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
-#include "wend/search/search_metrics.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/octile_way.hpp"
 

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/planner/lattice/car_priority.hpp"
 #include "wend/planner/lattice/car_reason.hpp"
-#include "wend/planner/search_status.hpp"
+#include "wend/planner/widening_engine.hpp"
 #include "wend/space/lattice/car_path.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
@@ -17,6 +18,57 @@ namespace {
 SnappingError snapping_error_between(const Goal& asked, const Pose& taken) {
   const double turn = asked.heading ? normalized_angle(*asked.heading - taken.heading) : 0;
   return {distance(asked.point, taken.point()), std::abs(turn)};
+}
+
+struct CarNames {
+  static CornerPose place(const CarState& state) { return state.place; }
+
+  static void tell_place(SearchEvent& event, const auto& space, const CornerPose& place) {
+    event.cell = corner_in_cells(space, place);
+    event.heading = place.heading;
+  }
+  static void tell_parent(SearchEvent& event, const auto& space, const CornerPose& place) {
+    event.parent = corner_in_cells(space, place);
+    event.parent_heading = place.heading;
+  }
+  static void append(Path& path, const auto& space, const CornerPose& place) {
+    path.drive_to(space.lattice().to_grid(place));
+  }
+
+ private:
+  static Cell corner_in_cells(const auto& space, const CornerPose& place) {
+    const int unit = space.lattice().unit();
+    return {unit * place.corner.x, unit * place.corner.y};
+  }
+};
+
+template <class Costs>
+std::unique_ptr<CarEngine> engine_of(const CarLattice& lattice, CarHeuristic heuristic,
+                                     double weight) {
+  using Cost = typename Costs::Cost;
+  using Engine = SearchEngineOf<CarEngine, CarNames, CarSpace<Costs>, CarFrontier<Cost>,
+                                CarPriority<Costs>, DuplicateRule::keep_cheaper>;
+  CarSpace<Costs> space(lattice);
+  CarPriority<Costs> priority(space, heuristic, weight);
+  return std::make_unique<Engine>(std::move(space), std::move(priority));
+}
+
+/// Is the lattice so large that even the estimates outgrow 32 bits?
+bool too_far(const CarLattice& lattice) {
+  constexpr int kFarthest = UINT32_MAX / CarUnits::kTurn / 4;
+  return std::max(lattice.columns(), lattice.rows()) > kFarthest;
+}
+
+/// Without memory for its nodes it is not allocated().
+std::unique_ptr<CarEngine> make_car_engine(const CarLattice& lattice, CarHeuristic heuristic,
+                                           double weight) {
+  if (weight == 0) heuristic = CarHeuristic::zero;
+  const bool whole = has_whole_costs(lattice) && (weight == 1 || weight == 0);
+  if (!whole) return engine_of<RealCarCosts>(lattice, heuristic, weight);
+  const auto exact = [=] { return engine_of<ExactCarCosts>(lattice, heuristic, weight); };
+  if (too_far(lattice)) return exact();
+  return std::make_unique<WideningEngine<CarEngine>>(
+      [=] { return engine_of<CompactCarCosts>(lattice, heuristic, weight); }, exact);
 }
 
 }  // namespace
@@ -43,16 +95,8 @@ std::string why_no_lattice(const GridMap& map, const CarDriving& driving) {
 }
 
 CarPlanner::CarPlanner(FreeSpace space, const CarOptions& options)
-    : Planner(std::move(space)), options_(options) {
-  make();
-}
-
-void CarPlanner::make() {
-  engine_.reset();  // its memory first
-  lattice_.reset();
-  if (!why_no_lattice(free_space().map(), options_.driving).empty()) return;
-  lattice_ = std::make_unique<CarLattice>(free_space(), options_.driving);
-  engine_ = make_car_engine(*lattice_, options_.heuristic, options_.weight);
+    : SearchPlanner(std::move(space)), options_(options) {
+  CarPlanner::do_update({});
 }
 
 std::optional<Status> CarPlanner::do_check(const Query& query) {
@@ -86,29 +130,11 @@ std::optional<Status> CarPlanner::take_goal(const Goal& goal) {
   return std::nullopt;
 }
 
-Status CarPlanner::do_plan(const Query& query, Plan& out) {
-  engine_->begin(start_, goals_, query.limits, query.observer);
-  return finish(engine_->run(), out);
+void CarPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
+  engine_->begin(start_, goals_, limits, observer);
 }
 
-std::optional<Status> CarPlanner::do_begin(const Query& query, Plan& out) {
-  limits_ = query.limits;
-  engine_->begin(start_, goals_, limits_, query.observer);
-  out.metrics = engine_->metrics();
-  return std::nullopt;
-}
-
-std::optional<Status> CarPlanner::do_step(Plan& out) {
-  const SearchOutcome outcome = engine_->step();
-  out.metrics = engine_->metrics();
-  if (outcome == SearchOutcome::running) return std::nullopt;
-  return finish(outcome, out);
-}
-
-Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
-  out.metrics = engine_->metrics();
-  if (outcome != SearchOutcome::found) return status_of(outcome);
-  engine_->write_path(out.path);
+void CarPlanner::assess(Plan& out) {
   drive_.clear();
   for (const Pose& pose : out.path.driven_poses()) {
     if (const auto place = lattice_->nearest(pose)) drive_.push_back(*place);
@@ -128,11 +154,6 @@ Status CarPlanner::finish(SearchOutcome outcome, Plan& out) {
   out.goal_snapping_error =
       snapping_error_between(asked_goals_[static_cast<std::size_t>(reached - goals_.begin())],
                              lattice_->to_grid(drive_.back()));
-  return Status::found;
-}
-
-OpenList CarPlanner::do_open_list(std::size_t most) const {
-  return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
 }
 
 std::string CarPlanner::do_reason(const Query& query, Status status) const {
@@ -152,6 +173,12 @@ std::uint64_t CarPlanner::do_state_count() const {
   return lattice_ ? lattice_->passable().count() * kHeadings : 0;
 }
 
-void CarPlanner::do_update(std::span<const Cell> /*changed*/) { make(); }
+void CarPlanner::do_update(std::span<const Cell> /*changed*/) {
+  engine_.reset();  // its memory first
+  lattice_.reset();
+  if (!why_no_lattice(free_space().map(), options_.driving).empty()) return;
+  lattice_ = std::make_unique<CarLattice>(free_space(), options_.driving);
+  engine_ = make_car_engine(*lattice_, options_.heuristic, options_.weight);
+}
 
 }  // namespace wend

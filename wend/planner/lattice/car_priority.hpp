@@ -1,24 +1,120 @@
 #pragma once
 
-// CarPriority: f = g + w h of a car, with any of its heuristics. In whole numbers w is 1 (or h is
-// zero).
-//
-// h and f are for those who watch, in units.
+// How a car's search orders poses: keys and frontiers (f, then the larger g; whole numbers go into
+// buckets, real ones into a heap), costs around obstacles, and CarPriority.
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "wend/base/limits.hpp"
-#include "wend/planner/lattice/car_keys.hpp"
-#include "wend/planner/lattice/corner_costs.hpp"
+#include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/search/forward_search.hpp"
+#include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
+#include "wend/space/lattice/car_space.hpp"
+#include "wend/space/lattice/corner_space.hpp"
 
 namespace wend {
 
+template <class Cost>
+using CarKey = std::conditional_t<std::is_integral_v<Cost>, ExactKey<Cost>, RealKey<Cost>>;
+
+/// A move raises f by at most twice its cost, at most 10 turns: the ring's 256 buckets hold that.
+inline constexpr unsigned kCarBucketBits = 12;
+static_assert(2 * static_cast<std::uint64_t>(kMostWholeMultiplier) * CarUnits::kTurn <
+              (std::uint64_t{256} << kCarBucketBits));
+
+template <class Cost>
+using CarFrontier =
+    std::conditional_t<std::is_integral_v<Cost>, BucketFrontier<CarKey<Cost>, kCarBucketBits>,
+                       HeapFrontier<CarKey<Cost>>>;
+
+/// Keys grow by less than this between two looks, of 256 expansions.
+template <class Cost>
+bool near_overflow_of(const ExactKey<Cost>& key) {
+  constexpr std::uint64_t kMargin = std::uint64_t{1} << 28U;
+  return sizeof(Cost) == sizeof(std::uint32_t) && key.f() > UINT32_MAX - kMargin;
+}
+template <class Cost>
+bool near_overflow_of(const RealKey<Cost>& /*key*/) {
+  return false;
+}
+
+/// What it costs a car that turns on the spot to come from a corner to a goal. Dijkstra's
+/// algorithm from the goals, as far as it is asked for: an estimate that knows the obstacles (D.
+/// Dolgov, S. Thrun et al., "Path Planning for Autonomous Vehicles in Unknown Semi-structured
+/// Environments", 2010, call it the holonomic one).
+template <class Costs>
+class CornerCosts {
+ public:
+  using Cost = typename Costs::Cost;
+
+  explicit CornerCosts(CarSpace<Costs> car) : search_(CornerSpace<Costs>(std::move(car)), {}) {}
+
+  bool allocated() const { return search_.allocated(); }
+
+  void begin(std::span<const CarGoal> goals, const Limits& limits) {
+    limits_ = limits;
+    limits_.expansions = Limits::kUnlimited;
+    farthest_ = 0;
+    starts_.clear();
+    for (const CarGoal& goal : goals) starts_.push_back(search_.space().state(goal.corner));
+    begun_ = false;
+  }
+
+  /// As far as it came where no way leads, and where the search was stopped before it came to know:
+  /// costs that are cut off at one value are still consistent.
+  Cost operator()(Cell corner) {
+    // Begun when the search that asks has begun: so its time is not over before that one's.
+    if (!begun_) search_.begin(starts_, limits_);
+    begun_ = true;
+    const StateId id = search_.space().state(corner).number;
+    while (!search_.closed(id)) {
+      if (search_.outcome() != SearchOutcome::running) return farthest_;
+      search_.step(Odometer{{}, farthest_});
+    }
+    return search_.g(id);
+  }
+
+  /// Was it stopped, so that its answers are worth nothing? By a limit, or for too large costs.
+  std::optional<SearchOutcome> stopped() const {
+    const SearchOutcome outcome = search_.outcome();
+    if (!begun_ || outcome == SearchOutcome::running || outcome == SearchOutcome::exhausted) {
+      return std::nullopt;
+    }
+    return outcome;
+  }
+
+ private:
+  struct ByCost {
+    using Key = CarKey<Cost>;
+
+    Key key(const CornerState& /*state*/, Cost g) const { return {g, g}; }
+    bool is_goal(const CornerState& /*state*/) const { return false; }
+    bool near_overflow(const Key& key) const { return near_overflow_of(key); }
+  };
+
+  struct Odometer : NoObserver {
+    Cost& farthest;
+
+    void on_expand(const CornerState& /*state*/, Move /*arrival*/, Cost g) const { farthest = g; }
+  };
+
+  ForwardSearch<CornerSpace<Costs>, CarFrontier<Cost>, ByCost, DuplicateRule::keep_cheaper> search_;
+  std::vector<CornerState> starts_;
+  Limits limits_;
+  bool begun_ = false;
+  Cost farthest_ = 0;  // g of the corner expanded last
+};
+
+/// f = g + w h of a car, with any of its heuristics. In whole numbers w is 1 (or h is zero). h and f
+/// are for those who watch, in units.
 template <class Costs>
 class CarPriority {
  public:

@@ -1,7 +1,6 @@
 #include "wend/planner/lattice/car_reason.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "wend/base/parse.hpp"
 #include "wend/space/lattice/car_path.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "wend/base/status.hpp"
-#include "wend/planner/query.hpp"
+#include "wend/planner/plan.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wend/map/way_clearance.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {

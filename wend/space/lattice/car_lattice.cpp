@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "wend/geometry/arc.hpp"
-#include "wend/map/arc_clearance.hpp"
-#include "wend/map/map_edge.hpp"
+#include "wend/map/sweep.hpp"
+#include "wend/map/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -1,0 +1,68 @@
+#pragma once
+
+// SearchPlanner: a planner that answers by a SearchEngine. Who derives from it takes queries apart,
+// begins the engine, and says what the path that it found is worth.
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "wend/planner/planner.hpp"
+#include "wend/planner/search_engine.hpp"
+
+namespace wend {
+
+template <class Engine>
+class SearchPlanner : public Planner {
+ public:
+  /// False if there was no memory for the search; true where there is no engine, because the map is
+  /// of a kind that it cannot plan on.
+  bool allocated() const { return engine_ == nullptr || engine_->allocated(); }
+
+ protected:
+  explicit SearchPlanner(FreeSpace free_space) : Planner(std::move(free_space)) {}
+
+  std::unique_ptr<Engine> engine_;
+
+ private:
+  /// Begins the search of the query that was checked last. Both live as long as the search.
+  virtual void begin_search(const Limits& limits, SearchObserver* observer) = 0;
+
+  /// Cost, bound and whatever else there is to say of the path in `out`.
+  virtual void assess(Plan& out) = 0;
+
+  Status do_plan(const Query& query, Plan& out) final {
+    begin_search(query.limits, query.observer);
+    return finish(engine_->run(), out);
+  }
+
+  std::optional<Status> do_begin(const Query& query, Plan& out) final {
+    limits_ = query.limits;
+    begin_search(limits_, query.observer);
+    out.metrics = engine_->metrics();
+    return std::nullopt;
+  }
+
+  std::optional<Status> do_step(Plan& out) final {
+    const SearchOutcome outcome = engine_->step();
+    out.metrics = engine_->metrics();
+    if (outcome == SearchOutcome::running) return std::nullopt;
+    return finish(outcome, out);
+  }
+
+  OpenList do_open_list(std::size_t most) const final {
+    return engine_ == nullptr ? OpenList{} : engine_->open_list(most);
+  }
+
+  Status finish(SearchOutcome outcome, Plan& out) {
+    out.metrics = engine_->metrics();
+    if (outcome != SearchOutcome::found) return status_of(outcome);
+    engine_->write_path(out.path);
+    assess(out);
+    return Status::found;
+  }
+
+  Limits limits_;  // of a search that is stepped
+};
+
+}  // namespace wend

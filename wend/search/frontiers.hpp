@@ -1,0 +1,210 @@
+#pragma once
+
+// The frontiers of a forward search: open states by order of arrival (FifoFrontier, LifoFrontier) or
+// by key (HeapFrontier, BucketFrontier).
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "wend/base/state_id.hpp"
+#include "wend/search/min_heap.hpp"
+
+namespace wend {
+
+/// Where states are not ordered by key.
+struct NoKey {};
+
+struct UnorderedEntry {
+  NoKey key;
+  StateId id;
+};
+
+/// First in, first out: a ring that doubles when it is full. O(1) a push and a pop.
+class FifoFrontier {
+ public:
+  using Key = NoKey;
+
+  void clear() { first_ = size_ = 0; }
+  bool empty() const { return size_ == 0; }
+
+  void push(NoKey /*key*/, StateId id) {
+    if (size_ == ring_.size()) grow();
+    ring_[(first_ + size_) & (ring_.size() - 1)] = id;
+    ++size_;
+  }
+
+  UnorderedEntry pop() {
+    const StateId id = ring_[first_];
+    first_ = (first_ + 1) & (ring_.size() - 1);
+    --size_;
+    return {{}, id};
+  }
+
+ private:
+  static constexpr std::size_t kFirstCapacity = 64;  // a power of two, as all later ones
+
+  void grow() {
+    std::vector<StateId> larger(ring_.empty() ? kFirstCapacity : 2 * ring_.size());
+    for (std::size_t i = 0; i < size_; ++i) larger[i] = ring_[(first_ + i) & (ring_.size() - 1)];
+    ring_.swap(larger);
+    first_ = 0;
+  }
+
+  std::vector<StateId> ring_;
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+/// Last in, first out. O(1) a push and a pop.
+class LifoFrontier {
+ public:
+  using Key = NoKey;
+
+  void clear() { stack_.clear(); }
+  bool empty() const { return stack_.empty(); }
+  void push(NoKey /*key*/, StateId id) { stack_.push_back(id); }
+
+  UnorderedEntry pop() {
+    const StateId id = stack_.back();
+    stack_.pop_back();
+    return {{}, id};
+  }
+
+ private:
+  std::vector<StateId> stack_;
+};
+
+/// An open state in a frontier that orders states by key. Entries are totally ordered: the smaller key
+/// first, and of equal keys the one that was pushed last. So the order of expansion does not depend on
+/// how a frontier works inside.
+template <class OrderedKey>
+struct FrontierEntry {
+  OrderedKey key;
+  std::uint32_t age_rank;  // falls with every push
+  StateId id;
+
+  friend bool operator<(const FrontierEntry& a, const FrontierEntry& b) {
+    if (a.key < b.key) return true;
+    if (b.key < a.key) return false;
+    return a.age_rank < b.age_rank;
+  }
+};
+
+/// Open states in a heap, for keys of any kind. O(log n) a push and a pop.
+///
+/// A state that is reached more cheaply is pushed again; the search passes over the older entry when
+/// it comes out (it is closed by then).
+template <class OrderedKey>
+class HeapFrontier {
+ public:
+  using Key = OrderedKey;
+  using Entry = FrontierEntry<Key>;
+
+  void clear() {
+    entries_.clear();
+    age_rank_ = UINT32_MAX;
+  }
+  bool empty() const { return entries_.empty(); }
+  void push(Key key, StateId id) { min_heap::push(entries_, Entry{key, age_rank_--, id}); }
+  Entry pop() { return min_heap::pop(entries_); }
+
+ private:
+  std::vector<Entry> entries_;
+  std::uint32_t age_rank_ = UINT32_MAX;
+};
+
+/// Open states by whole-number keys that never fall (f of a consistent heuristic).
+///
+/// A ring of buckets, each as wide as a small part of a straight step. The bucket in hand is sorted
+/// when its turn comes, the others are plain lists. Steps raise f by nothing or by more than a
+/// bucket, mostly; so a state pushed into the bucket in hand has the smallest key there and goes to
+/// its end, where the next one is taken. States come out exactly as from a HeapFrontier. (R. Dial,
+/// "Algorithm 360: Shortest-path forest with topological ordering", 1969, with sorted buckets.)
+///
+/// Key has `f()`, a whole number, and `<`. No key may be smaller than the one popped last (before
+/// that, than the first one pushed), nor a turn of the ring or more above it.
+template <class OrderedKey, unsigned kBucketBits>
+class BucketFrontier {
+ public:
+  using Key = OrderedKey;
+  using Entry = FrontierEntry<Key>;
+
+  void clear() {
+    for (std::size_t word = 0; word < kWords; ++word) {
+      for (std::uint64_t bits = occupied_[word]; bits != 0; bits &= bits - 1) {
+        ring_[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))].clear();
+      }
+      occupied_[word] = 0;
+    }
+    current_ = kNoBucket;
+    size_ = 0;
+    age_rank_ = UINT32_MAX;
+  }
+
+  bool empty() const { return size_ == 0; }
+
+  void push(Key key, StateId id) {
+    const std::uint64_t bucket = static_cast<std::uint64_t>(key.f()) >> kBucketBits;
+    if (current_ == kNoBucket) current_ = bucket;
+    assert(bucket >= current_ && bucket - current_ < kBuckets);
+    const Entry entry{key, age_rank_--, id};
+    const std::size_t slot = bucket % kBuckets;
+    ring_[slot].push_back(entry);
+    occupied_[slot / 64] |= std::uint64_t{1} << (slot % 64);
+    if (bucket == current_) move_to_its_place(ring_[slot]);
+    ++size_;
+  }
+
+  Entry pop() {
+    std::size_t slot = current_ % kBuckets;
+    if (ring_[slot].empty()) slot = advance();
+    std::vector<Entry>& hand = ring_[slot];
+    const Entry entry = hand.back();
+    hand.pop_back();
+    --size_;
+    return entry;
+  }
+
+ private:
+  static constexpr std::size_t kBuckets = 256;
+  static constexpr std::size_t kWords = kBuckets / 64;
+  static constexpr std::uint64_t kNoBucket = UINT64_MAX;
+
+  /// Lets the last entry of the sorted bucket in hand sink to its place.
+  static void move_to_its_place(std::vector<Entry>& hand) {
+    std::size_t at = hand.size() - 1;
+    const Entry entry = hand[at];
+    for (; at > 0 && hand[at - 1] < entry; --at) hand[at] = hand[at - 1];
+    hand[at] = entry;
+  }
+
+  /// Goes on to the next bucket that is not empty, and sorts it: the smallest key last.
+  std::size_t advance() {
+    const std::size_t from = current_ % kBuckets;
+    occupied_[from / 64] &= ~(std::uint64_t{1} << (from % 64));
+    std::size_t word = from / 64;
+    std::uint64_t bits = occupied_[word] & (~std::uint64_t{0} << (from % 64));
+    while (bits == 0) {
+      word = (word + 1) % kWords;
+      bits = occupied_[word];
+    }
+    const std::size_t slot = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+    current_ += (slot - from) % kBuckets;
+    std::sort(ring_[slot].begin(), ring_[slot].end(),
+              [](const Entry& a, const Entry& b) { return b < a; });
+    return slot;
+  }
+
+  std::array<std::vector<Entry>, kBuckets> ring_;
+  std::array<std::uint64_t, kWords> occupied_{};
+  std::uint64_t current_ = kNoBucket;  // the bucket in hand, counted from key 0
+  std::size_t size_ = 0;
+  std::uint32_t age_rank_ = UINT32_MAX;
+};
+
+}  // namespace wend
