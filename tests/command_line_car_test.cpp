@@ -216,8 +216,8 @@ TEST_F(BadCarInput, FailsWithWhereAndWhy) {
        "3,3",
        {},
        "start_outside",
-       "the start (-1,0,E) is outside the map, which covers the corners with x from 0 to 6 and y "
-       "from 0 to 5"},
+       "the start (-1,0,E) is outside the map, which covers the grid vertices with x from 0 to 6 "
+       "and y from 0 to 5"},
       {"0,0,E", "7,5,any", {}, "goal_outside", "the goal (7,5,any) is outside the map"},
       {"0,0,E", "1e300,5", {}, "goal_outside", "the goal (1e300,5) is outside the map"},
       {"1,3,E",
@@ -265,11 +265,12 @@ TEST_F(BadCarInput, PlansNothingForWhatItDoesNotUnderstand) {
     std::string message;
   };
   const std::vector<Case> cases{
-      {{"--start", "0,0", "--goal", "3,3"}, "--start: '0,0' has no heading, and a car needs one"},
+      {{"--start", "0,0", "--goal", "3,3"},
+       "--start: '0,0' has no heading, and the car planner needs one"},
       {{"--start", "0,0,Q", "--goal", "3,3"},
        "the heading 'Q' is not N, W, E or S (or 0, 1, 2, 3)"},
       {{"--start", "0,0,4", "--goal", "3,3"}, "the heading '4' is not N"},
-      {{"--start", "0,0,45", "--goal", "3,3"}, "an angle as 45deg or 0.8rad"},
+      {{"--start", "0,0,45", "--goal", "3,3"}, "an angle such as 45deg or 0.8rad"},
       {{"--start", "0,0,infdeg", "--goal", "3,3"}, "the heading 'infdeg'"},
       {{"--start", "0,0,", "--goal", "3,3"}, "the heading ''"},
       {{"--start", "0,0,any", "--goal", "3,3"}, "the heading 'any'"},
@@ -312,8 +313,7 @@ TEST_F(BadCarInput, ScenariosAreNotForCars) {
   const std::string scenario = folder_.write("yard.scen", "version 1\n0 bad.txt 6 5 0 0 1 0 1\n");
   const Outcome outcome = wend({"bench", scenario, "--map", yard_, "--planner", "astar,car"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("car: scenarios are for planners that move from cell to cell"));
+  EXPECT_THAT(outcome.err, HasSubstr("car: scenarios support grid planners only"));
 }
 
 // 4 x 3 m at 0.5 m a cell: 8 x 6 cells, its corner at (1, 2), turned by 0.1.
@@ -368,7 +368,7 @@ TEST_F(CarOnARosMap, TalksInMetres) {
   folder_.write("map.pgm", "P2\n2 2\n255\n254 0 254 254\n");
   EXPECT_THAT(plan("1,2,E", "1.5,2.5,any").err,
               AllOf(HasSubstr("from (1,2,E) m to (1.5,2.5,any) m: "),
-                    HasSubstr("the goal (1,1,any) is an impassable corner")));
+                    HasSubstr("the goal (1,1,any) is impassable")));
 }
 
 TEST_F(CarCommand, WritesFilesByTheirNames) {

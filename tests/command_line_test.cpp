@@ -105,7 +105,7 @@ TEST(Output, ResultsThatAreLostAreAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   const Outcome outcome = shell("$WEND planners >/dev/full");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("could not be written"));
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write the results"));
 }
 
 TEST(Planners, AreListedForPeople) {
@@ -116,7 +116,7 @@ TEST(Planners, AreListedForPeople) {
   }
   EXPECT_THAT(listing.out, AllOf(HasSubstr("Hart, Nilsson, Raphael 1968"),
                                  HasSubstr("weight (or lambda, w) = 1: 0 to 1e+06"),
-                                 HasSubstr("\n  memory         16 bytes a cell and 4"),
+                                 HasSubstr("\n  memory         16 bytes per cell and 4"),
                                  HasSubstr("\n  when           The default")));
   std::istringstream lines(listing.out);
   for (std::string line; std::getline(lines, line);) {

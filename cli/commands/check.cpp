@@ -91,8 +91,7 @@ int run(const CheckArguments& arguments) {
 }  // namespace
 
 Command add_check(Parser& app) {
-  Parser check =
-      app.add_subcommand("check", "Check that a path is free of collisions and measure it");
+  Parser check = app.add_subcommand("check", "Check a path for collisions and measure it");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);

@@ -182,8 +182,7 @@ int run(const ExplainArguments& arguments) {
 }  // namespace
 
 Command add_explain(Parser& app) {
-  Parser explain =
-      app.add_subcommand("explain", "Explain why there is no path and what would help");
+  Parser explain = app.add_subcommand("explain", "Explain why there is no path, and what helps");
   const auto arguments = std::make_shared<ExplainArguments>();
   arguments->map.add_to(explain);
   explain.add_option("--start", arguments->start, wrapped("Start, as in `wend plan`"))

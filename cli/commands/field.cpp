@@ -189,8 +189,7 @@ int run(const FieldArguments& arguments) {
 }  // namespace
 
 Command add_field(Parser& app) {
-  Parser field =
-      app.add_subcommand("field", "Compute the cost and the move to a goal from every cell");
+  Parser field = app.add_subcommand("field", "Compute cost and move to a goal for every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
   arguments->map.add_clearance_cost_to(field);

@@ -147,8 +147,7 @@ std::string default_sizes() {
 }  // namespace
 
 Command add_generate(Parser& app) {
-  Parser generate =
-      app.add_subcommand("generate", "Generate a map from a seed, or a scenario for a map");
+  Parser generate = app.add_subcommand("generate", "Generate a map, or a scenario for a map");
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {

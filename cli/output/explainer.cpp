@@ -196,7 +196,7 @@ std::string explain_limit(Status status, const Limits& limits, const SearchMetri
     case Status::cancelled:
       return fmt::format("cancelled after {} expansions", metrics.expanded);
     case Status::step_limit:
-      return fmt::format("the walk stopped after {} steps (--max-steps)", metrics.expanded - 1);
+      return fmt::format("the walk ended after {} steps (--max-steps)", metrics.expanded - 1);
     default:
       return std::string(describe(status));
   }

@@ -18,7 +18,7 @@ constexpr std::array kEntries{
     Entry{Status::start_blocked, "start_blocked", "the robot does not fit at the start"},
     Entry{Status::goal_blocked, "goal_blocked", "the robot does not fit at the goal"},
     Entry{Status::unreachable, "unreachable", "there is no path from the start to the goal"},
-    Entry{Status::step_limit, "step_limit", "the walk reached its limit on steps"},
+    Entry{Status::step_limit, "step_limit", "the walk ran out of steps"},
     Entry{Status::expansion_limit, "expansion_limit", "the search reached the limit on expansions"},
     Entry{Status::time_limit, "time_limit", "the search reached the time limit"},
     Entry{Status::memory_limit, "memory_limit", "there is not enough memory for the search"},

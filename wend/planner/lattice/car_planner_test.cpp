@@ -121,18 +121,17 @@ void expect_refusal(Planner& planner, const Query& query, const std::string& sta
 TEST(Car, NamesThePlaceAndTheCauseOfARefusal) {
   const auto planner = car_on(test::drawn_space(kYard));
   const Pose here = at(1, 1, Heading::east);
+  expect_refusal(*planner, {{9.5, 0, 0}, {here}}, "start_outside",
+                 "the start (9.5,0) is outside the map: its grid vertices have x from 0 to 9 and y "
+                 "from 0 to 4");
   expect_refusal(
-      *planner, {{9.5, 0, 0}, {here}}, "start_outside",
-      "the start (9.5,0) lies outside: the map's corners have x from 0 to 9 and y from 0 "
-      "to 4");
-  expect_refusal(*planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
-                 "the goal (0,-1) lies outside: the map's corners have x from 0 to 9 and y from 0 "
-                 "to 4");
+      *planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
+      "the goal (0,-1) is outside the map: its grid vertices have x from 0 to 9 and y from 0 to 4");
   expect_refusal(*planner, {at(5, 1, Heading::north), {here}}, "start_blocked",
                  "the start (5,1,N) is impassable: cell (5,0) next to it is an obstacle");
   expect_refusal(*planner, {here, {Goal(Point{6, 3})}}, "goal_blocked",
                  "the goal (6,3,any) is impassable: cell (5,2) next to it is unknown");
-  expect_refusal(*planner, {here, {}}, "unsupported_query", "a goal is missing");
+  expect_refusal(*planner, {here, {}}, "unsupported_query", "the query has no goal");
 }
 
 TEST(Car, SaysWhenItIsBoxedIn) {
@@ -168,9 +167,9 @@ TEST(Car, RefusesWhatIsNoNumber) {
   const Pose here = at(1, 1, Heading::east);
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     expect_refusal(*planner, {{1, 1, bad}, {here}}, "unsupported_query",
-                   "the headings of start and goal must be finite numbers");
+                   "the headings of the start and the goal must be finite numbers");
     expect_refusal(*planner, {here, {Pose{1, 1, bad}}}, "unsupported_query",
-                   "the headings of start and goal must be finite numbers");
+                   "the headings of the start and the goal must be finite numbers");
     EXPECT_EQ(refusal_of(*planner, {{bad, 1, 0}, {here}}).status, "start_outside");
     EXPECT_EQ(refusal_of(*planner, {here, {Goal(Point{1, bad})}}).status, "goal_outside");
   }
@@ -206,7 +205,7 @@ TEST(Car, SaysOfAMapThatItIsTooSmall) {
   const auto made = make_planner("car", test::open_space(4, 2), {{"lattice_resolution", "3"}});
   ASSERT_FALSE(made);
   EXPECT_EQ(to_string(made.error().status), "unsupported_map");
-  const std::string why = "the map of 4 x 2 cells is too small for a lattice of 3 map cells a unit";
+  const std::string why = "the map of 4 x 2 cells is too small for a lattice_resolution of 3";
   EXPECT_EQ(made.error().message(), why);
   const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   planner->update(test::open_space(4, 2));
