@@ -60,7 +60,7 @@ TEST_F(BenchCommand, TakesTheScenariosOfFolders) {
   EXPECT_THAT(found.at(0).at("scen").get<std::string>(), EndsWith("/a.scen"));
   EXPECT_THAT(found.at(1).at("scen").get<std::string>(), EndsWith("/b.scen"));
   const TemporaryFolder empty;
-  EXPECT_THAT(wend({"bench", empty / ""}).err, HasSubstr("there is no .scen file"));
+  EXPECT_THAT(wend({"bench", empty / ""}).err, HasSubstr("contains no .scen file"));
 }
 
 TEST_F(BenchCommand, BuildsAnIndexThatIsNotGivenBeforeItCounts) {

@@ -115,7 +115,8 @@ TEST_F(Convert, TellsEveryLossInALineOfItsOwn) {
           "wend: " + out +
               ": unknown cells become occupied (1 cell): a MovingAI map has no unknown ones",
           "wend: " + out +
-              ": terrain is lost (2 cells): a MovingAI map has none, all cells cost the same"));
+              ": terrain is lost (2 cells): a MovingAI map cannot hold terrain, all cells cost the "
+              "same"));
   EXPECT_EQ(drawing_in(out), "#.\n..\n");
 }
 
@@ -156,10 +157,20 @@ TEST_F(Convert, HasTheSameForPrograms) {
   EXPECT_EQ(json::parse(refused.out).at("files"), json::array());
 }
 
+TEST_F(Convert, ListsEveryMapFormatInItsHelp) {
+  const std::string help = wend({"convert", "--help"}).out;
+  for (const MapUse use : {MapUse::load, MapUse::save}) {
+    for (const std::string& extension : map_extensions(use)) {
+      EXPECT_THAT(help, HasSubstr(extension));
+    }
+  }
+}
+
 TEST_F(Convert, RefusesBadInput) {
   folder_.write("map.txt", "..\n");
   folder_.write("bad.map", "type octile\nheight 2\n");
-  EXPECT_THAT(convert("map.txt", "map.jpg").err, HasSubstr("maps are saved as .map,"));
+  EXPECT_THAT(convert("map.txt", "map.jpg").err,
+              HasSubstr("unknown map extension '.jpg'; expected .yaml,"));
   EXPECT_THAT(convert("no.map", "map.txt").err, HasSubstr("no.map: cannot be opened"));
   EXPECT_THAT(convert("bad.map", "out.txt").err, HasSubstr("bad.map:2: "));
   EXPECT_THAT(convert("map.txt", "no/such/folder.map").err, HasSubstr("cannot be written"));

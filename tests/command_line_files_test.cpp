@@ -260,7 +260,8 @@ TEST_F(Streams, ErrorsNameStandardInput) {
             "wend: standard input:2: unknown letter 'x' in column 2\n");
   EXPECT_THAT(bash("printf 'hello' | $WEND info -").err,
               StartsWith("wend: standard input: unknown map format"));
-  EXPECT_EQ(bash("$WEND info - < /dev/null").err, "wend: standard input: empty, a map expected\n");
+  EXPECT_EQ(bash("$WEND info - < /dev/null").err,
+            "wend: standard input: the file is empty; expected a map\n");
   EXPECT_EQ(bash("$WEND info . ").code, 2);
 }
 
@@ -306,7 +307,7 @@ TEST_F(Queries, EveryRowHasAnAnswerInItsPlace) {
   for (std::size_t i = 0; i < statuses.size(); ++i) EXPECT_EQ(rows[i].at("status"), statuses[i]);
   EXPECT_EQ(rows[0].at("path").size(), 7U);
   EXPECT_EQ(rows[0].at("cost"), rows[5].at("cost"));
-  EXPECT_EQ(rows[2].at("reason"), "line 4: 3 columns, the header has 5");
+  EXPECT_EQ(rows[2].at("reason"), "line 4: 3 columns, expected 5 as in the header");
   EXPECT_EQ(rows[4].at("reason"), "line 6: start: '0,x' is not X,Y, two finite numbers");
   EXPECT_EQ(rows[5].at("line"), 8);
   EXPECT_EQ(rows[1].at("cost"), nullptr);

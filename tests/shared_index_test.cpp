@@ -18,7 +18,7 @@
 #include "wend/generate/generators.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/io/index_file.hpp"
+#include "wend/io/files.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "wend/io/read_file.hpp"
+#include "wend/io/files.hpp"
 #include "wend/report/json.hpp"
 #include "wend/report/text_table.hpp"
 

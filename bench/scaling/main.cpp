@@ -9,7 +9,7 @@
 
 #include "bench/scaling/scaling_page.hpp"
 #include "bench/scaling/scaling_run.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include "bench/measure/measuring.hpp"
 #include "bench/speed/speed_output.hpp"
 #include "bench/speed/speed_run.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 #include "wend/report/build_info.hpp"
 
 namespace wend::bench {

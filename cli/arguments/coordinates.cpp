@@ -13,8 +13,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/heading.hpp"
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {

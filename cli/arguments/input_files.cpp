@@ -9,7 +9,7 @@
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
-#include "wend/io/read_stream.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::cli {
 namespace {

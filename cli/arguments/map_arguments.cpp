@@ -27,9 +27,9 @@ std::string size_of(double bytes) {
 }  // namespace
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
-  app.add_option(name, file,
-                 wrapped("Map file: ROS map.yaml, MovingAI .map, text grid (.txt, .grid), or a "
-                         "bare PNG or PNM image; - reads standard input"))
+  app.add_option(
+         name, file,
+         wrapped("Map file: " + map_formats_text(MapUse::load) + "; - reads standard input"))
       .required()
       .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
@@ -40,9 +40,9 @@ LoadedMap MapFileArguments::load() const {
   LoadOptions options;
   options.resolution = resolution;
   LoadedMap loaded = read_map(file, options);
-  if (resolution && loaded.format != MapFormat::image) {
-    throw InputError(fmt::format("--resolution is for bare images, and {} is a {} file", file,
-                                 to_string(loaded.format)));
+  if (resolution && !info_of(loaded.format).takes_resolution) {
+    throw InputError(fmt::format("--resolution is for bare images, and {} is {}", file,
+                                 info_of(loaded.format).noun));
   }
   return loaded;
 }

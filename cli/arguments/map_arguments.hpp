@@ -7,7 +7,7 @@
 
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid_map.hpp"
 

@@ -11,7 +11,7 @@
 #include "wend/base/workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/file/index_header.hpp"
-#include "wend/io/index_file.hpp"
+#include "wend/io/files.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_info.hpp"

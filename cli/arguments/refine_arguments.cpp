@@ -10,7 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend::cli {

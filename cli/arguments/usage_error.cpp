@@ -10,7 +10,7 @@
 
 #include "cli/arguments/flags.hpp"
 #include "wend/base/registry.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "cli/output/map_saving.hpp"
 #include "cli/output/output.hpp"
 #include "wend/io/map/losses.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
-#include "wend/io/map/text_grid.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -94,9 +94,9 @@ std::string text_of(const ConvertArguments& arguments, const Conversion& convers
 
 void save(const GridMap& map, const ConvertArguments& arguments) {
   if (arguments.prints()) {
-    const auto text = format_text_grid(map);
+    const auto text = encode_map(map, MapFormat::text_grid);
     if (!text) throw InputError(text.error());
-    return print(*text);
+    return print(text->bytes);
   }
   const auto done = save_map(map, arguments.output);
   if (!done) throw InputError(done.error().message());
@@ -129,9 +129,8 @@ Command add_convert(Parser& app) {
   arguments->input.add_to(convert, "IN");
   convert
       .add_option("OUT", arguments->output,
-                  wrapped("Output file; the extension sets the format: a ROS map (.yaml, .yml) and "
-                          "its image .png, MovingAI (.map), a text grid (.txt, .grid) or an image "
-                          "(.png, .pgm, .pnm); - prints a text grid"))
+                  wrapped("Output file; the extension sets the format: " +
+                          map_formats_text(MapUse::save) + "; - prints a text grid"))
       .required()
       .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,

@@ -14,9 +14,9 @@
 #include "cli/output/output.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
-#include "wend/io/map/text_grid.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend::cli {
@@ -43,8 +43,7 @@ constexpr const char* kGenerateExamples = R"(Examples:
 The same kind, size, options and seed give the same map everywhere.)";
 
 /// Where a format cannot hold the terrain.
-constexpr const char* kWayOut =
-    "; write a .txt instead, then `wend convert` rounds the costs and reports the losses";
+constexpr const char* kWayOut = "; `wend convert` rounds it and lists what is lost";
 
 struct Size {
   int width;
@@ -98,9 +97,9 @@ std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
 }
 
 std::string text_grid_of(const GridMap& map) {
-  auto text = format_text_grid(map);
+  auto text = encode_map(map, MapFormat::text_grid);
   if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
-  return *std::move(text);
+  return std::move(text->bytes);
 }
 
 std::string text_of(const GenerateArguments& arguments, const GridMap& map) {
@@ -159,11 +158,11 @@ Command add_generate(Parser& app) {
   generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
   add_count(generate, "--seed", arguments->seed, "Seed of the map (default 1)");
   add_format(generate, arguments->format);
-  arguments->output.add_to(generate, {".yaml", ".yml", ".map", ".txt", ".grid", ".png", ".pgm"},
-                           "Write the map: a ROS map (.yaml and its image), MovingAI (.map), a "
-                           "text grid (.txt, .grid) or an image (.png, .pgm); may be given several "
-                           "times. Without -o the map is printed as a text grid",
-                           "the text grid");
+  arguments->output.add_to(
+      generate, map_extensions(MapUse::save),
+      "Write the map: " + map_formats_text(MapUse::save) +
+          "; may be given several times. Without -o the map is printed as a text grid",
+      "the text grid");
   add_force(generate, arguments->force);
   arguments->options.add_to(generate);
   generate.footer(kGenerateExamples);

@@ -15,7 +15,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend::cli {
 namespace {

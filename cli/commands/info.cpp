@@ -7,7 +7,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "wend/io/read_stream.hpp"
+#include "wend/io/files.hpp"
 #include "wend/report/map_info.hpp"
 
 namespace wend::cli {

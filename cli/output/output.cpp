@@ -14,7 +14,7 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::cli {
 namespace {

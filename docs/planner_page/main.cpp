@@ -12,7 +12,7 @@
 #include "docs/planner_page/data_families.hpp"
 #include "docs/planner_page/page.hpp"
 #include "docs/planner_page/registry_part.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
 
 namespace wend::planner_page {
 namespace {

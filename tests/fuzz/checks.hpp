@@ -8,13 +8,11 @@
 #include <string_view>
 
 #include "wend/io/image/grey_image.hpp"
-#include "wend/io/image/png.hpp"
-#include "wend/io/image/pnm.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/io/map/image_map.hpp"
 #include "wend/io/map/losses.hpp"
-#include "wend/io/map/moving_ai_map.hpp"
-#include "wend/io/map/text_grid.hpp"
+#include "wend/io/map/map_format.hpp"
+#include "wend/io/map/save_map.hpp"
 
 namespace wend::test {
 
@@ -45,6 +43,11 @@ inline bool same_map(const GridMap& a, const GridMap& b) {
          a.frame() == b.frame();
 }
 
+/// The map in the bytes of a file of this format.
+inline Expected<LoadedMap, IoError> load_as(MapFormat format, std::string_view bytes) {
+  return info_of(format).load(std::string(bytes), {kFuzzedFile});
+}
+
 /// Whether an image comes back from both picture formats, and its map from it.
 inline std::string check_saved_image(const GridMap& map, const GreyImage& image,
                                      const ImageMeaning& meaning) {
@@ -62,19 +65,17 @@ inline std::string check_saved_image(const GridMap& map, const GreyImage& image,
 }
 
 /// What nearest_map() makes of a map comes back from that format's file.
-inline std::string check_saved_map(const GridMap& map, MapFormat format) {
-  const GridMap nearest = nearest_map(map, format);
-  if (losses(map, format).empty() != same_map(map, nearest)) return "a loss that is none";
-  if (format == MapFormat::image || format == MapFormat::ros_yaml) {
+inline std::string check_saved_map(const GridMap& map, const MapFormatInfo& info) {
+  const GridMap nearest = nearest_map(map, info.format);
+  if (losses(map, info.format).empty() != same_map(map, nearest)) return "a loss that is none";
+  const auto files = encode_map(nearest, info.format, "m" + std::string(info.saved_extensions[0]));
+  if (!files) return "a map that cannot be saved: " + files.error();
+  if (info.load_lines == nullptr) {
     const bool scale = !nearest.uniform_terrain();
-    const auto image = scale ? scale_image(nearest) : trinary_image(nearest);
-    if (!image) return "no image of a map: " + image.error();
-    return check_saved_image(nearest, *image, scale ? kScaleMeaning : ImageMeaning{});
+    return check_saved_image(nearest, scale ? scale_image(nearest) : trinary_image(nearest),
+                             scale ? kScaleMeaning : ImageMeaning{});
   }
-  const bool moving_ai = format == MapFormat::moving_ai;
-  const auto text = moving_ai ? format_moving_ai_map(nearest) : format_text_grid(nearest);
-  if (!text) return "a map that cannot be saved: " + text.error();
-  const auto again = moving_ai ? parse_moving_ai_map(*text, "m") : parse_text_grid(*text, "m");
+  const auto again = load_as(info.format, files->bytes);
   if (!again) return "a saved map does not load: " + again.error().message();
   return same_map(again->map, nearest) ? "" : "another map comes back";
 }
@@ -86,10 +87,10 @@ inline std::string check_map(const GridMap& map) {
     if (!(multiplier >= 1 && multiplier <= 5e6)) return "the terrain is out of range";
   }
   if (map.size() > kLargestSavedMap) return {};
-  for (const MapFormat format :
-       {MapFormat::ros_yaml, MapFormat::moving_ai, MapFormat::text_grid, MapFormat::image}) {
-    const std::string wrong = check_saved_map(map, format);
-    if (!wrong.empty()) return wrong + ", as " + std::string(to_string(format));
+  for (const MapFormatInfo& info : map_formats()) {
+    if (info.save == nullptr) continue;
+    const std::string wrong = check_saved_map(map, info);
+    if (!wrong.empty()) return wrong + ", as " + std::string(info.name);
   }
   return {};
 }

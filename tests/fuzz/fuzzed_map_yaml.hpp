@@ -51,7 +51,7 @@ inline std::string fuzz_map_yaml(std::string_view bytes) {
   if (own_image) folder.write("image.pgm", bytes.substr(end + 1));
   const std::string file = folder / "map.yaml";
   const std::string text(bytes.substr(0, end));
-  const auto loaded = load_map_yaml(text, file, folder / "", 4);
+  const auto loaded = load_map_yaml(text, {file, folder / ""});
   if (own_image) folder.write("image.pgm", FuzzedFolder::kGoodImage);
   if (!loaded) return check_error(loaded.error(), file);
   const std::string wrong = check_map(loaded->map);

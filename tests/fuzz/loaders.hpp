@@ -23,21 +23,21 @@
 namespace wend::test {
 
 inline std::string fuzz_png(std::string_view bytes) {
-  const auto image = decode_png(bytes);
+  const auto image = whole_image(bytes, decode_png);
   if (image && !looks_like_png(bytes)) return "a PNG without its signature";
   return check_image(image);
 }
 
 inline std::string fuzz_pnm(std::string_view bytes) {
-  return looks_like_pnm(bytes) ? check_image(decode_pnm(bytes)) : "";
+  return looks_like_pnm(bytes) ? check_image(whole_image(bytes, decode_pnm)) : "";
 }
 
 inline std::string fuzz_moving_ai_map(std::string_view bytes) {
-  return check_map(parse_moving_ai_map(bytes, kFuzzedFile));
+  return check_map(load_as(MapFormat::moving_ai_map, bytes));
 }
 
 inline std::string fuzz_text_grid(std::string_view bytes) {
-  return check_map(parse_text_grid(bytes, kFuzzedFile));
+  return check_map(load_as(MapFormat::text_grid, bytes));
 }
 
 inline std::string fuzz_scenario(std::string_view bytes) {

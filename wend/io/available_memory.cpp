@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
 
 namespace wend {
 namespace {
@@ -15,22 +14,15 @@ namespace fs = std::filesystem;
 
 using Bytes = std::optional<std::uint64_t>;
 
-/// The number after a word at the beginning of a line.
-Bytes number_after(const fs::path& file, std::string_view word) {
+/// The number after a name in a file, or the one that is all of the file; nothing for "max".
+Bytes number_in(const fs::path& file, std::string_view name = {}) {
   std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    const auto words = words_of(line);
-    if (words.size() >= 2 && words[0] == word) return parse_integer<std::uint64_t>(words[1]);
+  for (std::string word; stream >> word;) {
+    if (!name.empty() && word != name) continue;
+    if (!name.empty()) stream >> word;
+    return parse_integer<std::uint64_t>(word);
   }
   return std::nullopt;
-}
-
-/// The number that is all of a file; nothing for "max".
-Bytes number_in(const fs::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return parse_integer<std::uint64_t>(trimmed(line));
 }
 
 /// How the two versions of control groups call their files.
@@ -49,7 +41,7 @@ Bytes left_in(const fs::path& group, const GroupFiles& files) {
   const Bytes limit = number_in(group / files.limit);
   const Bytes usage = number_in(group / files.usage);
   if (!limit || !usage) return std::nullopt;
-  const std::uint64_t cached = number_after(group / "memory.stat", files.cached).value_or(0);
+  const std::uint64_t cached = number_in(group / "memory.stat", files.cached).value_or(0);
   const std::uint64_t used = *usage - std::min(*usage, cached);
   return *limit - std::min(*limit, used);
 }
@@ -87,7 +79,7 @@ Bytes left_in_own_groups(const fs::path& root) {
 
 std::optional<std::uint64_t> available_memory(const fs::path& root) {
   constexpr std::uint64_t kKilobyte = 1024;
-  Bytes system = number_after(root / "proc/meminfo", "MemAvailable:");
+  Bytes system = number_in(root / "proc/meminfo", "MemAvailable:");
   if (system) *system *= kKilobyte;
   return least(system, left_in_own_groups(root));
 }

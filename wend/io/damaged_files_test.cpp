@@ -6,12 +6,10 @@
 #include <functional>
 
 #include "wend/io/image/grey_image.hpp"
-#include "wend/io/image/png.hpp"
 #include "wend/io/image/png_test_support.hpp"
 #include "wend/io/io_test_support.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/io/map/map_yaml.hpp"
-#include "wend/io/map/moving_ai_map.hpp"
-#include "wend/io/map/text_grid.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/query/scenario.hpp"
 
@@ -48,9 +46,11 @@ std::string odd_png() {
 
 std::vector<Sample> samples() {
   const auto moving_ai = [](const std::string& text) {
-    return error_of(parse_moving_ai_map(text, "m"));
+    return error_of(load_as(MapFormat::moving_ai_map, text));
   };
-  const auto grid = [](const std::string& text) { return error_of(parse_text_grid(text, "g")); };
+  const auto grid = [](const std::string& text) {
+    return error_of(load_as(MapFormat::text_grid, text));
+  };
   const auto yaml = [](const std::string& text) { return error_of(parse_map_yaml(text, "y")); };
   const auto scenario = [](const std::string& text) { return error_of(parse_scenario(text, "s")); };
   const auto path = [](const std::string& text) { return error_of(parse_path_csv(text, "p", {})); };

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "wend/io/io_error.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -64,6 +65,11 @@ inline std::string cells_of(const GridMap& map) {
   return text;
 }
 
+inline bool same_map(const GridMap& a, const GridMap& b) {
+  return a.occupied() == b.occupied() && a.unknown() == b.unknown() && a.terrain() == b.terrain() &&
+         a.frame() == b.frame();
+}
+
 /// "file:line: what" of what was expected to fail, "no error" if it did not.
 template <class T>
 std::string error_of(const Expected<T, IoError>& result) {
@@ -73,6 +79,11 @@ std::string error_of(const Expected<T, IoError>& result) {
 template <class T>
 std::string error_of(const Expected<T, std::string>& result) {
   return result ? "no error" : result.error();
+}
+
+/// The map in a text of this format, under the name "m".
+inline Expected<LoadedMap, IoError> load_as(MapFormat format, std::string_view text) {
+  return info_of(format).load(std::string(text), {"m"});
 }
 
 }  // namespace wend

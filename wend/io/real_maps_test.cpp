@@ -8,10 +8,10 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/io/io_test_support.hpp"
-#include "wend/io/line_reader.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/map/map_yaml.hpp"
 #include "wend/io/query/scenario.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/map/space_survey.hpp"
 
 namespace wend {

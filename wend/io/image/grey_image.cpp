@@ -2,9 +2,6 @@
 
 #include <array>
 
-#include "wend/io/image/png.hpp"
-#include "wend/io/image/pnm.hpp"
-
 namespace wend {
 namespace {
 
@@ -74,8 +71,8 @@ DecodedRows decode_image(std::string_view bytes, ImageRows& rows) {
   if (looks_like_pnm(bytes)) return decode_pnm(bytes, rows);
   const std::string name(unsupported_format(bytes));
   return Unexpected<std::string>(
-      name.empty() ? "unknown image format, PNG or PNM (P1 to P6) expected"
-                   : name + " images are not supported, only PNG and PNM (P1 to P6) are");
+      name.empty() ? "unknown image format; expected PNG or PNM (P1 to P6)"
+                   : name + " images are not supported; expected PNG or PNM (P1 to P6)");
 }
 
 }  // namespace wend

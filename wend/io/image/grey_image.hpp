@@ -69,6 +69,35 @@ Expected<GreyImage, std::string> decode_image(std::string_view bytes);
 /// The same row by row. Where the image turns out to be wrong, some rows may have been taken.
 DecodedRows decode_image(std::string_view bytes, ImageRows& rows);
 
+// PNG, through libpng: grey, colour and palette, 1 to 16 bits, with and without alpha or a
+// transparent colour, interlaced or not. Strict: a checksum that is wrong, a palette index without
+// an entry or image data of the wrong length is an error.
+
+/// Whether the bytes begin with the PNG signature.
+bool looks_like_png(std::string_view bytes);
+
+/// Sizes that the file is too short for are refused before anything is allocated.
+DecodedRows decode_png(std::string_view bytes, ImageRows& rows);
+
+/// An 8-bit grey PNG of an image with a maximum of 255, with an alpha channel if pixels of it are
+/// transparent.
+Expected<std::string, std::string> encode_png(const GreyImage& image);
+
+// PNM: P1 and P4 (bitmaps, 1 is black), P2 and P5 (grey), P3 and P6 (colour); the first of each pair
+// is text, the second binary. Samples go from 0 to the file's own maximum, 1..65535, and take two
+// bytes, the high one first, where that is above 255. `#` starts a comment anywhere outside binary
+// samples.
+
+/// P, a digit from 1 to 6, white space.
+bool looks_like_pnm(std::string_view bytes);
+
+/// Checks that all samples exist before the image is allocated. Bytes after the last sample are
+/// ignored, with a note.
+DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows);
+
+/// A binary PGM (P5) of an image with a maximum of 255, its transparency left out.
+std::string encode_pgm(const GreyImage& image);
+
 /// The image that a decoder gives row by row.
 Expected<GreyImage, std::string> whole_image(std::string_view bytes,
                                              DecodedRows (*decode)(std::string_view bytes,

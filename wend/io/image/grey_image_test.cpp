@@ -27,14 +27,14 @@ TEST(DecodeImage, TellsTheFormatByItsContent) {
 
 TEST(DecodeImage, RefusesOtherFormatsByName) {
   EXPECT_EQ(error_of(decode_image("\xFF\xD8\xFF\xE0")),
-            "JPEG images are not supported, only PNG and PNM (P1 to P6) are");
+            "JPEG images are not supported; expected PNG or PNM (P1 to P6)");
   EXPECT_EQ(error_of(decode_image("BM....")),
-            "BMP images are not supported, only PNG and PNM (P1 to P6) are");
+            "BMP images are not supported; expected PNG or PNM (P1 to P6)");
   EXPECT_EQ(error_of(decode_image("P7\nWIDTH 1")),
-            "PAM (P7) images are not supported, only PNG and PNM (P1 to P6) are");
+            "PAM (P7) images are not supported; expected PNG or PNM (P1 to P6)");
   EXPECT_EQ(error_of(decode_image("image: map.pgm")),
-            "unknown image format, PNG or PNM (P1 to P6) expected");
-  EXPECT_EQ(error_of(decode_image("")), "unknown image format, PNG or PNM (P1 to P6) expected");
+            "unknown image format; expected PNG or PNM (P1 to P6)");
+  EXPECT_EQ(error_of(decode_image("")), "unknown image format; expected PNG or PNM (P1 to P6)");
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "wend/io/image/png.hpp"
-
 #include <fmt/format.h>
 #include <png.h>
 
@@ -14,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "wend/io/quote.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -271,10 +270,6 @@ std::string wrong_first_chunk(std::string_view bytes) {
 }  // namespace
 
 bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
-
-Expected<GreyImage, std::string> decode_png(std::string_view bytes) {
-  return whole_image(bytes, decode_png);
-}
 
 DecodedRows decode_png(std::string_view bytes, ImageRows& rows) {
   const std::string wrong = wrong_first_chunk(bytes);

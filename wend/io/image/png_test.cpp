@@ -1,4 +1,4 @@
-#include "wend/io/image/png.hpp"
+#include "wend/io/image/grey_image.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -14,10 +14,14 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-std::string png_error(const std::string& bytes) { return error_of(decode_png(bytes)); }
+Expected<GreyImage, std::string> decoded_png(std::string_view bytes) {
+  return whole_image(bytes, decode_png);
+}
+
+std::string png_error(const std::string& bytes) { return error_of(decoded_png(bytes)); }
 
 GreyImage png_image(const std::string& bytes) {
-  auto image = decode_png(bytes);
+  auto image = decoded_png(bytes);
   EXPECT_TRUE(image) << error_of(image);
   return image.value_or(GreyImage{});
 }
@@ -119,7 +123,7 @@ RC_GTEST_PROP(Png, InterlacedImagesAreTheSame, ()) {
   const auto height = *rc::gen::inRange<std::size_t>(1, 20);
   const auto pixels = *rc::gen::container<std::string>(width * height, rc::gen::arbitrary<char>());
   const auto decoded = [&](char interlace, const std::string& lines) {
-    const auto image = decode_png(png_file::file(
+    const auto image = decoded_png(png_file::file(
         png_file::header(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8,
                          png_file::grey, interlace) +
         png_file::image_data(lines)));
@@ -132,7 +136,7 @@ RC_GTEST_PROP(Png, InterlacedImagesAreTheSame, ()) {
 
 TEST(Png, ChunksThatSayNothingAboutTheMapAreSkipped) {
   const std::string data = png_file::image_data(png_file::scanlines("\x00\x7F\xFE\xFF"s, 2));
-  EXPECT_TRUE(decode_png(png_file::file(
+  EXPECT_TRUE(decoded_png(png_file::file(
       png_file::header(2, 2, 8, png_file::grey) + png_file::chunk("iCCP", "no profile at all") +
       png_file::chunk("gAMA", "\0\0\0\1"s) + png_file::chunk("zTXt", "nonsense") + data)));
 }
@@ -168,7 +172,7 @@ TEST(Png, SizesThatTheFileIsTooShortForAreRefused) {
 TEST(Png, AFileWhoseFirstChunkIsNotTheHeaderIsRefused) {
   const std::string rest = png_file::header(2, 2, 8, png_file::grey) +
                            png_file::image_data(png_file::scanlines("\x00\x7F\xFE\xFF"s, 2));
-  ASSERT_TRUE(decode_png(png_file::file(rest)));
+  ASSERT_TRUE(decoded_png(png_file::file(rest)));
   for (const char* const first : {"tEXt", "CgBI", "abCd", "sRGB"}) {
     EXPECT_EQ(png_error(png_file::file(png_file::chunk(first, "a") + rest)),
               "PNG: the first chunk must be IHDR, not '"s + first + "'");
@@ -195,7 +199,7 @@ RC_GTEST_PROP(Png, WrittenImagesReadBack, ()) {
   }
   const auto bytes = encode_png(image);
   RC_ASSERT(bytes.has_value());
-  const auto decoded = decode_png(*bytes);
+  const auto decoded = decoded_png(*bytes);
   RC_ASSERT(decoded.has_value());
   RC_ASSERT(decoded->width == image.width);
   RC_ASSERT(decoded->height == image.height);

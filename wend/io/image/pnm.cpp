@@ -1,5 +1,3 @@
-#include "wend/io/image/pnm.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -50,16 +49,17 @@ class PnmDecoder {
     auto header = read_header();
     if (!header) return Unexpected<std::string>(header.error());
     if (rest_.size() < header->least_bytes()) {
-      return failure(fmt::format("pixel data truncated: {} bytes, at least {} expected",
+      return failure(fmt::format("pixel data truncated: {} bytes, expected at least {}",
                                  rest_.size(), header->least_bytes()));
     }
     rows_.begin(header->width, header->height, header->maximum);
     row_.resize(static_cast<std::size_t>(header->width));
     for (int y = 0; y < header->height; ++y) {
-      const std::string wrong = header->text     ? read_text(*header, y)
-                                : header->bitmap ? read_bits()
-                                                 : read_binary(*header);
-      if (!wrong.empty()) return failure(wrong);
+      if (header->bitmap && !header->text) {
+        read_bits();
+      } else if (std::string wrong = read_samples(*header); !wrong.empty()) {
+        return failure(std::move(wrong));
+      }
       rows_.add(row_, {});
     }
     return notes(*header);
@@ -121,7 +121,8 @@ class PnmDecoder {
       header.maximum = *maximum;
     }
     if (header.pixels() > GridMap::kMaxCells) {
-      return failure(fmt::format("{} x {} pixels are too many", header.width, header.height));
+      return failure(fmt::format("{} x {} pixels are too many, the limit is {}", header.width,
+                                 header.height, GridMap::kMaxCells));
     }
     if (!header.text) skip_line_end(header);
     return header;
@@ -135,26 +136,44 @@ class PnmDecoder {
     rest_.remove_prefix(std::min<std::size_t>(rest_.size(), windows ? 2 : 1));
   }
 
-  std::string read_text(const Header& header, int y) {
+  /// Of a row of grey or colour samples, or of a text bitmap. What is wrong, empty if nothing is.
+  std::string read_samples(const Header& header) {
     for (std::uint16_t& value : row_) {
       unsigned samples[3] = {};
       for (int i = 0; i < header.channels; ++i) {
-        const std::string_view word = header.bitmap ? next_digit() : next_word();
-        if (word.empty()) {
-          return fmt::format("pixel data truncated: {} pixels, {} expected",
-                             static_cast<std::size_t>(y) * row_.size() +
-                                 static_cast<std::size_t>(&value - row_.data()),
-                             header.pixels());
+        if (!header.text) {
+          samples[i] = read_binary(header);
+        } else if (std::string wrong = read_text(header, samples[i]); !wrong.empty()) {
+          return wrong;
         }
-        const auto sample = parse_integer<unsigned>(word);
-        if (!sample)
-          return fmt::format("pixel value {} is not a non-negative integer", quote(word));
-        if (*sample > static_cast<unsigned>(header.maximum)) return above_maximum(*sample, header);
-        samples[i] = *sample;
+        if (samples[i] > static_cast<unsigned>(header.maximum)) {
+          return fmt::format("pixel value {} above the maximum value {}", samples[i],
+                             header.maximum);
+        }
       }
       value = grey(header, samples);
     }
     return {};
+  }
+
+  std::string read_text(const Header& header, unsigned& sample) {
+    const std::string_view word = header.bitmap ? next_digit() : next_word();
+    if (word.empty()) {
+      return fmt::format("pixel data truncated: {} pixels, expected {}",
+                         text_samples_ / header.channels, header.pixels());
+    }
+    ++text_samples_;
+    const auto value = parse_integer<unsigned>(word);
+    if (!value) return fmt::format("pixel value {} is not a non-negative integer", quote(word));
+    sample = *value;
+    return {};
+  }
+
+  unsigned read_binary(const Header& header) {
+    const bool wide = header.sample_bytes() == 2;
+    const unsigned sample = wide ? byte(0) << 8 | byte(1) : byte(0);
+    rest_.remove_prefix(wide ? 2 : 1);
+    return sample;
   }
 
   /// In a text bitmap the digits may stand without blanks between them.
@@ -165,28 +184,11 @@ class PnmDecoder {
     return digit;
   }
 
-  std::string read_bits() {
+  void read_bits() {
     for (std::size_t x = 0; x < row_.size(); ++x) {
       row_[x] = ((byte(x / 8) >> (7 - x % 8)) & 1U) != 0 ? 0 : 1;
     }
     rest_.remove_prefix((row_.size() + 7) / 8);
-    return {};
-  }
-
-  std::string read_binary(const Header& header) {
-    const bool wide = header.sample_bytes() == 2;
-    const auto maximum = static_cast<unsigned>(header.maximum);
-    std::size_t at = 0;
-    for (std::uint16_t& value : row_) {
-      unsigned samples[3] = {};
-      for (int i = 0; i < header.channels; ++i, at += wide ? 2 : 1) {
-        samples[i] = wide ? byte(at) << 8 | byte(at + 1) : byte(at);
-        if (samples[i] > maximum) return above_maximum(samples[i], header);
-      }
-      value = grey(header, samples);
-    }
-    rest_.remove_prefix(at);
-    return {};
   }
 
   unsigned byte(std::size_t at) const { return static_cast<unsigned char>(rest_[at]); }
@@ -197,10 +199,6 @@ class PnmDecoder {
     return luma(samples[0], samples[1], samples[2]);
   }
 
-  static std::string above_maximum(unsigned sample, const Header& header) {
-    return fmt::format("pixel value {} above the maximum value {}", sample, header.maximum);
-  }
-
   std::vector<std::string> notes(const Header& header) {
     if (header.text) skip_space_and_comments();
     if (rest_.empty() || (rest_.size() == 1 && is_white_space(rest_.front()))) return {};
@@ -209,7 +207,8 @@ class PnmDecoder {
 
   std::string_view rest_;
   ImageRows& rows_;
-  std::vector<std::uint16_t> row_;  // at hand
+  std::vector<std::uint16_t> row_;  // the current one
+  int text_samples_ = 0;            // read so far
 };
 
 }  // namespace
@@ -217,10 +216,6 @@ class PnmDecoder {
 bool looks_like_pnm(std::string_view bytes) {
   return bytes.size() >= 3 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
          (is_white_space(bytes[2]) || bytes[2] == '#');
-}
-
-Expected<GreyImage, std::string> decode_pnm(std::string_view bytes) {
-  return whole_image(bytes, decode_pnm);
 }
 
 DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows) {

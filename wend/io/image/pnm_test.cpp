@@ -1,4 +1,4 @@
-#include "wend/io/image/pnm.hpp"
+#include "wend/io/image/grey_image.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,10 +11,14 @@ using namespace std::string_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::string pnm_error(const std::string& bytes) { return error_of(decode_pnm(bytes)); }
+Expected<GreyImage, std::string> decoded_pnm(std::string_view bytes) {
+  return whole_image(bytes, decode_pnm);
+}
+
+std::string pnm_error(const std::string& bytes) { return error_of(decoded_pnm(bytes)); }
 
 GreyImage pnm_image(const std::string& bytes) {
-  auto image = decode_pnm(bytes);
+  auto image = decoded_pnm(bytes);
   EXPECT_TRUE(image) << error_of(image);
   return image.value_or(GreyImage{});
 }
@@ -100,14 +104,14 @@ TEST(Pnm, HeadersHavePositiveWholeNumbers) {
 
 TEST(Pnm, SizesThatTheFileIsTooShortForAreRefused) {
   EXPECT_EQ(pnm_error("P5 1073741824 1073741824 255\n"),
-            "1073741824 x 1073741824 pixels are too many");
+            "1073741824 x 1073741824 pixels are too many, the limit is 1073741824");
   EXPECT_EQ(pnm_error("P5 32768 32768 255\nabc"),
-            "pixel data truncated: 3 bytes, at least 1073741824 expected");
-  EXPECT_EQ(pnm_error("P5 2 1 256\nabc"), "pixel data truncated: 3 bytes, at least 4 expected");
-  EXPECT_EQ(pnm_error("P4 9 2\nabc"), "pixel data truncated: 3 bytes, at least 4 expected");
-  EXPECT_EQ(pnm_error("P6 1 1 255\nab"), "pixel data truncated: 2 bytes, at least 3 expected");
-  EXPECT_EQ(pnm_error("P2 3 1 255\n10 20  "), "pixel data truncated: 2 pixels, 3 expected");
-  EXPECT_EQ(pnm_error("P1 3 1 1  1"), "pixel data truncated: 2 pixels, 3 expected");
+            "pixel data truncated: 3 bytes, expected at least 1073741824");
+  EXPECT_EQ(pnm_error("P5 2 1 256\nabc"), "pixel data truncated: 3 bytes, expected at least 4");
+  EXPECT_EQ(pnm_error("P4 9 2\nabc"), "pixel data truncated: 3 bytes, expected at least 4");
+  EXPECT_EQ(pnm_error("P6 1 1 255\nab"), "pixel data truncated: 2 bytes, expected at least 3");
+  EXPECT_EQ(pnm_error("P2 3 1 255\n10 20  "), "pixel data truncated: 2 pixels, expected 3");
+  EXPECT_EQ(pnm_error("P1 3 1 1  1"), "pixel data truncated: 2 pixels, expected 3");
 }
 
 TEST(Pnm, SamplesAreWholeNumbersUpToTheMaximum) {

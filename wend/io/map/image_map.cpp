@@ -1,22 +1,35 @@
 #include "wend/io/map/image_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "wend/io/map/drawn_row.hpp"
+#include "wend/io/image/grey_image.hpp"
+#include "wend/io/map/map_format.hpp"
 
 namespace wend {
 namespace {
 
 constexpr int kOccupied = 100;
+
+/// The value v whose terrain is nearest to this one, with kScaleMeaning.
+int nearest_scale_value(double terrain) {
+  const double v = std::round((terrain - 1) * 100 / kScaleMeaning.scale_factor);
+  return static_cast<int>(std::clamp(v, 0.0, 100.0));
+}
+
+/// The grey value that kScaleMeaning reads as v: 0 is occupied by its threshold; 1 is the darkest free
+/// value, and rounds to v = 100.
+std::uint16_t grey_of(int v) {
+  return static_cast<std::uint16_t>(std::max(1.0, 255 - std::round(2.55 * v)));
+}
 
 /// An image of the map's size, each value as `value_of(cell)` says.
 template <class ValueOf>
@@ -25,19 +38,27 @@ GreyImage image_of(const GridMap& map, const ValueOf& value_of) {
   image.width = map.width();
   image.height = map.height();
   image.values.reserve(map.size());
-  for (int from_top = 0; from_top < map.height(); ++from_top) {
-    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
+  for (const int y : rows_from_top(map)) {
     for (int x = 0; x < map.width(); ++x) image.values.push_back(value_of(Cell{x, y}));
   }
   return image;
 }
 
-/// The grey value that kScaleMeaning reads as this terrain; nothing if there is none.
-std::optional<std::uint16_t> scale_value(double terrain) {
-  const int v = nearest_scale_value(terrain);
-  if (scaled_terrain(kScaleMeaning.scale_factor, v) != terrain) return std::nullopt;
-  // 0 is occupied by its threshold; 1 is the darkest free value, and rounds to v = 100.
-  return static_cast<std::uint16_t>(std::max(1.0, 255 - std::round(2.55 * v)));
+Expected<LoadedMap, IoError> load_bare_image(const std::string& bytes, const MapSource& source,
+                                             const LoadOptions& options) {
+  ImageMapRows rows({});
+  auto notes = decode_image(bytes, rows);
+  if (!notes) return io_failure(source.file, 0, notes.error());
+  const Frame frame{.resolution = options.resolution.value_or(1),
+                    .metric = options.resolution.has_value()};
+  return LoadedMap{rows.finish(frame), MapFormat::image_map, *std::move(notes)};
+}
+
+Expected<MapFiles, std::string> save_bare_image(const GridMap& map,
+                                                const std::filesystem::path& file) {
+  const GreyImage image = trinary_image(map);
+  if (lower_case(file.extension().string()) != ".png") return MapFiles{encode_pgm(image)};
+  return encode_png(image).map([](std::string bytes) { return MapFiles{std::move(bytes)}; });
 }
 
 }  // namespace
@@ -95,43 +116,39 @@ GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, cons
   return rows.finish(frame);
 }
 
-Expected<GreyImage, std::string> trinary_image(const GridMap& map) {
-  if (!map.uniform_terrain()) {
-    return Unexpected<std::string>("a picture of free and occupied cells cannot hold terrain");
-  }
+GreyImage trinary_image(const GridMap& map) {
   return image_of(map, [&](Cell cell) -> std::uint16_t {
     if (map.occupied()[cell]) return 0;
     return map.unknown()[cell] ? 205 : 254;
   });
 }
 
-int nearest_scale_value(double terrain) {
-  const double v = std::round((terrain - 1) * 100 / kScaleMeaning.scale_factor);
-  return static_cast<int>(std::clamp(v, 0.0, 100.0));
+double nearest_scaled_terrain(double terrain) {
+  return scaled_terrain(kScaleMeaning.scale_factor, nearest_scale_value(terrain));
 }
 
-Expected<GreyImage, std::string> scale_image(const GridMap& map) {
-  std::string wrong;
-  bool any_transparent = false;
+GreyImage scale_image(const GridMap& map) {
   std::vector<unsigned char> transparent;
   transparent.reserve(map.size());
   GreyImage image = image_of(map, [&](Cell cell) -> std::uint16_t {
     const CellState state = map.state(cell);
     transparent.push_back(state == CellState::unknown ? 1 : 0);
-    any_transparent = any_transparent || state == CellState::unknown;
-    if (state == CellState::occupied) return 0;
-    const auto value = scale_value(map.terrain(cell));
-    if (!value || (state == CellState::unknown && map.terrain(cell) != 1)) {
-      wrong = fmt::format(
-          "a scale map cannot hold the terrain {} of cell ({},{}), only 1 + 4 v/100 of free "
-          "cells, v = 0..100",
-          map.terrain(cell), cell.x, cell.y);
-    }
-    return value.value_or(0);
+    return state == CellState::occupied ? 0 : grey_of(nearest_scale_value(map.terrain(cell)));
   });
-  if (!wrong.empty()) return Unexpected<std::string>(wrong);
-  if (any_transparent) image.transparent = std::move(transparent);
+  if (map.unknown().count() > 0) image.transparent = std::move(transparent);
   return image;
+}
+
+MapFormatInfo image_map_format() {
+  return {.format = MapFormat::image_map,
+          .name = "image",
+          .noun = "an image",
+          .extensions = {".png", ".pgm", ".pbm", ".ppm", ".pnm"},
+          .saved_extensions = {".png", ".pgm", ".pnm"},
+          .recognises = looks_like_image,
+          .load_bytes = load_bare_image,
+          .takes_resolution = true,
+          .save = save_bare_image};
 }
 
 }  // namespace wend

@@ -19,11 +19,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/image/grey_image.hpp"
 #include "wend/map/grid_map.hpp"
@@ -79,17 +77,17 @@ class ImageMapRows final : public ImageRows {
 GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);
 
 /// The image that map savers write, drawn as the map is: 0 occupied, 254 free, 205 unknown. It
-/// reads back with the defaults of ImageMeaning. An error for a map with terrain.
-Expected<GreyImage, std::string> trinary_image(const GridMap& map);
+/// reads back with the defaults of ImageMeaning. Terrain is left out.
+GreyImage trinary_image(const GridMap& map);
 
 /// What scale_image() is written for.
 inline constexpr ImageMeaning kScaleMeaning = {ImageMode::scale, false, 1, 0, 4};
 
-/// The value 0..100 whose terrain is nearest to this one, with kScaleMeaning.
-int nearest_scale_value(double terrain);
+/// The nearest terrain to this one that kScaleMeaning has: scaled_terrain(4, 0..100).
+double nearest_scaled_terrain(double terrain);
 
 /// An image that reads back with kScaleMeaning: 0 occupied, transparent unknown, from 255 to 1 the
-/// terrain. An error says which terrain is none of scaled_terrain(4, 0..100).
-Expected<GreyImage, std::string> scale_image(const GridMap& map);
+/// nearest_scaled_terrain().
+GreyImage scale_image(const GridMap& map);
 
 }  // namespace wend

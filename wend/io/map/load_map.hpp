@@ -8,34 +8,28 @@
 //   text grid     *.txt *.grid              down  cells
 //   bare image    *.png *.pgm *.pbm *.ppm   down  cells, or metres where a resolution is given
 //
-// The name decides. A file with another name is told by how it begins: a text grid by a first line
-// of nothing but letters of cells.
-// Every loader returns a map, or an error with file, line and what is wrong. Memory stays in
-// proportion to the file.
+// The name decides. The format of a file with another name is recognised by how the file begins: a text
+// grid by a first line with only letters of cells. Every loader returns a map, or an error with file, line
+// and what is wrong. Memory stays in proportion to the file.
 //
 //   const auto loaded = wend::load_map("office.yaml");
 //   if (!loaded) return report(loaded.error().message());
 //   plan_on(loaded->map);
 
 #include <filesystem>
-#include <optional>
+#include <string>
 
 #include "wend/base/expected.hpp"
 #include "wend/io/io_error.hpp"
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 
 namespace wend {
-
-struct LoadOptions {
-  std::optional<double> resolution;  // metres a cell, > 0, for a bare image
-  double scale_factor = 4;           // terrain of `mode: scale`, in 0..1e6: 1 + factor * v / 100
-};
 
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
                                       const LoadOptions& options = {});
 
-/// The same from bytes that came from elsewhere, told by how they begin. `name` is what errors call
-/// them. The image of a map.yaml is looked for in the working folder.
+/// The same from bytes that came from elsewhere. `name` is the name for errors; its extension, if it has
+/// one, decides. The image of a map.yaml is looked for in the working folder.
 Expected<LoadedMap, IoError> parse_map(const std::string& bytes, const std::string& name,
                                        const LoadOptions& options = {});
 

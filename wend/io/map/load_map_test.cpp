@@ -33,40 +33,42 @@ class LoadMap : public testing::Test {
 };
 
 TEST_F(LoadMap, TellsFormatsByTheirNames) {
-  EXPECT_EQ(format_of("m.pgm", kImage), MapFormat::image);
-  EXPECT_EQ(format_of("m.PNG", kImage), MapFormat::image);
-  EXPECT_EQ(format_of("m.yaml", kYaml), MapFormat::ros_yaml);
-  EXPECT_EQ(format_of("m.yml", kYaml), MapFormat::ros_yaml);
-  EXPECT_EQ(format_of("m.map", kMovingAi), MapFormat::moving_ai);
+  EXPECT_EQ(format_of("m.pgm", kImage), MapFormat::image_map);
+  EXPECT_EQ(format_of("m.PNG", kImage), MapFormat::image_map);
+  EXPECT_EQ(format_of("m.yaml", kYaml), MapFormat::map_yaml);
+  EXPECT_EQ(format_of("m.yml", kYaml), MapFormat::map_yaml);
+  EXPECT_EQ(format_of("m.map", kMovingAi), MapFormat::moving_ai_map);
   EXPECT_EQ(format_of("m.txt", "01\n"), MapFormat::text_grid);
   EXPECT_EQ(format_of("m.grid", "01\n"), MapFormat::text_grid);
 }
 
 TEST_F(LoadMap, ElseByTheirContent) {
   folder_.write("m.pgm", kImage);
-  EXPECT_EQ(format_of("image", kImage), MapFormat::image);
-  EXPECT_EQ(format_of("moving_ai", kMovingAi), MapFormat::moving_ai);
-  EXPECT_EQ(format_of("ros", "# a map\n" + kYaml), MapFormat::ros_yaml);
+  EXPECT_EQ(format_of("image", kImage), MapFormat::image_map);
+  EXPECT_EQ(format_of("moving_ai", kMovingAi), MapFormat::moving_ai_map);
+  EXPECT_EQ(format_of("ros", "# a map\n" + kYaml), MapFormat::map_yaml);
 }
 
 TEST_F(LoadMap, SkipsAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
   folder_.write("m.pgm", kImage);
-  EXPECT_EQ(format_of("m.map", mark + kMovingAi), MapFormat::moving_ai);
+  EXPECT_EQ(format_of("m.map", mark + kMovingAi), MapFormat::moving_ai_map);
   EXPECT_EQ(format_of("m.txt", mark + "01\n"), MapFormat::text_grid);
-  EXPECT_EQ(format_of("m.yaml", mark + kYaml), MapFormat::ros_yaml);
-  EXPECT_EQ(format_of("moving_ai", mark + kMovingAi), MapFormat::moving_ai);
-  EXPECT_EQ(format_of("ros", mark + kYaml), MapFormat::ros_yaml);
+  EXPECT_EQ(format_of("m.yaml", mark + kYaml), MapFormat::map_yaml);
+  EXPECT_EQ(format_of("moving_ai", mark + kMovingAi), MapFormat::moving_ai_map);
+  EXPECT_EQ(format_of("ros", mark + kYaml), MapFormat::map_yaml);
 }
 
 TEST_F(LoadMap, NamesWhatItReadsWhenItReadsNothing) {
-  EXPECT_THAT(error_of(load_map(folder_.write("m.scen", "version 1\n"))),
-              EndsWith("m.scen: unknown map format; ROS map.yaml (.yaml .yml), MovingAI (.map), "
-                       "text grids (.txt .grid) and images (.png .pgm .pbm .ppm .pnm) are read"));
+  EXPECT_THAT(
+      error_of(load_map(folder_.write("m.scen", "version 1\n"))),
+      EndsWith("m.scen: unknown map format; expected a ROS map.yaml (.yaml, .yml), a MovingAI "
+               "map (.map), a text grid (.txt, .grid) or an image (.png, .pgm, .pbm, .ppm, "
+               ".pnm)"));
   EXPECT_THAT(error_of(load_map(folder_.write("nothing", ""))),
-              EndsWith("nothing: empty, a map expected"));
+              EndsWith("nothing: the file is empty; expected a map"));
   EXPECT_THAT(error_of(load_map(folder_.write("m.bmp", "BM123456"))),
-              EndsWith("m.bmp: BMP images are not supported, only PNG and PNM (P1 to P6) are"));
+              EndsWith("m.bmp: BMP images are not supported; expected PNG or PNM (P1 to P6)"));
 }
 
 TEST_F(LoadMap, ErrorsNameFileAndLine) {
@@ -93,7 +95,7 @@ TEST_F(LoadMap, SaysThatAResolutionIsNotUsed) {
   const auto loaded = load_map(folder_.write("m.map", kMovingAi), options);
   EXPECT_EQ(loaded->map.frame(), Frame{});
   EXPECT_THAT(loaded->notes,
-              ElementsAre("the resolution given is not used: only a bare image takes one"));
+              ElementsAre("resolution option ignored: it applies only to bare images"));
 }
 
 TEST_F(LoadMap, ChecksItsOptions) {
@@ -122,10 +124,10 @@ TEST_F(LoadMap, TheScaleFactorReachesTheTerrain) {
 }
 
 TEST(MapFormat, HasANameForPeople) {
-  EXPECT_EQ(to_string(MapFormat::ros_yaml), "ROS map.yaml");
-  EXPECT_EQ(to_string(MapFormat::moving_ai), "MovingAI");
+  EXPECT_EQ(to_string(MapFormat::map_yaml), "ROS map.yaml");
+  EXPECT_EQ(to_string(MapFormat::moving_ai_map), "MovingAI");
   EXPECT_EQ(to_string(MapFormat::text_grid), "text grid");
-  EXPECT_EQ(to_string(MapFormat::image), "image");
+  EXPECT_EQ(to_string(MapFormat::image_map), "image");
 }
 
 }  // namespace

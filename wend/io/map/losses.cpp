@@ -8,41 +8,17 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/map/drawn_row.hpp"
-#include "wend/io/map/image_map.hpp"
-#include "wend/io/map/text_grid.hpp"
 
 namespace wend {
 namespace {
 
-bool has_unknown_cells(MapFormat format) { return format != MapFormat::moving_ai; }
-
-bool has_terrain(MapFormat format) {
-  return format == MapFormat::ros_yaml || format == MapFormat::text_grid;
+double nearest_terrain(double terrain, CellState state, const MapFormatInfo& format) {
+  if (state != CellState::free || format.nearest_terrain == nullptr) return 1;
+  return format.nearest_terrain(terrain);
 }
 
-bool has_frame(MapFormat format) { return format == MapFormat::ros_yaml; }
-
-double largest_terrain(MapFormat format) {
-  if (format == MapFormat::ros_yaml) return scaled_terrain(kScaleMeaning.scale_factor, 100);
-  return format == MapFormat::text_grid ? kLargestTextTerrain : 1;
-}
-
-CellState nearest_state(CellState state, MapFormat format) {
-  const bool held = state != CellState::unknown || has_unknown_cells(format);
-  return held ? state : CellState::occupied;
-}
-
-double nearest_terrain(double terrain, CellState state, MapFormat format) {
-  if (state != CellState::free) return 1;
-  if (format == MapFormat::ros_yaml) {
-    return scaled_terrain(kScaleMeaning.scale_factor, nearest_scale_value(terrain));
-  }
-  return std::min(std::round(terrain), largest_terrain(format));
-}
-
-Frame nearest_frame(const Frame& frame, MapFormat format) {
-  if (!has_frame(format)) return {};
+Frame nearest_frame(const Frame& frame, const MapFormatInfo& format) {
+  if (!format.holds_frame) return {};
   return {frame.resolution, frame.y_up ? frame.origin : Pose{}, true, true};
 }
 
@@ -63,9 +39,9 @@ struct Counts {
   double greatest_rounding = 0;  // of these
 };
 
-Counts count_losses(const GridMap& map, MapFormat format) {
+Counts count_losses(const GridMap& map, const MapFormatInfo& format) {
   Counts counts;
-  if (!has_unknown_cells(format)) counts.unknown = map.unknown().count();
+  if (!format.holds_unknown_cells) counts.unknown = map.unknown().count();
   if (map.uniform_terrain()) return counts;
   for_all_cells(map, [&](Cell cell) {
     const double terrain = map.terrain(cell);
@@ -74,7 +50,7 @@ Counts count_losses(const GridMap& map, MapFormat format) {
     if (off == 0) return;
     if (state != CellState::free) {
       ++counts.blocked;
-    } else if (terrain > largest_terrain(format)) {
+    } else if (terrain > format.largest_terrain) {
       ++counts.above;
     } else {
       ++counts.rounded;
@@ -84,18 +60,23 @@ Counts count_losses(const GridMap& map, MapFormat format) {
   return counts;
 }
 
-std::string a_map_of(MapFormat format) {
-  switch (format) {
-    case MapFormat::ros_yaml:
-      return "a ROS map.yaml";
-    case MapFormat::moving_ai:
-      return "a MovingAI map";
-    case MapFormat::text_grid:
-      return "a text grid";
-    case MapFormat::image:
-      break;
+/// "a ROS map.yaml or a text grid": the formats with this.
+template <class Member>
+std::string formats_with(Member MapFormatInfo::* member) {
+  std::vector<std::string> nouns;
+  for (const MapFormatInfo& format : map_formats()) {
+    if (format.*member && format.save != nullptr) nouns.emplace_back(format.noun);
   }
-  return "an image";
+  return either_of(nouns);
+}
+
+/// "; a text grid holds up to 9": where larger terrain than that of this format can go.
+std::string larger_terrain(const MapFormatInfo& format) {
+  for (const MapFormatInfo& other : map_formats()) {
+    if (other.largest_terrain <= format.largest_terrain) continue;
+    return fmt::format("; {} holds up to {}", other.noun, other.largest_terrain);
+  }
+  return {};
 }
 
 std::string cells(std::size_t count) {
@@ -104,86 +85,112 @@ std::string cells(std::size_t count) {
 
 using Sentences = std::vector<std::string>;
 
-void tell_cells(const Counts& counts, MapFormat format, Sentences& told) {
-  const std::string a_map = a_map_of(format);
+void tell_cells(const Counts& counts, const MapFormatInfo& format, Sentences& told) {
   if (counts.unknown > 0) {
-    told.push_back(fmt::format("unknown cells become occupied ({}): {} has no unknown ones",
-                               cells(counts.unknown), a_map));
+    told.push_back(fmt::format("unknown cells become occupied ({}): {} cannot hold unknown cells",
+                               cells(counts.unknown), format.noun));
   }
   const std::size_t all = counts.blocked + counts.above + counts.rounded;
-  if (all > 0 && !has_terrain(format)) {
-    told.push_back(fmt::format("terrain is lost ({}): {} has none, all cells cost the same",
-                               cells(all), a_map));
+  if (all > 0 && format.nearest_terrain == nullptr) {
+    told.push_back(
+        fmt::format("terrain is lost ({}): {} cannot hold terrain, all cells cost the same",
+                    cells(all), format.noun));
     return;
   }
   if (counts.above > 0) {
-    told.push_back(fmt::format("terrain above {0} becomes {0} ({1}): {2} holds no more{3}",
-                               largest_terrain(format), cells(counts.above), a_map,
-                               format == MapFormat::ros_yaml ? ", a text grid up to 9" : ""));
+    told.push_back(fmt::format("terrain above {0} becomes {0} ({1}): the limit of {2}{3}",
+                               format.largest_terrain, cells(counts.above), format.noun,
+                               larger_terrain(format)));
   }
   if (counts.rounded > 0) {
-    told.push_back(
-        fmt::format("terrain is rounded, by {:.2g} at most ({}): {} holds {}",
-                    counts.greatest_rounding, cells(counts.rounded), a_map,
-                    format == MapFormat::ros_yaml ? "1 + 4 v/100 for whole v" : "whole numbers"));
+    told.push_back(fmt::format("terrain is rounded, by at most {:.2g} ({}): {} holds {}",
+                               counts.greatest_rounding, cells(counts.rounded), format.noun,
+                               format.terrain_values));
   }
   if (counts.blocked > 0) {
     told.push_back(
-        fmt::format("the terrain of occupied and unknown cells is lost ({}): {} holds "
-                    "that of free ones",
-                    cells(counts.blocked), a_map));
+        fmt::format("the terrain of occupied and unknown cells is lost ({}): {} holds terrain only "
+                    "for free cells",
+                    cells(counts.blocked), format.noun));
   }
 }
 
-void tell_frame(const Frame& before, const Frame& after, int height, MapFormat format,
+void tell_frame(const Frame& before, const Frame& after, int height, const MapFormatInfo& format,
                 Sentences& told) {
-  const std::string a_map = a_map_of(format);
   if (before.metric && !after.metric) {
-    told.push_back(fmt::format("the resolution of {} m a cell is lost: {} counts in cells",
-                               format_number(before.resolution), a_map));
+    told.push_back(fmt::format("the resolution of {} m a cell is lost: the unit of {} is the cell",
+                               format_number(before.resolution), format.noun));
   } else if (before.resolution != after.resolution) {
-    told.push_back(fmt::format("the length of a cell, {}, is lost: in {} it is 1",
-                               format_number(before.resolution), a_map));
+    told.push_back(fmt::format("the cell size {} is lost: in {} it is 1",
+                               format_number(before.resolution), format.noun));
   }
   if (!before.metric && after.metric) {
-    told.push_back(fmt::format("cells are no longer the unit: {} counts in metres, here {} a cell",
-                               a_map, format_number(after.resolution)));
+    told.push_back(fmt::format("the unit becomes the metre, as in {}: a cell is {} m wide",
+                               format.noun, format_number(after.resolution)));
   }
   if (before.origin != after.origin) {
-    told.push_back(fmt::format("the origin [{}, {}, {}] is lost: {} has {}",
-                               format_number(before.origin.x), format_number(before.origin.y),
-                               format_number(before.origin.heading), a_map,
-                               has_frame(format) ? "one only where y was up before" : "none"));
+    told.push_back(fmt::format(
+        "the origin [{}, {}, {}] is lost: {} holds {}", format_number(before.origin.x),
+        format_number(before.origin.y), format_number(before.origin.heading), format.noun,
+        format.holds_frame ? "an origin only where y was up before" : "no origin"));
   }
   if (before.y_up != after.y_up) {
     told.push_back(fmt::format("y points {}, as in every {}: cell (x, y) becomes (x, {} - y)",
-                               after.y_up ? "up" : "down", a_map.substr(a_map.find(' ') + 1),
-                               height - 1));
+                               after.y_up ? "up" : "down",
+                               format.noun.substr(format.noun.find(' ') + 1), height - 1));
   }
 }
 
 }  // namespace
 
-GridMap nearest_map(const GridMap& map, MapFormat format) {
+GridMap nearest_map(const GridMap& map, MapFormat wanted) {
+  const MapFormatInfo& format = info_of(wanted);
   const Frame frame = nearest_frame(map.frame(), format);
-  const bool terrain_held = has_terrain(format) && !map.uniform_terrain();
+  const bool terrain_held = format.nearest_terrain != nullptr && !map.uniform_terrain();
   Grid<CellState> states(map.width(), map.height());
   Grid<double> terrain = terrain_held ? Grid<double>(map.width(), map.height(), 1) : Grid<double>();
   const bool turned = map.frame().y_up != frame.y_up;
   for_all_cells(map, [&](Cell cell) {
-    const Cell before{cell.x, drawn_row(cell.y, map.height(), turned)};
+    const Cell before{cell.x, turned ? map.height() - 1 - cell.y : cell.y};
     const CellState state = map.state(before);
-    states[cell] = nearest_state(state, format);
+    const bool held = state != CellState::unknown || format.holds_unknown_cells;
+    states[cell] = held ? state : CellState::occupied;
     if (terrain_held) terrain[cell] = nearest_terrain(map.terrain(before), state, format);
   });
   return GridMap(states, frame, std::move(terrain));
 }
 
 std::vector<std::string> losses(const GridMap& map, MapFormat format) {
+  const MapFormatInfo& info = info_of(format);
   Sentences told;
-  tell_cells(count_losses(map, format), format, told);
-  tell_frame(map.frame(), nearest_frame(map.frame(), format), map.height(), format, told);
+  tell_cells(count_losses(map, info), info, told);
+  tell_frame(map.frame(), nearest_frame(map.frame(), info), map.height(), info, told);
   return told;
+}
+
+std::string cells_not_held(const GridMap& map, MapFormat wanted) {
+  const MapFormatInfo& format = info_of(wanted);
+  if (!format.holds_unknown_cells && map.unknown().count() > 0) {
+    return fmt::format("{} cannot hold unknown cells ({}); {} can", format.noun,
+                       cells(map.unknown().count()),
+                       formats_with(&MapFormatInfo::holds_unknown_cells));
+  }
+  if (map.uniform_terrain()) return {};
+  if (format.nearest_terrain == nullptr) {
+    return fmt::format("{} cannot hold terrain; {} can", format.noun,
+                       formats_with(&MapFormatInfo::nearest_terrain));
+  }
+  std::string wrong;
+  for_all_cells(map, [&](Cell cell) {
+    const CellState state = map.state(cell);
+    const double terrain = map.terrain(cell);
+    if (!wrong.empty() || state == CellState::occupied) return;
+    if (terrain == nearest_terrain(terrain, state, format)) return;
+    wrong = fmt::format(
+        "{} cannot hold the terrain {} of cell ({},{}), only {} up to {} for free cells",
+        format.noun, terrain, cell.x, cell.y, format.terrain_values, format.largest_terrain);
+  });
+  return wrong;
 }
 
 }  // namespace wend

@@ -9,13 +9,13 @@
 //   image         all three states    none                               none
 //   MovingAI      free and occupied   none                               none
 //
-// No frame means cells as units, and y down. Maps are written as they are drawn, so where y turns
-// round, row 0 is another row.
+// Without a frame, cells are the unit and y points down. Maps are written as they are drawn, so where y
+// turns round, row 0 is another row. Each format says in its MapFormatInfo what it holds.
 
 #include <string>
 #include <vector>
 
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -28,5 +28,9 @@ GridMap nearest_map(const GridMap& map, MapFormat format);
 /// What is different in nearest_map(), a sentence for people each: how many cells it is about, what
 /// becomes of them and why. Empty if and only if the format holds the whole map. O(n).
 std::vector<std::string> losses(const GridMap& map, MapFormat format);
+
+/// Why save_map() refuses a map: the first of its cells that the format cannot hold, and which formats can.
+/// Empty if it holds them all; the frame and the terrain of occupied cells do not count.
+std::string cells_not_held(const GridMap& map, MapFormat format);
 
 }  // namespace wend

@@ -14,8 +14,12 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const std::vector<std::string> kNames{"m.yaml", "m.yml", "m.map", "m.txt",
-                                      "m.grid", "m.png", "m.pgm", "m.pnm"};
+/// A name for every format and extension.
+std::vector<std::string> saved_names() {
+  std::vector<std::string> names = map_extensions(MapUse::save);
+  for (std::string& name : names) name.insert(0, "m");
+  return names;
+}
 
 /// A frame that differs from the default one here and there, often in one thing alone.
 Frame any_frame(Random& random) {
@@ -61,11 +65,6 @@ GridMap any_map() {
   return GridMap(states, any_frame(random), std::move(terrain));
 }
 
-bool same(const GridMap& a, const GridMap& b) {
-  return a.occupied() == b.occupied() && a.unknown() == b.unknown() && a.terrain() == b.terrain() &&
-         a.frame() == b.frame();
-}
-
 GridMap reloaded(const GridMap& map, const std::filesystem::path& file) {
   const auto saved = save_map(map, file);
   if (!saved) RC_FAIL(error_of(saved));
@@ -77,26 +76,26 @@ GridMap reloaded(const GridMap& map, const std::filesystem::path& file) {
 RC_GTEST_PROP(Losses, AreToldIfAndOnlyIfAnotherMapComesBack, ()) {
   const GridMap map = any_map();
   const TemporaryFolder folder;
-  for (const std::string& name : kNames) {
+  for (const std::string& name : saved_names()) {
     const MapFormat format = *saved_format(name);
     const GridMap again = reloaded(nearest_map(map, format), folder / name);
-    RC_ASSERT(losses(map, format).empty() == same(map, again));
+    RC_ASSERT(losses(map, format).empty() == same_map(map, again));
   }
 }
 
 RC_GTEST_PROP(NearestMap, IsWhatComesBack, ()) {
   const GridMap map = any_map();
   const TemporaryFolder folder;
-  for (const std::string& name : kNames) {
+  for (const std::string& name : saved_names()) {
     const GridMap nearest = nearest_map(map, *saved_format(name));
-    RC_ASSERT(same(nearest, reloaded(nearest, folder / name)));
+    RC_ASSERT(same_map(nearest, reloaded(nearest, folder / name)));
     RC_ASSERT(losses(nearest, *saved_format(name)).empty());
   }
 }
 
 RC_GTEST_PROP(NearestMap, IsDrawnLikeTheMap, ()) {
   const GridMap map = any_map();
-  for (const MapFormat format : {MapFormat::ros_yaml, MapFormat::text_grid, MapFormat::image}) {
+  for (const MapFormat format : {MapFormat::map_yaml, MapFormat::text_grid, MapFormat::image_map}) {
     RC_ASSERT(test::drawing_of(nearest_map(map, format)) == test::drawing_of(map));
   }
 }
@@ -109,7 +108,7 @@ RC_GTEST_PROP(NearestMap, RoundsToTheNearestTerrain, ()) {
   for (int held = 1; held <= 9; ++held) {
     RC_ASSERT(std::abs(in_text - terrain) <= std::abs(held - terrain));
   }
-  const double in_yaml = nearest_map(map, MapFormat::ros_yaml).terrain({0, 0});
+  const double in_yaml = nearest_map(map, MapFormat::map_yaml).terrain({0, 0});
   for (int v = 0; v <= 100; ++v) {
     RC_ASSERT(std::abs(in_yaml - terrain) <= std::abs(1 + 0.04 * v - terrain) + 1e-9);
   }
@@ -118,7 +117,7 @@ RC_GTEST_PROP(NearestMap, RoundsToTheNearestTerrain, ()) {
 RC_GTEST_PROP(SaveMap, RefusesAMapThatWouldComeBackWithOtherFreeOrUnknownCells, ()) {
   const GridMap map = any_map();
   const TemporaryFolder folder;
-  for (const std::string& name : kNames) {
+  for (const std::string& name : saved_names()) {
     if (!save_map(map, folder / name)) continue;
     const GridMap again = load_map(folder / name)->map;
     RC_ASSERT(test::drawing_of(again) == test::drawing_of(map));
@@ -143,57 +142,61 @@ constexpr Frame kRosFrame = {0.05, {-1, 2.5, 0.5}, true, true};
 
 TEST(Losses, OfAMovingAiMap) {
   EXPECT_THAT(
-      losses(odd_map(kRosFrame), MapFormat::moving_ai),
-      ElementsAre("unknown cells become occupied (1 cell): a MovingAI map has no unknown ones",
-                  "terrain is lost (3 cells): a MovingAI map has none, all cells cost the same",
-                  "the resolution of 0.05 m a cell is lost: a MovingAI map counts in cells",
-                  "the origin [-1, 2.5, 0.5] is lost: a MovingAI map has none",
-                  "y points down, as in every MovingAI map: cell (x, y) becomes (x, 3 - y)"));
+      losses(odd_map(kRosFrame), MapFormat::moving_ai_map),
+      ElementsAre(
+          "unknown cells become occupied (1 cell): a MovingAI map cannot hold unknown cells",
+          "terrain is lost (3 cells): a MovingAI map cannot hold terrain, all cells cost the same",
+          "the resolution of 0.05 m a cell is lost: the unit of a MovingAI map is the cell",
+          "the origin [-1, 2.5, 0.5] is lost: a MovingAI map holds no origin",
+          "y points down, as in every MovingAI map: cell (x, y) becomes (x, 3 - y)"));
 }
 
 TEST(Losses, OfATextGrid) {
   EXPECT_THAT(
       losses(odd_map({}), MapFormat::text_grid),
-      ElementsAre("terrain above 9 becomes 9 (1 cell): a text grid holds no more",
-                  "terrain is rounded, by 0.49 at most (1 cell): a text grid holds whole numbers",
+      ElementsAre("terrain above 9 becomes 9 (1 cell): the limit of a text grid",
+                  "terrain is rounded, by at most 0.49 (1 cell): a text grid holds whole numbers",
                   "the terrain of occupied and unknown cells is lost (1 cell): a text grid holds "
-                  "that of free ones"));
+                  "terrain only for free cells"));
   EXPECT_THAT(losses(odd_map({0.5, {}, false, false}), MapFormat::text_grid).back(),
-              "the length of a cell, 0.5, is lost: in a text grid it is 1");
+              "the cell size 0.5 is lost: in a text grid it is 1");
 }
 
 TEST(Losses, OfAMapYaml) {
   EXPECT_THAT(
-      losses(odd_map(kRosFrame), MapFormat::ros_yaml),
-      ElementsAre("terrain above 5 becomes 5 (1 cell): a ROS map.yaml holds no more, a text grid "
-                  "up to 9",
-                  "terrain is rounded, by 0.01 at most (1 cell): a ROS map.yaml holds "
+      losses(odd_map(kRosFrame), MapFormat::map_yaml),
+      ElementsAre("terrain above 5 becomes 5 (1 cell): the limit of a ROS map.yaml; a text grid "
+                  "holds up to 9",
+                  "terrain is rounded, by at most 0.01 (1 cell): a ROS map.yaml holds "
                   "1 + 4 v/100 for whole v",
                   "the terrain of occupied and unknown cells is lost (1 cell): a ROS map.yaml "
-                  "holds that of free ones"));
+                  "holds terrain only for free cells"));
 }
 
 TEST(Losses, OfAFrameWithYDownInAMapYaml) {
   const GridMap map(Grid<CellState>(1, 5), {0.5, {1, 0, 0}, false, false});
   EXPECT_THAT(
-      losses(map, MapFormat::ros_yaml),
-      ElementsAre("cells are no longer the unit: a ROS map.yaml counts in metres, here 0.5 a cell",
-                  "the origin [1, 0, 0] is lost: a ROS map.yaml has one only where y was up before",
-                  "y points up, as in every ROS map.yaml: cell (x, y) becomes (x, 4 - y)"));
+      losses(map, MapFormat::map_yaml),
+      ElementsAre(
+          "the unit becomes the metre, as in a ROS map.yaml: a cell is 0.5 m wide",
+          "the origin [1, 0, 0] is lost: a ROS map.yaml holds an origin only where y was up before",
+          "y points up, as in every ROS map.yaml: cell (x, y) becomes (x, 4 - y)"));
 }
 
 TEST(Losses, OfAnImage) {
   const GridMap map(Grid<CellState>(1, 1), {0.5, {}, false, true});
-  EXPECT_THAT(losses(map, MapFormat::image),
-              ElementsAre("the resolution of 0.5 m a cell is lost: an image counts in cells"));
+  EXPECT_THAT(
+      losses(map, MapFormat::image_map),
+      ElementsAre("the resolution of 0.5 m a cell is lost: the unit of an image is the cell"));
 }
 
 TEST(Losses, AreNoneWhereTheFormatHoldsTheMap) {
   const GridMap plain(Grid<CellState>(3, 2));
-  for (const MapFormat format : {MapFormat::moving_ai, MapFormat::text_grid, MapFormat::image}) {
+  for (const MapFormat format :
+       {MapFormat::moving_ai_map, MapFormat::text_grid, MapFormat::image_map}) {
     EXPECT_THAT(losses(plain, format), IsEmpty());
   }
-  EXPECT_THAT(losses(plain.with_frame(kRosFrame), MapFormat::ros_yaml), IsEmpty());
+  EXPECT_THAT(losses(plain.with_frame(kRosFrame), MapFormat::map_yaml), IsEmpty());
 }
 
 }  // namespace

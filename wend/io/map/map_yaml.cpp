@@ -1,6 +1,7 @@
 #include "wend/io/map/map_yaml.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -9,62 +10,68 @@
 #include <cstddef>
 #include <optional>
 #include <set>
-#include <string>
+#include <sstream>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/map/yaml_documents.hpp"
-#include "wend/io/quote.hpp"
-#include "wend/io/read_file.hpp"
-#include "wend/io/utf8.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/image/grey_image.hpp"
 
 namespace wend {
 namespace {
 
 constexpr std::size_t kLargestYaml = std::size_t{64} << 10;
+constexpr std::size_t kLongestComplaint = 200;   // what yaml-cpp says repeats words of the file
+constexpr std::size_t kLongestImageName = 1000;  // errors repeat it
 
 constexpr std::array<std::string_view, 7> kKeys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
 
-constexpr std::array<ImageMode, 3> kModes = {ImageMode::trinary, ImageMode::scale, ImageMode::raw};
+constexpr std::array<std::string_view, 3> kModes = {"trinary", "scale", "raw"};  // as in ImageMode
 
-std::string_view name_of(ImageMode mode) {
-  switch (mode) {
-    case ImageMode::trinary:
-      return "trinary";
-    case ImageMode::scale:
-      return "scale";
-    case ImageMode::raw:
-      break;
-  }
-  return "raw";
+class IgnoredEvents : public YAML::EventHandler {
+ public:
+  using Mark = YAML::Mark;
+  using Anchor = YAML::anchor_t;
+  using Style = YAML::EmitterStyle::value;
+
+  void OnDocumentStart(const Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const Mark&, Anchor) override {}
+  void OnAlias(const Mark&, Anchor) override {}
+  void OnScalar(const Mark&, const std::string&, Anchor, const std::string&) override {}
+  void OnSequenceStart(const Mark&, const std::string&, Anchor, Style) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const Mark&, const std::string&, Anchor, Style) override {}
+  void OnMapEnd() override {}
+};
+
+/// Whether a text has more than one document. Throws YAML::Exception if it is not YAML.
+/// YAML::LoadAll() does not help: on a stray ',' at the top level it makes documents for ever.
+bool has_more_documents(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  IgnoredEvents events;
+  return parser.HandleNextDocument(events) && parser.HandleNextDocument(events);
 }
 
 /// Plain, quoted, and YAML's own types; any other tag asks for something that we do not do.
-bool is_known_tag(const std::string& tag) {
+bool is_known_tag(std::string_view tag) {
   constexpr std::string_view kStandard = "tag:yaml.org,2002:";
+  constexpr std::array<std::string_view, 7> kTypes = {"str", "int", "float", "bool",
+                                                      "seq", "map", "null"};
   if (tag.empty() || tag == "?" || tag == "!") return true;
   if (!tag.starts_with(kStandard)) return false;
-  const std::string_view type = std::string_view(tag).substr(kStandard.size());
-  return type == "str" || type == "int" || type == "float" || type == "bool" || type == "seq" ||
-         type == "map" || type == "null";
+  return std::ranges::find(kTypes, tag.substr(kStandard.size())) != kTypes.end();
 }
-
-// What yaml-cpp says repeats words of the file.
-constexpr std::size_t kLongestComplaint = 200;
-
-// Errors repeat the name of the image.
-constexpr std::size_t kLongestImageName = 1000;
 
 /// Text without line ends and tabs, which would make a mess of messages.
 bool is_line(const std::string& text) {
   return !first_non_text(text) && text.find_first_of("\t\r\n") == std::string::npos;
 }
 
-std::size_t line_of(const YAML::Node& node) {
-  const YAML::Mark mark = node.Mark();
+std::size_t line_of(const YAML::Mark& mark) {
   return mark.is_null() ? 0 : static_cast<std::size_t>(mark.line) + 1;
 }
 
@@ -76,190 +83,191 @@ std::optional<double> number_of(const YAML::Node& node) {
   return parse_number(text);
 }
 
+std::string text_of(const YAML::Node& node) { return node.IsScalar() ? node.Scalar() : ""; }
+
+/// Reads the keys one after the other, and remembers the first error.
 class MapYamlReader {
  public:
-  explicit MapYamlReader(const std::string& file) : file_(file) {}
+  MapYamlReader(const YAML::Node& root, const std::string& file) : root_(root), file_(file) {}
 
-  Expected<MapYaml, IoError> read(const YAML::Node& root) {
-    root_ = root;
-    if (!root_.IsMap()) return failure(root_, "the top level must be a mapping, key: value");
-    if (auto good = check_keys(); !good) return Unexpected<IoError>(good.error());
-    MapYaml yaml;
-    yaml.frame.y_up = true;
-    yaml.frame.metric = true;
-    for (const auto step : {&MapYamlReader::read_image, &MapYamlReader::read_resolution,
-                            &MapYamlReader::read_origin, &MapYamlReader::read_negate,
-                            &MapYamlReader::read_thresholds, &MapYamlReader::read_mode}) {
-      if (auto good = (this->*step)(yaml); !good) return Unexpected<IoError>(good.error());
+  Expected<MapYaml, IoError> read() {
+    yaml_.frame.y_up = true;
+    yaml_.frame.metric = true;
+    for (const auto step :
+         {&MapYamlReader::check_keys, &MapYamlReader::read_image, &MapYamlReader::read_resolution,
+          &MapYamlReader::read_origin, &MapYamlReader::read_negate, &MapYamlReader::read_thresholds,
+          &MapYamlReader::read_mode}) {
+      (this->*step)();
+      if (error_) return Unexpected<IoError>(*error_);
     }
-    yaml.notes = std::move(notes_);
-    return yaml;
+    return std::move(yaml_);
   }
 
  private:
-  using Result = Expected<void, IoError>;
-
-  Unexpected<IoError> failure(const YAML::Node& node, std::string what) const {
-    return io_failure(file_, line_of(node), std::move(what));
+  void fail(const YAML::Node& node, std::string what) {
+    if (!error_) error_ = IoError{file_, line_of(node.Mark()), std::move(what)};
   }
 
-  Result check_keys() {
+  void check_keys() {
+    if (!root_.IsMap()) return fail(root_, "the top level must be a mapping, key: value");
     std::set<std::string> seen;
     for (const auto& entry : root_) {
-      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-      if (!seen.insert(key).second) {
-        return failure(entry.first, fmt::format("duplicate key {}", quote(key)));
-      }
-      if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-        notes_.push_back(fmt::format("unknown key {} in the map.yaml is ignored", quote(key)));
+      const std::string key = text_of(entry.first);
+      if (!seen.insert(key).second) fail(entry.first, fmt::format("duplicate key {}", quote(key)));
+      if (std::ranges::find(kKeys, key) == kKeys.end()) {
+        yaml_.notes.push_back(fmt::format("unknown key {} in the map.yaml is ignored", quote(key)));
       }
     }
-    return {};
   }
 
-  /// The value of a key that must be there.
-  Expected<YAML::Node, IoError> value_of(const char* key) const {
+  /// The value of a key that must exist; null where it is wrong.
+  YAML::Node value_of(const char* key) {
     YAML::Node node = root_[key];
-    if (!node.IsDefined()) return io_failure(file_, 0, fmt::format("'{}' is missing", key));
-    if (!is_known_tag(node.Tag())) {
-      return failure(node, fmt::format("'{}' has the unknown tag {}", key, quote(node.Tag())));
+    if (node.IsDefined() && is_known_tag(node.Tag())) return node;
+    if (node.IsDefined()) {
+      fail(node, fmt::format("'{}' has the unknown tag {}", key, quote(node.Tag())));
+    } else if (!error_) {
+      error_ = IoError{file_, 0, fmt::format("the key '{}' is missing", key)};
     }
-    return node;
+    return YAML::Node();
   }
 
   /// A finite number under `name`, which is how errors call it.
-  Expected<double, IoError> finite_number(const YAML::Node& node, const std::string& name) const {
+  double finite_number(const YAML::Node& node, const std::string& name) {
     const auto number = number_of(node);
     if (number && std::isfinite(*number)) return *number;
-    if (node.IsNull()) return failure(node, name + " has no value");
-    const std::string text = node.IsScalar() ? quote(node.Scalar()) : "a list or a mapping";
-    return failure(node, fmt::format("{} is not a finite number: {}", name, text));
-  }
-
-  Expected<double, IoError> finite_number(const char* key) const {
-    const auto node = value_of(key);
-    if (!node) return Unexpected<IoError>(node.error());
-    return finite_number(*node, key);
-  }
-
-  Result read_image(MapYaml& yaml) {
-    const auto node = value_of("image");
-    if (!node) return Unexpected<IoError>(node.error());
-    if (!node->IsScalar()) return failure(*node, "image must be a file name");
-    if (node->Scalar().empty()) return failure(*node, "image is empty");
-    if (!is_line(node->Scalar())) return failure(*node, "image is not a file name");
-    if (node->Scalar().size() > kLongestImageName) {
-      return failure(*node, fmt::format("image is no file name: it is longer than {} bytes",
-                                        kLongestImageName));
+    if (node.IsNull()) {
+      fail(node, name + " has no value");
+    } else {
+      fail(node, fmt::format("{} must be a finite number, not {}", name,
+                             node.IsScalar() ? quote(node.Scalar()) : "a list or a mapping"));
     }
-    yaml.image = node->Scalar();
-    return {};
+    return 0;
   }
 
-  Result read_resolution(MapYaml& yaml) {
-    const auto resolution = finite_number("resolution");
-    if (!resolution) return Unexpected<IoError>(resolution.error());
-    if (*resolution <= 0) {
-      return failure(root_["resolution"],
-                     fmt::format("resolution must be above 0, not {}", *resolution));
+  void read_image() {
+    const YAML::Node node = value_of("image");
+    const std::string name = text_of(node);
+    if (!node.IsScalar() || !is_line(name)) return fail(node, "image must be a file name");
+    if (name.empty()) return fail(node, "image is empty");
+    if (name.size() > kLongestImageName) {
+      return fail(node,
+                  fmt::format("image: the file name is longer than {} bytes", kLongestImageName));
     }
-    yaml.frame.resolution = *resolution;
-    return {};
+    yaml_.image = name;
   }
 
-  Result read_origin(MapYaml& yaml) {
-    const auto origin = value_of("origin");
-    if (!origin) return Unexpected<IoError>(origin.error());
-    if (!origin->IsSequence()) return failure(*origin, "origin must be a list [x, y, yaw]");
-    if (origin->size() != 3) {
-      return failure(*origin, fmt::format("origin must have 3 elements, not {}", origin->size()));
-    }
-    std::array<double, 3> numbers{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto number = finite_number((*origin)[i], fmt::format("origin[{}]", i));
-      if (!number) return Unexpected<IoError>(number.error());
-      numbers[i] = *number;
-    }
-    yaml.frame.origin = {numbers[0], numbers[1], numbers[2]};
-    return {};
+  void read_resolution() {
+    const YAML::Node node = value_of("resolution");
+    yaml_.frame.resolution = finite_number(node, "resolution");
+    if (yaml_.frame.resolution > 0) return;
+    fail(node, fmt::format("resolution must be above 0, not {}", yaml_.frame.resolution));
   }
 
-  Result read_negate(MapYaml& yaml) {
-    const auto node = value_of("negate");
-    if (!node) return Unexpected<IoError>(node.error());
-    const std::string text = node->IsScalar() ? node->Scalar() : "";
+  void read_origin() {
+    const YAML::Node origin = value_of("origin");
+    if (!origin.IsSequence()) return fail(origin, "origin must be a list [x, y, yaw]");
+    if (origin.size() != 3) {
+      return fail(origin, fmt::format("origin must have 3 elements, not {}", origin.size()));
+    }
+    yaml_.frame.origin = {finite_number(origin[0], "origin[0]"),
+                          finite_number(origin[1], "origin[1]"),
+                          finite_number(origin[2], "origin[2]")};
+  }
+
+  void read_negate() {
+    const YAML::Node node = value_of("negate");
+    const std::string text = text_of(node);
     if (text == "0" || text == "1") {
-      yaml.meaning.negate = text == "1";
-    } else if (!YAML::convert<bool>::decode(*node, yaml.meaning.negate)) {
-      return failure(*node, fmt::format("negate must be 0, 1, false or true, not {}", quote(text)));
+      yaml_.meaning.negate = text == "1";
+    } else if (!YAML::convert<bool>::decode(node, yaml_.meaning.negate)) {
+      fail(node, fmt::format("negate must be 0, 1, false or true, not {}", quote(text)));
     }
-    return {};
   }
 
-  Result read_thresholds(MapYaml& yaml) {
-    for (const auto& [key, threshold] :
-         {std::pair{"occupied_thresh", &yaml.meaning.occupied_threshold},
-          std::pair{"free_thresh", &yaml.meaning.free_threshold}}) {
-      const auto number = finite_number(key);
-      if (!number) return Unexpected<IoError>(number.error());
-      if (*number < 0 || *number > 1) {
-        return failure(root_[key], fmt::format("{} must be in 0..1, not {}", key, *number));
-      }
-      *threshold = *number;
+  double threshold(const char* key) {
+    const YAML::Node node = value_of(key);
+    const double number = finite_number(node, key);
+    if (!(number >= 0 && number <= 1)) {
+      fail(node, fmt::format("{} must be in 0..1, not {}", key, number));
     }
-    if (yaml.meaning.free_threshold >= yaml.meaning.occupied_threshold) {
-      return failure(root_["free_thresh"],
-                     fmt::format("free_thresh {} must be below occupied_thresh {}",
-                                 yaml.meaning.free_threshold, yaml.meaning.occupied_threshold));
-    }
-    return {};
+    return number;
   }
 
-  Result read_mode(MapYaml& yaml) {
-    if (!root_["mode"].IsDefined()) return {};
-    const auto node = value_of("mode");
-    if (!node) return Unexpected<IoError>(node.error());
-    const std::string text = node->IsScalar() ? node->Scalar() : "";
-    for (const ImageMode mode : kModes) {
-      if (text != name_of(mode)) continue;
-      yaml.meaning.mode = mode;
-      return {};
-    }
-    return failure(*node, fmt::format("mode must be trinary, scale or raw, not {}", quote(text)));
+  void read_thresholds() {
+    ImageMeaning& meaning = yaml_.meaning;
+    meaning.occupied_threshold = threshold("occupied_thresh");
+    meaning.free_threshold = threshold("free_thresh");
+    if (meaning.free_threshold < meaning.occupied_threshold) return;
+    fail(root_["free_thresh"], fmt::format("free_thresh {} must be below occupied_thresh {}",
+                                           meaning.free_threshold, meaning.occupied_threshold));
   }
 
+  void read_mode() {
+    if (!root_["mode"].IsDefined()) return;
+    const YAML::Node node = value_of("mode");
+    const std::string text = text_of(node);
+    const auto mode = std::ranges::find(kModes, text);
+    if (mode == kModes.end()) {
+      return fail(node, fmt::format("mode must be trinary, scale or raw, not {}", quote(text)));
+    }
+    yaml_.meaning.mode = static_cast<ImageMode>(mode - kModes.begin());
+  }
+
+  const YAML::Node root_;
   const std::string& file_;
-  YAML::Node root_;
-  std::vector<std::string> notes_;
+  MapYaml yaml_;
+  std::optional<IoError> error_;
 };
 
-/// The number of the line that byte `at` is in.
-std::size_t line_at(std::string_view text, std::size_t at) {
-  const std::string_view before = text.substr(0, at);
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+bool is_map_yaml(std::string_view bytes) {
+  if (looks_like_image(bytes)) return false;
+  return bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos;
+}
+
+Expected<MapFiles, std::string> save_map_yaml(const GridMap& map,
+                                              const std::filesystem::path& file) {
+  if (!map.frame().y_up && map.frame().origin != Pose{}) {
+    return Unexpected<std::string>("a ROS map.yaml cannot hold an origin of a map with y down");
+  }
+  const bool uniform = map.uniform_terrain();
+  auto image = encode_png(uniform ? trinary_image(map) : scale_image(map));
+  if (!image) return Unexpected<std::string>(image.error());
+  const MapYaml yaml{.image = file.filename().replace_extension(".png"),
+                     .frame = map.frame(),
+                     .meaning = uniform ? ImageMeaning{} : kScaleMeaning};
+  return MapFiles{format_map_yaml(yaml), *std::move(image)};
+}
+
+std::optional<std::filesystem::path> image_in(const std::string& text) {
+  auto yaml = parse_map_yaml(text, {});
+  return yaml ? std::optional(std::move(yaml->image)) : std::nullopt;
 }
 
 }  // namespace
 
 Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file) {
   if (text.size() > kLargestYaml) {
-    return io_failure(file, 0, fmt::format("{} bytes are too many for a map.yaml", text.size()));
+    return io_failure(file, 0,
+                      fmt::format("too large for a map.yaml: {} bytes, the limit is {}",
+                                  text.size(), kLargestYaml));
   }
   if (const auto at = first_non_text(text)) {
-    return io_failure(file, line_at(text, *at),
-                      fmt::format("not a YAML text: {} is no UTF-8 text", quote(text[*at])));
+    const auto lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
+    return io_failure(file, static_cast<std::size_t>(lines) + 1,
+                      fmt::format("not YAML: byte {} is not UTF-8 text", quote(text[*at])));
   }
   try {
-    if (yaml_documents(text) > 1) {
-      return io_failure(file, 0, "one document expected, there is more after it");
+    if (has_more_documents(text)) {
+      return io_failure(file, 0, "expected one YAML document, there is another after it");
     }
     const YAML::Node document = YAML::Load(text);
-    if (document.IsNull()) return io_failure(file, 0, "empty document");
-    return MapYamlReader(file).read(document);
+    if (document.IsNull()) return io_failure(file, 0, "the file is empty; expected a map.yaml");
+    return MapYamlReader(document, file).read();
   } catch (const YAML::Exception& error) {
-    const std::size_t line =
-        error.mark.is_null() ? 0 : static_cast<std::size_t>(error.mark.line) + 1;
-    return io_failure(file, line, "YAML: " + printable(error.msg, kLongestComplaint));
+    return io_failure(file, line_of(error.mark),
+                      "YAML: " + printable(error.msg, kLongestComplaint));
   }
 }
 
@@ -270,31 +278,47 @@ std::string format_map_yaml(const MapYaml& yaml) {
   return fmt::format(
       "image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\nnegate: {}\n"
       "occupied_thresh: {}\nfree_thresh: {}\n",
-      emitter.c_str(), name_of(yaml.meaning.mode), format_number(yaml.frame.resolution),
-      format_number(origin.x), format_number(origin.y), format_number(origin.heading),
-      yaml.meaning.negate ? 1 : 0, format_number(yaml.meaning.occupied_threshold),
-      format_number(yaml.meaning.free_threshold));
+      emitter.c_str(), kModes[static_cast<std::size_t>(yaml.meaning.mode)],
+      format_number(yaml.frame.resolution), format_number(origin.x), format_number(origin.y),
+      format_number(origin.heading), yaml.meaning.negate ? 1 : 0,
+      format_number(yaml.meaning.occupied_threshold), format_number(yaml.meaning.free_threshold));
 }
 
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const std::string& file,
-                                           const std::filesystem::path& folder,
-                                           double scale_factor) {
-  auto yaml = parse_map_yaml(text, file);
+Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const MapSource& source,
+                                           const LoadOptions& options) {
+  auto yaml = parse_map_yaml(text, source.file);
   if (!yaml) return Unexpected<IoError>(yaml.error());
-  yaml->meaning.scale_factor = scale_factor;
+  yaml->meaning.scale_factor = options.scale_factor;
 
-  const std::filesystem::path image_file = folder / yaml->image;
+  const std::filesystem::path image_file = source.folder / yaml->image;
   const auto bytes = read_file(image_file);
-  if (!bytes) return io_failure(file, 0, "image " + bytes.error().message());
+  if (!bytes) return io_failure(source.file, 0, "image " + bytes.error().message());
   ImageMapRows rows(yaml->meaning);
   const auto notes = decode_image(*bytes, rows);
   if (!notes) {
-    return io_failure(file, 0, "image " + image_file.string() + ": " + notes.error());
+    return io_failure(source.file, 0, "image " + image_file.string() + ": " + notes.error());
   }
-  LoadedMap loaded{rows.finish(yaml->frame), MapFormat::ros_yaml, std::move(yaml->notes)};
-  loaded.files.push_back(image_file);
+  LoadedMap loaded{
+      rows.finish(yaml->frame), MapFormat::map_yaml, std::move(yaml->notes), {image_file}};
   loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
   return loaded;
+}
+
+MapFormatInfo map_yaml_format() {
+  return {.format = MapFormat::map_yaml,
+          .name = "ROS map.yaml",
+          .noun = "a ROS map.yaml",
+          .extensions = {".yaml", ".yml"},
+          .saved_extensions = {".yaml", ".yml"},
+          .companion = ".png",
+          .holds_frame = true,
+          .largest_terrain = nearest_scaled_terrain(kScaleMeaning.scale_factor + 1),
+          .terrain_values = "1 + 4 v/100 for whole v",
+          .nearest_terrain = nearest_scaled_terrain,
+          .recognises = is_map_yaml,
+          .load_bytes = load_map_yaml,
+          .save = save_map_yaml,
+          .companion_in = image_in};
 }
 
 }  // namespace wend

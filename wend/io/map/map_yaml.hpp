@@ -16,7 +16,7 @@
 // has y up: row 0 is the image's bottom row.
 //
 // Nothing in the file is run, fetched or expanded: aliases that name a value are followed, a
-// document is at most 64 KiB, unknown tags and keys that stand twice are errors.
+// document is at most 64 KiB, unknown tags and duplicate keys are errors.
 
 #include <filesystem>
 #include <string>
@@ -26,7 +26,7 @@
 #include "wend/geometry/frame.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/io/map/image_map.hpp"
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 
 namespace wend {
 
@@ -35,17 +35,16 @@ struct MapYaml {
   std::filesystem::path image;  // as it stands in the file
   Frame frame;
   ImageMeaning meaning;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = {};
 };
 
 /// `file` is the name for errors.
 Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file);
 
-/// The map that the text of `file` describes: reads its image too, from `folder` where its name is
-/// not absolute. An error about the image names both files.
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const std::string& file,
-                                           const std::filesystem::path& folder,
-                                           double scale_factor);
+/// The map that a text describes: reads its image too, from the source's folder where its name is not
+/// absolute. An error about the image names both files.
+Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const MapSource& source,
+                                           const LoadOptions& options = {});
 
 /// The text of a map.yaml.
 std::string format_map_yaml(const MapYaml& yaml);

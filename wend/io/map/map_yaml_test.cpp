@@ -56,14 +56,14 @@ TEST(MapYaml, IsYaml) {
             (Pose{0.5, 0.5, 0.5}));
 }
 
-TEST(MapYaml, EveryKeyButModeMustBeThere) {
+TEST(MapYaml, EveryKeyButModeIsRequired) {
   for (const std::string key :
        {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh"}) {
-    EXPECT_EQ(error_in(with(key, "")), "y: '" + key + "' is missing");
+    EXPECT_EQ(error_in(with(key, "")), "y: the key '" + key + "' is missing");
   }
 }
 
-TEST(MapYaml, KeysStandOnce) {
+TEST(MapYaml, KeysAreUnique) {
   EXPECT_EQ(error_in(kGood + "resolution: 0.5\n"), "y:7: duplicate key 'resolution'");
   EXPECT_EQ(error_in(kGood + "x: 0\nx: 1\n"), "y:8: duplicate key 'x'");
 }
@@ -76,12 +76,12 @@ TEST(MapYaml, UnknownKeysAreNoted) {
 TEST(MapYaml, ImageIsAFileName) {
   EXPECT_EQ(error_in(with("image", "image: \"\"")), "y:1: image is empty");
   EXPECT_EQ(error_in(with("image", "image: [a, b]")), "y:1: image must be a file name");
-  EXPECT_EQ(error_in(with("image", "image: \"m.pgm\\0.txt\"")), "y:1: image is not a file name");
-  EXPECT_EQ(error_in(with("image", "image: \"m\\n.pgm\"")), "y:1: image is not a file name");
-  EXPECT_EQ(error_in(with("image", "image: \"m\\e[2J.pgm\"")), "y:1: image is not a file name");
+  EXPECT_EQ(error_in(with("image", "image: \"m.pgm\\0.txt\"")), "y:1: image must be a file name");
+  EXPECT_EQ(error_in(with("image", "image: \"m\\n.pgm\"")), "y:1: image must be a file name");
+  EXPECT_EQ(error_in(with("image", "image: \"m\\e[2J.pgm\"")), "y:1: image must be a file name");
   EXPECT_THAT(error_in("image: \"m\\"), testing::HasSubstr("unknown escape character: \\x"));
   EXPECT_EQ(error_in(with("image", "image: " + std::string(1001, 'm'))),
-            "y:1: image is no file name: it is longer than 1000 bytes");
+            "y:1: image: the file name is longer than 1000 bytes");
 }
 
 TEST(MapYaml, UnknownTagsAreErrors) {
@@ -96,11 +96,11 @@ TEST(MapYaml, ResolutionIsFiniteAndAboveZero) {
   EXPECT_EQ(error_in(with("resolution", "resolution: -0.05")),
             "y:2: resolution must be above 0, not -0.05");
   EXPECT_EQ(error_in(with("resolution", "resolution: [1]")),
-            "y:2: resolution is not a finite number: a list or a mapping");
+            "y:2: resolution must be a finite number, not a list or a mapping");
   EXPECT_THAT(error_in(with("resolution", "resolution:")), EndsWith("resolution has no value"));
   for (const std::string text : {"nan", ".nan", ".inf", "1e999", "0.05 m", "0x10", "high", "+-1"}) {
     EXPECT_EQ(error_in(with("resolution", "resolution: " + text)),
-              "y:2: resolution is not a finite number: '" + text + "'");
+              "y:2: resolution must be a finite number, not '" + text + "'");
   }
 }
 
@@ -111,7 +111,7 @@ TEST(MapYaml, OriginHasThreeFiniteNumbers) {
   EXPECT_EQ(error_in(with("origin", "origin: {x: 1, y: 2, yaw: 3}")),
             "y:3: origin must be a list [x, y, yaw]");
   EXPECT_EQ(error_in(with("origin", "origin: [1, .nan, 3]")),
-            "y:3: origin[1] is not a finite number: '.nan'");
+            "y:3: origin[1] must be a finite number, not '.nan'");
 }
 
 TEST(MapYaml, NegateIsABoolean) {
@@ -145,11 +145,12 @@ TEST(MapYaml, ModeIsOneOfThreeAndCaseMatters) {
 }
 
 TEST(MapYaml, IsOneMapping) {
-  EXPECT_EQ(error_in(""), "y: empty document");
-  EXPECT_EQ(error_in("# nothing\n"), "y: empty document");
+  EXPECT_EQ(error_in(""), "y: the file is empty; expected a map.yaml");
+  EXPECT_EQ(error_in("# nothing\n"), "y: the file is empty; expected a map.yaml");
   EXPECT_EQ(error_in("map.pgm\n"), "y:1: the top level must be a mapping, key: value");
   EXPECT_EQ(error_in("[1, 2]\n"), "y:1: the top level must be a mapping, key: value");
-  EXPECT_EQ(error_in(kGood + "---\n" + kGood), "y: one document expected, there is more after it");
+  EXPECT_EQ(error_in(kGood + "---\n" + kGood),
+            "y: expected one YAML document, there is another after it");
   // Of some of these YAML::LoadAll() makes documents without end.
   for (const std::string stray : {",", "]", "}", ", x", "? ,\n", "a: b\n,", "- ]\n"}) {
     EXPECT_THAT(error_in(stray), StartsWith("y:")) << stray;
@@ -165,8 +166,8 @@ TEST(MapYaml, SyntaxErrorsHaveALine) {
 TEST(MapYaml, IsUtf8Text) {
   EXPECT_EQ(yaml_in(with("image", "image: caf\xC3\xA9.pgm")).image, "caf\xC3\xA9.pgm");
   EXPECT_EQ(error_in(with("image", "image: caf\xE9.pgm")),
-            "y:1: not a YAML text: 0xE9 is no UTF-8 text");
-  EXPECT_EQ(error_in(kGood + std::string(1, '\0')), "y:7: not a YAML text: 0x00 is no UTF-8 text");
+            "y:1: not YAML: byte 0xE9 is not UTF-8 text");
+  EXPECT_EQ(error_in(kGood + std::string(1, '\0')), "y:7: not YAML: byte 0x00 is not UTF-8 text");
 }
 
 TEST(MapYaml, AliasesAreNotExpanded) {
@@ -179,7 +180,7 @@ TEST(MapYaml, AliasesAreNotExpanded) {
   EXPECT_THAT(error_in(bomb + with("origin", "origin: *y")),
               HasSubstr("origin must have 3 elements, not 10"));
   EXPECT_THAT(error_in(bomb + with("origin", "origin: [*y , *y , *y ]")),
-              HasSubstr("origin[0] is not a finite number: a list or a mapping"));
+              HasSubstr("origin[0] must be a finite number, not a list or a mapping"));
 }
 
 TEST(MapYaml, DeepNestingIsAnError) {
@@ -188,7 +189,8 @@ TEST(MapYaml, DeepNestingIsAnError) {
 
 TEST(MapYaml, IsSmall) {
   EXPECT_EQ(error_in(kGood + std::string(65536, '#')),
-            "y: " + std::to_string(kGood.size() + 65536) + " bytes are too many for a map.yaml");
+            "y: too large for a map.yaml: " + std::to_string(kGood.size() + 65536) +
+                " bytes, the limit is 65536");
 }
 
 TEST(MapYaml, WrittenYamlReadsBack) {
@@ -208,19 +210,19 @@ TEST(MapYaml, WrittenYamlReadsBack) {
 TEST(LoadMapYaml, ReadsTheImageBesideTheYaml) {
   const TemporaryFolder folder;
   folder.write("m.pgm", "P2 2 2 255 0 255 128 255");
-  const auto loaded = load_map_yaml(kGood, folder / "m.yaml", folder.path(), 4);
+  const auto loaded = load_map_yaml(kGood, {folder / "m.yaml", folder.path()});
   ASSERT_TRUE(loaded) << error_of(loaded);
   EXPECT_EQ(cells_of(loaded->map), "?.\n#.\n");
   EXPECT_EQ(loaded->map.frame().origin, (Pose{-1, -2, 0.5}));
-  EXPECT_EQ(loaded->format, MapFormat::ros_yaml);
+  EXPECT_EQ(loaded->format, MapFormat::map_yaml);
 }
 
 TEST(LoadMapYaml, TheImageMayLieAnywhere) {
   const TemporaryFolder images;
   const auto image = images.write("m.pgm", "P2 1 1 255 0");
   const TemporaryFolder folder;
-  EXPECT_TRUE(load_map_yaml(with("image", "image: " + image.string()), folder / "m.yaml",
-                            folder.path(), 4));
+  EXPECT_TRUE(
+      load_map_yaml(with("image", "image: " + image.string()), {folder / "m.yaml", folder.path()}));
 }
 
 TEST(LoadMapYaml, ErrorsAboutTheImageNameBothFiles) {
@@ -228,17 +230,17 @@ TEST(LoadMapYaml, ErrorsAboutTheImageNameBothFiles) {
   const std::string both =
       (folder / "m.yaml").string() + ": image " + (folder / "m.pgm").string() + ": ";
   const auto error = [&] {
-    return error_of(load_map_yaml(kGood, folder / "m.yaml", folder.path(), 4));
+    return error_of(load_map_yaml(kGood, {folder / "m.yaml", folder.path()}));
   };
   EXPECT_EQ(error(), both + "cannot be opened: No such file or directory");
   folder.write("m.pgm", "P2 2 2 255 0");
-  EXPECT_EQ(error(), both + "pixel data truncated: 2 bytes, at least 7 expected");
+  EXPECT_EQ(error(), both + "pixel data truncated: 2 bytes, expected at least 7");
 }
 
 TEST(LoadMapYaml, PassesOnWhatIsOddAboutTheImage) {
   const TemporaryFolder folder;
   folder.write("m.pgm", "P2 1 1 255 0 10");
-  EXPECT_THAT(load_map_yaml(kGood + "floor: 2\n", folder / "m.yaml", folder.path(), 4)->notes,
+  EXPECT_THAT(load_map_yaml(kGood + "floor: 2\n", {folder / "m.yaml", folder.path()})->notes,
               ElementsAre("unknown key 'floor' in the map.yaml is ignored",
                           "2 bytes after the last pixel of the image are ignored"));
 }

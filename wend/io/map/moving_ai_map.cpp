@@ -1,24 +1,37 @@
-#include "wend/io/map/moving_ai_map.hpp"
+// MovingAI `.map` files, the format of the field's grid benchmarks.
+//
+//   type octile
+//   height 2
+//   width 3
+//   map
+//   ..@
+//   .GT
+//
+// Row 0 is the top row, one letter a cell, LF or CRLF line ends. `. G S` are free, `@ O T W`
+// occupied; every cell costs the same. `E` (an emitter on the warehouse maps of the League of
+// Robot Runners) is free, and lower-case letters are read as upper-case ones; both get a note.
+// The header's two sizes may come in either order. Other types (`tile`, `patch`, `octile-corner`)
+// are other formats and refused by name.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/lower_case.hpp"
-#include "wend/io/map/drawn_row.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/map/map_format.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
 namespace {
-
-constexpr std::string_view kFree = ".GSE";
-constexpr std::string_view kOccupiedLetters = "@OTW";
 
 struct Letter {
   bool known = false;
@@ -29,119 +42,104 @@ constexpr std::size_t index_of(char letter) { return static_cast<unsigned char>(
 
 constexpr std::array<Letter, 256> make_letters() {
   std::array<Letter, 256> letters{};
-  for (const char letter : kFree) {
-    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = {true, CellState::free};
-  }
-  for (const char letter : kOccupiedLetters) {
-    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = {true, CellState::occupied};
+  for (const char letter : std::string_view(".GSE@OTW")) {
+    const bool free = std::string_view(".GSE").find(letter) != std::string_view::npos;
+    const Letter meaning{true, free ? CellState::free : CellState::occupied};
+    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = meaning;
   }
   return letters;
 }
 
 constexpr std::array<Letter, 256> kLetters = make_letters();
 
-struct Size {
-  int height = 0;
-  int width = 0;
-};
-
-class MovingAiParser {
+class MovingAiReader {
  public:
-  MovingAiParser(LineReader lines, const std::string& file)
+  MovingAiReader(LineReader lines, const std::string& file)
       : lines_(std::move(lines)), file_(file) {}
 
-  Expected<LoadedMap, IoError> parse() {
-    if (auto good = read_type(); !good) return Unexpected<IoError>(good.error());
-    const auto size = read_size();
-    if (!size) return Unexpected<IoError>(size.error());
-    auto map = read_cells(*size);
-    if (!map) return Unexpected<IoError>(map.error());
-    return LoadedMap{*std::move(map), MapFormat::moving_ai, notes()};
+  Expected<LoadedMap, IoError> read() {
+    for (const auto step : {&MovingAiReader::read_type, &MovingAiReader::read_sizes,
+                            &MovingAiReader::check_sizes, &MovingAiReader::read_rows}) {
+      if (std::string wrong = (this->*step)(); !wrong.empty()) {
+        return io_failure(file_, lines_.number(), std::move(wrong));
+      }
+    }
+    return LoadedMap{std::move(*rows_).finish(), MapFormat::moving_ai_map, notes()};
   }
 
  private:
-  Unexpected<IoError> failure(std::string what) const {
-    return io_failure(file_, lines_.number(), std::move(what));
-  }
+  // The steps return what is wrong, empty if nothing is.
 
-  Expected<void, IoError> read_type() {
+  std::string read_type() {
     const std::string_view line = lines_.next().value_or("");
     const auto words = words_of(line);
     if (words.size() != 2 || words[0] != "type") {
-      return failure(fmt::format("the first line must be 'type octile', not {}", quote(line)));
+      return fmt::format("the first line must be 'type octile', not {}", quote(line));
     }
-    if (words[1] != "octile") {
-      return failure(
-          fmt::format("map type {} is not supported, only 'octile' is", quote(words[1])));
+    if (words[1] == "octile") return {};
+    return fmt::format("map type {} is not supported, only 'octile' is", quote(words[1]));
+  }
+
+  /// Up to the line `map`.
+  std::string read_sizes() {
+    while (const auto line = lines_.next()) {
+      const auto words = words_of(*line);
+      if (words.size() == 1 && words[0] == "map") return {};
+      if (words.size() != 2 || (words[0] != "height" && words[0] != "width")) {
+        return fmt::format("unexpected header line {}: expected 'height', 'width' or 'map'",
+                           quote(*line));
+      }
+      int& size = words[0] == "height" ? height_ : width_;
+      if (size != 0) return fmt::format("duplicate '{}'", words[0]);
+      if (std::string wrong = read_size(words[0], words[1], size); !wrong.empty()) return wrong;
+    }
+    const std::string wrong = check_sizes();
+    return wrong.empty() ? "the header has no line 'map'" : wrong;
+  }
+
+  static std::string read_size(std::string_view name, std::string_view text, int& size) {
+    const bool digits = text.find_first_not_of("0123456789") == std::string_view::npos;
+    const auto value = parse_integer<int>(text);
+    if (digits && !value) return fmt::format("{} {} is out of range", name, quote(text));
+    if (!value) return fmt::format("{} {} is not a whole number", name, quote(text));
+    if (*value <= 0) return fmt::format("{} must be positive, not {}", name, *value);
+    size = *value;
+    return {};
+  }
+
+  std::string check_sizes() {
+    if (height_ == 0 || width_ == 0) {
+      return fmt::format("the header has no line '{}'", height_ == 0 ? "height" : "width");
+    }
+    if (cells() <= GridMap::kMaxCells) return {};
+    return fmt::format("{} x {} cells are too many, the limit is {}", width_, height_,
+                       GridMap::kMaxCells);
+  }
+
+  std::size_t cells() const {
+    return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  }
+
+  std::string read_rows() {
+    rows_.emplace(width_);
+    if (cells() <= lines_.size()) rows_->reserve(height_);
+    std::vector<CellState> states(static_cast<std::size_t>(width_));
+    for (int y = 0; y < height_; ++y) {
+      const auto row = lines_.next();
+      if (!row) return fmt::format("{} of the {} rows that the header declares", y, height_);
+      if (std::string wrong = read_row(*row, y, states); !wrong.empty()) return wrong;
+      rows_->append(states);
+    }
+    while (const auto line = lines_.next()) {
+      if (is_blank(*line)) continue;
+      return fmt::format("extra row after the {} rows that the header declares", height_);
     }
     return {};
   }
 
-  /// Reads up to the line `map`.
-  Expected<Size, IoError> read_size() {
-    std::optional<int> height;
-    std::optional<int> width;
-    while (const auto line = lines_.next()) {
-      const auto words = words_of(*line);
-      if (words.size() == 1 && words[0] == "map") {
-        if (!height || !width) return missing(height);
-        if (static_cast<std::size_t>(*height) * static_cast<std::size_t>(*width) >
-            GridMap::kMaxCells) {
-          return failure(fmt::format("{} x {} cells are too many", *width, *height));
-        }
-        return Size{*height, *width};
-      }
-      if (words.size() != 2 || (words[0] != "height" && words[0] != "width")) {
-        return failure(fmt::format(
-            "unexpected header line {}: 'height', 'width' or 'map' belongs here", quote(*line)));
-      }
-      std::optional<int>& value = words[0] == "height" ? height : width;
-      if (value) return failure(fmt::format("duplicate '{}'", words[0]));
-      const auto number = read_extent(words[0], words[1]);
-      if (!number) return Unexpected<IoError>(number.error());
-      value = *number;
-    }
-    if (height && width) return failure("the header has no line 'map'");
-    return missing(height);
-  }
-
-  Unexpected<IoError> missing(std::optional<int> height) const {
-    return failure(fmt::format("'{}' is missing in the header", height ? "width" : "height"));
-  }
-
-  Expected<int, IoError> read_extent(std::string_view name, std::string_view text) const {
-    const bool digits = text.find_first_not_of("0123456789") == std::string_view::npos;
-    const auto value = parse_integer<int>(text);
-    if (digits && !value) return failure(fmt::format("{} {} is out of range", name, quote(text)));
-    if (!value) return failure(fmt::format("{} {} is not a whole number", name, quote(text)));
-    if (*value <= 0) return failure(fmt::format("{} must be positive, not {}", name, *value));
-    return *value;
-  }
-
-  Expected<GridMap, IoError> read_cells(Size size) {
-    GridMapBuilder rows(size.width);
-    const auto cells = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    if (cells <= lines_.size()) rows.reserve(size.height);
-    std::vector<CellState> states(static_cast<std::size_t>(size.width));
-    for (int y = 0; y < size.height; ++y) {
-      const auto row = lines_.next();
-      if (!row) return failure(fmt::format("{} rows, the header says {}", y, size.height));
-      const std::string wrong = read_row(*row, y, states);
-      if (!wrong.empty()) return failure(wrong);
-      rows.append(states);
-    }
-    while (const auto line = lines_.next()) {
-      if (!is_blank(*line)) {
-        return failure(fmt::format("a row too many, the header says {}", size.height));
-      }
-    }
-    return std::move(rows).finish();
-  }
-
-  /// What is wrong with the row, empty if nothing is.
   std::string read_row(std::string_view letters, int y, std::vector<CellState>& states) {
     if (letters.size() != states.size()) {
-      return fmt::format("row {} has {} columns, the header says {}", y, letters.size(),
+      return fmt::format("row {} has {} columns, the header declares {}", y, letters.size(),
                          states.size());
     }
     for (std::size_t x = 0; x < letters.size(); ++x) {
@@ -161,43 +159,49 @@ class MovingAiParser {
     if (seen_[index_of('E')] || seen_[index_of('e')]) {
       notes.emplace_back("terrain E (emitter) is read as free");
     }
-    for (char letter = 'a'; letter <= 'z'; ++letter) {
-      if (seen_[index_of(letter)]) {
-        notes.emplace_back("lower-case letters are read as upper-case ones");
-        break;
-      }
+    if (std::any_of(seen_.begin() + 'a', seen_.begin() + 'z' + 1, [](bool seen) { return seen; })) {
+      notes.emplace_back("lower-case letters are read as upper-case ones");
     }
     return notes;
   }
 
   LineReader lines_;
   const std::string& file_;
-  std::array<bool, 256> seen_{};
+  int height_ = 0;  // 0: not read yet
+  int width_ = 0;
+  std::optional<GridMapBuilder> rows_;
+  std::array<bool, 256> seen_{};  // letters
 };
 
-}  // namespace
-
-Expected<LoadedMap, IoError> parse_moving_ai_map(LineReader lines, const std::string& file) {
-  return MovingAiParser(std::move(lines), file).parse();
+/// In linear time, and in the memory of the map.
+Expected<LoadedMap, IoError> load_moving_ai_map(LineReader lines, const std::string& file) {
+  return MovingAiReader(std::move(lines), file).read();
 }
 
-Expected<std::string, std::string> format_moving_ai_map(const GridMap& map) {
-  if (const std::size_t unknown = map.unknown().count(); unknown > 0) {
-    return Unexpected<std::string>(
-        fmt::format("a MovingAI map cannot hold {} unknown cells", unknown));
-  }
-  if (!map.uniform_terrain()) {
-    return Unexpected<std::string>("a MovingAI map cannot hold terrain");
-  }
+Expected<MapFiles, std::string> save_moving_ai_map(const GridMap& map,
+                                                   const std::filesystem::path&) {
   std::string text =
       fmt::format("type octile\nheight {}\nwidth {}\nmap\n", map.height(), map.width());
   text.reserve(text.size() + map.size() + static_cast<std::size_t>(map.height()));
-  for (int from_top = 0; from_top < map.height(); ++from_top) {
-    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
+  for (const int y : rows_from_top(map)) {
     for (int x = 0; x < map.width(); ++x) text += map.occupied()[{x, y}] ? '@' : '.';
     text += '\n';
   }
-  return text;
+  return MapFiles{std::move(text)};
+}
+
+}  // namespace
+
+MapFormatInfo moving_ai_map_format() {
+  return {.format = MapFormat::moving_ai_map,
+          .name = "MovingAI",
+          .noun = "a MovingAI map",
+          .extensions = {".map"},
+          .saved_extensions = {".map"},
+          .holds_unknown_cells = false,
+          .recognises = [](std::string_view bytes) { return bytes.starts_with("type "); },
+          .load_lines = load_moving_ai_map,
+          .save = save_moving_ai_map};
 }
 
 }  // namespace wend

@@ -1,4 +1,4 @@
-#include "wend/io/map/moving_ai_map.hpp"
+#include "wend/io/map/save_map.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -15,21 +15,22 @@ using testing::IsEmpty;
 const std::string kHeader = "type octile\nheight 2\nwidth 3\nmap\n";
 
 std::string moving_ai_error(std::string_view text) {
-  return error_of(parse_moving_ai_map(text, "m"));
+  return error_of(load_as(MapFormat::moving_ai_map, text));
 }
 
 std::string cells_in(std::string_view text) {
-  const auto loaded = parse_moving_ai_map(text, "m");
+  const auto loaded = load_as(MapFormat::moving_ai_map, text);
   return loaded ? cells_of(loaded->map) : loaded.error().message();
 }
 
 TEST(MovingAiMap, DotGAndSAreFreeAndTheRestIsOccupied) {
-  const auto loaded = parse_moving_ai_map("type octile\nheight 2\nwidth 4\nmap\n.GSW\n@OT.\n", "m");
+  const auto loaded =
+      load_as(MapFormat::moving_ai_map, "type octile\nheight 2\nwidth 4\nmap\n.GSW\n@OT.\n");
   ASSERT_TRUE(loaded) << error_of(loaded);
   EXPECT_EQ(cells_of(loaded->map), "...#\n###.\n");
   EXPECT_TRUE(loaded->map.uniform_terrain());
   EXPECT_EQ(loaded->map.frame(), Frame{});
-  EXPECT_EQ(loaded->format, MapFormat::moving_ai);
+  EXPECT_EQ(loaded->format, MapFormat::moving_ai_map);
   EXPECT_THAT(loaded->notes, IsEmpty());
 }
 
@@ -47,14 +48,14 @@ TEST(MovingAiMap, BlankLinesMayFollow) {
 }
 
 TEST(MovingAiMap, EmittersAreFreeAndNoted) {
-  const auto loaded = parse_moving_ai_map(kHeader + "E..\n..@\n", "m");
+  const auto loaded = load_as(MapFormat::moving_ai_map, kHeader + "E..\n..@\n");
   ASSERT_TRUE(loaded);
   EXPECT_EQ(cells_of(loaded->map), "...\n..#\n");
   EXPECT_THAT(loaded->notes, ElementsAre("terrain E (emitter) is read as free"));
 }
 
 TEST(MovingAiMap, LowerCaseIsReadAsUpperCaseAndNoted) {
-  const auto loaded = parse_moving_ai_map(kHeader + "gs.\ntow\n", "m");
+  const auto loaded = load_as(MapFormat::moving_ai_map, kHeader + "gs.\ntow\n");
   ASSERT_TRUE(loaded);
   EXPECT_EQ(cells_of(loaded->map), "...\n###\n");
   EXPECT_THAT(loaded->notes, ElementsAre("lower-case letters are read as upper-case ones"));
@@ -74,15 +75,13 @@ TEST(MovingAiMap, TheTypeComesFirst) {
 }
 
 TEST(MovingAiMap, TheHeaderNamesBothSizesOnce) {
-  EXPECT_EQ(moving_ai_error("type octile\nheight 2\nmap\n"),
-            "m:3: 'width' is missing in the header");
-  EXPECT_EQ(moving_ai_error("type octile\nwidth 2\nmap\n"),
-            "m:3: 'height' is missing in the header");
+  EXPECT_EQ(moving_ai_error("type octile\nheight 2\nmap\n"), "m:3: the header has no line 'width'");
+  EXPECT_EQ(moving_ai_error("type octile\nwidth 2\nmap\n"), "m:3: the header has no line 'height'");
   EXPECT_EQ(moving_ai_error("type octile\nheight 2\nwidth 3\n"),
             "m:3: the header has no line 'map'");
   EXPECT_EQ(moving_ai_error("type octile\nheight 2\nheight 2\n"), "m:3: duplicate 'height'");
   EXPECT_EQ(moving_ai_error("type octile\ndepth 2\n"),
-            "m:2: unexpected header line 'depth 2': 'height', 'width' or 'map' belongs here");
+            "m:2: unexpected header line 'depth 2': expected 'height', 'width' or 'map'");
 }
 
 TEST(MovingAiMap, SizesArePositiveWholeNumbers) {
@@ -97,20 +96,22 @@ TEST(MovingAiMap, SizesArePositiveWholeNumbers) {
 
 TEST(MovingAiMap, SizesWhoseProductOverflowsAreRefused) {
   EXPECT_EQ(moving_ai_error("type octile\nheight 65536\nwidth 65537\nmap\n...\n"),
-            "m:4: 65537 x 65536 cells are too many");
+            "m:4: 65537 x 65536 cells are too many, the limit is 1073741824");
 }
 
 TEST(MovingAiMap, RowsAreAsManyAndAsLongAsTheHeaderSays) {
-  EXPECT_EQ(moving_ai_error(kHeader + "...\n"), "m:5: 1 rows, the header says 2");
-  EXPECT_EQ(moving_ai_error(kHeader + "...\n..\n"), "m:6: row 1 has 2 columns, the header says 3");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n"), "m:5: 1 of the 2 rows that the header declares");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n..\n"),
+            "m:6: row 1 has 2 columns, the header declares 3");
   EXPECT_EQ(moving_ai_error(kHeader + "...\n....\n"),
-            "m:6: row 1 has 4 columns, the header says 3");
-  EXPECT_EQ(moving_ai_error(kHeader + "...\n...\n...\n"), "m:7: a row too many, the header says 2");
+            "m:6: row 1 has 4 columns, the header declares 3");
+  EXPECT_EQ(moving_ai_error(kHeader + "...\n...\n...\n"),
+            "m:7: extra row after the 2 rows that the header declares");
 }
 
 TEST(MovingAiMap, LargeSizesWithoutRowsTakeNoMemory) {
   EXPECT_EQ(moving_ai_error("type octile\nheight 32768\nwidth 32768\nmap\n...\n"),
-            "m:5: row 0 has 3 columns, the header says 32768");
+            "m:5: row 0 has 3 columns, the header declares 32768");
 }
 
 TEST(MovingAiMap, UnknownLettersAreNamedWithTheirPlace) {
@@ -123,11 +124,14 @@ TEST(MovingAiMap, UnknownLettersAreNamedWithTheirPlace) {
 TEST(MovingAiMap, WhatItCannotHoldIsAnError) {
   Grid<CellState> cells(2, 1);
   cells[{1, 0}] = CellState::unknown;
-  EXPECT_EQ(error_of(format_moving_ai_map(GridMap(cells))),
-            "a MovingAI map cannot hold 1 unknown cells");
-  EXPECT_EQ(
-      error_of(format_moving_ai_map(GridMap(Grid<CellState>(2, 1), {}, Grid<double>(2, 1, 3)))),
-      "a MovingAI map cannot hold terrain");
+  const auto error = [](const GridMap& map) {
+    return error_of(encode_map(map, MapFormat::moving_ai_map));
+  };
+  EXPECT_EQ(error(GridMap(cells)),
+            "a MovingAI map cannot hold unknown cells (1 cell); a ROS map.yaml, a text grid or an "
+            "image can");
+  EXPECT_EQ(error(GridMap(Grid<CellState>(2, 1), {}, Grid<double>(2, 1, 3))),
+            "a MovingAI map cannot hold terrain; a ROS map.yaml or a text grid can");
 }
 
 TEST(MovingAiMap, AMapWithYUpIsWrittenAsItIsDrawn) {
@@ -135,7 +139,7 @@ TEST(MovingAiMap, AMapWithYUpIsWrittenAsItIsDrawn) {
   cells[{0, 0}] = CellState::occupied;
   Frame frame;
   frame.y_up = true;
-  EXPECT_EQ(format_moving_ai_map(GridMap(cells, frame)),
+  EXPECT_EQ(encode_map(GridMap(cells, frame), MapFormat::moving_ai_map)->bytes,
             "type octile\nheight 2\nwidth 2\nmap\n..\n@.\n");
 }
 
@@ -146,9 +150,9 @@ RC_GTEST_PROP(MovingAiMap, WrittenMapsReadBack, ()) {
       cell = *rc::gen::element(CellState::free, CellState::occupied);
     }
   }
-  const auto text = format_moving_ai_map(GridMap(cells));
-  RC_ASSERT(text.has_value());
-  RC_ASSERT(cells_in(*text) == cells_of(GridMap(cells)));
+  const auto files = encode_map(GridMap(cells), MapFormat::moving_ai_map);
+  RC_ASSERT(files.has_value());
+  RC_ASSERT(cells_in(files->bytes) == cells_of(GridMap(cells)));
 }
 
 }  // namespace

@@ -1,112 +1,71 @@
 #include "wend/io/map/save_map.hpp"
 
+#include <fmt/format.h>
+
 #include <new>
-#include <string>
 #include <system_error>
 
-#include "wend/io/image/png.hpp"
-#include "wend/io/image/pnm.hpp"
-#include "wend/io/lower_case.hpp"
-#include "wend/io/map/image_map.hpp"
-#include "wend/io/map/map_yaml.hpp"
-#include "wend/io/map/moving_ai_map.hpp"
-#include "wend/io/map/text_grid.hpp"
-#include "wend/io/read_file.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/map/losses.hpp"
 
 namespace wend {
 namespace {
 
 namespace fs = std::filesystem;
 
-Expected<std::string, std::string> picture(const GridMap& map, bool png) {
-  const auto image = trinary_image(map);
-  if (!image) return Unexpected<std::string>(image.error() + "; .txt and .yaml have terrain");
-  if (png) return encode_png(*image);
-  return encode_pgm(*image);
-}
-
-Expected<void, IoError> write_or_fail(const fs::path& file,
-                                      const Expected<std::string, std::string>& bytes) {
-  if (!bytes) return io_failure(file.string(), 0, bytes.error());
-  return write_file(file, *bytes);
-}
-
-std::string extension_of(const fs::path& file) { return lower_case(file.extension().string()); }
-
-fs::path picture_beside(const fs::path& file) { return fs::path(file).replace_extension(".png"); }
-
-Expected<void, IoError> save_yaml(const GridMap& map, const fs::path& file) {
-  const fs::path image_file = picture_beside(file);
-  MapYaml yaml;
-  yaml.image = image_file.filename();
-  yaml.frame = map.frame();
-  if (!map.frame().y_up && map.frame().origin != Pose{}) {
-    return io_failure(file.string(), 0, "a map.yaml cannot hold an origin with y down");
-  }
-  if (!map.uniform_terrain()) yaml.meaning = kScaleMeaning;
-  const auto image = map.uniform_terrain() ? trinary_image(map) : scale_image(map);
-  if (!image) return io_failure(file.string(), 0, image.error());
-  auto written = write_or_fail(image_file, encode_png(*image));
-  if (written) written = write_file(file, format_map_yaml(yaml));
-  return written;
-}
-
-Expected<void, IoError> save(const GridMap& map, const fs::path& file) {
-  const auto format = saved_format(file);
-  if (!format) return Unexpected<IoError>(format.error());
-  switch (*format) {
-    case MapFormat::ros_yaml:
-      return save_yaml(map, file);
-    case MapFormat::moving_ai:
-      return write_or_fail(file, format_moving_ai_map(map));
-    case MapFormat::text_grid:
-      return write_or_fail(file, format_text_grid(map));
-    case MapFormat::image:
-      break;
-  }
-  return write_or_fail(file, picture(map, extension_of(file) == ".png"));
+/// The second file of a map that is saved under this name; nothing if its format has none.
+std::optional<fs::path> companion_of(const fs::path& file) {
+  const MapFormatInfo* format = map_format_of(file, MapUse::save);
+  if (format == nullptr || format->companion.empty()) return std::nullopt;
+  return fs::path(file).replace_extension(format->companion);
 }
 
 }  // namespace
 
+Expected<void, IoError> save_map(const GridMap& map, const fs::path& file) {
+  try {
+    const auto format = saved_format(file);
+    if (!format) return Unexpected<IoError>(format.error());
+    const auto files = encode_map(map, *format, file);
+    if (!files) return io_failure(file.string(), 0, files.error());
+    if (const auto companion = companion_of(file)) {
+      if (auto written = write_file(*companion, files->companion); !written) return written;
+    }
+    return write_file(file, files->bytes);
+  } catch (const std::bad_alloc&) {
+    return io_failure(file.string(), 0, "not enough memory to save this map");
+  }
+}
+
+Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
+                                           const fs::path& file) {
+  const std::string wrong = cells_not_held(map, format);
+  if (!wrong.empty()) return Unexpected<std::string>(wrong);
+  return info_of(format).save(map, file);
+}
+
 Expected<MapFormat, IoError> saved_format(const fs::path& file) {
-  const std::string extension = extension_of(file);
-  if (extension == ".yaml" || extension == ".yml") return MapFormat::ros_yaml;
-  if (extension == ".map") return MapFormat::moving_ai;
-  if (extension == ".txt" || extension == ".grid") return MapFormat::text_grid;
-  if (extension == ".png" || extension == ".pgm" || extension == ".pnm") return MapFormat::image;
-  return io_failure(file.string(), 0,
-                    "maps are saved as .map, .txt, .grid, .png, .pgm, .pnm, .yaml or .yml");
+  if (const MapFormatInfo* format = map_format_of(file, MapUse::save)) return format->format;
+  return io_failure(
+      file.string(), 0,
+      fmt::format("unknown map extension {}; expected {}", quote(file.extension().string()),
+                  either_of(map_extensions(MapUse::save))));
 }
 
 std::vector<fs::path> saved_files(const fs::path& file) {
-  const auto format = saved_format(file);
-  if (format && *format == MapFormat::ros_yaml) return {picture_beside(file), file};
+  if (const auto companion = companion_of(file)) return {*companion, file};
   return {file};
 }
 
 std::optional<fs::path> unrelated_picture(const fs::path& file) {
-  const auto format = saved_format(file);
-  if (!format || *format != MapFormat::ros_yaml) return std::nullopt;
-  fs::path picture = picture_beside(file);
-  std::error_code error;  // of files that are not there
-  if (!fs::exists(picture, error)) return std::nullopt;
+  auto picture = companion_of(file);
+  std::error_code error;  // of files that do not exist
+  if (!picture || !fs::exists(*picture, error)) return std::nullopt;
   if (const auto text = read_file(file)) {
-    const auto yaml = parse_map_yaml(*text, file.string());
-    if (yaml && fs::equivalent(file.parent_path() / yaml->image, picture, error)) {
-      return std::nullopt;
-    }
+    const auto named = map_format_of(file, MapUse::save)->companion_in(*text);
+    if (named && fs::equivalent(file.parent_path() / *named, *picture, error)) return std::nullopt;
   }
   return picture;
-}
-
-Expected<void, IoError> save_map(const GridMap& map, const fs::path& file) {
-  try {
-    return save(map, file);
-  } catch (const std::bad_alloc&) {
-    return io_failure(file.string(), 0, "not enough memory to save this map");
-  }
 }
 
 }  // namespace wend

@@ -8,19 +8,20 @@
 //   .yaml .yml         ROS map: X.yaml and, beside it, its picture X.png. Terrain goes into a
 //                      `mode: scale` map if its multipliers are 1 + 4 v/100 for whole v up to 100
 //
-// Cells and terrain that a format cannot hold are an error that says so, and nothing is written:
-// they are never changed quietly. nearest_map() of losses.hpp changes them so that they fit, and
-// losses() says what that costs. The frame is kept by .yaml only. Pictures and texts come out as the map is
-// drawn; loading them back gives the same cells in the same order, upside down only where y up
-// becomes y down or the other way round. A yaml from a map with y down has the origin (0, 0, 0).
+// Cells and terrain that a format cannot hold are an error, and nothing is written: they are never changed
+// silently. nearest_map() of losses.hpp changes them so that they fit, and losses() says what that costs.
+// Only .yaml keeps the frame. Pictures and texts come out as the map is drawn; loading them gives the same
+// cells in the same order, upside down only where y up becomes y down or the other way round. A yaml from
+// a map with y down has the origin (0, 0, 0).
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "wend/base/expected.hpp"
 #include "wend/io/io_error.hpp"
-#include "wend/io/map/loaded_map.hpp"
+#include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -28,11 +29,16 @@ namespace wend {
 /// Each file is replaced whole or left alone.
 Expected<void, IoError> save_map(const GridMap& map, const std::filesystem::path& file);
 
-/// The format that a file of this name is saved in; an error says which names there are.
+/// The bytes that save_map() writes. `file` is their name: images differ by extension, and a map.yaml
+/// names its image. An error says what the format cannot hold.
+Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
+                                           const std::filesystem::path& file = {});
+
+/// The format that a file of this name is saved in; an error lists the extensions.
 Expected<MapFormat, IoError> saved_format(const std::filesystem::path& file);
 
 /// The picture that saving a map.yaml of this name would replace, though it belongs to something
-/// else: it is there, and no map.yaml of this name that names it. Nothing if no such file is lost.
+/// else: it exists, and no map.yaml of this name names it. Nothing if no such file is lost.
 std::optional<std::filesystem::path> unrelated_picture(const std::filesystem::path& file);
 
 /// Every file that save_map() writes for this name: a map.yaml has its picture beside it.

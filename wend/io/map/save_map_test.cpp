@@ -135,15 +135,16 @@ TEST_F(SaveMapFile, AYamlOfAMapWithYDownIsDrawnTheSameAndStartsAtTheOrigin) {
   EXPECT_EQ(cells_of(loaded->map), "..\n#.\n");
   EXPECT_EQ(loaded->map.frame(), (Frame{1, {}, true, true}));
   EXPECT_THAT(saved(with_a_corner({1, {1, 2, 0}, false, true}), "n.yaml"),
-              EndsWith("a map.yaml cannot hold an origin with y down"));
+              EndsWith("a ROS map.yaml cannot hold an origin of a map with y down"));
 }
 
 TEST_F(SaveMapFile, RefusesWhatTheFormatCannotHoldAndWritesNothing) {
   const GridMap unknown(Grid<CellState>(1, 1, CellState::unknown));
-  EXPECT_THAT(saved(unknown, "m.map"), EndsWith("a MovingAI map cannot hold 1 unknown cells"));
-  EXPECT_THAT(saved(with_terrain(2), "m.map"), EndsWith("a MovingAI map cannot hold terrain"));
+  EXPECT_THAT(saved(unknown, "m.map"),
+              HasSubstr("a MovingAI map cannot hold unknown cells (1 cell);"));
+  EXPECT_THAT(saved(with_terrain(2), "m.map"), HasSubstr("a MovingAI map cannot hold terrain;"));
   EXPECT_THAT(saved(with_terrain(1.5), "m.txt"), HasSubstr("cannot hold the terrain 1.5"));
-  EXPECT_THAT(saved(with_terrain(2), "m.png"), EndsWith("; .txt and .yaml have terrain"));
+  EXPECT_THAT(saved(with_terrain(2), "m.png"), EndsWith("; a ROS map.yaml or a text grid can"));
   EXPECT_THAT(saved(with_terrain(9), "m.yaml"), HasSubstr("cannot hold the terrain 9"));
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
@@ -157,7 +158,9 @@ TEST_F(SaveMapFile, AFailureLeavesTheOldFileAlone) {
 TEST_F(SaveMapFile, OtherNamesAreRefused) {
   EXPECT_THAT(
       saved(with_a_corner({}), "m.jpg"),
-      EndsWith("m.jpg: maps are saved as .map, .txt, .grid, .png, .pgm, .pnm, .yaml or .yml"));
+      EndsWith(
+          "m.jpg: unknown map extension '.jpg'; expected .yaml, .yml, .map, .txt, .grid, .png, "
+          ".pgm or .pnm"));
 }
 
 TEST(SavedFiles, AreAllThatSaveMapWrites) {

@@ -1,4 +1,13 @@
-#include "wend/io/map/text_grid.hpp"
+// Text grids: a map as people type it.
+//
+//   . . # .        0 .    free
+//   . 3 # ?        1 # @  blocked
+//   ~ . . .        ?      unknown
+//                  ~      rough: free, a step costs twice its length
+//                  2..9   free, a step costs that many times its length
+//
+// One line a row, row 0 on top; blanks or tabs between the cells are allowed. LF or CRLF; blank
+// lines after the last row are skipped. Beware: 1 is a blocked cell, not a cost.
 
 #include <fmt/format.h>
 
@@ -11,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "wend/io/map/drawn_row.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/map/map_format.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -24,6 +33,7 @@ struct TextCell {
 };
 
 constexpr double kRough = 2;
+constexpr double kLargestTextTerrain = 9;
 
 std::optional<TextCell> cell_of(char letter) {
   switch (letter) {
@@ -62,15 +72,15 @@ class TextRows {
       terrain_.push_back(cell->terrain);
       rough = rough || cell->terrain != 1;
     }
-    if (states_.size() > GridMap::kMaxCells) return "too many cells";
+    const std::size_t rows = rows_ ? static_cast<std::size_t>(rows_->height()) : 0;
+    if (states_.size() > GridMap::kMaxCells / (rows + 1)) {
+      return fmt::format("too many cells, the limit is {}", GridMap::kMaxCells);
+    }
     if (!rows_) begin(line.size());
     assert(rows_);
     const auto width = static_cast<std::size_t>(rows_->width());
     if (states_.size() != width) {
-      return fmt::format("this row has {} cells, the first one has {}", states_.size(), width);
-    }
-    if ((static_cast<std::size_t>(rows_->height()) + 1) * width > GridMap::kMaxCells) {
-      return "too many cells";
+      return fmt::format("expected {} cells as in the first row, not {}", width, states_.size());
     }
     rows_->append(states_, rough ? terrain_ : std::span<const double>());
     return {};
@@ -85,7 +95,7 @@ class TextRows {
   }
 
  private:
-  /// The text has at least a byte for a cell, so that its size says how much memory is in order.
+  /// The text has at least a byte for a cell, so its size limits the memory that is reserved.
   void begin(std::size_t length_of_line) {
     rows_.emplace(static_cast<int>(states_.size()));
     rows_->reserve(static_cast<int>(
@@ -94,29 +104,19 @@ class TextRows {
 
   std::size_t size_of_text_;
   std::optional<GridMapBuilder> rows_;
-  std::vector<CellState> states_;  // of the row at hand
+  std::vector<CellState> states_;  // of the current row
   std::vector<double> terrain_;
 };
 
-/// The letter of a cell; nothing for terrain that has none.
-std::optional<char> letter_of(CellState state, double terrain) {
-  if (state == CellState::occupied) return '#';
-  if (state == CellState::unknown) return terrain == 1 ? std::optional('?') : std::nullopt;
-  if (terrain == 1) return '.';
-  if (terrain > kLargestTextTerrain || terrain != std::round(terrain)) return std::nullopt;
-  return static_cast<char>('0' + static_cast<int>(terrain));
-}
-
-}  // namespace
-
-bool looks_like_text_grid(std::string_view bytes) {
+bool is_text_grid(std::string_view bytes) {
   const std::string_view first = LineReader(bytes).next().value_or("");
-  return !is_blank(first) && std::all_of(first.begin(), first.end(), [](char letter) {
+  return !is_blank(first) && std::ranges::all_of(first, [](char letter) {
     return letter == ' ' || letter == '\t' || cell_of(letter);
   });
 }
 
-Expected<LoadedMap, IoError> parse_text_grid(LineReader lines, const std::string& file) {
+/// In linear time, and in the memory of the map.
+Expected<LoadedMap, IoError> load_text_grid(LineReader lines, const std::string& file) {
   TextRows rows(lines.size());
   std::size_t blank_line = 0;
   while (const auto line = lines.next()) {
@@ -124,32 +124,46 @@ Expected<LoadedMap, IoError> parse_text_grid(LineReader lines, const std::string
       if (blank_line == 0) blank_line = lines.number();
       continue;
     }
-    if (blank_line > 0) return io_failure(file, blank_line, "a blank line before a row of cells");
-    const std::string wrong = rows.append(*line);
-    if (!wrong.empty()) return io_failure(file, lines.number(), wrong);
+    if (blank_line > 0) return io_failure(file, blank_line, "blank line before a row of cells");
+    std::string wrong = rows.append(*line);
+    if (!wrong.empty()) return io_failure(file, lines.number(), std::move(wrong));
   }
-  if (rows.empty()) return io_failure(file, 0, "no cells");
-  return LoadedMap{rows.finish(), MapFormat::text_grid, {}};
+  if (rows.empty()) return io_failure(file, 0, "the text grid has no cells");
+  return LoadedMap{rows.finish(), MapFormat::text_grid};
 }
 
-Expected<std::string, std::string> format_text_grid(const GridMap& map) {
+/// The letter of a cell that a text grid can hold.
+char letter_of(CellState state, double terrain) {
+  if (state == CellState::occupied) return '#';
+  if (state == CellState::unknown) return '?';
+  return terrain == 1 ? '.' : static_cast<char>('0' + static_cast<int>(terrain));
+}
+
+Expected<MapFiles, std::string> save_text_grid(const GridMap& map, const std::filesystem::path&) {
   std::string text;
   text.reserve(map.size() + static_cast<std::size_t>(map.height()));
-  for (int from_top = 0; from_top < map.height(); ++from_top) {
-    const int y = drawn_row(from_top, map.height(), map.frame().y_up);
-    for (int x = 0; x < map.width(); ++x) {
-      const auto letter = letter_of(map.state({x, y}), map.terrain({x, y}));
-      if (!letter) {
-        return Unexpected<std::string>(
-            fmt::format("a text grid cannot hold the terrain {} of cell ({},{}), only whole "
-                        "multipliers up to 9 of free cells",
-                        map.terrain({x, y}), x, y));
-      }
-      text += *letter;
-    }
+  for (const int y : rows_from_top(map)) {
+    for (int x = 0; x < map.width(); ++x) text += letter_of(map.state({x, y}), map.terrain({x, y}));
     text += '\n';
   }
-  return text;
+  return MapFiles{std::move(text)};
+}
+
+}  // namespace
+
+MapFormatInfo text_grid_format() {
+  return {.format = MapFormat::text_grid,
+          .name = "text grid",
+          .noun = "a text grid",
+          .extensions = {".txt", ".grid"},
+          .saved_extensions = {".txt", ".grid"},
+          .largest_terrain = kLargestTextTerrain,
+          .terrain_values = "whole numbers",
+          .nearest_terrain =
+              [](double terrain) { return std::min(std::round(terrain), kLargestTextTerrain); },
+          .recognises = is_text_grid,
+          .load_lines = load_text_grid,
+          .save = save_text_grid};
 }
 
 }  // namespace wend

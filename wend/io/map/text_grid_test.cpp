@@ -1,4 +1,4 @@
-#include "wend/io/map/text_grid.hpp"
+#include "wend/io/map/save_map.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -10,15 +10,17 @@ namespace {
 
 using namespace std::string_literals;
 
-std::string text_grid_error(std::string_view text) { return error_of(parse_text_grid(text, "g")); }
+std::string text_grid_error(std::string_view text) {
+  return error_of(load_as(MapFormat::text_grid, text));
+}
 
 std::string text_grid_cells(std::string_view text) {
-  const auto loaded = parse_text_grid(text, "g");
+  const auto loaded = load_as(MapFormat::text_grid, text);
   return loaded ? cells_of(loaded->map) : loaded.error().message();
 }
 
 TEST(TextGrid, EveryLetterHasItsMeaning) {
-  const auto loaded = parse_text_grid("0.1#@?\n~23589\n", "g");
+  const auto loaded = load_as(MapFormat::text_grid, "0.1#@?\n~23589\n");
   ASSERT_TRUE(loaded) << error_of(loaded);
   EXPECT_EQ(cells_of(loaded->map), "..###?\n......\n");
   const std::vector<double> terrain = {1, 1, 1, 1, 1, 1, 2, 2, 3, 5, 8, 9};
@@ -28,7 +30,7 @@ TEST(TextGrid, EveryLetterHasItsMeaning) {
 }
 
 TEST(TextGrid, AMapWithoutCostsIsUniform) {
-  EXPECT_TRUE(parse_text_grid("01\n10\n", "g")->map.uniform_terrain());
+  EXPECT_TRUE(load_as(MapFormat::text_grid, "01\n10\n")->map.uniform_terrain());
 }
 
 TEST(TextGrid, BlanksBetweenCellsDoNotMatter) {
@@ -43,35 +45,35 @@ TEST(TextGrid, LineEndsMayBeCrlfAndTheLastOneMissing) {
 TEST(TextGrid, BlankLinesMayFollow) { EXPECT_EQ(text_grid_cells("01\n10\n\n \t\n"), ".#\n#.\n"); }
 
 TEST(TextGrid, BlankLinesMayNotStandBeforeOrBetweenRows) {
-  EXPECT_EQ(text_grid_error("01\n\n10\n"), "g:2: a blank line before a row of cells");
-  EXPECT_EQ(text_grid_error("\n01\n"), "g:1: a blank line before a row of cells");
+  EXPECT_EQ(text_grid_error("01\n\n10\n"), "m:2: blank line before a row of cells");
+  EXPECT_EQ(text_grid_error("\n01\n"), "m:1: blank line before a row of cells");
 }
 
 TEST(TextGrid, RowsAreEquallyLong) {
-  EXPECT_EQ(text_grid_error("000\n0 0\n"), "g:2: this row has 2 cells, the first one has 3");
-  EXPECT_EQ(text_grid_error("00\n000\n"), "g:2: this row has 3 cells, the first one has 2");
+  EXPECT_EQ(text_grid_error("000\n0 0\n"), "m:2: expected 3 cells as in the first row, not 2");
+  EXPECT_EQ(text_grid_error("00\n000\n"), "m:2: expected 2 cells as in the first row, not 3");
 }
 
 TEST(TextGrid, UnknownLettersAreNamedWithTheirPlace) {
-  EXPECT_EQ(text_grid_error("00\n0x\n"), "g:2: unknown letter 'x' in column 2");
-  EXPECT_EQ(text_grid_error("0\0\n"s), "g:1: unknown letter 0x00 in column 2");
-  EXPECT_EQ(text_grid_error("0 \xE2\x96\x88\n"), "g:1: unknown letter 0xE2 in column 3");
+  EXPECT_EQ(text_grid_error("00\n0x\n"), "m:2: unknown letter 'x' in column 2");
+  EXPECT_EQ(text_grid_error("0\0\n"s), "m:1: unknown letter 0x00 in column 2");
+  EXPECT_EQ(text_grid_error("0 \xE2\x96\x88\n"), "m:1: unknown letter 0xE2 in column 3");
 }
 
-TEST(TextGrid, AnEmptyFileIsNoMap) {
-  EXPECT_EQ(text_grid_error(""), "g: no cells");
-  EXPECT_EQ(text_grid_error("\n \n"), "g: no cells");
+TEST(TextGrid, AnEmptyFileIsAnError) {
+  EXPECT_EQ(text_grid_error(""), "m: the text grid has no cells");
+  EXPECT_EQ(text_grid_error("\n \n"), "m: the text grid has no cells");
 }
 
 TEST(TextGrid, WhatItCannotHoldIsAnError) {
   const auto with_terrain = [](CellState state, double terrain) {
     const Grid<CellState> cells(1, 1, state);
-    return format_text_grid(GridMap(cells, {}, Grid<double>(1, 1, terrain)));
+    return encode_map(GridMap(cells, {}, Grid<double>(1, 1, terrain)), MapFormat::text_grid);
   };
-  EXPECT_EQ(with_terrain(CellState::free, 9), "9\n");
+  EXPECT_EQ(with_terrain(CellState::free, 9)->bytes, "9\n");
   EXPECT_EQ(error_of(with_terrain(CellState::free, 1.5)),
-            "a text grid cannot hold the terrain 1.5 of cell (0,0), only whole multipliers up to 9 "
-            "of free cells");
+            "a text grid cannot hold the terrain 1.5 of cell (0,0), only whole numbers up to 9 "
+            "for free cells");
   EXPECT_FALSE(with_terrain(CellState::free, 10));
   EXPECT_FALSE(with_terrain(CellState::unknown, 2));
 }
@@ -87,9 +89,9 @@ RC_GTEST_PROP(TextGrid, WrittenMapsReadBack, ()) {
     }
   }
   const GridMap map(cells, {}, terrain);
-  const auto text = format_text_grid(map);
-  RC_ASSERT(text.has_value());
-  const auto loaded = parse_text_grid(*text, "g");
+  const auto files = encode_map(map, MapFormat::text_grid);
+  RC_ASSERT(files.has_value());
+  const auto loaded = load_as(MapFormat::text_grid, files->bytes);
   RC_ASSERT(loaded.has_value());
   RC_ASSERT(cells_of(loaded->map) == cells_of(map));
   RC_ASSERT(loaded->map.terrain() == map.terrain());

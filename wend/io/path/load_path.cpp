@@ -2,9 +2,8 @@
 
 #include <new>
 
-#include "wend/io/lower_case.hpp"
-#include "wend/io/read_file.hpp"
-#include "wend/io/utf8.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
@@ -17,29 +16,20 @@ bool is_json(const std::filesystem::path& file, std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
-Expected<Path, IoError> parse(const std::filesystem::path& file, std::string_view text,
-                              const Frame& frame, PathStage stage) {
-  return is_json(file, text) ? parse_path_json(text, file.string(), frame, stage)
-                             : parse_path_csv(text, file.string(), frame);
-}
-
 }  // namespace
 
 Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
                                   PathStage stage) {
-  try {
-    const auto text = read_file(file, kLargestPathFile);
-    if (!text) return Unexpected<IoError>(text.error());
-    return parse(file, *text, frame, stage);
-  } catch (const std::bad_alloc&) {
-    return io_failure(file.string(), 0, "not enough memory for this path");
-  }
+  const auto text = read_file(file, kLargestPathFile);
+  if (!text) return Unexpected<IoError>(text.error());
+  return parse_path(*text, file.string(), frame, stage);
 }
 
 Expected<Path, IoError> parse_path(std::string_view text, const std::string& name,
                                    const Frame& frame, PathStage stage) {
   try {
-    return parse(name, text, frame, stage);
+    return is_json(name, text) ? parse_path_json(text, name, frame, stage)
+                               : parse_path_csv(text, name, frame);
   } catch (const std::bad_alloc&) {
     return io_failure(name, 0, "not enough memory for this path");
   }

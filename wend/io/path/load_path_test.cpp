@@ -188,7 +188,8 @@ TEST(LoadPath, GoesByTheNameThenByTheContent) {
   }
   EXPECT_THAT(error_of(load_path(folder.write("q.csv", json_of(path)), {})),
               HasSubstr(fmt::format("q.csv:1: {}'{{\"planner\"", kWrongHeader)));
-  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv), {})), HasSubstr("q.json:1: no JSON"));
+  EXPECT_THAT(error_of(load_path(folder.write("q.json", csv), {})),
+              HasSubstr("q.json:1: invalid JSON"));
   EXPECT_THAT(error_of(load_path(folder / "missing.csv", {})), HasSubstr("cannot be opened"));
   EXPECT_THAT(error_of(load_path("/dev/zero", {})), HasSubstr("not a regular file"));
 }
@@ -197,7 +198,7 @@ TEST(LoadPath, RefusesAFileThatIsTooLargeWithoutReadingIt) {
   const TemporaryFolder folder;
   const auto file = folder.write("large.csv", "x,y,x_m,y_m\n");
   std::filesystem::resize_file(file, std::uintmax_t{10} << 30);  // a hole, no disk is used
-  EXPECT_THAT(error_of(load_path(file, {})), HasSubstr("bytes are too many"));
+  EXPECT_THAT(error_of(load_path(file, {})), HasSubstr("too large: 10737418240 bytes"));
 }
 
 struct Malformed {
@@ -211,7 +212,7 @@ TEST(ParsePathCsv, SaysWhatIsWrongWhereAndWhatWouldBeRight) {
       {"", fmt::format("p:1: {}''", kWrongHeader)},
       {"x,y\n1,2\n", fmt::format("p:1: {}'x,y'", kWrongHeader)},
       {"1,1,0.5,0.5\n", "p:1: the first line must be"},
-      {header, "p: no cells: a path has at least one"},
+      {header, "p: the path is empty: expected at least one cell"},
       {header + "1,1,0.5,0.5\n2,1\n", "p:3: 2 columns, expected 4: x,y,x_m,y_m"},
       {header + "1,1,0.5,0.5,9\n", "p:2: 5 columns, expected 4"},
       {header + "1;1;0.5;0.5\n", "p:2: 1 columns, expected 4"},
@@ -233,7 +234,7 @@ TEST(ParsePathCsv, SaysWhatIsWrongWithPoses) {
   const std::string header = "x,y,heading,x_m,y_m,yaw\n";
   const std::string good = "1,0,E,0.05,0,0\n";
   const std::vector<Malformed> cases{
-      {header, "p: no poses: a path has at least one"},
+      {header, "p: the path is empty: expected at least one pose"},
       {header + good + "2,1,0.1,0.05,1.5\n", "p:3: 5 columns, expected 6: x,y,heading,x_m,y_m,yaw"},
       {header + "1,1,0.5,0.5\n", "p:2: 4 columns, expected 6"},
       {header + "1,1,E,0,0,0,0\n", "p:2: 7 columns, expected 6"},
@@ -258,7 +259,7 @@ TEST(ParsePathCsv, SaysWhatIsWrongWithWaypoints) {
   const std::string header = "x_grid,y_grid,x_m,y_m,yaw\n";
   const std::string good = "1.5,0.25,0.05,0,0\n";
   const std::vector<Malformed> cases{
-      {header, "p: no points: a path has at least one"},
+      {header, "p: the path is empty: expected at least one point"},
       {header + good + "2,1,0.1,0.05\n", "p:3: 4 columns, expected 5: x_grid,y_grid,x_m,y_m,yaw"},
       {header + "-0.5,1,0,0,0\n", "p:2: x_grid must be a number in 0..1073741824, not '-0.5'"},
       {header + "1,1073741824.5,0,0,0\n", "p:2: y_grid must be a number in 0..1073741824, not"},
@@ -287,7 +288,7 @@ TEST(ParsePathCsv, ReadsCentrelinesWhoseHeaderNamesMetres) {
 TEST(ParsePathCsv, SaysWhatIsWrongWithCentrelines) {
   const std::string header = "# x_m, y_m, w\n";
   const std::vector<Malformed> cases{
-      {header, "p: no points: a path has at least one"},
+      {header, "p: the path is empty: expected at least one point"},
       {"# x_m, y_m\n# x, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
       {"# x_m, y\n1,2\n", fmt::format("p:1: {}'# x_m", kWrongHeader)},
       {header + "1, 2\n", "p:2: 2 columns, expected 3: x_m, y_m, w"},
@@ -319,17 +320,17 @@ TEST(ParsePathCsv, TakesWindowsLineEnds) {
 
 TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
   const std::vector<Malformed> cases{
-      {"", "p:1: the JSON is cut short"},
-      {"{\"path\":\n[[1,2]\n", "p:3: the JSON is cut short"},
-      {"{\"path\":\n\n[[1,2] [3,4]]}", "p:3: no JSON from "},
+      {"", "p:1: the JSON ends too early"},
+      {"{\"path\":\n[[1,2]\n", "p:3: the JSON ends too early"},
+      {"{\"path\":\n\n[[1,2] [3,4]]}", "p:3: invalid JSON at "},
       {"{\"path\":[[1,2]]} x", "p:1: "},
       {"{\"path\":[[1,1e999]]}", "p:1: "},
       {"{\"path\":[[1,2]],\"a\":\"\xff\"}", "p:1: "},
-      {"7", "p: the top level must be an object, with a list 'path'"},
+      {"7", "p: the top level must be an object with a list 'path'"},
       {"[[1,2]]", "p: the top level must be an object"},
-      {"{}", "p: 'path' is missing, a list of [x,y]"},
-      {R"({"a":{"path":[[1,2]]}})", "p: 'path' is missing"},
-      {R"({"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
+      {"{}", "p: the key 'path' is missing, a list of [x,y]"},
+      {R"({"a":{"path":[[1,2]]}})", "p: the key 'path' is missing"},
+      {R"({"path":[]})", "p: 'path' is empty, expected at least one [x,y]"},
       {R"({"path":7})", "p: 'path' must be a list of [x,y], not '7'"},
       {R"({"path":null})", "p: 'path' must be a list of [x,y], not 'null'"},
       {R"({"path":{"x":1}})", "p: 'path' must be a list of [x,y], not '{'"},
@@ -344,8 +345,8 @@ TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
       {R"({"path":[[1,99999999999999999999]]})", "p: path[0][1] must be a whole number"},
       {R"({"path":[["1",2]]})", "p: path[0][0] must be a whole number"},
       {R"({"path":[[true,2]]})", "p: path[0][0] must be a whole number"},
-      {R"({"path":[[1,2]],"path":[[1,2]]})", "p: two keys 'path'"},
-      {R"({"path":[[1,2.5]],"a":[7},"b":1})", "p:1: no JSON from "},
+      {R"({"path":[[1,2]],"path":[[1,2]]})", "p: duplicate key 'path'"},
+      {R"({"path":[[1,2.5]],"a":[7},"b":1})", "p:1: invalid JSON at "},
       {R"({"path":[[1,-2.5]],"a":[7},"b":1})", "p: path[0][1] must be a whole number"},
   };
   for (const Malformed& wrong : cases) {
@@ -357,11 +358,12 @@ TEST(ParsePathJson, SaysWhatIsWrongAndWhatWouldBeRight) {
 TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
   const std::vector<Malformed> cases{
       {R"({"path":[[1,2],[2,3]],"headings":["E"]})",
-       "p: 'headings' has 1, 'path' has 2 points: one for each expected"},
-      {R"({"headings":["E","S"],"path":[[1,2]]})", "p: 'headings' has 2, 'path' has 1 points"},
-      {R"({"headings":["E"],"path":[]})", "p: 'headings' has 1, 'path' has 0 points"},
-      {R"({"headings":[],"path":[]})", "p: 'path' is empty, at least one [x,y] expected"},
-      {R"({"headings":["E"]})", "p: 'path' is missing, a list of [x,y]"},
+       "p: 'headings' has 1 entries, 'path' has 2 points: expected one for each point"},
+      {R"({"headings":["E","S"],"path":[[1,2]]})",
+       "p: 'headings' has 2 entries, 'path' has 1 points"},
+      {R"({"headings":["E"],"path":[]})", "p: 'headings' has 1 entries, 'path' has 0 points"},
+      {R"({"headings":[],"path":[]})", "p: 'path' is empty, expected at least one [x,y]"},
+      {R"({"headings":["E"]})", "p: the key 'path' is missing, a list of [x,y]"},
       {R"({"path":[[1,2]],"headings":null})", "p: 'headings' must be a list, not 'null'"},
       {R"({"path":[[1,2]],"headings":"E"})", "p: 'headings' must be a list, not 'E'"},
       {R"({"path":[[1,2]],"headings":7})", "p: 'headings' must be a list, not '7'"},
@@ -371,7 +373,7 @@ TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
       {R"({"path":[[1,2],[2,3]],"headings":["E",["S"]]})",
        "p: headings[1] must be N, W, E, S or radians, not '['"},
       {R"({"path":[[1,2]],"headings":[null]})", "p: headings[0] must be N, W, E, S or radians"},
-      {R"({"path":[[1,2]],"headings":["E"],"headings":["E"]})", "p: two keys 'headings'"},
+      {R"({"path":[[1,2]],"headings":["E"],"headings":["E"]})", "p: duplicate key 'headings'"},
       {R"({"path":[[-0.5,2]],"headings":["E"]})",
        "p: path[0][0] must be a number in 0..1073741824, not '-0.5'"},
       {R"({"headings":["E"],"path":[[1,1073741825]]})",
@@ -387,13 +389,14 @@ TEST(ParsePathJson, SaysWhatIsWrongWithPoses) {
 
 TEST(ParsePathJson, SaysWhatIsWrongWithSmoothedPaths) {
   const std::vector<Malformed> cases{
-      {R"({"path":[[1,2]],"path_smoothed":[]})", "p: 'path_smoothed' is empty, at least one [x,y]"},
+      {R"({"path":[[1,2]],"path_smoothed":[]})",
+       "p: 'path_smoothed' is empty, expected at least one [x,y]"},
       {R"({"path_smoothed":7})", "p: 'path_smoothed' must be a list of [x,y], not '7'"},
       {R"({"path_smoothed":[[1,2],7]})", "p: path_smoothed[1] must be [x,y], not '7'"},
       {R"({"path_smoothed":[[1]]})", "p: path_smoothed[0] must be [x,y], not 1 numbers"},
       {R"({"path":[[1,2]],"path_smoothed":[[1,-2.5]]})",
        "p: path_smoothed[0][1] must be a number in 0..1073741824, not '-2.5'"},
-      {R"({"path_smoothed":[[1,2]],"path_smoothed":[[1,2]]})", "p: two keys 'path_smoothed'"},
+      {R"({"path_smoothed":[[1,2]],"path_smoothed":[[1,2]]})", "p: duplicate key 'path_smoothed'"},
   };
   for (const Malformed& wrong : cases) {
     EXPECT_THAT(error_of(parse_path_json(wrong.text, "p", {}, PathStage::smoothed)),
@@ -413,7 +416,7 @@ TEST(ParsePathJson, OfAPlanThatFailedSaysSo) {
 
 TEST(ParsePathJson, IsNotToldByDepth) {
   const std::string deep(1 << 20, '[');
-  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p", {})), HasSubstr("cut short"));
+  EXPECT_THAT(error_of(parse_path_json("{\"a\":" + deep, "p", {})), HasSubstr("ends too early"));
   EXPECT_THAT(error_of(parse_path_json("{\"path\":" + deep, "p", {})),
               HasSubstr("path[0][0] must be a whole number"));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the readers of paths share.
+// The values in files of paths, and the errors about them, in CSV and in JSON.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "wend/geometry/heading.hpp"
+#include "wend/io/io_error.hpp"
+#include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
@@ -16,7 +18,7 @@ namespace wend {
 /// A column or row that a map can have is below this; a point on a map is no farther than this.
 inline constexpr int kCoordinateEnd = static_cast<int>(GridMap::kMaxCells);
 
-/// "x must be a whole number in 0..1073741823, not '-1'"; `found` is quoted already.
+/// "x must be a whole number in 0..1073741823, not '-1'"; `found` is already quoted.
 inline std::string wrong_coordinate(std::string_view name, std::string_view found) {
   return fmt::format("{} must be a whole number in 0..{}, not {}", name, kCoordinateEnd - 1, found);
 }
@@ -41,6 +43,11 @@ inline std::optional<double> radians_of_letter(std::string_view letter, bool y_u
     if (letter == to_string(heading)) return radians_of(heading, y_up);
   }
   return std::nullopt;
+}
+
+/// What is kept of a plan's status and reason.
+inline FailedPlan failed_plan(std::string_view status, std::string_view reason) {
+  return {printable(status, 40), text_line(reason, 1000)};
 }
 
 }  // namespace wend

@@ -3,24 +3,180 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/heading.hpp"
-#include "wend/io/write_file.hpp"
+#include "wend/io/path/load_path.hpp"
+#include "wend/io/path/path_coordinates.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
 
-std::string cells_csv(const Path& path, const Frame& frame) {
-  std::string text(kPathCsvHeader);
-  text += '\n';
-  for (const Cell cell : path.cells()) {
-    const Point metres = frame.to_metres(centre_of(cell));
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", cell.x, cell.y,
-                   format_number(metres.x), format_number(metres.y));
+constexpr std::string_view kCellHeader = "x,y,x_m,y_m";
+constexpr std::string_view kPoseHeader = "x,y,heading,x_m,y_m,yaw";
+constexpr std::string_view kWaypointHeader = "x_grid,y_grid,x_m,y_m,yaw";
+constexpr std::string_view kNoPathComment = "# no path: ";
+constexpr std::size_t kLongestHeader = 60;  // in an error
+constexpr std::size_t kLongestColumnName = 20;
+
+/// The columns of lines that all have the same ones, and the first error in a line.
+class PathColumns {
+ public:
+  /// `header` names them; its text must outlive this. Blanks around names and values do not count if
+  /// `trims`.
+  PathColumns(std::string_view header, char separator, bool trims)
+      : header_(printable(header, kLongestHeader)), separator_(separator), trims_(trims) {
+    names_ = split(header);
   }
-  return text;
+
+  std::optional<std::size_t> find(std::string_view name) const {
+    const auto found = std::ranges::find(names_, name);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+
+  /// Takes a line.
+  void read(std::string_view line) {
+    texts_ = split(line);
+    if (texts_.size() == names_.size()) return;
+    fail(fmt::format("{} columns, expected {}: {}", texts_.size(), names_.size(), header_));
+    texts_.resize(names_.size());
+  }
+
+  // Values of the line.
+
+  double number(std::size_t column) const { return parse_number(texts_[column]).value_or(0); }
+
+  int cell_coordinate(std::size_t column) {
+    const auto value = parse_integer<int>(texts_[column]);
+    if (value && *value >= 0 && *value < kCoordinateEnd) return *value;
+    fail(wrong_coordinate(names_[column], quote(texts_[column])));
+    return 0;
+  }
+
+  double coordinate(std::size_t column) {
+    const auto value = parse_number(texts_[column]);
+    if (value && may_be_coordinate_of_pose(*value)) return *value;
+    fail(wrong_pose_coordinate(names_[column], quote(texts_[column])));
+    return 0;
+  }
+
+  double heading(std::size_t column, bool y_up) {
+    if (const auto radians = radians_of_letter(texts_[column], y_up)) return *radians;
+    const auto radians = parse_number(texts_[column]);
+    if (radians && std::isfinite(*radians)) return *radians;
+    fail(wrong_heading(names_[column], quote(texts_[column])));
+    return 0;
+  }
+
+  /// All columns from `first` on are to be finite numbers.
+  void check_numbers(std::size_t first) {
+    for (std::size_t i = first; i < names_.size(); ++i) {
+      const auto number = parse_number(texts_[i]);
+      if (number && std::isfinite(*number)) continue;
+      return fail(fmt::format("{} must be a finite number, not {}",
+                              printable(names_[i], kLongestColumnName), quote(texts_[i])));
+    }
+  }
+
+  void fail(std::string what) {
+    if (wrong_.empty()) wrong_ = std::move(what);
+  }
+
+  const std::string& wrong() const { return wrong_; }
+
+ private:
+  std::vector<std::string_view> split(std::string_view line) const {
+    auto fields = fields_of(line, separator_);
+    if (trims_) std::ranges::transform(fields, fields.begin(), trimmed);
+    return fields;
+  }
+
+  std::string header_;
+  char separator_;
+  bool trims_;
+  std::vector<std::string_view> names_;
+  std::vector<std::string_view> texts_;
+  std::string wrong_;
+};
+
+/// Past the lines that are read, each of which `take` reads from the columns. What is wrong, or empty.
+template <class Take>
+Expected<void, IoError> read_lines(LineReader& lines, PathColumns& columns, const std::string& file,
+                                   const Take& take) {
+  while (const auto line = lines.next()) {
+    columns.read(*line);
+    take();
+    if (!columns.wrong().empty()) return io_failure(file, lines.number(), columns.wrong());
+  }
+  return {};
+}
+
+Unexpected<IoError> empty_path(const std::string& file, std::string_view what) {
+  return io_failure(file, 0, fmt::format("the path is empty: expected at least one {}", what));
+}
+
+/// The columns of a header with x_m and y_m among them.
+std::optional<PathColumns> centreline_header(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
+  PathColumns columns(line, line.find(';') == std::string_view::npos ? ',' : ';', true);
+  if (columns.find("x_m") && columns.find("y_m")) return columns;
+  return std::nullopt;
+}
+
+/// The header, past which the reader then is: the last of the comments, or the line after them.
+std::optional<PathColumns> read_centreline_header(LineReader& lines) {
+  std::string_view comment;
+  LineReader ahead = lines;
+  auto line = ahead.next();
+  while (line && trimmed(*line).starts_with('#')) {
+    comment = *line;
+    lines = ahead;
+    line = ahead.next();
+  }
+  if (auto header = centreline_header(comment)) return header;
+  lines = ahead;
+  return centreline_header(line.value_or(""));
+}
+
+Point centreline_point(PathColumns& columns, const Frame& frame) {
+  columns.check_numbers(0);
+  const Point metres{columns.number(*columns.find("x_m")), columns.number(*columns.find("y_m"))};
+  const Point point = frame.to_grid(metres);
+  if (!may_be_coordinate_of_pose(point.x) || !may_be_coordinate_of_pose(point.y)) {
+    columns.fail(
+        fmt::format("x_m {:.6g} and y_m {:.6g} are ({:.6g},{:.6g}) in grid coordinates, "
+                    "which must be in 0..{}",
+                    metres.x, metres.y, point.x, point.y, kCoordinateEnd));
+  }
+  return point;
+}
+
+/// Of a text with the header of no other path.
+Expected<Path, IoError> parse_centreline(std::string_view text, const std::string& file,
+                                         const Frame& frame) {
+  LineReader lines(text);
+  auto columns = read_centreline_header(lines);
+  if (!columns) {
+    return io_failure(
+        file, 1,
+        fmt::format(
+            "the first line must be '{}', '{}' or '{}', or name columns x_m and y_m, not {}",
+            kCellHeader, kPoseHeader, kWaypointHeader,
+            quote(LineReader(text).next().value_or(""))));
+  }
+  std::vector<Point> points;
+  const auto read = read_lines(lines, *columns, file,
+                               [&] { points.push_back(centreline_point(*columns, frame)); });
+  if (!read) return Unexpected<IoError>(read.error());
+  if (points.empty()) return empty_path(file, "point");
+  return Path::along(std::move(points));
 }
 
 std::string heading_text(double radians, bool y_up) {
@@ -28,26 +184,29 @@ std::string heading_text(double radians, bool y_up) {
   return heading ? std::string(to_string(*heading)) : format_number(radians);
 }
 
-std::string poses_csv(const Path& path, const Frame& frame) {
-  std::string text(kDrivenPathCsvHeader);
-  text += '\n';
-  for (const Pose& pose : path.poses()) {
-    const Pose metres = frame.to_metres(pose);
-    // {fmt} writes the shortest text too, and a million not as 1e+06.
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", pose.x, pose.y,
-                   heading_text(pose.heading, frame.y_up), format_number(metres.x),
-                   format_number(metres.y), format_number(metres.heading));
+/// "0.075,0.075"
+std::string metres_text(Point metres) {
+  return format_number(metres.x) + "," + format_number(metres.y);
+}
+
+std::string cells_csv(const Path& path, const Frame& frame) {
+  std::string text = fmt::format("{}\n", kCellHeader);
+  for (const Cell cell : path.cells()) {
+    fmt::format_to(std::back_inserter(text), "{},{},{}\n", cell.x, cell.y,
+                   metres_text(frame.to_metres(centre_of(cell))));
   }
   return text;
 }
 
-std::string waypoints_csv(const Path& path, const Frame& frame) {
-  std::string text(kWaypointCsvHeader);
-  text += '\n';
+std::string poses_csv(const Path& path, const Frame& frame) {
+  const bool driven = path.driven();
+  std::string text = fmt::format("{}\n", driven ? kPoseHeader : kWaypointHeader);
   for (const Pose& pose : path.poses()) {
     const Pose metres = frame.to_metres(pose);
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", pose.x, pose.y,
-                   format_number(metres.x), format_number(metres.y), format_number(metres.heading));
+    const std::string heading = driven ? heading_text(pose.heading, frame.y_up) + "," : "";
+    // {fmt} writes the shortest text too, and a million not as 1e+06.
+    fmt::format_to(std::back_inserter(text), "{},{},{}{},{}\n", pose.x, pose.y, heading,
+                   metres_text(metres.point()), format_number(metres.heading));
   }
   return text;
 }
@@ -55,21 +214,57 @@ std::string waypoints_csv(const Path& path, const Frame& frame) {
 }  // namespace
 
 std::string path_csv(const Path& path, const Frame& frame) {
-  if (path.driven()) return poses_csv(path, frame);
-  return path.waypoints().empty() ? cells_csv(path, frame) : waypoints_csv(path, frame);
+  const bool has_poses = path.driven() || !path.waypoints().empty();
+  return has_poses ? poses_csv(path, frame) : cells_csv(path, frame);
 }
 
 std::string no_path_csv(const FailedPlan& plan) {
   std::string comment = fmt::format("{}{}: {}", kNoPathComment, plan.status, plan.reason);
-  std::replace_if(
-      comment.begin(), comment.end(), [](char letter) { return letter == '\n' || letter == '\r'; },
-      ' ');
-  return fmt::format("{}\n{}\n", comment, kPathCsvHeader);
+  std::ranges::replace_if(
+      comment, [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
+  return fmt::format("{}\n{}\n", comment, kCellHeader);
 }
 
-Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,
-                                      const std::filesystem::path& file) {
-  return write_file(file, path_csv(path, frame));
+Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
+                                       const Frame& frame) {
+  LineReader lines(text);
+  const std::string_view header = lines.next().value_or("");
+  if (header.starts_with(kNoPathComment)) {
+    const std::string_view said = header.substr(kNoPathComment.size());
+    const std::size_t colon = std::min(said.find(": "), said.size());
+    const std::string_view reason = said.substr(std::min(colon + 2, said.size()));
+    return no_path_failure(file, failed_plan(said.substr(0, colon), reason));
+  }
+  PathColumns columns(header, ',', false);
+  Path path;
+  std::vector<Point> points;
+  Expected<void, IoError> read;
+  if (header == kCellHeader) {
+    read = read_lines(lines, columns, file, [&] {
+      const int x = columns.cell_coordinate(0);
+      path.append({x, columns.cell_coordinate(1)});
+      columns.check_numbers(2);
+    });
+  } else if (header == kPoseHeader) {
+    read = read_lines(lines, columns, file, [&] {
+      const Point point{columns.coordinate(0), columns.coordinate(1)};
+      path.drive_to({point.x, point.y, columns.heading(2, frame.y_up)});
+      columns.check_numbers(3);
+    });
+  } else if (header == kWaypointHeader) {
+    read = read_lines(lines, columns, file, [&] {
+      points.push_back({columns.coordinate(0), columns.coordinate(1)});
+      columns.check_numbers(2);
+    });
+    path = Path::along(std::move(points));
+  } else {
+    return parse_centreline(text, file, frame);
+  }
+  if (!read) return Unexpected<IoError>(read.error());
+  if (!path.empty()) return path;
+  return empty_path(file, header == kCellHeader   ? "cell"
+                          : header == kPoseHeader ? "pose"
+                                                  : "point");
 }
 
 }  // namespace wend

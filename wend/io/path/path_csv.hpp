@@ -33,30 +33,17 @@
 //
 // Numbers read back exactly; load_path() reads the cells, the poses or the waypoints.
 
-#include <filesystem>
 #include <string>
-#include <string_view>
 
-#include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/path/path.hpp"
 
 namespace wend {
 
-inline constexpr std::string_view kPathCsvHeader = "x,y,x_m,y_m";
-inline constexpr std::string_view kDrivenPathCsvHeader = "x,y,heading,x_m,y_m,yaw";
-inline constexpr std::string_view kWaypointCsvHeader = "x_grid,y_grid,x_m,y_m,yaw";
-
-/// Begins the CSV of a plan that failed; then come its status, ": " and the reason.
-inline constexpr std::string_view kNoPathComment = "# no path: ";
-
 std::string path_csv(const Path& path, const Frame& frame);
 
-/// What takes the place of a path that is not there, so that nobody drives an older one.
+/// The file of a plan that failed: it replaces an older path, so that nobody drives that one.
 std::string no_path_csv(const FailedPlan& plan);
-
-Expected<void, IoError> save_path_csv(const Path& path, const Frame& frame,
-                                      const std::filesystem::path& file);
 
 }  // namespace wend

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/io/files.hpp"
 #include "wend/io/io_test_support.hpp"
 
 namespace wend {
@@ -57,7 +58,7 @@ TEST(PathCsv, AnEmptyPathIsAHeader) { EXPECT_EQ(path_csv({}, {}), "x,y,x_m,y_m\n
 
 TEST(PathCsv, IsSaved) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(save_path_csv(Path({{0, 0}}), {}, folder / "path.csv"));
+  ASSERT_TRUE(write_file(folder / "path.csv", path_csv(Path({{0, 0}}), {})));
   EXPECT_EQ(bytes_of(folder / "path.csv"), "x,y,x_m,y_m\n0,0,0.5,0.5\n");
 }
 

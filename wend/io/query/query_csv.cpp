@@ -8,9 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
-#include "wend/io/read_file.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
@@ -22,7 +21,7 @@ Expected<std::string, std::string> take_quoted(std::string_view& line) {
     line.remove_prefix(1);
     const std::size_t end = line.find('"');
     if (end == std::string_view::npos) {
-      return Unexpected<std::string>("a quoted field does not end in its line");
+      return Unexpected<std::string>("unterminated quoted field");
     }
     field += line.substr(0, end);
     line.remove_prefix(end + 1);
@@ -68,7 +67,7 @@ class QueryHeader {
     names_ = *std::move(names);
     for (auto it = names_.begin(); it != names_.end(); ++it) {
       if (std::find(names_.begin(), it, *it) != it && is_of_query(*it)) {
-        return fmt::format("two columns {}", quote(*it));
+        return fmt::format("duplicate column {}", quote(*it));
       }
     }
     for (const auto& [name, columns] : {std::pair{"start", &start_}, {"goal", &goal_}}) {
@@ -84,7 +83,8 @@ class QueryHeader {
     if (!fields) {
       row.wrong = fields.error();
     } else if (fields->size() != names_.size()) {
-      row.wrong = fmt::format("{} columns, the header has {}", fields->size(), names_.size());
+      row.wrong =
+          fmt::format("{} columns, expected {} as in the header", fields->size(), names_.size());
     } else {
       row.start = end_of(start_, *fields);
       row.goal = end_of(goal_, *fields);
@@ -152,9 +152,9 @@ Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
 }
 
 Expected<std::vector<QueryRow>, IoError> load_query_csv(const std::filesystem::path& file) {
+  const auto text = read_file(file, kLargestQueryFile);
+  if (!text) return Unexpected<IoError>(text.error());
   try {
-    const auto text = read_file(file, kLargestQueryFile);
-    if (!text) return Unexpected<IoError>(text.error());
     return parse_query_csv(*text, file.string());
   } catch (const std::bad_alloc&) {
     return io_failure(file.string(), 0, "not enough memory for these queries");

@@ -46,8 +46,8 @@ TEST(QueryCsv, KeepsBadRowsWithWhatIsWrong) {
   const auto rows =
       rows_in("start,goal\n1,1,2,2\n\"1,1\",\"2,2\n\"1,1\"x,\"2,2\"\n\"1,1\",\"2,2\"\n");
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].wrong, "4 columns, the header has 2");
-  EXPECT_EQ(rows[1].wrong, "a quoted field does not end in its line");
+  EXPECT_EQ(rows[0].wrong, "4 columns, expected 2 as in the header");
+  EXPECT_EQ(rows[1].wrong, "unterminated quoted field");
   EXPECT_EQ(rows[2].wrong, "'x' after a quoted field");
   EXPECT_EQ(rows[2].line, 4U);
   EXPECT_EQ(rows[3], row(5, "1,1", "2,2"));
@@ -60,9 +60,9 @@ TEST(QueryCsv, NeedsAHeader) {
             "'1,1,2,2'");
   EXPECT_THAT(error("start_x,start_y,goal_x\n"),
               HasSubstr("the columns goal_x and goal_y, or goal"));
-  EXPECT_EQ(error("start,goal,start\n"), "q.csv:1: two columns 'start'");
+  EXPECT_EQ(error("start,goal,start\n"), "q.csv:1: duplicate column 'start'");
   EXPECT_THAT(error(""), HasSubstr("q.csv:1: the first line must name"));
-  EXPECT_THAT(error("\"start"), HasSubstr("q.csv:1: a quoted field does not end"));
+  EXPECT_THAT(error("\"start"), HasSubstr("q.csv:1: unterminated quoted field"));
   EXPECT_THAT(rows_in("start,goal\n"), IsEmpty());
 }
 

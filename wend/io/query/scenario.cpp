@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/line_reader.hpp"
-#include "wend/io/quote.hpp"
-#include "wend/io/read_file.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
@@ -23,13 +22,9 @@ constexpr std::size_t kColumns = 9;
 /// What stands between tabs, or between blanks in a line without tabs.
 std::vector<std::string_view> columns_of(std::string_view line) {
   if (line.find('\t') == std::string_view::npos) return words_of(line);
-  std::vector<std::string_view> columns;
-  while (true) {
-    const std::size_t end = line.find('\t');
-    columns.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return columns;
-    line.remove_prefix(end + 1);
-  }
+  auto columns = fields_of(line, '\t');
+  std::ranges::transform(columns, columns.begin(), trimmed);
+  return columns;
 }
 
 int decimals_of(std::string_view number) {
@@ -170,7 +165,7 @@ Expected<std::vector<fs::path>, IoError> scenarios_in(const fs::path& folder) {
     if (entry.path().extension() == ".scen") files.push_back(entry.path());
   }
   if (error) return io_failure(folder.string(), 0, error.message());
-  if (files.empty()) return io_failure(folder.string(), 0, "there is no .scen file in this folder");
+  if (files.empty()) return io_failure(folder.string(), 0, "the folder contains no .scen file");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -179,8 +174,8 @@ Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int 
   for (const ScenarioQuery& query : scenario.queries) {
     if (query.map_width == width && query.map_height == height) continue;
     return io_failure(scenario.file, query.line,
-                      fmt::format("the query is for a {}x{} map, the map is {}x{}; scaling maps "
-                                  "is not supported",
+                      fmt::format("the query is for a {}x{} map, the map is {}x{}; maps are not "
+                                  "scaled",
                                   query.map_width, query.map_height, width, height));
   }
   return {};
@@ -191,7 +186,7 @@ Expected<fs::path, IoError> scenario_map_path(const Scenario& scenario) {
   fs::path twin = file.parent_path() / file.stem();
   if (file.extension() == ".scen" && twin.has_extension() && is_file(twin)) return twin;
   const auto name = common_map_name(scenario);
-  if (!name) return io_failure(scenario.file, 0, "the lines name no map, or more than one");
+  if (!name) return io_failure(scenario.file, 0, "expected one map name in all lines");
   fs::path named = file.parent_path() / *name;
   if (is_file(named)) return named;
   return io_failure(scenario.file, 0,

@@ -109,7 +109,7 @@ TEST(Scenario, MapsOfAnotherSizeAreRefused) {
   const auto scenario = parse_scenario("version 1\n" + with_length("5"), "s");
   EXPECT_TRUE(check_map_size(*scenario, 5, 4));
   EXPECT_EQ(error_of(check_map_size(*scenario, 10, 8)),
-            "s:2: the query is for a 5x4 map, the map is 10x8; scaling maps is not supported");
+            "s:2: the query is for a 5x4 map, the map is 10x8; maps are not scaled");
   EXPECT_FALSE(check_map_size(*scenario, 4, 5));
 }
 
@@ -170,8 +170,8 @@ TEST_F(ScenarioMap, ElseTheOneInTheMapColumnInTheSameFolder) {
 TEST_F(ScenarioMap, IsNeverOutsideTheFolder) {
   EXPECT_THAT(map_of("a.scen", "../../../../etc/passwd"),
               EndsWith("its map 'passwd' is not in the same folder"));
-  EXPECT_THAT(map_of("b.scen", ".."), EndsWith("the lines name no map, or more than one"));
-  EXPECT_THAT(map_of("c.scen", "maps/"), EndsWith("the lines name no map, or more than one"));
+  EXPECT_THAT(map_of("b.scen", ".."), EndsWith("expected one map name in all lines"));
+  EXPECT_THAT(map_of("c.scen", "maps/"), EndsWith("expected one map name in all lines"));
 }
 
 TEST_F(ScenarioMap, IsTheSameForAllLines) {
@@ -179,13 +179,13 @@ TEST_F(ScenarioMap, IsTheSameForAllLines) {
   const auto file =
       folder_.write("x.scen", "version 1\n0 a.map 1 1 0 0 0 0 0\n0 b.map 1 1 0 0 0 0 0\n");
   EXPECT_THAT(error_of(scenario_map_path(load_scenario(file).value())),
-              EndsWith("the lines name no map, or more than one"));
+              EndsWith("expected one map name in all lines"));
 }
 
 TEST_F(ScenarioMap, ScenariosOfAFolderComeByName) {
   folder_.write("a.map", "");
   EXPECT_THAT(error_of(scenarios_in(folder_.path())),
-              EndsWith("there is no .scen file in this folder"));
+              EndsWith("the folder contains no .scen file"));
   const auto b = folder_.write("b.scen", "");
   const auto a = folder_.write("a.map.scen", "");
   EXPECT_EQ(scenarios_in(folder_.path()).value(), (std::vector{a, b}));

@@ -1,4 +1,4 @@
-#include "wend/io/line_reader.hpp"
+#include "wend/io/text.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using namespace std::string_view_literals;
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
@@ -70,6 +71,60 @@ TEST(LineReader, TrimsBlanks) {
   EXPECT_TRUE(is_blank(" \t"));
   EXPECT_TRUE(is_blank(""));
   EXPECT_FALSE(is_blank(" ."));
+}
+
+TEST(Quote, PutsPrintableTextInQuotes) {
+  EXPECT_EQ(quote("type tile"), "'type tile'");
+  EXPECT_EQ(quote(""), "''");
+}
+
+TEST(Quote, EscapesWhatIsNotPrintable) { EXPECT_EQ(quote("a\tb\xE9"), "'a\\x09b\\xE9'"); }
+
+TEST(Quote, CutsLongTexts) {
+  EXPECT_EQ(quote(std::string(40, 'a')), "'" + std::string(40, 'a') + "'");
+  EXPECT_EQ(quote(std::string(41, 'a')), "'" + std::string(40, 'a') + "'...");
+}
+
+TEST(Quote, MakesWhatALibrarySaysPrintable) {
+  EXPECT_EQ(printable("unknown escape character: \x04", 200), "unknown escape character: \\x04");
+  EXPECT_EQ(printable("abcdef", 3), "abc");
+}
+
+TEST(Quote, KeepsALineOfTextShort) {
+  EXPECT_EQ(text_line("a\r\nb", 10), "a  b");
+  EXPECT_EQ(text_line("abc\xC3\xA9", 5), "abc\xC3\xA9");
+  EXPECT_EQ(text_line("abc\xC3\xA9", 4), "abc") << "no half of a letter";
+  EXPECT_EQ(text_line(std::string(100, '\x01'), 20).size(), 20U);
+}
+
+TEST(Quote, ShowsALetterOrItsCode) {
+  EXPECT_EQ(quote('x'), "'x'");
+  EXPECT_EQ(quote('\0'), "0x00");
+  EXPECT_EQ(quote('\xFF'), "0xFF");
+}
+
+TEST(FirstNonText, AcceptsTextInAnyLanguage) {
+  EXPECT_EQ(first_non_text(""), std::nullopt);
+  EXPECT_EQ(first_non_text("image: a\tb\r\n~"), std::nullopt);
+  EXPECT_EQ(first_non_text("caf\xC3\xA9 \xE2\x82\xAC \xF0\x9F\xA4\x96"), std::nullopt);
+}
+
+TEST(FirstNonText, FindsControlCharacters) {
+  EXPECT_EQ(first_non_text("ab\0"sv), 2U);
+  EXPECT_EQ(first_non_text("\x1B[2J"), 0U);
+  EXPECT_EQ(first_non_text("a\x7F"), 1U);
+}
+
+TEST(FirstNonText, FindsWhatIsNotUtf8) {
+  EXPECT_EQ(first_non_text("caf\xE9.pgm"), 3U);       // Latin-1
+  EXPECT_EQ(first_non_text("\xFF\xFEt\0"sv), 0U);     // UTF-16
+  EXPECT_EQ(first_non_text("a\xE2\x82"), 1U);         // cut
+  EXPECT_EQ(first_non_text("\x80"), 0U);              // no lead byte
+  EXPECT_EQ(first_non_text("\xC0\xAF"), 0U);          // overlong
+  EXPECT_EQ(first_non_text("\xE0\x80\xAF"), 0U);      // overlong
+  EXPECT_EQ(first_non_text("\xF0\x80\x80\xAF"), 0U);  // overlong
+  EXPECT_EQ(first_non_text("\xED\xA0\x80"), 0U);      // a surrogate
+  EXPECT_EQ(first_non_text("\xF4\x90\x80\x80"), 0U);  // above U+10FFFF
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_coordinates.hpp"
-#include "wend/io/quote.hpp"
+#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {
@@ -45,8 +45,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
   bool binary(binary_t&) override { return no_number("bytes"); }
 
   bool string(string_t& value) override {
-    if (depth_ == 1 && key_ == "status") failed_.status = printable(value, kLongestStatus);
-    if (depth_ == 1 && key_ == "reason") failed_.reason = text_line(value, kLongestReason);
+    if (depth_ == 1 && key_ == "status") failed_.status = value;
+    if (depth_ == 1 && key_ == "reason") failed_.reason = value;
     if (!in_list("headings", 2)) return no_number(value);
     const auto radians = radians_of_letter(value, y_up_);
     if (!radians) return no_number(value);
@@ -61,7 +61,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
     if (depth_ != 1) return true;
     key_ = name;
     const bool known = is_path(name) || name == "headings" || name == "status";
-    if (known && !seen_.insert(name).second) return complain(fmt::format("two keys '{}'", name));
+    if (known && !seen_.insert(name).second)
+      return complain(fmt::format("duplicate key '{}'", name));
     return true;
   }
 
@@ -84,8 +85,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception&) override {
     line_ = line_at(position);
-    return complain(position >= text_.size() ? "the JSON is cut short"
-                                             : fmt::format("no JSON from {} on", quote(token)));
+    return complain(position >= text_.size() ? "the JSON ends too early"
+                                             : fmt::format("invalid JSON at {}", quote(token)));
   }
 
   Expected<Path, IoError> path(const std::string& file) {
@@ -98,27 +99,28 @@ class PlanReader : public nlohmann::json_sax<Json> {
     if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
     if (!wrong_.empty()) return io_failure(file, line_, wrong_);
     if (!failed_.status.empty() && failed_.status != "found") {
-      return no_path_failure(file, failed_);
+      return no_path_failure(file, failed_plan(failed_.status, failed_.reason));
     }
     const std::string_view name = smoothed ? kSmoothed : kPlanned;
     if (seen_.count(std::string(name)) == 0) {
-      return io_failure(file, 0, "'path' is missing, a list of [x,y]");
+      return io_failure(file, 0, "the key 'path' is missing, a list of [x,y]");
     }
     if (driven && headings_.size() != wanted.points.size()) {
       return io_failure(
           file, 0,
-          fmt::format("'headings' has {}, 'path' has {} points: one for each expected",
-                      headings_.size(), wanted.points.size()));
+          fmt::format(
+              "'headings' has {} entries, 'path' has {} points: expected one for each point",
+              headings_.size(), wanted.points.size()));
     }
     if (wanted.points.empty()) {
-      return io_failure(file, 0, fmt::format("'{}' is empty, at least one [x,y] expected", name));
+      return io_failure(file, 0, fmt::format("'{}' is empty, expected at least one [x,y]", name));
     }
     if (smoothed) return Path::along(wanted.points);
     return driven ? driven_path() : path_of_cells();
   }
 
  private:
-  static constexpr const char* kNoPlan = "the top level must be an object, with a list 'path'";
+  static constexpr const char* kNoPlan = "the top level must be an object with a list 'path'";
   static constexpr std::string_view kPlanned = "path";
   static constexpr std::string_view kSmoothed = "path_smoothed";
 

@@ -1,0 +1,220 @@
+#include "wend/io/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace wend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFilePiece = std::size_t{1} << 20;
+constexpr std::size_t kStreamPiece = std::size_t{64} << 10;
+
+std::string message_of(int error) {
+  return std::error_code(error, std::generic_category()).message();
+}
+
+/// An open file that is closed at the end, unless it is standard input.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ > STDIN_FILENO) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+
+  /// Closes it; false if that fails, as it may where the last bytes cannot be written.
+  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+std::string cannot_be_written(int error) { return "cannot be written: " + message_of(error); }
+
+/// What went wrong, empty if nothing did.
+std::string write_bytes(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return cannot_be_written(errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+std::string write_bytes(const fs::path& file, std::string_view bytes) {
+  Descriptor open_file(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!open_file.is_open()) return cannot_be_written(errno);
+  std::string wrong = write_bytes(open_file.number(), bytes);
+  if (!open_file.close() && wrong.empty()) wrong = cannot_be_written(errno);
+  return wrong;
+}
+
+/// Writes a file that gets its name only when it is whole, so that nothing is left of it where the
+/// program is ended before. False where the file system has no files without a name.
+bool write_unnamed(const fs::path& file, std::string_view bytes, std::string& wrong) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const Descriptor open_file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!open_file.is_open()) return false;
+  wrong = write_bytes(open_file.number(), bytes);
+  const std::string unnamed = fmt::format("/proc/self/fd/{}", open_file.number());
+  return !wrong.empty() ||
+         ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// The file itself, at the end of symbolic links.
+fs::path target_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
+  const fs::path target = fs::canonical(file, error);
+  return error ? file : target;
+}
+
+/// Writes a temporary file and gives it the name of the target, or removes it.
+std::string replace_file(const fs::path& target, std::string_view bytes) {
+  const fs::path temporary = fmt::format("{}.{}.part", target.string(), getpid());
+  std::string wrong;
+  if (!write_unnamed(temporary, bytes, wrong)) wrong = write_bytes(temporary, bytes);
+  std::error_code error;
+  if (wrong.empty()) {
+    fs::rename(temporary, target, error);
+    if (!error) return {};
+    wrong = "cannot be written: " + error.message();
+  }
+  fs::remove(temporary, error);
+  return wrong;
+}
+
+}  // namespace
+
+Expected<std::string, IoError> read_file(const fs::path& file, std::size_t largest) {
+  try {
+    auto pieces = FilePieces::open(file, largest);
+    if (!pieces) return Unexpected<IoError>(pieces.error());
+    std::string bytes;
+    bytes.reserve(pieces->size());
+    while (bytes.size() < pieces->size()) {
+      const std::string_view piece = pieces->next();
+      if (piece.empty()) break;
+      bytes += piece.substr(0, pieces->size() - bytes.size());
+    }
+    if (pieces->failed()) return io_failure(file.string(), 0, "cannot be read");
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    return io_failure(file.string(), 0, "not enough memory for this file");
+  }
+}
+
+Expected<FilePieces, IoError> FilePieces::open(const fs::path& file, std::size_t largest) {
+  const auto failure = [&file](std::string what) {
+    return io_failure(file.string(), 0, std::move(what));
+  };
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (error) return failure("cannot be opened: " + error.message());
+  if (!fs::is_regular_file(status)) return failure("not a regular file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) return failure("cannot be opened: " + error.message());
+  if (size > largest) {
+    return failure(fmt::format("too large: {} bytes, the limit is {}", size, largest));
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return failure("cannot be opened: " + message_of(errno));
+  return FilePieces(std::move(stream), static_cast<std::size_t>(size));
+}
+
+FilePieces::FilePieces(std::ifstream stream, std::size_t size)
+    : stream_(std::move(stream)), size_(size), piece_(std::min(size, kFilePiece), '\0') {}
+
+std::string_view FilePieces::next() {
+  stream_.read(piece_.data(), static_cast<std::streamsize>(piece_.size()));
+  return std::string_view(piece_).substr(0, static_cast<std::size_t>(stream_.gcount()));
+}
+
+bool is_standard_input(const fs::path& file) { return file == "-" || file == "/dev/stdin"; }
+
+bool is_stream(const fs::path& file) {
+  if (is_standard_input(file)) return true;
+  const std::string name = file.string();
+  if (name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/")) return true;
+  std::error_code error;
+  return fs::is_fifo(fs::status(file, error));
+}
+
+std::string stream_name(const fs::path& file) {
+  return is_standard_input(file) ? "standard input" : file.string();
+}
+
+Expected<std::string, IoError> read_stream(const fs::path& file, std::size_t largest) {
+  const auto failure = [&file](std::string what) {
+    return io_failure(stream_name(file), 0, std::move(what));
+  };
+  const Descriptor stream(is_standard_input(file) ? STDIN_FILENO
+                                                  : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!stream.is_open()) return failure("cannot be opened: " + message_of(errno));
+  std::string bytes;
+  std::size_t size = 0;
+  for (;;) {
+    if (bytes.size() - size < kStreamPiece) bytes.resize(std::max(2 * bytes.size(), kStreamPiece));
+    const ssize_t got = ::read(stream.number(), bytes.data() + size, kStreamPiece);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return failure("cannot be read: " + message_of(errno));
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+    if (size > largest) return failure(fmt::format("too large: the limit is {} bytes", largest));
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+Expected<void, IoError> write_file(const fs::path& file, std::string_view bytes) {
+  const fs::path target = target_of(file);
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
+  std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
+  if (!wrong.empty()) return io_failure(file.string(), 0, std::move(wrong));
+  return {};
+}
+
+Expected<void, IoError> write_index(const fs::path& file, const IndexBytes& index) {
+  const auto bytes = index.bytes();
+  return write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Expected<IndexBytes, IoError> open_index(const fs::path& file) {
+  const auto failure = [&file](std::string what) {
+    return io_failure(file.string(), 0, std::move(what));
+  };
+  const Descriptor index(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status{};
+  if (!index.is_open() || ::fstat(index.number(), &status) != 0) return failure(message_of(errno));
+  if (!S_ISREG(status.st_mode)) return failure("not a regular file");
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0) return failure("the file is empty; expected an index");
+  void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, index.number(), 0);
+  if (address == MAP_FAILED) return failure(message_of(errno));
+  std::shared_ptr<const void> mapping(
+      address, [size](const void* begin) { ::munmap(const_cast<void*>(begin), size); });
+  return IndexBytes(std::move(mapping), {static_cast<const std::byte*>(address), size});
+}
+
+}  // namespace wend

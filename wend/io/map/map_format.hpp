@@ -1,0 +1,110 @@
+#pragma once
+
+// The map formats. A new one is one file and one line in formats.def: loading, saving, help, errors,
+// `wend convert` and what it says is lost all come from its MapFormatInfo.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/base/expected.hpp"
+#include "wend/base/registry.hpp"
+#include "wend/io/io_error.hpp"
+#include "wend/io/text.hpp"
+#include "wend/map/grid_map.hpp"
+
+namespace wend {
+
+enum class MapFormat {
+#define WEND_MAP_FORMAT(name) name,
+#include "wend/io/map/formats.def"
+#undef WEND_MAP_FORMAT
+};
+
+struct LoadedMap {
+  GridMap map;
+  MapFormat format;
+  std::vector<std::string> notes = {};  // what was unusual in the file, and how it was read
+  std::vector<std::filesystem::path> files = {};  // read for it: the map, and a map.yaml's image
+};
+
+struct LoadOptions {
+  std::optional<double> resolution;  // metres a cell, > 0, for a bare image
+  double scale_factor = 4;           // terrain of `mode: scale`, in 0..1e6: 1 + factor * v / 100
+};
+
+/// Where the bytes of a map come from.
+struct MapSource {
+  std::string file;                // the name for errors
+  std::filesystem::path folder{};  // of the files that it names
+};
+
+/// The bytes to be written for a map.
+struct MapFiles {
+  std::string bytes;
+  std::string companion{};  // of the second file, for a format that has one
+};
+
+struct MapFormatInfo {
+  using Loaded = Expected<LoadedMap, IoError>;
+
+  MapFormat format;
+  std::string_view name;                           // in reports: "text grid"
+  std::string_view noun;                           // in sentences: "a text grid"
+  std::vector<std::string_view> extensions;        // of files that are loaded: ".txt"
+  std::vector<std::string_view> saved_extensions;  // of files that are saved
+  std::string_view companion{};  // extension of the second file of a saved map: ".png"
+
+  // What it can hold. Without a frame, cells are the unit and y points down.
+  bool holds_unknown_cells = true;
+  bool holds_frame = false;           // resolution, y up; an origin where y is up
+  double largest_terrain = 1;         // 1: every cell costs the same
+  std::string_view terrain_values{};  // "whole numbers"
+  double (*nearest_terrain)(double terrain) = nullptr;
+
+  /// Whether bytes without a telling name are of this format.
+  bool (*recognises)(std::string_view bytes);
+
+  // A format is loaded in one of two ways: line by line, in the memory of the map alone, or as a whole.
+  Loaded (*load_lines)(LineReader lines, const std::string& file) = nullptr;
+  Loaded (*load_bytes)(const std::string& bytes, const MapSource& source,
+                       const LoadOptions& options) = nullptr;
+  bool takes_resolution = false;  // of the LoadOptions
+
+  /// The files of a map with cells that the format can hold; null where it is never saved. `file` is the
+  /// name that it will have. An error says what else the format cannot hold.
+  Expected<MapFiles, std::string> (*save)(const GridMap& map,
+                                          const std::filesystem::path& file) = nullptr;
+
+  /// The second file that a saved map names, as it stands there; nothing if the text is not a map.
+  std::optional<std::filesystem::path> (*companion_in)(const std::string& text) = nullptr;
+
+  /// Loads bytes, in the way that the format has.
+  Loaded load(const std::string& bytes, const MapSource& source,
+              const LoadOptions& options = {}) const;
+};
+
+const Registry<MapFormatInfo>& map_formats();
+const MapFormatInfo& info_of(MapFormat format);
+
+/// "ROS map.yaml", "MovingAI", "text grid", "image"
+inline std::string_view to_string(MapFormat format) { return info_of(format).name; }
+
+enum class MapUse { load, save };
+
+/// The format of a file of this name, by its extension in any case; null if there is none.
+const MapFormatInfo* map_format_of(const std::filesystem::path& file, MapUse use);
+
+/// All extensions: ".yaml", ".yml", ".map", ...
+std::vector<std::string> map_extensions(MapUse use);
+
+/// For help: "a ROS map.yaml (.yaml, .yml), a MovingAI map (.map), ... or an image (.png, .pgm)".
+std::string map_formats_text(MapUse use);
+
+/// The numbers of the rows in the order in which a map is drawn, from the top one down.
+std::vector<int> rows_from_top(const GridMap& map);
+
+}  // namespace wend

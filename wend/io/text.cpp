@@ -1,0 +1,164 @@
+#include "wend/io/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace wend {
+namespace {
+
+constexpr std::string_view kBlanks = " \t";
+constexpr std::size_t kLongestQuote = 40;
+
+bool is_printable(char letter) { return letter >= ' ' && letter <= '~'; }
+unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
+
+/// Whether a byte is a continuation byte of UTF-8.
+bool continues_letter(char letter) { return (byte_of(letter) & 0xC0U) == 0x80U; }
+
+bool is_control(unsigned byte) {
+  return (byte < ' ' && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F;
+}
+
+/// How many bytes the character that begins with `lead` has; 0 if none begins so.
+std::size_t length_of_character(unsigned lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return 2;
+  if (lead >= 0xE0 && lead <= 0xEF) return 3;
+  return lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
+}
+
+/// A well-formed character of two to four bytes: no overlong form, no surrogate, at most U+10FFFF.
+bool is_character(std::string_view bytes) {
+  std::uint32_t code = byte_of(bytes[0]) & (0x7FU >> bytes.size());
+  for (const char next : bytes.substr(1)) {
+    if (!continues_letter(next)) return false;
+    code = code << 6 | (byte_of(next) & 0x3FU);
+  }
+  if (bytes.size() == 3) return code >= 0x800 && (code < 0xD800 || code > 0xDFFF);
+  return bytes.size() != 4 || (code >= 0x10000 && code <= 0x10FFFF);
+}
+
+}  // namespace
+
+std::string lower_case(std::string text) {
+  for (char& letter : text) letter = lower_case(letter);
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
+
+bool is_blank(std::string_view line) { return trimmed(line).empty(); }
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  std::size_t begin = line.find_first_not_of(kBlanks);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = line.find_first_of(kBlanks, begin);
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(kBlanks, end);
+  }
+  return words;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t end = line.find(separator);
+    fields.push_back(line.substr(0, end));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::string either_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  return text;
+}
+
+std::optional<std::size_t> first_non_text(std::string_view bytes) {
+  std::size_t at = 0;
+  while (at < bytes.size()) {
+    const unsigned lead = byte_of(bytes[at]);
+    const std::size_t length = length_of_character(lead);
+    if (length == 0 || length > bytes.size() - at || is_control(lead)) return at;
+    if (length > 1 && !is_character(bytes.substr(at, length))) return at;
+    at += length;
+  }
+  return std::nullopt;
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
+
+std::string quote(std::string_view text) {
+  return fmt::format("'{}'{}", printable(text, kLongestQuote),
+                     text.size() > kLongestQuote ? "..." : "");
+}
+
+std::string quote(char letter) {
+  return is_printable(letter) ? fmt::format("'{}'", letter)
+                              : fmt::format("0x{:02X}", byte_of(letter));
+}
+
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string shown;
+  for (const char letter : text.substr(0, longest)) {
+    shown +=
+        is_printable(letter) ? std::string(1, letter) : fmt::format("\\x{:02X}", byte_of(letter));
+  }
+  return shown;
+}
+
+std::string text_line(std::string_view text, std::size_t longest) {
+  while (longest < text.size() && longest > 0 && continues_letter(text[longest])) --longest;
+  text = text.substr(0, longest);
+  if (first_non_text(text)) return printable(text, longest / 4);
+  std::string line(text);
+  const auto breaks_line = [](char letter) {
+    return letter == '\n' || letter == '\r' || letter == '\t';
+  };
+  std::ranges::replace_if(line, breaks_line, ' ');
+  return line;
+}
+
+std::optional<std::string_view> LineReader::next() {
+  if (rest_.empty() && pieces_) rest_ = pieces_();
+  if (rest_.empty()) return std::nullopt;
+  ++number_;
+  std::string_view line = rest_of_line();
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// Up to the next line end, which may lie in a later piece.
+std::string_view LineReader::rest_of_line() {
+  std::size_t end = rest_.find('\n');
+  const auto take = [this, &end] {
+    const std::string_view taken = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    return taken;
+  };
+  if (end != std::string_view::npos || !pieces_) return take();
+  joined_.clear();
+  while (end == std::string_view::npos && !rest_.empty()) {
+    joined_ += rest_;
+    rest_ = pieces_();
+    end = rest_.find('\n');
+  }
+  joined_ += take();
+  return joined_;
+}
+
+}  // namespace wend
