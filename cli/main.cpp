@@ -31,7 +31,7 @@ constexpr const char* kMainExamples = R"(Examples:
   wend info office.yaml
   wend plan office.yaml --start 1,1 --goal 15,9 --robot-radius 0.2 -o plan.png
 
-`wend SUBCOMMAND --help` says more about each.)";
+`wend SUBCOMMAND --help` describes each subcommand.)";
 
 std::vector<Command> add_commands(CLI::App& app) {
   app.set_version_flag("--version", "wend " WEND_VERSION, "Print the version and exit");
@@ -61,7 +61,7 @@ int run(const Command& command) {
     complain(error.what());
     return no_plan;
   } catch (const std::bad_alloc&) {
-    complain("there is not enough memory");
+    complain("not enough memory");
     return no_plan;
   }
 }
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
   try {
     const int code = run_app(argc, argv);
     if (finish_output()) return Interruptible::cancelled() ? interrupted : code;
-    complain("the results could not be written to standard output");
+    complain("cannot write the results to standard output");
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));
   }

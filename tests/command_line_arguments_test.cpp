@@ -12,6 +12,7 @@ namespace wend::test {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -50,7 +51,7 @@ TEST_F(Arguments, WithAnOptionalValueSayHowItIsTyped) {
   };
   for (const Case& wrong : {
            Case{"plan grid.txt --start 1,1 --goal 10,7 --smooth 0.2,0.2",
-                "unexpected argument '0.2,0.2'; a value of --smooth is joined by an equals sign, "
+                "unexpected argument '0.2,0.2'; the value of --smooth needs an equals sign, "
                 "--smooth=VALUE"},
            Case{"plan --smooth 0.2,0.2 grid.txt --start 1,1 --goal 10,7", "--smooth=VALUE"},
            Case{"smooth grid.txt path.csv --simplify 0.5", "--simplify=VALUE"},
@@ -75,9 +76,9 @@ TEST_F(Arguments, WithoutTheirValueSayWhatItIs) {
            Case{"plan grid.txt --goal 10,7 --start 1,1 -o", "--output needs a value: FILE"},
            Case{"plan grid.txt --connectivity", "--connectivity needs a value: 4|8"},
            Case{"plan grid.txt --start 1,1 --start 2,2",
-                "--start is given 2 times, and takes one value"},
+                "--start is given 2 times but takes one value"},
            Case{"info grid.txt --robot-radius 1 --robot-radius 2 --robot-radius 3",
-                "--robot-radius is given 3 times, and takes one value"},
+                "--robot-radius is given 3 times but takes one value"},
        }) {
     const Outcome outcome = in_folder(wrong.command);
     EXPECT_EQ(outcome.code, 2) << wrong.command;
@@ -97,6 +98,7 @@ TEST_F(Arguments, OutOfRangeAreRefusedWithTheRange) {
            Case{"generate maze --size 9x9 --seed -1", "--seed: '-1' is not a whole number"},
            Case{"compare grid.txt --random 0", "--random 0: must be at least 1"},
            Case{"bench grid.txt --sample 0", "--sample 0: must be at least 1"},
+           Case{"bench grid.txt --repetitions 0", "--repetitions 0: must be from 1 to"},
            Case{"bench grid.txt --passes 0", "--passes 0: must be from 1 to"},
            Case{"index build grid.txt -o grid.idx --threads 0", "--threads 0: must be from 1 to"},
            Case{plan + "--queries queries.csv --threads 0", "--threads 0: must be from 1 to"},
@@ -107,12 +109,49 @@ TEST_F(Arguments, OutOfRangeAreRefusedWithTheRange) {
   }
 }
 
+TEST_F(Arguments, HaveFormerNamesThatDoTheSame) {
+  const std::string plan = "plan grid.txt --start 1,1 --goal 10,7 --format csv ";
+  const std::string car = "plan grid.txt --start 1,1,E --goal 9,7 --planner car --format csv ";
+  const std::string follow = "follow grid.txt --start 1,1 --goal 10,7 -o - ";
+  struct Case {
+    std::string command;
+    std::string option;
+    std::string former;
+  };
+  for (const Case& named : {
+           Case{plan, "--clearance-distance 2", "--keep-away 2"},
+           Case{plan + "--clearance-distance 2 ", "--clearance-cost 5", "--keep-away-cost 5"},
+           Case{car, "--lattice-resolution 2", "--unit 2"},
+           Case{car, "--lattice_resolution 2", "--planner car:unit=2"},
+           Case{follow, "--min-speed 0.2", "--least-speed 0.2"},
+       }) {
+    std::string former = named.command;
+    if (named.former.starts_with("--planner")) former.replace(car.find("--planner car"), 13, "");
+    const Outcome now = in_folder(named.command + named.option);
+    const Outcome before = in_folder(former + named.former);
+    EXPECT_EQ(now.code, before.code) << before.err;
+    EXPECT_NE(now.code, 2) << now.err;
+    EXPECT_EQ(now.out, before.out) << named.former;
+    EXPECT_EQ(now.err, before.err) << named.former;
+    const std::string name = named.former.substr(0, named.former.find(' '));
+    if (name == "--planner") continue;
+    const Outcome wrong = in_folder(named.command + name + " nonsense");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, AnyOf(HasSubstr(name + ":"), HasSubstr("'" + name.substr(2) + "'")));
+    EXPECT_THAT(in_folder(named.command.substr(0, named.command.find(' ')) + " --help").out,
+                Not(HasSubstr(name + " ")));
+    EXPECT_THAT(in_folder("completion bash").out, Not(HasSubstr(name + " ")));
+    const Outcome both = in_folder(named.command + named.option + " " + named.former);
+    EXPECT_EQ(both.code, 2) << named.former;
+    EXPECT_THAT(both.err, HasSubstr("give one of them"));
+  }
+}
+
 TEST_F(Arguments, FarOutsideTheMapAreNamedAsTheyAreTyped) {
   ASSERT_EQ(in_folder("convert grid.txt grid.yaml").code, 0);
   const Outcome outcome = in_folder("plan grid.yaml --start 1e308,1 --goal 10,7");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("the start (1e+308,1) m lies outside the map, which covers x"));
+  EXPECT_THAT(outcome.err, HasSubstr("the start (1e+308,1) m is outside the map, which covers x"));
 }
 
 TEST_F(Arguments, ThatChangeNothingAreRefused) {
@@ -142,22 +181,22 @@ TEST_F(Arguments, ThatChangeNothingAreRefused) {
            Case{"convert grid.txt grid.map --force", "--force changes nothing"},
            Case{plan + "--speed 5", "--speed changes nothing"},
            Case{plan + "--trace-limit 5", "--trace-limit changes nothing"},
-           Case{plan + "--unsafe", "add --smooth"},
+           Case{plan + "--unsafe", "--unsafe needs --smooth"},
            Case{plan + "--picture never --style dark", "--style changes nothing"},
            Case{plan + "--format json --style dark", "--style changes nothing"},
            Case{plan + "--format json --picture always", "--picture changes nothing"},
            Case{"check grid.txt path.csv --clearance-distance 1",
-                "there is no flag --clearance-distance"},
+                "unknown option --clearance-distance"},
            Case{"smooth grid.txt path.csv --clearance-distance 1",
-                "there is no flag --clearance-distance"},
+                "unknown option --clearance-distance"},
            Case{"explain grid.txt --start 1,1 --goal 9,7 --clearance-distance 1",
-                "there is no flag --clearance-distance"},
+                "unknown option --clearance-distance"},
            Case{"smooth grid.txt path.csv --smoother none", "--smoother none changes nothing"},
            Case{"check grid.txt path.csv --format json --style dark", "--style changes nothing"},
            Case{"field grid.txt --goal 9,7 --grid", "--grid changes nothing"},
            Case{"compare grid.txt --start 1,1 --goal 9,7 --seed 2", "--seed changes nothing"},
            Case{"compare grid.txt --start 1,1 --goal 9,7 --style dark", "--style changes nothing"},
-           Case{"view grid.txt --picture never", "--picture never shows nothing"},
+           Case{"view grid.txt --picture never", "--picture never leaves nothing to show"},
            Case{"view grid.txt --clearance-distance 2", "--clearance-distance changes nothing"},
            Case{follow + "--samples", "--samples changes nothing"},
            Case{follow + "--film-speed 2", "--film-speed changes nothing"},

@@ -24,7 +24,8 @@ class BenchDatabaseCommand : public testing::Test, protected BenchFolder {
 
 TEST_F(BenchDatabaseCommand, KeepsEveryAnswer) {
   const std::string file = scenario(kRight);
-  const json all = rows({file, "--planner", "astar,bfs", "--passes", "2", "--database", database_});
+  const json all =
+      rows({file, "--planner", "astar,bfs", "--repetitions", "2", "--database", database_});
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 4);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), 8);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM experiments WHERE name = 'ok'"), 1);
@@ -46,7 +47,7 @@ TEST_F(BenchDatabaseCommand, DoesNothingTwice) {
   const Outcome first = wend(command);
   EXPECT_THAT(first.err, IsEmpty());
   const Outcome again = wend(command);
-  EXPECT_THAT(again.err, HasSubstr("4 of 4 answers were there already"));
+  EXPECT_THAT(again.err, HasSubstr("4 of 4 answers were already stored"));
   EXPECT_EQ(json::parse(first.out), json::parse(again.out));
 }
 
@@ -54,7 +55,7 @@ TEST_F(BenchDatabaseCommand, AddsWhatIsMissing) {
   const std::string file = scenario(kRight);
   rows({file, "--sample", "1", "--database", database_});
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 1);
-  const std::vector<std::string> more{file, "--passes", "3", "--database", database_};
+  const std::vector<std::string> more{file, "--repetitions", "3", "--database", database_};
   EXPECT_EQ(rows(more).at(0).at("passes"), 3);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), 2);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), 6);
@@ -133,8 +134,9 @@ class LongBench : public BenchDatabaseCommand {
   /// Runs until an answer is stored, then sends a signal. What it wrote to standard error.
   std::string stop_with(int signal) const {
     const std::string err = folder_ / "err";
-    std::vector<std::string> words{WEND_CLI_PATH, "bench",   file_,        "--planner", "dijkstra",
-                                   "--passes",    "1000000", "--database", database_};
+    std::vector<std::string> words{WEND_CLI_PATH, "bench",      file_,
+                                   "--planner",   "dijkstra",   "--repetitions",
+                                   "1000000",     "--database", database_};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT,
@@ -168,17 +170,17 @@ TEST_F(LongBench, LosesNothingThatWasStoredWhenItIsKilled) {
   EXPECT_GT(runs, 0);
   const Outcome resumed = wend({"bench", file_, "--planner", "dijkstra", "--database", database_});
   EXPECT_THAT(resumed.err, HasSubstr(std::to_string(runs) + " of " + std::to_string(kQueries) +
-                                     " answers were there already"));
+                                     " answers were already stored"));
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM runs"), kQueries);
   EXPECT_EQ(number_in(database_, "SELECT count(*) FROM passes"), passes + kQueries - runs);
 }
 
 TEST_F(LongBench, GoesOnAfterCtrlC) {
-  EXPECT_THAT(stop_with(SIGINT), HasSubstr("the same command goes on where"));
+  EXPECT_THAT(stop_with(SIGINT), HasSubstr("run the same command again to continue"));
   const int runs = number_in(database_, "SELECT count(*) FROM runs");
   const Outcome resumed = wend({"bench", file_, "--planner", "dijkstra", "--database", database_});
   EXPECT_THAT(resumed.err, HasSubstr(std::to_string(runs) + " of " + std::to_string(kQueries) +
-                                     " answers were there already"));
+                                     " answers were already stored"));
 }
 
 }  // namespace

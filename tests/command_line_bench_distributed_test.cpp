@@ -72,7 +72,7 @@ class DistributedBench : public testing::Test, protected BenchFolder {
 class RanksOfBench : public DistributedBench, public testing::WithParamInterface<int> {};
 
 TEST_P(RanksOfBench, ShareTheQueriesAndMergeTheirAnswers) {
-  const Outcome outcome = run_program(ranks(GetParam(), command("--passes 2 --format json")));
+  const Outcome outcome = run_program(ranks(GetParam(), command("--repetitions 2 --format json")));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const json rows = json::parse(outcome.out).at("rows");
   ASSERT_EQ(rows.size(), 2U);
@@ -86,7 +86,7 @@ TEST_P(RanksOfBench, ShareTheQueriesAndMergeTheirAnswers) {
   EXPECT_EQ(number("SELECT count(*) FROM experiments"), 1);
   EXPECT_FALSE(std::filesystem::exists(database_ + ".rank0"));
   EXPECT_FALSE(std::filesystem::exists(database_ + ".rank1"));
-  const Outcome alone = wend({"bench", file_, "--planner", "astar,dijkstra", "--passes", "2",
+  const Outcome alone = wend({"bench", file_, "--planner", "astar,dijkstra", "--repetitions", "2",
                               "--database", database_, "--format", "json"});
   EXPECT_EQ(json::parse(alone.out).at("rows"), rows);
 }
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Four, RanksOfBench, testing::Values(4));
 TEST_F(DistributedBench, ARankThatDiesLosesNothingThatItFinished) {
   const std::string pids = folder_ / "pid";
   std::vector<std::string> words =
-      ranks(2, "echo $$ > '" + pids + "'$RANK; " + command("--passes 1000000"));
+      ranks(2, "echo $$ > '" + pids + "'$RANK; " + command("--repetitions 1000000"));
   pid_t child = 0;
   ASSERT_EQ(
       posix_spawnp(&child, words[0].c_str(), nullptr, nullptr, pointers_to(words).data(), environ),

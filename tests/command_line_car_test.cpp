@@ -67,7 +67,7 @@ TEST_F(CarCommand, TellsADriverWhatToDo) {
                                       "Go FWD_RIGHT -> (2,1,S)\n"
                                       "Go FWD -> (2,2,S)\n"));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("steps     2: 1 turn, 0 in reverse\n"),
-                                 HasSubstr("fuel      2.5708\n"), HasSubstr("no path is cheaper")));
+                                 HasSubstr("fuel      2.5708\n"), HasSubstr("optimal")));
 }
 
 TEST_F(CarCommand, CrossesAnEmptyYardInZigzag) {
@@ -165,7 +165,7 @@ TEST_F(CarCommand, TurnsNoTighterThanItsTurningRadius) {
                 .out.substr(0, 40),
             outcome.out.substr(0, 40));
   EXPECT_THAT(plan("4,0,E", "8,8,S", {"--turning-radius", "3", "--unit", "3"}).err,
-              HasSubstr("unit and turning_radius say the same"));
+              HasSubstr("unit and turning_radius set the same value"));
 }
 
 TEST_F(CarCommand, CountsItsTurningRadiusInMetres) {
@@ -216,26 +216,30 @@ TEST_F(BadCarInput, FailsWithWhereAndWhy) {
        "3,3",
        {},
        "start_outside",
-       "the start (-1,0,E) lies outside the map, which covers "
-       "the corners with x from 0 to 6 and y from 0 to 5"},
-      {"0,0,E", "7,5,any", {}, "goal_outside", "the goal (7,5,any) lies outside the map"},
-      {"0,0,E", "1e300,5", {}, "goal_outside", "the goal (1e300,5) lies outside the map"},
+       "the start (-1,0,E) is outside the map, which covers the grid vertices with x from 0 to 6 "
+       "and y from 0 to 5"},
+      {"0,0,E", "7,5,any", {}, "goal_outside", "the goal (7,5,any) is outside the map"},
+      {"0,0,E", "1e300,5", {}, "goal_outside", "the goal (1e300,5) is outside the map"},
       {"1,3,E",
        "3,3",
        {},
        "start_blocked",
-       "the start (1,3,E) is an impassable corner: cell (0,3) beside it is an obstacle"},
-      {"0,0,E", "4,0,any", {}, "goal_blocked", "(4,0,any) is an impassable corner: cell (4,0)"},
+       "the start (1,3,E) is impassable: cell (0,3) next to it is an obstacle"},
+      {"0,0,E", "4,0,any", {}, "goal_blocked", "(4,0,any) is impassable: cell (4,0)"},
       {"2,2,E",
        "0,0",
        {"--robot-radius", "1.5"},
        "start_blocked",
-       "the start (2,2,E) is an impassable corner: the nearest obstacle is 1"},
-      {"0,5,E", "3,3", {}, "unreachable", "boxed in: no move leads away from the start (0,5,E)"},
-      {"3,3,E", "0,5", {}, "unreachable", "boxed in: no move leads to the goal (0,5,any)"},
+       "the start (2,2,E) is impassable: the nearest obstacle is 1"},
+      {"0,5,E", "3,3", {}, "unreachable", "no motion primitive leaves the start (0,5,E)"},
+      {"3,3,E", "0,5", {}, "unreachable", "no motion primitive reaches the goal (0,5,any)"},
       {"3,3,E", "6,0,N", {"--limit-expansions", "2"}, "expansion_limit", "after 2 expansions"},
       {"3,3,E", "6,0,N", {"--limit-time", "0"}, "time_limit", "--limit-time 0"},
-      {"3,3,E", "6,0,N", {"--unit", "6"}, "unsupported_map", "too small for a lattice of 6"},
+      {"3,3,E",
+       "6,0,N",
+       {"--unit", "6"},
+       "unsupported_map",
+       "too small for a lattice_resolution of 6"},
   };
   for (const Case& failing : cases) {
     const std::string file = folder_ / "failed.json";
@@ -261,11 +265,12 @@ TEST_F(BadCarInput, PlansNothingForWhatItDoesNotUnderstand) {
     std::string message;
   };
   const std::vector<Case> cases{
-      {{"--start", "0,0", "--goal", "3,3"}, "--start: '0,0' has no heading, and a car needs one"},
+      {{"--start", "0,0", "--goal", "3,3"},
+       "--start: '0,0' has no heading, and the car planner needs one"},
       {{"--start", "0,0,Q", "--goal", "3,3"},
        "the heading 'Q' is not N, W, E or S (or 0, 1, 2, 3)"},
       {{"--start", "0,0,4", "--goal", "3,3"}, "the heading '4' is not N"},
-      {{"--start", "0,0,45", "--goal", "3,3"}, "an angle as 45deg or 0.8rad"},
+      {{"--start", "0,0,45", "--goal", "3,3"}, "an angle such as 45deg or 0.8rad"},
       {{"--start", "0,0,infdeg", "--goal", "3,3"}, "the heading 'infdeg'"},
       {{"--start", "0,0,", "--goal", "3,3"}, "the heading ''"},
       {{"--start", "0,0,any", "--goal", "3,3"}, "the heading 'any'"},
@@ -308,8 +313,7 @@ TEST_F(BadCarInput, ScenariosAreNotForCars) {
   const std::string scenario = folder_.write("yard.scen", "version 1\n0 bad.txt 6 5 0 0 1 0 1\n");
   const Outcome outcome = wend({"bench", scenario, "--map", yard_, "--planner", "astar,car"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("car: scenarios are for planners that move from cell to cell"));
+  EXPECT_THAT(outcome.err, HasSubstr("car: scenarios support grid planners only"));
 }
 
 // 4 x 3 m at 0.5 m a cell: 8 x 6 cells, its corner at (1, 2), turned by 0.1.
@@ -359,12 +363,12 @@ TEST_F(CarOnARosMap, AnglesAreThoseOfTheMapsFrame) {
 
 TEST_F(CarOnARosMap, TalksInMetres) {
   EXPECT_THAT(plan("0,0,E", "2,3").err,
-              HasSubstr("the start (0,0,E) m lies outside the map, which covers x from 1 to 5 m"));
+              HasSubstr("the start (0,0,E) m is outside the map, which covers x from 1 to 5 m"));
   EXPECT_THAT(plan("1.5,2.5,E", "2,3", {"--robot-radius", "0.3"}).out, HasSubstr("Start (1,1,E)"));
   folder_.write("map.pgm", "P2\n2 2\n255\n254 0 254 254\n");
   EXPECT_THAT(plan("1,2,E", "1.5,2.5,any").err,
               AllOf(HasSubstr("from (1,2,E) m to (1.5,2.5,any) m: "),
-                    HasSubstr("the goal (1,1,any) is an impassable corner")));
+                    HasSubstr("the goal (1,1,any) is impassable")));
 }
 
 TEST_F(CarCommand, WritesFilesByTheirNames) {

@@ -42,7 +42,7 @@ TEST_F(CheckCommand, SaysThatAFreePathIsAndMeasuresIt) {
   const Outcome outcome = check(waypoints("0.5,0.5,0,0,0\n6.5,0.5,0,0,0\n6.5,2.5,0,0,0\n"));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("free: it enters no obstacle\n"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("free: the path is clear of obstacles\n"),
                                  HasSubstr("length, cells                   8.00\n"),
                                  HasSubstr("turning, degrees                  90\n"),
                                  HasSubstr("smallest clearance, cells       1.50\n")));
@@ -65,7 +65,7 @@ TEST_F(CheckCommand, SaysWhereAPathFirstCollides) {
 
 TEST_F(CheckCommand, LetsARobotSqueezeIfTheCornerRuleDoes) {
   const std::string path = waypoints("5.5,4.5,0,0,0\n6.5,5.5,0,0,0\n");
-  EXPECT_THAT(check(path).err, HasSubstr("squeezes between two obstacles"));
+  EXPECT_THAT(check(path).err, HasSubstr("passes between two obstacles"));
   EXPECT_EQ(check(path, {"--corner-rule", "both"}).code, 0);
 }
 

@@ -210,7 +210,7 @@ TEST_F(Convert, NeverWritesOverAFileThatTheMapWasReadFrom) {
     SCOPED_TRACE(std::string(in) + " to " + out);
     const Outcome refused = convert(in, out);
     EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, HasSubstr("this file is read, too"));
+    EXPECT_THAT(refused.err, HasSubstr("this file is also an input"));
     EXPECT_EQ(files_in(folder_ / ""), before);
   }
 }

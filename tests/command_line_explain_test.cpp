@@ -40,13 +40,13 @@ TEST_F(ExplainCommand, FindsTheDoorThatIsTooNarrow) {
   const std::vector<std::string> query{"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"};
   const Outcome outcome = explain(door_, query);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(
-      outcome.out,
-      AllOf(StartsWith("no path joins start (1,2) and goal (9,2)\n"),
-            HasSubstr("with a radius of up to 0.5 cells, narrowest at cell (5,2)"),
-            HasSubstr("--robot-radius 0.5"), HasSubstr("robot's size    the cause"),
-            HasSubstr("unknown cells   not the cause"), HasSubstr("corner rule     not the cause"),
-            HasSubstr("connectivity    not the cause")));
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("there is no path from start (1,2) to goal (9,2)\n"),
+                    HasSubstr("with a radius of up to 0.5 cells, narrowest at cell (5,2)"),
+                    HasSubstr("--robot-radius 0.5"), HasSubstr("robot's size      the cause"),
+                    HasSubstr("unknown cells     not the cause"),
+                    HasSubstr("corner rule       not the cause"),
+                    HasSubstr("connectivity      not the cause")));
   // What it says would help, helps.
   EXPECT_EQ(wend({"plan", door_, "--start", "1,2", "--goal", "9,2", "--robot-radius", "0.5"}).code,
             0);
@@ -71,19 +71,19 @@ TEST_F(ExplainCommand, NamesUnknownCellsAndTheCornerRule) {
   const Outcome by_unknown = explain(unknown, {"--start", "0,0", "--goal", "4,1"});
   EXPECT_EQ(by_unknown.code, 1);
   EXPECT_THAT(by_unknown.out,
-              AllOf(HasSubstr("unknown cells   the cause"), HasSubstr("--unknown free")));
+              AllOf(HasSubstr("unknown cells     the cause"), HasSubstr("--unknown free")));
   const std::string corner = folder_.write("corner.txt", "..#..\n###..\n");
   const std::string diagonal = folder_.write("diagonal.txt", "..#\n.#.\n#..\n");
   const Outcome by_corner = explain(diagonal, {"--start", "0,0", "--goal", "2,2"});
   EXPECT_EQ(by_corner.code, 1);
   EXPECT_THAT(by_corner.out,
-              AllOf(HasSubstr("corner rule     the cause"), HasSubstr("--corner-rule both")));
+              AllOf(HasSubstr("corner rule       the cause"), HasSubstr("--corner-rule both")));
   EXPECT_EQ(explain(diagonal, {"--start", "0,0", "--goal", "2,2", "--corner-rule", "both"}).code,
             0);
   const Outcome walled = explain(corner, {"--start", "0,0", "--goal", "4,1"});
   EXPECT_EQ(walled.code, 1);
   EXPECT_THAT(walled.out,
-              AllOf(HasSubstr("widest path     none"), HasSubstr("nothing but another map")));
+              AllOf(HasSubstr("widest path       none"), HasSubstr("nothing but another map")));
 }
 
 /// Two cells that touch with their corners are one component for a point, but not for a disc.
@@ -93,13 +93,13 @@ TEST_F(ExplainCommand, CountsWhatThisRobotCanReach) {
                                        "--corner-rule", "both", "--robot-radius", "0.5"};
   const Outcome outcome = explain(map, query);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("start's region  1 cell\n"), HasSubstr("goal's region   1 cell\n")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's component 1 cell\n"),
+                                 HasSubstr("goal's component  1 cell\n")));
   for (const std::string command : {"plan", "field"}) {
     std::vector<std::string> arguments{command, map};
     arguments.insert(arguments.end(), query.begin(), query.end());
     EXPECT_THAT(wend(arguments).err,
-                HasSubstr("the start's region has 1 cell, the goal's has 1 cell"));
+                HasSubstr("the start's connected component has 1 cell, the goal's has 1 cell"));
   }
 }
 
@@ -115,7 +115,7 @@ TEST_F(ExplainCommand, IsWhatPlanSaysInOneSentence) {
   const Outcome outcome =
       wend({"plan", door_, "--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the start's region has 21 cells"),
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the start's connected component has 21 cells"),
                                  HasSubstr("a radius of at most 0.5 cells (--robot-radius 0.5)"),
                                  HasSubstr("wend explain")));
 }
@@ -124,20 +124,20 @@ TEST_F(ExplainCommand, ExplainsABlockedEnd) {
   const Outcome outcome =
       explain(door_, {"--start", "5,2", "--goal", "9,2", "--robot-radius", "0.6"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's region  the start (5,2) is blocked"),
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("start's component the start (5,2) is blocked"),
                                  HasSubstr("--robot-radius 0.5")));
   const Outcome outside = explain(door_, {"--start", "50,2", "--goal", "9,2"});
   EXPECT_EQ(outside.code, 2);
-  EXPECT_THAT(outside.err, HasSubstr("lies outside the map"));
+  EXPECT_THAT(outside.err, HasSubstr("is outside the map"));
 }
 
 TEST_F(ExplainCommand, AsksForAnotherEndWhereOneLiesOnAnObstacle) {
   const Outcome goal = explain(door_, {"--start", "1,2", "--goal", "5,0"});
   EXPECT_EQ(goal.code, 1);
   EXPECT_THAT(goal.out, AllOf(HasSubstr("an obstacle lies on goal\n"),
-                              HasSubstr("would help      another goal\n")));
+                              HasSubstr("would help        another goal\n")));
   EXPECT_THAT(explain(door_, {"--start", "5,1", "--goal", "5,0"}).out,
-              HasSubstr("would help      another start and goal\n"));
+              HasSubstr("would help        another start and goal\n"));
 }
 
 TEST_F(ExplainCommand, DrawsTheRegions) {

@@ -27,7 +27,7 @@ constexpr const char* kTwoComponents =
     "....##.\n"
     ".~3..#?\n";
 
-constexpr const char* kReason = "no path joins start (0,0) and goal (6,0)";
+constexpr const char* kReason = "there is no path from start (0,0) to goal (6,0)";
 
 class NoPath : public testing::Test {
  protected:
@@ -268,7 +268,7 @@ TEST_F(Streams, ErrorsNameStandardInput) {
 TEST_F(Streams, TheMapThatStandardInputCameFromIsNotWrittenOver) {
   const Outcome refused = bash("$WEND convert - grid.txt < grid.txt");
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("this file is read, too"));
+  EXPECT_THAT(refused.err, HasSubstr("this file is also an input"));
   EXPECT_EQ(bytes_of(map_), kTwoComponents);
 }
 
@@ -379,7 +379,7 @@ TEST_F(Queries, RefuseWhatIsAboutOneQuery) {
     EXPECT_THAT(refused.out, IsEmpty()) << flags;
   }
   EXPECT_THAT(bash("$WEND plan grid.txt --queries queries.csv -o queries.csv").err,
-              HasSubstr("-o queries.csv: this file is read, too, and would be lost"));
+              HasSubstr("-o queries.csv: this file is also an input and would be overwritten"));
   folder_.write("bad.csv", "from,to\n1,2\n");
   EXPECT_THAT(bash("$WEND plan grid.txt --queries bad.csv").err,
               HasSubstr("bad.csv:1: the first line must name the columns start_x and start_y"));
@@ -429,7 +429,7 @@ TEST_F(Memory, WhatDoesNotFitIsRefusedWithTheEstimate) {
   EXPECT_EQ(refused.code, 1);
   EXPECT_EQ(refused.err,
             "wend: large.map: 8000 x 500 cells need about 65 MB of memory, and 60 MB are "
-            "available; a coarser map needs less, and --limit-memory MB tries all the same\n");
+            "available; a coarser map needs less, and --limit-memory MB overrides the check\n");
   EXPECT_THAT(bytes_of(folder_ / "plan.csv"), StartsWith("# no path: memory_limit: large.map: "));
   EXPECT_EQ(json::parse(bytes_of(folder_ / "plan.json")).at("status"), "memory_limit");
   // What a planner takes counts, too.

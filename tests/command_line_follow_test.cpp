@@ -72,9 +72,7 @@ TEST_F(FollowCommand, SaysWhyTheGoalWasNotReached) {
 TEST_F(FollowCommand, SaysWhyThereIsNoPathWithTheMargin) {
   const Outcome outcome = follow({"--margin", "3"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(
-      outcome.err,
-      HasSubstr("(planned with a margin of 3 cells around the robot, which these radii include)"));
+  EXPECT_THAT(outcome.err, HasSubstr("(these radii include the planning margin of 3 cells)"));
   EXPECT_THAT(outcome.out, IsEmpty());
 }
 
@@ -137,15 +135,15 @@ TEST_F(FollowCommand, PlotsWhereGnuplotIs) {
 TEST_F(FollowCommand, RefusesWhatMeansNothing) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--path", "x.csv"}, "leave out --start and --goal"},
-      {{"--loop"}, "--loop is for a path"},
+      {{"--loop"}, "--loop needs --path"},
       {{"--controller", "pidd"}, "did you mean 'pid'?"},
-      {{"--controller", "p,pid"}, "name one, or use --compare"},
+      {{"--controller", "p,pid"}, "takes exactly one controller"},
       {{"--controller", "p", "--lookahead", "1"}, "has no option --lookahead"},
       {{"--compare=p", "--heading-gain", "1"}, "options follow each controller"},
       {{"--drivetrain", "bicycle", "--controller", "p"}, "turns in place"},
       {{"--rate", "0"}, "rate"},
       {{"--noise", "-1"}, "--noise"},
-      {{"--compare", "-o", folder_ / "drive.gif"}, "for one drive"},
+      {{"--compare", "-o", folder_ / "drive.gif"}, "supports one controller only"},
       {{"--plot", folder_ / "drive.txt"}, "must end in .png, .svg or .pdf"},
   };
   for (const auto& [arguments, wrong] : cases) {

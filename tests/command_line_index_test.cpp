@@ -61,7 +61,7 @@ TEST_F(IndexCommand, PlansAsAStarDoes) {
 TEST_F(IndexCommand, PlanSaysThatItBuildsAnIndexAndDoesNotKeepIt) {
   const Outcome built = plan(map_, {"--planner", "hub_labels"});
   EXPECT_EQ(built.code, 0) << built.err;
-  EXPECT_THAT(built.out, AllOf(HasSubstr(", index "), HasSubstr("not kept: `wend index build`")));
+  EXPECT_THAT(built.out, AllOf(HasSubstr(", index "), HasSubstr("not saved; `wend index build`")));
   const auto index_us = [&](std::vector<std::string> more) {
     more.insert(more.end(), {"--format", "json"});
     return json::parse(plan(map_, std::move(more)).out).at("times").at("index_us");
@@ -124,7 +124,7 @@ TEST_F(IndexCommand, RefusesWhatItCannotBuild) {
   };
   const std::string index = folder_ / "rooms.idx";
   EXPECT_THAT(refused({map_, "--planner", "astar", "-o", index}, 2),
-              HasSubstr("it plans without an index"));
+              HasSubstr("this planner does not use an index"));
   EXPECT_THAT(refused({map_}, 2), HasSubstr("--output"));
   EXPECT_THAT(refused({folder_ / "none.map", "-o", index}, 2), HasSubstr("none.map"));
   EXPECT_THAT(refused({map_, "-o", map_}, 2), HasSubstr("rooms.map"));

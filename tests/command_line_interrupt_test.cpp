@@ -154,7 +154,7 @@ TEST(Resampling, SaysItsLimit) {
   const Outcome outcome =
       wend({"plan", map, "--start", "0,0", "--goal", "9,4", "--resample", "1e-6"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, testing::HasSubstr("1000000 are the most"));
+  EXPECT_THAT(outcome.err, testing::HasSubstr("1000000 is the limit"));
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ TEST_F(Outside, IsWhyARobotDoesNotFitAtTheEdge) {
   const Outcome plan = in_metres("plan", {"--start", "0.15,0.15", "--goal", "1.5,0.5"});
   EXPECT_EQ(plan.code, 1);
   EXPECT_THAT(plan.err,
-              AllOf(HasSubstr("is blocked: the robot would leave the map: the edge is 0.15 m away, "
-                              "the robot's radius is 0.25 m (--outside free lets it hang over)"),
+              AllOf(HasSubstr("is blocked: the robot would extend beyond the map: the edge is 0.15 "
+                              "m away, the robot's radius is 0.25 m (--outside free allows it)"),
                     HasSubstr("The nearest free cell")));
   EXPECT_EQ(in_metres("plan", {"--start", "0.15,0.15", "--goal", "1.5,0.5", "--nearest"}).code, 0);
   const Outcome hanging =
@@ -128,7 +128,7 @@ TEST_F(Outside, IsPartOfWhatAnIndexIsFor) {
   hanging.insert(hanging.end(), {"--outside", "free"});
   const Outcome refused = in_metres("plan", hanging);
   EXPECT_NE(refused.code, 0);
-  EXPECT_THAT(refused.err, HasSubstr("the map's outside"));
+  EXPECT_THAT(refused.err, HasSubstr("the outside of the map"));
 }
 
 TEST_F(Outside, IsNothingToARobotWithoutARadius) {

@@ -124,11 +124,11 @@ TEST_F(ScenarioCommand, RefusesBadInput) {
   EXPECT_THAT(refused({rooms, "--per-bucket", "0"}), HasSubstr("--per-bucket 0: must be from 1"));
   EXPECT_THAT(refused({rooms, "-o", folder_ / "a.map"}), HasSubstr(".scen"));
   const std::string walls = folder_.write("walls.txt", "#.#\n###\n");
-  EXPECT_THAT(refused({walls}), HasSubstr("no two cells are joined by a path"));
+  EXPECT_THAT(refused({walls}), HasSubstr("no two cells are connected"));
 }
 
 TEST_F(ScenarioCommand, LeavesTheKindsOfMapsAsTheyWere) {
-  EXPECT_THAT(wend({"generate"}).err, HasSubstr("name a KIND"));
+  EXPECT_THAT(wend({"generate"}).err, HasSubstr("needs a KIND"));
   EXPECT_EQ(wend({"generate"}).code, 2);
   EXPECT_EQ(wend({"generate", "maze", "--size", "11x11"}).code, 0);
 }

@@ -38,7 +38,7 @@ TEST(PlanFile, OfAPlanThatFailedIsAnError) {
   const auto path = load_path(folder.write("plan.json", outcome.out), {});
   ASSERT_FALSE(path);
   EXPECT_THAT(path.error().message(),
-              testing::HasSubstr("no path: no path joins start (0,0) and goal (2,0)"));
+              testing::HasSubstr("no path: there is no path from start (0,0) to goal (2,0)"));
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ RC_GTEST_PROP(PosthocTraceOfACar, TellsEverySearchAsItWas, ()) {
   Random random(seed);
   const FreeSpace space(test::random_map(random));
   const int unit = random.between(1, 2);
-  const auto planner = make_planner("car", space, {{"unit", std::to_string(unit)}});
+  const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
   if (!planner) RC_DISCARD("no room");
   const auto drives = random_drives(space, unit, 1, seed);
   if (drives.empty()) RC_DISCARD("no corners");

@@ -107,7 +107,7 @@ struct WalkOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"max_steps", "give up after so many steps"}, self.max_steps, {1, 1e9});
+    field({"max_steps", "limit on the number of steps"}, self.max_steps, {1, 1e9});
     field({"boldness", "how far it strays"}, self.boldness, {0, 1});
   }
 };

@@ -66,7 +66,7 @@ TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
     const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
     const int unit = random.between(1, 3);
     const auto drives = random_drives(space, unit, 20, seed);
-    const auto planner = make_planner("car", space, {{"unit", std::to_string(unit)}});
+    const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
     if (drives.empty()) continue;
     ASSERT_TRUE(planner);
     ++maps_with_drives;

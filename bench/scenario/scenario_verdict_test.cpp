@@ -41,7 +41,7 @@ TEST(WrongAnswer, IsAnotherLength) {
 
 TEST(WrongAnswer, IsNoneWhereThereIsOne) {
   EXPECT_THAT(verdict(query_of_length(2), Status::start_blocked, {}),
-              HasSubstr("found none (the robot cannot stand on the start), expected one"));
+              HasSubstr("found none (the robot does not fit at the start), expected one"));
 }
 
 TEST(WrongAnswer, IsOneWhereThereIsNone) {

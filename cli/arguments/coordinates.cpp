@@ -7,9 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/heading.hpp"
 #include "wend/io/text.hpp"
 
 namespace wend::cli {
@@ -49,13 +52,68 @@ std::string metres(Point point) {
   return fmt::format("({},{}) m", digits(point.x), digits(point.y));
 }
 
+constexpr std::string_view kAny = "any";
+constexpr std::string_view kHeadingsThatAre =
+    "N, W, E or S (or 0, 1, 2, 3), or an angle such as 45deg or 0.8rad";
+
+/// "45deg" and "0.8rad" in radians.
+std::optional<double> parse_angle(std::string_view text) {
+  const bool degrees = text.ends_with("deg");
+  if (!degrees && !text.ends_with("rad")) return std::nullopt;
+  const auto number = parse_number(text.substr(0, text.size() - 3));
+  if (!number || !std::isfinite(*number)) return std::nullopt;
+  return degrees ? radians_from(*number) : *number;
+}
+
+/// The angle in grid coordinates of one in the map's frame; that of a heading, but for rounding, is
+/// that heading's.
+double angle_in_grid(double angle, const Frame& frame) {
+  constexpr double kRounding = 1e-9;
+  const double in_grid = frame.to_grid(Pose{0, 0, angle}).heading;
+  const double straight = radians_of(nearest_heading(in_grid, frame.y_up), frame.y_up);
+  return std::abs(normalized_angle(in_grid - straight)) < kRounding ? straight : in_grid;
+}
+
+std::optional<double> parse_typed_heading(std::string_view text, const Frame& frame) {
+  if (const auto heading = parse_heading(text)) return radians_of(*heading, frame.y_up);
+  if (const auto angle = parse_angle(text)) return angle_in_grid(*angle, frame);
+  return std::nullopt;
+}
+
+/// X,Y, and what follows the second comma.
+struct Parts {
+  std::string point;
+  std::optional<std::string> heading;
+};
+
+Parts parts_of(const std::string& typed) {
+  const auto first = typed.find(',');
+  const auto second = first == std::string::npos ? first : typed.find(',', first + 1);
+  if (second == std::string::npos) return {typed, std::nullopt};
+  return {typed.substr(0, second),
+          std::string(trimmed(std::string_view(typed).substr(second + 1)))};
+}
+
+TypedPose parse(const Coordinates& coordinates, const std::string& name, const std::string& typed,
+                const Parts& parts) {
+  const Point point = coordinates.parse_point(name, parts.point, "corner");
+  return {coordinates.in_grid(point), std::nullopt,
+          fmt::format("({}){}", typed, coordinates.metric() ? " m" : "")};
+}
+
+[[noreturn]] void refuse_heading(const std::string& name, const std::string& typed,
+                                 const std::string& heading, std::string_view rest) {
+  throw InputError(fmt::format("--{}: {}: the heading {} is not {}{}", name, quote(typed),
+                               quote(heading), kHeadingsThatAre, rest));
+}
+
 }  // namespace
 
 Place Coordinates::parse(const std::string& name, const std::string& typed) const {
   if (has_heading(typed)) {
     throw InputError(
-        fmt::format("--{}: {} has a heading, and a robot that moves from cell to cell has none: "
-                    "leave it out, or plan for a car (wend plan --planner car)",
+        fmt::format("--{}: {} has a heading, and grid planners do not use one: leave it out, or "
+                    "use the car planner (wend plan --planner car)",
                     name, quote(typed)));
   }
   const Point point = parse_point(name, typed, "cell");
@@ -76,9 +134,9 @@ Point Coordinates::parse_point(const std::string& name, const std::string& typed
     throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
   }
   if (!metric_ && (!is_whole(point->x) || !is_whole(point->y))) {
-    throw InputError(fmt::format("--{0}: {1} is not a {2}: {2}s are counted in whole numbers{3}",
-                                 name, quote(typed), what,
-                                 frame_.metric ? "; without --cells, X,Y are metres" : ""));
+    throw InputError(
+        fmt::format("--{0}: {1} is not a {2}: the coordinates of a {2} are whole numbers{3}", name,
+                    quote(typed), what, frame_.metric ? "; without --cells, X,Y are metres" : ""));
   }
   return *point;
 }
@@ -128,7 +186,7 @@ std::string Coordinates::extent() const {
 
 std::string Coordinates::extent_of_corners() const {
   if (metric_) return metric_extent();
-  return fmt::format("the corners with x from 0 to {} and y from 0 to {}", width_, height_);
+  return fmt::format("the grid vertices with x from 0 to {} and y from 0 to {}", width_, height_);
 }
 
 std::string Coordinates::metric_extent() const {
@@ -159,6 +217,37 @@ std::string size_text(const GridMap& map) {
                         map.height() * frame.resolution);
   }
   return text;
+}
+
+Goal TypedPose::goal() const {
+  return heading ? Goal(Pose{point.x, point.y, *heading}) : Goal(point);
+}
+
+ScenePlace TypedPose::place() const {
+  return heading ? ScenePlace(Pose{point.x, point.y, *heading}) : ScenePlace(point);
+}
+
+TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed) {
+  const Parts parts = parts_of(typed);
+  TypedPose pose = parse(coordinates, "start", typed, parts);
+  if (!parts.heading) {
+    throw InputError(
+        fmt::format("--start: {} has no heading, and the car planner needs one, for example {},E; "
+                    "a heading is {}",
+                    quote(typed), typed, kHeadingsThatAre));
+  }
+  pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());
+  if (!pose.heading) refuse_heading("start", typed, *parts.heading, "");
+  return pose;
+}
+
+TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed) {
+  const Parts parts = parts_of(typed);
+  TypedPose pose = parse(coordinates, "goal", typed, parts);
+  if (!parts.heading || *parts.heading == kAny) return pose;
+  pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());
+  if (!pose.heading) refuse_heading("goal", typed, *parts.heading, ", nor any");
+  return pose;
 }
 
 }  // namespace wend::cli

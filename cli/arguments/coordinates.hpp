@@ -1,14 +1,23 @@
 #pragma once
 
-// Coordinates as people type and read them: metres in the map's frame for maps that have a
-// resolution, cells for the others and with --cells.
+// Coordinates and poses as people type and read them: metres in the map's frame for maps that have a
+// resolution, cells for the others and with --cells. A pose of the car planner is X,Y,HEADING:
+//
+//   0,0,E         a grid vertex, facing east: N, W, E and S are those of the map as drawn
+//   0,0,2         the same: N = 0, W = 1, E = 2, S = 3
+//   1.5,2,45deg   an angle in the map's frame, from +x towards +y; 0.8rad too
+//   18,18,any     a goal with any heading; 18,18 too
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/pose.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/render/scene.hpp"
 #include "wend/report/path_report.hpp"
 
 namespace wend::cli {
@@ -94,5 +103,22 @@ std::string cell_text(Cell cell);
 
 /// "160 x 100 cells, 8 x 5 m"
 std::string size_text(const GridMap& map);
+
+struct TypedPose {
+  Point point;                    // grid coordinates; may lie outside the map
+  std::optional<double> heading;  // radians, in grid coordinates; nothing: any
+  std::string text;               // "(0,0,E)", "(1.5,2,45deg) m"
+
+  Goal goal() const;
+
+  /// For a picture.
+  ScenePlace place() const;
+};
+
+/// The start of a car, which has a heading. Throws InputError for any other text.
+TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed);
+
+/// A goal of a car. Throws InputError for any other text.
+TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed);
 
 }  // namespace wend::cli

@@ -58,20 +58,20 @@ std::string summaries() {
 }  // namespace
 
 void DriveArguments::add_to(Parser& app) {
-  app.add_option("--controller", controller_,
-                 wrapped("What drives (default pure_pursuit); options may follow as in "
-                         "pid:heading_gain=3. " +
-                         summaries()))
+  app.add_option(
+         "--controller", controller_,
+         wrapped(
+             "Controller (default pure_pursuit); options may follow, as in pid:heading_gain=3. " +
+             summaries()))
       .type_name(kControllerType);
   const auto compare = [this](const std::string& text) { compared_ = text; };
-  app.add_option(
-         "--compare", compare,
-         wrapped("Drive with each of these controllers instead, or with all; options may follow "
-                 "each, as in --compare=p,pid:heading_gain=3"))
+  app.add_option("--compare", compare,
+                 wrapped("Simulate each of these controllers instead, or all of them; options may "
+                         "follow each name, as in --compare=p,pid:heading_gain=3"))
       .optional_value()
       .type_name("[" + std::string(kControllerType) + ",...]");
   add_number(app, "--noise", noise_, kNoise,
-             "All noise at once: the same as --actuation-noise S --position-noise S (metres) "
+             "Set all noise at once, like --actuation-noise S --position-noise S (metres) "
              "--heading-noise S (radians)")
       .type_name("S");
   for (const ControllerInfo& info : wend::controllers()) {
@@ -117,7 +117,9 @@ std::vector<ChosenController> DriveArguments::controllers(const MotionModel& rob
   } else {
     specs = parse_controllers(controller_);
     if (specs.size() > 1) {
-      throw InputError(fmt::format("--controller {}: name one, or use --compare", controller_));
+      throw InputError(fmt::format(
+          "--controller {}: --controller takes exactly one controller; --compare takes several",
+          controller_));
     }
     const OptionValues flags = controller_options_.values_for(specs.front().name);
     specs.front().options.insert(specs.front().options.end(), flags.begin(), flags.end());

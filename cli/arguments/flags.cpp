@@ -31,14 +31,14 @@ Argument add_number_to(Parser& app, const std::string& flags, Value& value,
 
 void add_format(Parser& app, Format& format) {
   add_choice<Format>(app, "--format", format, {{"text", Format::text}, {"json", Format::json}},
-                     "Results for people (the default) or for programs");
+                     "Format of the output (default text)");
 }
 
 void add_table_format(Parser& app, TableFormat& format) {
   add_choice<TableFormat>(
       app, "--format", format,
       {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
-      "A table for people (the default), or one for programs");
+      "Format of the table (default text)");
 }
 
 Argument add_number(Parser& app, const std::string& flags, double& value, const NumberRange& range,
@@ -55,7 +55,7 @@ Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
                    const std::string& help) {
   const auto assign = [flags, &value](const std::string& text) {
     const auto number = parse_integer<std::uint64_t>(text);
-    if (!number) refuse_value(flags, quote(text) + " is not a whole number from 0 on");
+    if (!number) refuse_value(flags, quote(text) + " is not a whole number of at least 0");
     value = *number;
   };
   return app.add_option(flags, assign, wrapped(help)).type_name("N");
@@ -90,7 +90,8 @@ Argument add_word(Parser& app, const std::string& flags, const std::vector<std::
 void refuse_idle(const Parser& command, const std::vector<std::string>& flags,
                  std::string_view why) {
   for (const std::string& flag : flags) {
-    if (command.given(flag)) throw InputError(fmt::format("{} changes nothing: {}", flag, why));
+    const std::string typed = command.typed(flag);
+    if (!typed.empty()) throw InputError(fmt::format("{} changes nothing: {}", typed, why));
   }
 }
 

@@ -1,8 +1,13 @@
 #include "cli/arguments/input_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/io/files.hpp"
 
@@ -35,12 +40,27 @@ Expected<std::vector<QueryRow>, IoError> load_queries_or_stream(const std::strin
   return parse_query_csv(*text, stream_name(file));
 }
 
+/// What of a path does not lie on the map, if something does not.
+std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
+  for (const Cell cell : path.cells()) {
+    if (!space.contains(cell)) return "the cell " + cell_text(cell);
+  }
+  if (!path.cells().empty()) return std::nullopt;
+  for (const Point point : path.points()) {
+    if (point.x >= 0 && point.y >= 0 && point.x <= space.width() && point.y <= space.height()) {
+      continue;
+    }
+    return fmt::format("the point ({:g},{:g})", point.x, point.y);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void check_read_once(const std::vector<std::string>& names) {
   const auto from_input = [](const std::string& name) { return is_standard_input(name); };
   if (std::count_if(names.begin(), names.end(), from_input) < 2) return;
-  throw InputError("standard input can be read only once: name a file for all but one '-'");
+  throw InputError("standard input can be read only once: use '-' for one file only");
 }
 
 LoadedMap read_map(const std::string& file, const LoadOptions& options) {
@@ -61,6 +81,26 @@ Path read_path(const std::string& file, const Frame& frame, PathStage stage) {
   const auto& error = path.error();
   if (error.failed_plan) throw NoPathError(error.message(), *error.failed_plan);
   throw InputError(error.message());
+}
+
+void add_path_file(Parser& app, std::string& file) {
+  app.add_option("PATH", file,
+                 wrapped("Path, as written by `wend plan -o` (.csv, .json), or points in metres "
+                         "(.csv with columns x_m and y_m); - reads standard input"))
+      .required()
+      .type_name(kFileType);
+}
+
+Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage) {
+  return read_path(file, space.map().frame(), stage);
+}
+
+Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage) {
+  Path path = load_path_for(space, file, stage);
+  const auto outside = part_outside(path, space);
+  if (!outside) return path;
+  throw InputError(fmt::format("{}: {} is outside the map, which has {}", file, *outside,
+                               size_text(space.map())));
 }
 
 }  // namespace wend::cli

@@ -1,13 +1,15 @@
 #pragma once
 
-// Maps and paths that are read: files, standard input ("-") and pipes.
+// Maps, paths and queries that are read from files, standard input ("-") and pipes.
 
 #include <string>
 #include <vector>
 
+#include "cli/arguments/parser.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/query/query_csv.hpp"
+#include "wend/map/free_space.hpp"
 
 namespace wend::cli {
 
@@ -22,5 +24,14 @@ std::vector<QueryRow> read_queries(const std::string& file);
 
 /// Throws NoPathError if the file holds the reason of a failed plan, InputError if it cannot be read.
 Path read_path(const std::string& file, const Frame& frame, PathStage stage);
+
+/// The positional PATH.
+void add_path_file(Parser& app, std::string& file);
+
+/// Throws InputError if it cannot be read, NoPathError if it says why there is no path.
+Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage);
+
+/// The same, also if something of it does not lie on the map.
+Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage);
 
 }  // namespace wend::cli

@@ -4,29 +4,36 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
-#include "cli/arguments/memory_need.hpp"
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
+#include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
 
 namespace wend::cli {
 namespace {
 
-constexpr NumberRange kResolutions{1e-6, 1e6, "metres a cell"};
+constexpr NumberRange kResolutions{1e-6, 1e6, "metres per cell"};
 constexpr NumberRange kDistances{0, 1e9, kMapUnit};
 constexpr NumberRange kCosts{0, 1e6};
 constexpr NumberRange kMegabytes{0, 1e9, "MB"};
 
+/// "5.3 GB", "120 MB"
+std::string size_of(double bytes) {
+  const double megabytes = bytes / 1e6;
+  return megabytes < 1000 ? fmt::format("{:.3g} MB", megabytes)
+                          : fmt::format("{:.3g} GB", megabytes / 1000);
+}
+
 }  // namespace
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
-  app.add_option(name, file,
-                 wrapped("The map: " + map_formats_text(MapUse::load) +
-                         "; - reads one from standard input"))
+  app.add_option(
+         name, file,
+         wrapped("Map file: " + map_formats_text(MapUse::load) + "; - reads standard input"))
       .required()
       .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
-             "Metres a cell of a bare image, which then counts in metres");
+             "Resolution of a bare image in metres per cell; its unit of length is then the metre");
 }
 
 LoadedMap MapFileArguments::load() const {
@@ -42,33 +49,36 @@ LoadedMap MapFileArguments::load() const {
 
 void RobotArguments::add_robot_to(Parser& app) {
   add_number(app, "--robot-radius", robot_radius, kDistances,
-             "The robot is a disc of this radius, in metres for a map with a resolution, in cells "
-             "for others and with --cells (default 0, a point)");
+             "Radius of the robot, a disc: in metres on maps with a resolution, in cells on others "
+             "and with --cells (default 0, a point)");
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
-                            "What unknown cells are (default blocked)");
+                            "Whether unknown cells are blocked or free (default blocked)");
   add_choice<std::optional<OutsidePolicy>>(
       app, "--outside", outside,
       {{"blocked", OutsidePolicy::blocked}, {"free", OutsidePolicy::free}},
-      "What lies outside the map: whether the robot's disc may hang over the map's edge (default "
+      "Outside of the map: with free the robot's disc may extend beyond the map's edge (default "
       "blocked for maps in metres, free for maps in cells)");
-  app.add_flag("--cells", cells, wrapped("Count in cells where the map counts in metres"));
+  app.add_flag("--cells", cells, wrapped("Use cells as the unit of length on maps in metres"));
 }
 
 void RobotArguments::add_clearance_cost_to(Parser& app) {
-  add_number(app, "--clearance-distance", clearance_distance, kDistances,
-             "Where there is room, keep the robot's edge so far from obstacles: nearer cells cost "
-             "more (units as --robot-radius; default 0, off)");
-  add_number(app, "--clearance-cost", clearance_cost, kCosts,
-             "How many times more a cell costs where the robot would touch an obstacle, fading to "
-             "nothing at --clearance-distance (default " +
-                 format_number(FreeSpaceOptions{}.clearance_cost) + ")");
+  const Argument distance = add_number(
+      app, "--clearance-distance", clearance_distance, kDistances,
+      "Distance to keep from obstacles where there is room, measured from the robot's edge; nearer "
+      "cells cost more (units as --robot-radius; default 0, off)");
+  add_number(app, "--keep-away", clearance_distance, kDistances, "").former_name_of(distance);
+  const Argument cost = add_number(
+      app, "--clearance-cost", clearance_cost, kCosts,
+      "Additional cost of a cell where the robot would touch an obstacle, as a multiple of the "
+      "cell's cost; it falls to 0 at --clearance-distance (default " +
+          format_number(FreeSpaceOptions{}.clearance_cost) + ")");
+  add_number(app, "--keep-away-cost", clearance_cost, kCosts, "").former_name_of(cost);
 }
 
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   if (clearance_cost && clearance_distance.value_or(0) == 0) {
-    throw InputError(
-        "--clearance-cost changes nothing: say from how far on with --clearance-distance");
+    throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
   return {.robot_radius = units.in_metres(robot_radius),
@@ -81,10 +91,9 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 void MapArguments::add_to(Parser& app) {
   MapFileArguments::add_to(app, "MAP");
   add_robot_to(app);
-  add_number(
-      app, "--limit-memory", limit_memory, kMegabytes,
-      "Limit on memory in megabytes; a map that needs more is refused (default: what the system "
-      "has available)");
+  add_number(app, "--limit-memory", limit_memory, kMegabytes,
+             "Limit on memory in megabytes; a map that needs more is rejected (default: the memory "
+             "available on the system)");
 }
 
 void MapArguments::check_memory(const GridMap& map, double need) const {
@@ -99,6 +108,16 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
   return FreeSpace(map, robot);
+}
+
+void check_memory(const std::string& file, const GridMap& map, double need,
+                  std::optional<double> available) {
+  if (!available || need <= *available) return;
+  const std::string reason = fmt::format(
+      "{}: {} x {} cells need about {} of memory, and {} are available; a coarser map needs less, "
+      "and --limit-memory MB overrides the check",
+      file, map.width(), map.height(), size_of(need), size_of(*available));
+  throw NoPathError(reason, {std::string(to_string(Status::memory_limit)), reason});
 }
 
 }  // namespace wend::cli

@@ -9,6 +9,7 @@
 #include "cli/arguments/parser.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/free_space.hpp"
+#include "wend/map/grid_map.hpp"
 
 namespace wend::cli {
 
@@ -54,5 +55,10 @@ struct MapArguments : MapFileArguments, RobotArguments {
   /// Throws NoPathError if the free space and planners of this size do not fit into memory.
   FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
 };
+
+/// Throws NoPathError with the status memory_limit if more bytes are needed than `available`, where
+/// that is known.
+void check_memory(const std::string& file, const GridMap& map, double need,
+                  std::optional<double> available);
 
 }  // namespace wend::cli

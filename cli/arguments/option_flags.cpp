@@ -121,7 +121,7 @@ std::string help_of(const std::vector<std::string>& owners,
 void OptionFlags::collect(const std::string& owner, const std::vector<OptionInfo>& options) {
   for (const OptionInfo& option : options) {
     auto flag = std::ranges::find(flags_, option.name, &Flag::name);
-    if (flag == flags_.end()) flag = flags_.insert(flag, {option.name, {}, {}});
+    if (flag == flags_.end()) flag = flags_.insert(flag, {option.name, option.former, {}, {}});
     flag->owners.push_back(owner);
     flag->options.push_back(option);
   }
@@ -144,7 +144,15 @@ void OptionFlags::add_flag(Parser& app, const Flag& flag) {
   std::string names = spellings(name);
   for (const std::string& alias : flag.options.front().aliases) names += "," + spellings(alias);
   const auto give = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  app.add_option(names, give, help).type_name(type_of(flag.options)).group(group());
+  const Argument current =
+      app.add_option(names, give, help).type_name(type_of(flag.options)).group(group());
+  if (flag.former.empty()) return;
+  const auto give_former = [this, former = flag.former](const std::string& text) {
+    given_.emplace_back(former, text);
+  };
+  app.add_option(spellings(flag.former), give_former, {})
+      .type_name(type_of(flag.options))
+      .former_name_of(current);
 }
 
 std::string OptionFlags::group() const {
@@ -172,7 +180,10 @@ OptionValues OptionFlags::values_for(const std::string& owner) const {
 }
 
 const OptionFlags::Flag* OptionFlags::find(const std::string& name) const {
-  return &*std::ranges::find(flags_, name, &Flag::name);
+  const auto is_called = [&](const Flag& flag) {
+    return flag.name == name || (!name.empty() && flag.former == name);
+  };
+  return &*std::ranges::find_if(flags_, is_called);
 }
 
 }  // namespace wend::cli

@@ -34,6 +34,7 @@ class OptionFlags {
  private:
   struct Flag {
     std::string name;
+    std::string former;
     std::vector<std::string> owners;
     std::vector<OptionInfo> options;  // of each owner
   };

@@ -20,6 +20,11 @@ Argument Argument::group(const std::string& name) const {
   return *this;
 }
 
+Argument Argument::former_name_of(const Argument& current) const {
+  option_->excludes(current.option_)->group("");
+  return *this;
+}
+
 Argument Argument::optional_value() const {
   option_->expected(0, 0);  // and not expected(0), which is a flag that is "true"
   return *this;
@@ -75,9 +80,15 @@ void Parser::hide() { app_->group(""); }
 
 bool Parser::parsed() const { return app_->parsed(); }
 
-bool Parser::given(const std::string& flag) const {
+std::string Parser::typed(const std::string& flag) const {
   const CLI::Option* option = app_->get_option_no_throw(flag);
-  return option != nullptr && option->count() > 0;
+  if (option == nullptr) return {};
+  if (option->count() > 0) return flag;
+  for (const CLI::Option* former : option->get_excludes()) {
+    if (former->get_group().empty() && former->count() > 0)
+      return "--" + former->get_lnames().front();
+  }
+  return {};
 }
 
 std::vector<const CLI::App*> visible_subcommands(const CLI::App& app) {

@@ -29,6 +29,9 @@ class Argument {
   /// Its value may be left out and is empty then; it is joined by an equals sign, `--smooth=0.1,0.3`,
   /// so that no argument that follows is ever taken for it.
   Argument optional_value() const;
+  /// An old name of another argument: accepted, unless both are given, but shown in neither help nor
+  /// completion.
+  Argument former_name_of(const Argument& current) const;
   /// Takes one value each time that it is given.
   Argument one_at_a_time() const;
   /// Takes one word each time that it is given, with several values between commas.
@@ -69,8 +72,10 @@ class Parser {
   /// Whether the command line named this subcommand.
   bool parsed() const;
 
-  /// Whether the command line has this flag of it: "--style". False for flags that it does not take.
-  bool given(const std::string& flag) const;
+  /// A flag of it, "--style", by the name that the command line has: its own or a former one. Empty if
+  /// it is not given, or if the command has no such flag.
+  std::string typed(const std::string& flag) const;
+  bool given(const std::string& flag) const { return !typed(flag).empty(); }
 
   /// Leaves this subcommand out of help, completion, suggestions and the reference.
   void hide();

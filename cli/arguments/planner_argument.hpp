@@ -1,13 +1,22 @@
 #pragma once
 
-// --planner: a planner by name, or several, each with options: "astar", "astar:weight=2,bfs".
+// --planner and --index: planners by name, each with options ("astar", "astar:weight=2,bfs"), the index
+// that a planner is given or that is built now, and PlannerMaker, which makes planners for a map.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "wend/base/workers.hpp"
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/index/file/index_header.hpp"
+#include "wend/io/files.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/planner/planner.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 
@@ -25,5 +34,45 @@ int unit_of(const PlannerSpec& planner, const Frame& frame);
 
 /// Has a planner or smoother an option of that name?
 bool has_option(const std::vector<OptionInfo>& options, std::string_view name);
+
+/// An index that need not be built.
+struct GivenIndex {
+  std::string file;
+  IndexHeader header;
+  IndexBytes bytes;
+};
+
+/// Throws InputError for a file that cannot be read. What is wrong with one that is no index, or a
+/// damaged one, is the error.
+Expected<GivenIndex, std::string> read_given_index(const std::string& file);
+
+/// Builds with a progress bar.
+Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const FreeSpace& space,
+                                               Workers& workers);
+
+/// "hub_labels or corner_hierarchy": the planners that can plan on an index.
+std::string planners_with_index();
+
+/// Makes planners for one map, on one index where the planner needs one.
+class PlannerMaker {
+ public:
+  /// `given`: what the planner is to plan on, if an index was given; or what is wrong with it.
+  PlannerMaker(PlannerSpec spec, FreeSpace space,
+               std::optional<Expected<GivenIndex, std::string>> given);
+
+  /// A planner with scratch memory of its own, and what it and its index took. An index that was not
+  /// given is built by the first call.
+  PlannerResult make(WorkTimes& times);
+
+  bool built_index() const { return built_.has_value(); }
+
+  const PlannerSpec& spec() const { return spec_; }
+
+ private:
+  PlannerSpec spec_;
+  FreeSpace space_;
+  std::optional<Expected<GivenIndex, std::string>> given_;
+  std::optional<IndexBytes> built_;
+};
 
 }  // namespace wend::cli

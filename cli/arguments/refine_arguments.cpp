@@ -36,8 +36,8 @@ Simplification simplification_of(const std::string& typed, const Coordinates& co
   if (tolerance && std::isfinite(*tolerance) && *tolerance >= 0) {
     return {SimplifyBy::tolerance, coordinates.in_cells(*tolerance)};
   }
-  throw InputError(fmt::format("--simplify: {} is not collinear, sight, or a tolerance from 0 on",
-                               quote(typed)));
+  throw InputError(fmt::format(
+      "--simplify: {} is not collinear, sight, or a tolerance of at least 0", quote(typed)));
 }
 
 /// alpha and beta as smoothers' options.
@@ -47,8 +47,8 @@ OptionValues weights_of(const std::string& typed) {
   const std::string alpha = typed.substr(0, comma);
   const std::string beta = comma == std::string::npos ? "" : typed.substr(comma + 1);
   if (!parse_number(alpha) || !parse_number(beta)) {
-    throw InputError(
-        fmt::format("--smooth: {} is not ALPHA,BETA, two numbers: 0.1,0.3 say", quote(typed)));
+    throw InputError(fmt::format("--smooth: {} is not ALPHA,BETA, two numbers, for example 0.1,0.3",
+                                 quote(typed)));
   }
   return {{"alpha", alpha}, {"beta", beta}};
 }
@@ -58,30 +58,28 @@ OptionValues weights_of(const std::string& typed) {
 void RefineArguments::add_to(Parser& app) {
   add_points_to(app);
   add_optional_text(app, "--smooth", smooth,
-                    "Smooth the path, without ever touching an obstacle; ALPHA holds points where "
-                    "they were, BETA draws neighbours together (default 0.1,0.3)")
+                    "Smooth the path, clear of obstacles. ALPHA holds each point at its original "
+                    "position, BETA pulls neighbouring points together (default 0.1,0.3)")
       .type_name("[ALPHA,BETA]");
   app.add_option("--smoother", smoother,
-                 wrapped("Smooth with this smoother (default gradient); options may follow as in "
-                         "curvature:turning_radius=0.4; `wend smooth --help` tells them"))
+                 wrapped("Smoother (default gradient); options may follow, as in "
+                         "curvature:turning_radius=0.4. `wend smooth --help` lists them"))
       .type_name(kSmootherType);
   add_number(app, "--turning-radius", turning_radius, kRadii,
-             "Turn no more tightly than this (units as --robot-radius): --planner car, rounded up "
-             "to whole cells, or --smoother curvature");
-  app.add_flag("--unsafe", unsafe,
-               wrapped("Smooth as the textbook does, whatever the path runs into"));
+             "Lower limit on the turning radius (units as --robot-radius), for --planner car, "
+             "where it is rounded up to whole cells, or --smoother curvature");
+  app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check, as in the textbook"));
 }
 
 void RefineArguments::add_points_to(Parser& app) {
   add_optional_text(
       app, "--simplify", simplify,
-      "Leave out points: collinear ones, all but those needed to see the next (sight, "
-      "the default), or those within a tolerance of the rest, a length; before the "
-      "path is smoothed")
+      "Remove points before the path is smoothed: collinear points, all points that are not needed "
+      "for line of sight (sight, the default), or points within a tolerance, a length")
       .type_name("[collinear|sight|TOLERANCE]");
   add_number(app, "--resample", resample, kSpacings,
-             "Last, put points at equal distances along the path, about so far apart (a length: "
-             "metres for a map with a resolution, cells for others and with --cells)");
+             "After smoothing, place points at equal distances of about this length along the path "
+             "(metres on maps with a resolution, cells on others and with --cells)");
   add_corner_rounding(app, corner_rounding);
 }
 
@@ -94,16 +92,16 @@ void RefineArguments::steer(PlannerSpec& planner, const Coordinates& coordinates
   }
   const auto choice = smoother_choice(coordinates);
   if (choice && has_option(smoothers().find(choice->name)->options, kTurningRadius)) return;
-  throw InputError(fmt::format(
-      "--turning-radius: neither the planner {} nor a smoother that is asked for has one; add "
-      "--planner car or --smoother curvature",
-      planner.name));
+  throw InputError(
+      fmt::format("--turning-radius: neither the planner {} nor the smoother has a turning radius; "
+                  "add --planner car or --smoother curvature",
+                  planner.name));
 }
 
 std::optional<SmootherChoice> RefineArguments::smoother_choice(
     const Coordinates& coordinates) const {
   if (!smooth && smoother.empty()) {
-    if (unsafe) throw InputError("--unsafe says how to smooth: add --smooth");
+    if (unsafe) throw InputError("--unsafe needs --smooth");
     return std::nullopt;
   }
   SmootherChoice choice = smoother.empty() ? SmootherChoice{} : parse_smoother(smoother);
@@ -129,14 +127,16 @@ Refinement RefineArguments::refinement(const Coordinates& coordinates, Adjacency
 SmootherChoice parse_smoother(std::string_view text) {
   auto specs = parse_option_specs(text, "smoother", smoothers().names());
   if (!specs) throw InputError(specs.error());
-  if (specs->size() > 1) throw InputError(fmt::format("--smoother {}: name one smoother", text));
+  if (specs->size() > 1)
+    throw InputError(fmt::format("--smoother {}: --smoother takes exactly one smoother", text));
   return {specs->front().name, specs->front().options};
 }
 
 void add_corner_rounding(Parser& app, std::optional<double>& rounding) {
-  add_number(app, "--corner-rounding", rounding, kRoundings,
-             "Measure turning radii with corners rounded no farther from them than this, too "
-             "(units as --robot-radius; default a tenth of a cell)");
+  add_number(
+      app, "--corner-rounding", rounding, kRoundings,
+      "Measure turning radii also with the path's corners rounded; limit on the distance between "
+      "the rounded path and the corner (units as --robot-radius; default a tenth of a cell)");
 }
 
 double corner_rounding_in_cells(const std::optional<double>& rounding,

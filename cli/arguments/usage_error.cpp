@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cli/arguments/flags.hpp"
+#include "cli/arguments/parser.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/io/text.hpp"
-#include "cli/arguments/parser.hpp"
 
 namespace wend::cli {
 namespace {
@@ -27,9 +27,10 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
   return names;
 }
 
-std::vector<std::string> flag_names(const CLI::App& app) {
+std::vector<std::string> shown_flags(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // a former name
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
@@ -54,7 +55,7 @@ std::string equals_sign_text(const CLI::App& app) {
     const bool value_is_optional =
         !option->get_type_name().empty() && option->get_items_expected_max() == 0;
     if (!value_is_optional || option->count() == 0 || !option->results().front().empty()) continue;
-    return fmt::format("; a value of --{0} is joined by an equals sign, --{0}=VALUE",
+    return fmt::format("; the value of --{0} needs an equals sign, --{0}=VALUE",
                        option->get_lnames().front());
   }
   return {};
@@ -62,10 +63,25 @@ std::string equals_sign_text(const CLI::App& app) {
 
 /// "--start needs a value: X,Y", where the next flag was taken for the value of one.
 std::string swallowed_flag_text(const CLI::App& app) {
-  const std::vector<std::string> flags = flag_names(app);
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
-      if (std::ranges::find(flags, flag_name_of(value)) != flags.end()) return needs_value(*option);
+      const bool is_long = value.starts_with("--");
+      if (is_long && app.get_option_no_throw(flag_name_of(value)) != nullptr) {
+        return needs_value(*option);
+      }
+    }
+  }
+  return {};
+}
+
+/// Where an argument is given by its present name and by its former one.
+std::string both_names_text(const CLI::App& app) {
+  for (const CLI::Option* former : app.get_options()) {
+    if (!former->get_group().empty() || former->count() == 0) continue;
+    for (const CLI::Option* current : former->get_excludes()) {
+      if (current->count() == 0) continue;
+      return fmt::format("--{} is the former name of --{}: give one of them",
+                         former->get_lnames().front(), current->get_lnames().front());
     }
   }
   return {};
@@ -78,7 +94,7 @@ std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& erro
   const CLI::Option* option = app.get_option_no_throw(name);
   if (option == nullptr) return what;
   if (option->results().size() > 1) {
-    return fmt::format("{} is given {} times, and takes one value", name, option->results().size());
+    return fmt::format("{} is given {} times but takes one value", name, option->results().size());
   }
   return needs_value(*option);
 }
@@ -86,12 +102,12 @@ std::string mismatch_text(const CLI::App& app, const CLI::ArgumentMismatch& erro
 std::string surplus_text(const CLI::App& app, const std::string& argument) {
   if (is_flag(argument)) {
     const std::string name = flag_name_of(argument);
-    const auto closest = closest_name(name, flag_names(app));
-    return "there is no flag " + name + (closest ? ": did you mean " + *closest + "?" : "");
+    const auto closest = closest_name(name, shown_flags(app));
+    return "unknown option " + name + (closest ? ": did you mean " + *closest + "?" : "");
   }
   const std::vector<std::string> commands = subcommand_names(app);
   if (commands.empty()) return "unexpected argument " + quote(argument) + equals_sign_text(app);
-  const std::string text = "there is no subcommand " + quote(argument);
+  const std::string text = "unknown subcommand " + quote(argument);
   const auto closest = closest_name(argument, commands);
   return text + (closest ? ": did you mean " + *closest + "?" : ": choose " + or_list(commands));
 }
@@ -111,7 +127,7 @@ std::string with_help(const CLI::App& command, const std::string& text) {
        above = above->get_parent()) {
     name.insert(0, above->get_name() + " ");
   }
-  return fmt::format("{}\n`{} --help` says more", text, name);
+  return fmt::format("{}\nsee `{} --help`", text, name);
 }
 
 }  // namespace
@@ -132,6 +148,8 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     text = surplus_text(*at, surplus(left));
   } else if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     text = mismatch_text(*at, *mismatch);
+  } else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    text = both_names_text(*at);
   } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
              !subcommand_names(*at).empty()) {
     text = "choose a subcommand: " + or_list(subcommand_names(*at));

@@ -12,20 +12,17 @@
 #include "bench/scenario/bench_queries.hpp"
 #include "bench/scenario/bench_rows.hpp"
 #include "cli/arguments/flags.hpp"
-#include "cli/commands/bench/bench_contestant.hpp"
-#include "cli/commands/bench/bench_course.hpp"
-#include "cli/commands/bench/bench_race.hpp"
-#include "cli/commands/bench/bench_reference.hpp"
-#include "cli/commands/bench/bench_settings.hpp"
-#include "cli/commands/bench/bench_shards.hpp"
-#include "cli/commands/bench/bench_store.hpp"
+#include "cli/commands/bench/entry.hpp"
 #include "cli/commands/bench/ranks.hpp"
+#include "cli/commands/bench/run.hpp"
+#include "cli/commands/bench/scenarios.hpp"
+#include "cli/commands/bench/settings.hpp"
+#include "cli/commands/bench/store.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
 
 namespace wend::cli {
@@ -52,27 +49,27 @@ constexpr const char* kBenchExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps,hub_labels
   wend bench rooms.map.scen --planner astar,jps --fresh --sample 20
-  wend bench . --planner astar,dijkstra --passes 2 --per-query queries.csv
+  wend bench . --planner astar,dijkstra --repetitions 2 --per-query queries.csv
   wend bench rooms.map.scen --robot-radius 1.5 --connectivity 4
   wend bench . --planner astar,dijkstra --database results.db --plot results.svg
   wend bench queries.scen --map arena.map
   mpirun -n 4 wend bench . --planner astar --database results.db --distributed
 
-Times are CPU time of the thread. A first query is one run of a new planner; of
-ten queries it is measured, of all with --fresh. Later queries take the least of
-as many runs as fill 5 ms. What a planner prepares is shown beside them: its
-index, and what it makes of the map.
+Times are CPU times of the thread. The first query is one run of a new planner;
+it is measured for ten queries, with --fresh for all. A later query is the
+minimum of as many runs as fill 5 ms. The preparation of a planner, its index
+and its view of the map, is shown separately.
 
-The map of X.map.scen is X.map, of X.yaml.scen X.yaml, of other scenarios the
-name in their map column; it lies in the scenario's folder. Cells are those of
---cells: from the upper left one, of a ROS map from the lower left one. On
-terrain lengths are costs. Lengths in scenarios hold for a point on 8 neighbours
-without corner cutting: for other robots Dijkstra's algorithm finds them first.
-Wrong is: no path though there is a length; a path though there is none; another
-length; a path that is not valid cell by cell; another answer than in a pass
-before. A run with --database that was interrupted goes on where it was when it
-is started again; Planner Arena opens the file. Exit codes: 0 all right, 1
-something is wrong, 2 bad usage or input.)";
+The map of X.map.scen is X.map, of X.yaml.scen it is X.yaml; other scenarios
+name their map in the map column, in the scenario's folder. Cells are numbered
+as with --cells: from the upper left cell, on ROS maps from the lower left cell.
+On terrain, lengths are costs. Lengths in scenarios are for a point on 8
+neighbours without corner cutting; for other robots Dijkstra's algorithm
+computes them first. An answer is wrong if it finds no path and the scenario has
+a length, or the reverse; if its length differs; if the path is not valid cell
+by cell; or if it differs from an earlier pass. An interrupted run with
+--database continues when it is started again; Planner Arena opens the file.
+Exit codes: 0 all answers are right, 1 an answer is wrong, 2 bad usage or input.)";
 
 struct BenchResults {
   std::vector<BenchRow> rows{};
@@ -92,14 +89,14 @@ std::string text_of(const BenchArguments& arguments, const std::vector<BenchRow>
   return {};
 }
 
-void check(const BenchArguments& arguments) {
-  arguments.settings.check();
+void check(const Parser& bench, const BenchArguments& arguments) {
+  arguments.settings.check(bench);
   check_positive("--sample", arguments.sample);
   if (!arguments.database.empty()) {
     check_folder(arguments.database, "--database " + arguments.database);
   }
   if (arguments.distributed && arguments.database.empty()) {
-    throw InputError("--distributed: name the file for the results of all ranks with --database");
+    throw InputError("--distributed needs --database FILE for the results of all ranks");
   }
   if (!arguments.per_query.empty()) {
     check_folder(arguments.per_query, "--per-query " + arguments.per_query);
@@ -115,41 +112,42 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-std::vector<std::filesystem::path> files_of(const std::vector<Course>& courses) {
+std::vector<std::filesystem::path> files_of(const std::vector<BenchScenario>& scenarios) {
   std::vector<std::filesystem::path> files;
-  for (const Course& course : courses) {
-    files.emplace_back(course.scenario.file);
-    append(files, course.map_files);
+  for (const BenchScenario& scenario : scenarios) {
+    files.emplace_back(scenario.file);
+    append(files, scenario.map_files);
   }
   return files;
 }
 
 /// Every index that was given is to be used.
-void check_used(const GivenIndex& index, const std::vector<Contestant>& contestants) {
-  const bool taken = std::ranges::any_of(
-      contestants, [&](const Contestant& contestant) { return contestant.takes(index); });
+void check_used(const GivenIndex& index, const std::vector<BenchEntry>& entries) {
+  const bool taken =
+      std::ranges::any_of(entries, [&](const BenchEntry& entry) { return entry.takes(index); });
   if (taken) return;
-  throw InputError(fmt::format("--index {}: it is for {}, which is not in --planner", index.file,
-                               index.header.planner_name()));
+  throw InputError(
+      fmt::format("--index {}: the index is for the planner {}, which is not in --planner",
+                  index.file, index.header.planner_name()));
 }
 
 /// All that a benchmark needs, read and checked before anything is measured or written.
 struct BenchInput {
-  std::vector<Contestant> contestants;
+  std::vector<BenchEntry> entries;
   std::vector<GivenIndex> indexes;
-  std::vector<Course> courses;
+  std::vector<BenchScenario> scenarios;
 };
 
 BenchInput load_input(const BenchArguments& arguments) {
   const BenchSettings& settings = arguments.settings;
-  BenchInput input{parse_contestants(arguments.planners, settings.moves.moves),
+  BenchInput input{parse_entries(arguments.planners, settings.moves.moves),
                    open_indexes(arguments.indexes),
-                   load_courses(arguments.scenarios, arguments.map, arguments.sample)};
-  for (const GivenIndex& index : input.indexes) check_used(index, input.contestants);
+                   load_scenarios(arguments.scenarios, arguments.map, arguments.sample)};
+  for (const GivenIndex& index : input.indexes) check_used(index, input.entries);
   std::vector<bool> fits(input.indexes.size(), false);
-  for (const Course& course : input.courses) {
-    const FreeSpace space = settings.robot.free_space(course.map);
-    for (const Contestant& contestant : input.contestants) contestant.check(space);
+  for (const BenchScenario& scenario : input.scenarios) {
+    const FreeSpace space = settings.robot.free_space(scenario.map);
+    for (const BenchEntry& entry : input.entries) entry.check(space);
     for (std::size_t i = 0; i < fits.size(); ++i) {
       fits[i] = fits[i] || is_for(input.indexes[i], space);
     }
@@ -157,35 +155,35 @@ BenchInput load_input(const BenchArguments& arguments) {
   const auto unused = std::ranges::find(fits, false);
   if (unused != fits.end()) {
     const auto at = static_cast<std::size_t>(unused - fits.begin());
-    throw InputError(fmt::format("--index {}: it is for another map", input.indexes[at].file));
+    throw InputError(
+        fmt::format("--index {}: the index is for another map", input.indexes[at].file));
   }
   return input;
 }
 
-/// Of the courses, or of a share of their queries.
-BenchResults run_races(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
-                       BenchShare share = {}) {
+/// Of the scenarios, or of a share of their queries.
+BenchResults run_scenarios(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
+                           BenchShare share = {}) {
   const BenchSettings& settings = arguments.settings;
   std::uint64_t queries = 0;
-  for (const Course& course : input.courses) queries += course.scenario.queries.size();
-  const std::uint64_t answers = queries * input.contestants.size() * settings.passes;
+  for (const BenchScenario& scenario : input.scenarios) queries += scenario.queries.size();
+  const std::uint64_t answers = queries * input.entries.size() * settings.repetitions;
   BenchProgress progress{{"queries", answers}};
   BenchResults results;
-  for (Course& course : input.courses) {
+  for (BenchScenario& scenario : input.scenarios) {
     if (!settings.as_in_scenarios()) {
-      set_lengths(course.scenario.queries, settings.robot.free_space(course.map),
-                  settings.moves.moves);
+      set_lengths(scenario.queries, settings.robot.free_space(scenario.map), settings.moves.moves);
     }
-    BenchRace race(course, input.contestants, settings, store, share);
-    race.run(input.indexes, progress);
+    BenchRun bench_run(scenario, input.entries, settings, store, share);
+    bench_run.run(input.indexes, progress);
     if (share.ranks > 1) continue;
-    append(results.rows, race.rows());
+    append(results.rows, bench_run.rows());
     if (!arguments.plot.empty() || !arguments.per_query.empty()) {
-      append(results.maps, race.benched());
+      append(results.maps, bench_run.benched());
     }
   }
   if (progress.known > 0 && !arguments.distributed) {
-    complain(fmt::format("{}: {} of {} answers were there already", arguments.database,
+    complain(fmt::format("{}: {} of {} answers were already stored", arguments.database,
                          progress.known, answers));
   }
   return results;
@@ -211,8 +209,9 @@ void run_share(const BenchArguments& arguments, BenchInput& input, Ranks& ranks)
   ranks.wait_for_all();
   {
     BenchStore store(arguments.database, shard_file(arguments.database, ranks.rank()));
-    run_races(arguments, input, store,
-              {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
+    run_scenarios(
+        arguments, input, store,
+        {static_cast<std::size_t>(ranks.rank()), static_cast<std::size_t>(ranks.count())});
   }
   ranks.wait_for_all();
   if (merges) merge_shards(arguments.database);
@@ -227,23 +226,23 @@ bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
     complain(error.what());
     ranks.end_all(bad_input);
   } catch (const Cancelled&) {
-    complain("cancelled; the same command goes on where the ranks were");
+    complain("cancelled; run the same command again to continue");
     ranks.end_all(interrupted);
   }
   return ranks.rank() == 0;
 }
 
-int run(const BenchArguments& arguments) {
-  check(arguments);
+int run(const Parser& bench, const BenchArguments& arguments) {
+  check(bench, arguments);
   try {
     BenchInput input = load_input(arguments);
     if (!arguments.per_query.empty()) {
-      check_not_among(files_of(input.courses), arguments.per_query,
+      check_not_among(files_of(input.scenarios), arguments.per_query,
                       "--per-query " + arguments.per_query);
     }
     if (arguments.distributed && !run_distributed(arguments, input)) return success;
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
-    const BenchResults results = run_races(arguments, input, store);
+    const BenchResults results = run_scenarios(arguments, input, store);
     const std::vector<BenchRow>& rows = results.rows;
     print(text_of(arguments, rows));
     if (!arguments.per_query.empty()) write_queries(arguments, results.maps);
@@ -251,10 +250,10 @@ int run(const BenchArguments& arguments) {
     const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
     return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
   } catch (const Cancelled&) {
-    complain(
-        arguments.database.empty()
-            ? "cancelled"
-            : fmt::format("cancelled; the same command goes on where {} ends", arguments.database));
+    complain(arguments.database.empty()
+                 ? "cancelled"
+                 : fmt::format("cancelled; run the same command again to continue {}",
+                               arguments.database));
     return interrupted;
   }
 }
@@ -266,49 +265,49 @@ Command add_bench(Parser& app) {
   const auto arguments = std::make_shared<BenchArguments>();
   bench
       .add_option("SCEN", arguments->scenarios,
-                  wrapped("MovingAI scenarios, and folders with .scen files"))
+                  wrapped("MovingAI scenario files, or folders with .scen files"))
       .required()
       .type_name(kFileType);
   bench
       .add_option("--planner", arguments->planners,
-                  wrapped("Planners with commas between, options after a colon: "
+                  wrapped("Planners, separated by commas, each with options after a colon: "
                           "astar:weight=2,dijkstra (default astar)"))
       .type_name(kPlannerType);
-  bench.add_option("--map", arguments->map, "The map, for all scenarios").type_name(kFileType);
+  bench.add_option("--map", arguments->map, "Map for all scenarios").type_name(kFileType);
   arguments->settings.add_to(bench);
   add_count(bench, "--sample", arguments->sample,
-            "Number of queries of every scenario, evenly spread (default: all)");
+            "Number of queries per scenario, evenly spread (default: all)");
   add_texts(bench, "--index", arguments->indexes,
-            "An index for one of the planners; may be given several times. One that is not given "
-            "is built first, by one thread")
+            "Index for one of the planners; may be given several times. A missing index is built "
+            "first, by one thread")
       .type_name(kFileType);
   bench
       .add_option("--database", arguments->database,
-                  wrapped("Keep every answer in this SQLite database, in the schema of OMPL's "
-                          "benchmarks; what it has is not done again"))
+                  wrapped("Store every answer in this SQLite database, in the schema of OMPL's "
+                          "benchmarks; stored answers are not computed again"))
       .type_name(kFileType);
   bench.add_flag("--distributed", arguments->distributed,
-                 wrapped("Under mpirun: share the queries among the ranks, and put their answers "
-                         "together in the database"));
+                 wrapped("Under mpirun: divide the queries among the ranks and merge their answers "
+                         "in the database"));
   bench.add_flag("--check", arguments->check,
-                 wrapped("Check every path cell by cell: always done, whether asked for or not"));
+                 wrapped("Check every path cell by cell (always done; kept for compatibility)"));
   add_table_format(bench, arguments->format);
   bench
       .add_option("--per-query", arguments->per_query,
-                  wrapped("Also write every query of every planner to this file, as CSV"))
+                  wrapped("Also write the result of every query and planner to this CSV file"))
       .type_name(kFileType);
   bench
       .add_option("--plot", arguments->plot,
-                  wrapped("Time against length, distributions and, of several maps, time against "
-                          "size, as .png, .svg or .pdf; needs gnuplot"))
+                  wrapped("Plot time against path length, distributions and, for several maps, "
+                          "time against map size, as .png, .svg or .pdf; needs gnuplot"))
       .type_name(kFileType);
   add_style(bench, arguments->style, "Colours of the plot (default light)");
   bench.footer(kBenchExamples);
   return {bench, [bench, arguments] {
             if (arguments->plot.empty()) {
-              refuse_idle(bench, {"--style"}, "its colours are those of --plot FILE");
+              refuse_idle(bench, {"--style"}, "it needs --plot FILE");
             }
-            return run(*arguments);
+            return run(bench, *arguments);
           }};
 }
 

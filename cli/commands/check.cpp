@@ -5,19 +5,16 @@
 #include <memory>
 #include <utility>
 
-#include "cli/arguments/corner_rule.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/map_arguments.hpp"
-#include "cli/arguments/path_file.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/collision_text.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
+#include "cli/output/plan_text.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/report/path_report.hpp"
@@ -40,10 +37,10 @@ constexpr const char* kCheckExamples = R"(Examples:
   wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
   wend check track.yaml centerline.csv --robot-radius 0.3 --format json
 
-Paths are those that `wend plan -o` and `wend smooth -o` write (.csv, .json; of
-a plan with --smooth the smoothed one), or centrelines in metres. The robot's
-disc is swept along the path, exactly. Exit codes: 0 free, 1 not free (standard
-error says where the first collision is), 2 bad usage or input.)";
+A path is a file of `wend plan -o` or `wend smooth -o` (.csv, .json; the
+smoothed path if there is one), or a centreline in metres. The robot's disc is
+swept along the path exactly. Exit codes: 0 free, 1 not free (standard error
+shows the first collision), 2 bad usage or input.)";
 
 /// Paths that leave the map are shown as far as they are on it.
 Scene scene_of(const FreeSpace& space, const Path& path,
@@ -59,9 +56,9 @@ std::string text_of(const CheckArguments& arguments, const Scene& scene, const M
   std::string text;
   if (is_free) {
     text += scene.space.radius_in_cells() > 0
-                ? fmt::format("free: the robot keeps its radius of {} from every obstacle\n",
+                ? fmt::format("free: the robot's radius of {} is clear of every obstacle\n",
                               coordinates.length(scene.space.radius_in_cells()))
-                : "free: it enters no obstacle\n";
+                : "free: the path is clear of obstacles\n";
   }
   text += metrics_table(std::vector{path}, coordinates.unit());
   return picture_above(text, scene, detect_screen(), arguments.pictures);
@@ -94,7 +91,7 @@ int run(const CheckArguments& arguments) {
 }  // namespace
 
 Command add_check(Parser& app) {
-  Parser check = app.add_subcommand("check", "Check that a path is free, and measure it");
+  Parser check = app.add_subcommand("check", "Check a path for collisions and measure it");
   const auto arguments = std::make_shared<CheckArguments>();
   arguments->map.add_to(check);
   add_path_file(check, arguments->path);
@@ -104,10 +101,9 @@ Command add_check(Parser& app) {
   arguments->pictures.add_to(check);
   auto extensions = picture_extensions();
   extensions.emplace_back(".json");
-  arguments->output.add_to(
-      check, std::move(extensions),
-      "Also write a picture (.png, .svg, .pdf) in which the first collision is "
-      "marked, or the JSON; may be given several times");
+  arguments->output.add_to(check, std::move(extensions),
+                           "Also write a picture (.png, .svg, .pdf) that marks the first "
+                           "collision, or the JSON; may be given several times");
   check.footer(kCheckExamples);
   return {check, [check, arguments] {
             arguments->pictures.check(check, arguments->output.any_picture(),

@@ -12,18 +12,16 @@
 #include "bench/comparison/comparison_plot.hpp"
 #include "bench/comparison/comparison_run.hpp"
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/limit_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
-#include "cli/arguments/typed_query.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
@@ -54,10 +52,10 @@ constexpr const char* kCompareExamples = R"(Examples:
   wend compare office.yaml --random 200 --planner astar,bfs --plot plots.png
   wend compare grid.txt --start 0,0,E --goal 9,9 --planner car,car:w=2
 
-All planners, or those named, on the same query or on N random connected pairs;
-cars are compared with cars. The picture has a panel for each planner, with what
-it expanded. Plots need gnuplot. Exit codes: 0 a path was found, 1 none was, 2
-bad usage or input.)";
+Runs all planners, or those of --planner, on one query or on N random queries.
+Car planners are compared with car planners only. The picture has a panel for
+each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0
+a path was found, 1 no path was found, 2 bad usage or input.)";
 
 /// All that move as the typed start asks for (cars have a heading), need no index and take the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
@@ -85,10 +83,10 @@ int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
 void check(const CompareArguments& arguments) {
   const bool pair = !arguments.start.empty() || !arguments.goal.empty();
   if (pair && arguments.random > 0) {
-    throw InputError("--random chooses start and goal: leave out --start and --goal");
+    throw InputError("--random chooses the starts and goals: leave out --start and --goal");
   }
   if (arguments.random == 0 && (arguments.start.empty() || arguments.goal.empty())) {
-    throw InputError("name a query with --start X,Y --goal X,Y, or many with --random N");
+    throw InputError("give one query with --start X,Y --goal X,Y, or many queries with --random N");
   }
   if (arguments.random > kMostQueries) {
     throw InputError(fmt::format("--random {}: at most {}", arguments.random, kMostQueries));
@@ -97,10 +95,10 @@ void check(const CompareArguments& arguments) {
     return arguments.output.any(extension);
   });
   if (picture && arguments.random > 0) {
-    throw InputError("-o with a picture is for one query; of many, --plot draws the statistics");
+    throw InputError("-o with a picture supports one query only; for many queries use --plot");
   }
   if (arguments.plot.empty()) return;
-  if (arguments.random == 0) throw InputError("--plot is for many queries: add --random N");
+  if (arguments.random == 0) throw InputError("--plot needs many queries: add --random N");
   plot_kind_of(arguments.plot);
   check_folder(arguments.plot, "--plot " + arguments.plot);
   require_gnuplot();
@@ -118,7 +116,8 @@ std::vector<Query> random_queries(const ComparisonRun& run, const CompareArgumen
   if (run.comparison().motion == Motion::car) {
     auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
                                 arguments.random, arguments.seed);
-    if (drives.empty()) throw InputError("--random: no two corners of this map are connected");
+    if (drives.empty())
+      throw InputError("--random: no two lattice vertices of this map are connected");
     return drives;
   }
   std::vector<Query> queries;
@@ -262,22 +261,24 @@ int run(const CompareArguments& arguments) {
 }  // namespace
 
 Command add_compare(Parser& app) {
-  Parser compare = app.add_subcommand("compare", "Compare planners on the same query, or on many");
+  Parser compare = app.add_subcommand("compare", "Compare planners on one query or on many");
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
   arguments->map.add_clearance_cost_to(compare);
-  compare.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+  compare.add_option("--start", arguments->start, wrapped("Start, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
-  compare.add_option("--goal", arguments->goal, "To where").type_name("X,Y[,HEADING]");
+  compare.add_option("--goal", arguments->goal, "Goal, as in `wend plan`")
+      .type_name("X,Y[,HEADING]");
   compare
-      .add_option("--planner", arguments->planners,
-                  wrapped("Planners with commas between, options after a colon: "
-                          "astar:w=2,heuristic=euclidean,bfs (default: all that need no "
-                          "index and take the map; all of a car if the start has a heading)"))
+      .add_option(
+          "--planner", arguments->planners,
+          wrapped("Planners, separated by commas, each with options after a colon: "
+                  "astar:w=2,heuristic=euclidean,bfs (default: all grid planners that need no "
+                  "index and support the map; all car planners if the start has a heading)"))
       .type_name(kPlannerType);
   add_count(compare, "--random", arguments->random,
-            "Compare on so many random pairs of cells that a path joins");
-  add_count(compare, "--seed", arguments->seed, "Another seed, other pairs (default 1)");
+            "Number of random queries between connected cells");
+  add_count(compare, "--seed", arguments->seed, "Seed of the random queries (default 1)");
   arguments->limits.add_to(compare);
   add_table_format(compare, arguments->format);
   add_style(compare, arguments->style, "Colours of pictures and plots (default light)");
@@ -286,18 +287,18 @@ Command add_compare(Parser& app) {
                            ".pdf), or the table (.csv, .json); may be given several times");
   compare
       .add_option("--plot", arguments->plot,
-                  wrapped("Of many queries: time and expansions against length, and their "
-                          "distributions, as .png, .svg or .pdf"))
+                  wrapped("Plot time and expansions against path length, and their distributions, "
+                          "as .png, .svg or .pdf; needs --random and gnuplot"))
       .type_name(kFileType);
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
             if (compare.given("--random")) {
               check_positive("--random", arguments->random);
             } else {
-              refuse_idle(compare, {"--seed"}, "it chooses the queries of --random N");
+              refuse_idle(compare, {"--seed"}, "it needs --random N");
             }
             if (!arguments->output.any_picture() && arguments->plot.empty()) {
-              refuse_idle(compare, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+              refuse_idle(compare, {"--style"}, "there is no picture; add -o FILE.png");
             }
             return run(*arguments);
           }};

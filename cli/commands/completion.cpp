@@ -117,6 +117,7 @@ bool has_flag(const Subcommand& subcommand, const CompletedArgument& flag) {
 
 void add_arguments(Subcommand& subcommand, const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // a former name
     CompletedArgument argument = argument_of(*option);
     if (!option->nonpositional()) {
       subcommand.positionals.push_back(std::move(argument));

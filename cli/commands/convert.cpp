@@ -12,7 +12,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/map_saving.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/io/map/losses.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/io/map/save_map.hpp"
@@ -38,10 +37,10 @@ constexpr const char* kConvertExamples = R"(Examples:
   wend convert grid.txt grid.png
   wend convert grid.txt grid.map --strict
 
-What the new format cannot hold, standard error says, a line each.
+Standard error lists what the new format cannot hold, one loss per line.
 
-Exit codes: 0 the map is saved, 1 it is not, as --strict asks where something
-would be lost, 2 bad usage or input.)";
+Exit codes: 0 written, 1 not written because of --strict and a loss, 2 bad usage
+or input.)";
 
 struct Conversion {
   LoadedMap loaded;
@@ -111,7 +110,7 @@ int run(const ConvertArguments& arguments) {
   if (saved) {
     save(nearest_map(conversion.loaded.map, conversion.format), arguments);
   } else {
-    complain(fmt::format("{} is not written: --strict", arguments.output));
+    complain(fmt::format("{} was not written because of --strict", arguments.output));
   }
   if (arguments.prints()) return saved ? success : no_plan;
   if (arguments.format == Format::json) {
@@ -125,17 +124,17 @@ int run(const ConvertArguments& arguments) {
 }  // namespace
 
 Command add_convert(Parser& app) {
-  Parser convert = app.add_subcommand("convert", "Save a map in another format");
+  Parser convert = app.add_subcommand("convert", "Convert a map to another format");
   const auto arguments = std::make_shared<ConvertArguments>();
   arguments->input.add_to(convert, "IN");
   convert
       .add_option("OUT", arguments->output,
-                  wrapped("The new file, in the format of its name: " +
-                          map_formats_text(MapUse::save) + "; - prints it as a text grid"))
+                  wrapped("Output file; the extension sets the format: " +
+                          map_formats_text(MapUse::save) + "; - prints a text grid"))
       .required()
       .type_name(kFileType);
   convert.add_flag("--strict", arguments->strict,
-                   wrapped("Save nothing if the new format cannot hold the whole map"));
+                   wrapped("Write nothing if the new format would lose information"));
   add_force(convert, arguments->force);
   add_format(convert, arguments->format);
   convert.footer(kConvertExamples);

@@ -12,12 +12,9 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
-#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/analysis/no_path.hpp"
 #include "wend/report/analysis_report.hpp"
 
@@ -39,10 +36,10 @@ constexpr const char* kExplainExamples = R"(Examples:
   wend explain office.yaml --start 1,1 --goal 15,9 --robot-radius 0.6 -o why.png
   wend explain grid.txt --start 0,0 --goal 9,9 --format json
 
-The picture shows what can be reached from the start, from where the goal can be
-reached, and the nearest free cell where an end is blocked. A dashed line is the
-path that the least change would open, with its narrowest place. Exit codes: 0
-there is a path after all, 1 there is none, 2 bad usage or input.)";
+The picture shows the cells that can be reached from the start, the cells from
+which the goal can be reached, and the nearest free cell to a blocked end. The
+dashed line is the path that the smallest change would open, with its narrowest
+place. Exit codes: 0 there is a path, 1 there is no path, 2 bad usage or input.)";
 
 /// One question, from its arguments to its answer.
 class ExplainRun {
@@ -82,7 +79,7 @@ class ExplainRun {
 };
 
 constexpr int kColumns = 80;
-constexpr int kNameColumns = 16;
+constexpr int kNameColumns = 18;
 
 std::string line(std::string_view name, const std::string& what) {
   const std::string text = fmt::format("{:<{}}{}", name, kNameColumns, what);
@@ -93,7 +90,8 @@ std::string ExplainRun::headline() const {
   const std::string text =
       why_.path_exists()
           ? fmt::format("there is a path from {} to {}", ends_.start.text, ends_.goal.text)
-          : fmt::format("no path joins start {} and goal {}", ends_.start.text, ends_.goal.text);
+          : fmt::format("there is no path from start {} to goal {}", ends_.start.text,
+                        ends_.goal.text);
   return folded(text, kColumns) + "\n";
 }
 
@@ -111,11 +109,12 @@ std::string ExplainRun::causes() const {
     if (way->changes() > 1) return line(what, "a part of the cause");
     return line(what, fmt::format("the cause: {}", otherwise));
   };
-  return says(&Way::smaller_robot, "robot's size", "a smaller robot gets through") +
-         says(&Way::unknown_free, "unknown cells", "a way leads through them") +
+  return says(&Way::smaller_robot, "robot's size", "there is a path for a smaller robot") +
+         says(&Way::unknown_free, "unknown cells", "there is a path through them") +
          says(&Way::squeeze, "corner rule",
-              "a way leads between obstacles that touch with their corners") +
-         line("connectivity", "not the cause: unless corners are cut, 4 moves reach what 8 do");
+              "there is a path between obstacles that touch at a corner") +
+         line("connectivity",
+              "not the cause: without corner cutting, 4 and 8 neighbours reach the same cells");
 }
 
 /// The ends that lie on an obstacle: "start and goal"; empty where none does.
@@ -131,16 +130,16 @@ std::string ExplainRun::on_obstacles() const {
 /// Why no robot of any size gets from one to the other.
 std::string ExplainRun::parted() const {
   const std::string names = on_obstacles();
-  return names.empty() ? "obstacles part the two" : "an obstacle lies on " + names;
+  return names.empty() ? "obstacles separate the two" : "an obstacle lies on " + names;
 }
 
 std::string ExplainRun::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), arguments_.pictures);
-  text += line("start's region", component(ends_.start, why_.start_component)) +
-          line("goal's region", component(ends_.goal, why_.goal_component));
+  text += line("start's component", component(ends_.start, why_.start_component)) +
+          line("goal's component", component(ends_.goal, why_.goal_component));
   text += line("widest path", why_.widest ? "robot " + explainer_.width(*why_.widest)
-                                          : "none, whatever the robot's size: " + parted());
+                                          : "none, even with radius 0: " + parted());
   if (why_.path_exists()) return text;
   text += causes();
   for (const Way& way : why_.ways) {
@@ -183,13 +182,15 @@ int run(const ExplainArguments& arguments) {
 }  // namespace
 
 Command add_explain(Parser& app) {
-  Parser explain = app.add_subcommand("explain", "Say why there is no path, and what would help");
+  Parser explain = app.add_subcommand("explain", "Explain why there is no path, and what helps");
   const auto arguments = std::make_shared<ExplainArguments>();
   arguments->map.add_to(explain);
-  explain.add_option("--start", arguments->start, wrapped("From where, as in `wend plan`"))
+  explain.add_option("--start", arguments->start, wrapped("Start, as in `wend plan`"))
       .required()
       .type_name("X,Y");
-  explain.add_option("--goal", arguments->goal, "To where").required().type_name("X,Y");
+  explain.add_option("--goal", arguments->goal, "Goal, as in `wend plan`")
+      .required()
+      .type_name("X,Y");
   add_format(explain, arguments->format);
   arguments->pictures.add_to(explain);
   arguments->output.add_to(explain, {".png", ".svg", ".pdf", ".json"},

@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/limit_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/explainer.hpp"
 #include "cli/output/field_text.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/plan_text.hpp"
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/cost_to_go.hpp"
@@ -43,10 +42,10 @@ constexpr const char* kFieldExamples = R"(Examples:
   wend field office.yaml --goal 15,9 --start 1,1 --format json
   wend field grid.txt --goal 0,0 --goal 9,9 -o field.csv
 
-One search from the goal gives every cell's cost to it, the best path from each
-start without searching again, and the policy: which way to move in every cell.
-Small maps show both. Exit codes: 0 a path from every start, 1 not so (standard
-error says why), 2 bad usage or input.)";
+One search from the goal computes the cost to the goal for every cell, the best
+path from each start, and the policy: the move to make in every cell. Small maps
+show both. Exit codes: 0 there is a path from every start, 1 there is not
+(standard error gives the reason), 2 bad usage or input.)";
 
 /// One field, from the arguments to its report.
 class FieldRun {
@@ -129,9 +128,11 @@ std::string FieldRun::explain_start(Status status, const Place& start) const {
   const auto component = [this](const Place& place) {
     return coordinates_.area(component_size(space_, place.cell, moves_));
   };
-  return fmt::format("no path joins start {} and {}: the start's region has {}, the goal's has {}",
-                     start.text, goals_.size() == 1 ? "goal " + goals_[0].text : "any goal",
-                     component(start), component(goals_[0]));
+  return fmt::format(
+      "there is no path from start {} to {}: the start's connected component has {}, the goal's "
+      "has {}",
+      start.text, goals_.size() == 1 ? "goal " + goals_[0].text : "any goal", component(start),
+      component(goals_[0]));
 }
 
 std::string FieldRun::json() const {
@@ -188,32 +189,33 @@ int run(const FieldArguments& arguments) {
 }  // namespace
 
 Command add_field(Parser& app) {
-  Parser field = app.add_subcommand("field", "Find cost and way to a goal from every cell");
+  Parser field = app.add_subcommand("field", "Compute cost and move to a goal for every cell");
   const auto arguments = std::make_shared<FieldArguments>();
   arguments->map.add_to(field);
   arguments->map.add_clearance_cost_to(field);
-  add_texts(field, "--goal", arguments->goals,
-            "Where to go: metres or cells as in `wend plan`; the nearest of several counts")
+  add_texts(
+      field, "--goal", arguments->goals,
+      "Goal: metres or cells as in `wend plan`; if given several times, the nearest goal counts")
       .required()
       .type_name("X,Y");
   add_texts(field, "--start", arguments->starts,
-            "Print the best path from here; may be given several times")
+            "Print the best path from this start; may be given several times")
       .type_name("X,Y");
   field.add_flag("--grid", arguments->grid,
-                 wrapped("Put the cost and the move of every cell into the JSON"));
+                 wrapped("Add the cost and the move of every cell to the JSON"));
   arguments->limits.add_to(field);
   add_format(field, arguments->format);
   arguments->output.add_to(
       field, {".csv", ".json"},
       "Also write x,y,cost,move of every cell (.csv) or the JSON; may be given "
       "several times",
-      "the same (JSON with --format json, else CSV)");
+      "the field (JSON with --format json, else CSV)");
   arguments->options.collect("field", option_schema<GridMoves>());
   arguments->options.add_to(field);
   field.footer(kFieldExamples);
   return {field, [field, arguments] {
             if (arguments->format != Format::json && !arguments->output.any(".json")) {
-              refuse_idle(field, {"--grid"}, "it is for --format json and -o FILE.json");
+              refuse_idle(field, {"--grid"}, "it needs --format json or -o FILE.json");
             }
             return run(*arguments);
           }};

@@ -27,29 +27,29 @@ constexpr const char* kFollowExamples = R"(Examples:
   wend follow office.yaml --path smooth.csv --compare=p_moving,pure_pursuit
   wend follow track.yaml --path centerline.csv --loop --speed 3 -o lap.gif
 
-The path is planned with the radius and the margin, then simplified, smoothed
-and resampled as asked; the robot drives with its true radius. Metres, radians
-and seconds, except for what --robot-radius and the like count in cells on maps
-without a resolution, where a cell is a metre. Red is planned, green smoothed,
-blue driven. Exit codes: 0 reached the goal (one of several controllers did), 1
-not (standard error says why), 2 bad usage or input.)";
+The path is planned with the robot's radius plus the margin, then simplified,
+smoothed and resampled as the options say; the simulation uses the true radius.
+Units are metres, radians and seconds; on maps without a resolution
+--robot-radius and similar options are in cells, and a cell is a metre. The
+planned path is red, the smoothed path green, the trajectory blue. Exit codes: 0
+at least one controller reached the goal, 1 none did (standard error gives the
+reason), 2 bad usage or input.)";
 
 void check(const FollowArguments& arguments) {
   arguments.output.check();
   check_read_once({arguments.map.file, arguments.path});
   const bool asked = !arguments.ends.start.empty() || !arguments.ends.goals.empty();
   if (asked && !arguments.path.empty()) {
-    throw InputError("--path is driven as it is: leave out --start and --goal");
+    throw InputError("--path gives the path: leave out --start and --goal");
   }
   if (arguments.path.empty() && (arguments.ends.start.empty() || arguments.ends.goals.empty())) {
-    throw InputError(
-        "name --start X,Y and --goal X,Y to plan a path, or one to follow with --path");
+    throw InputError("give --start X,Y and --goal X,Y to plan a path, or a path file with --path");
   }
   if (arguments.loop && arguments.path.empty()) {
-    throw InputError("--loop is for a path that is read with --path");
+    throw InputError("--loop needs --path");
   }
   if (arguments.drive.compares() && arguments.output.any(".gif")) {
-    throw InputError("-o with a .gif is for one drive: leave out --compare");
+    throw InputError("-o FILE.gif supports one controller only: leave out --compare");
   }
   if (arguments.plot.empty()) return;
   plot_kind_of(arguments.plot);
@@ -63,11 +63,11 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   arguments.pictures.check(follow, output.any_picture() || !arguments.plot.empty(),
                            arguments.format != Format::json);
   if (arguments.format != Format::json) {
-    refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has them");
+    refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has the samples");
   }
-  if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it is that of -o FILE.gif");
+  if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it needs -o FILE.gif");
   if (arguments.drive.compares()) {
-    refuse_idle(follow, {"--controller"}, "--compare says what drives");
+    refuse_idle(follow, {"--controller"}, "--compare names the controllers");
   }
   if (arguments.drive.robot().drivetrain != Drivetrain::bicycle) {
     refuse_idle(follow, {"--wheelbase", "--steering-limit"}, "add --drivetrain bicycle");
@@ -75,15 +75,15 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   const std::vector<std::string> noises{"--noise", "--actuation-noise", "--position-noise",
                                         "--heading-noise"};
   if (std::ranges::none_of(noises, [&](const auto& noise) { return follow.given(noise); })) {
-    refuse_idle(follow, {"--seed"}, "it is that of the noise; add --noise S");
+    refuse_idle(follow, {"--seed"}, "it is the seed of the noise; add --noise S");
   }
   if (arguments.path.empty()) return;
   refuse_idle(follow,
               {"--nearest", "--limit-expansions", "--limit-time", "--clearance-distance",
                "--clearance-cost"},
-              "with --path nothing is planned");
+              "with --path no path is planned");
   if (!arguments.refine.any()) {
-    refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is driven as it is");
+    refuse_idle(follow, {"--margin", "--planner"}, "the path of --path is followed unchanged");
   }
 }
 
@@ -109,27 +109,27 @@ int run(const FollowArguments& arguments) {
 
 void add_path(Parser& app, FollowArguments& arguments) {
   app.add_option("--start", arguments.ends.start,
-                 wrapped("Where a path is planned from, as for `wend plan`"))
+                 wrapped("Start of the planned path, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
-  add_texts(app, "--goal", arguments.ends.goals, "Where to; of several the cheapest to reach")
+  add_texts(app, "--goal", arguments.ends.goals,
+            "Goal; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
-  app.add_flag(
-      "--nearest", arguments.nearest,
-      wrapped("Where start or goal is blocked, with the margin, take the nearest free cell "
-              "that is connected to the other end (not of a car)"));
+  app.add_flag("--nearest", arguments.nearest,
+               wrapped("If the start or the goal is blocked, margin included, use the nearest free "
+                       "cell that is connected to the other end (not for the car planner)"));
   app.add_option("--planner", arguments.planner,
-                 wrapped("The planner (default astar); options may follow as in astar:weight=2"))
+                 wrapped("Planner (default astar); options may follow, as in astar:weight=2"))
       .type_name(kPlannerType);
   add_number(app, "--margin", arguments.margin, kMargins,
-             "Plan as if the robot's radius were larger by this: room for what a controller is off "
-             "the path (units as --robot-radius; default 0.1 m)");
+             "Margin that is added to the robot's radius for planning, to allow for tracking "
+             "errors (units as --robot-radius; default 0.1 m)");
   app.add_option(
          "--path", arguments.path,
-         wrapped("Follow this path instead: as `wend plan -o` and `wend smooth -o` write it "
-                 "(.csv, .json; of a plan with --smooth the smoothed one), or a centreline in "
-                 "metres"))
+         wrapped("Follow this path instead: a file of `wend plan -o` or `wend smooth -o` (.csv, "
+                 ".json; the smoothed path if there is one), or a centreline in metres"))
       .type_name(kFileType);
-  app.add_flag("--loop", arguments.loop, wrapped("Drive one lap of that path, back to its start"));
+  app.add_flag("--loop", arguments.loop,
+               wrapped("Drive one lap of the path of --path, back to its start"));
   arguments.refine.add_to(app);
   arguments.limits.add_to(app);
 }
@@ -137,29 +137,28 @@ void add_path(Parser& app, FollowArguments& arguments) {
 }  // namespace
 
 Command add_follow(Parser& app) {
-  Parser follow = app.add_subcommand("follow", "Let a simulated robot follow a path");
+  Parser follow = app.add_subcommand("follow", "Simulate a robot that follows a path");
   const auto arguments = std::make_shared<FollowArguments>();
   arguments->map.add_to(follow);
   arguments->map.add_clearance_cost_to(follow);
   add_path(follow, *arguments);
   add_format(follow, arguments->format);
   follow.add_flag("--samples", arguments->samples,
-                  wrapped("With --format json: where the robot was at every command, too"));
+                  wrapped("With --format json: add the robot's pose at every command"));
   arguments->pictures.add_to(follow);
   add_number(follow, "--film-speed", arguments->speed, kDriveSpeeds,
-             "How many times as fast as the robot a .gif is (default: as fast as makes it take up "
+             "Playback speed of a .gif relative to real time (default: chosen so that it takes up "
              "to 8 s)");
   follow
       .add_option("--plot", arguments->plot,
-                  wrapped("Plot speed, heading error and cross-track error over time with gnuplot "
-                          "(.png, .svg, .pdf)"))
+                  wrapped("Plot speed, heading error and cross-track error over time (.png, .svg, "
+                          ".pdf); needs gnuplot"))
       .type_name(kFileType);
   arguments->output.add_to(
       follow, {".png", ".svg", ".pdf", ".gif", ".json", ".csv"},
-      "Also write a picture of the paths (.png, .svg, .pdf), a film of the drive "
-      "(.gif), or where the robot was at every command (.json, .csv); may be "
-      "given several times",
-      "where the robot was (JSON with --format json, else CSV)");
+      "Also write a picture of the paths (.png, .svg, .pdf), an animation of the trajectory "
+      "(.gif), or the robot's pose at every command (.json, .csv); may be given several times",
+      "the trajectory (JSON with --format json, else CSV)");
   arguments->drive.add_to(follow);
   follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {

@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "bench/plot/drive_plot.hpp"
-#include "cli/arguments/path_file.hpp"
+#include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/picture_files.hpp"
-#include "cli/watching/drive_frames.hpp"
-#include "cli/watching/search_frames.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/watching/films.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/planner/planner.hpp"
@@ -26,8 +25,8 @@ bool reached(const ControlledDrive& driven) {
 
 std::string oscillation(const ControlledDrive& driven) {
   return fmt::format(
-      "{}: it oscillates, {} swings to and fro in {:.2f} s: its gains are too high for this rate, "
-      "latency or noise",
+      "{}: the controller oscillates ({} reversals in {:.2f} s): its gains are too high for this "
+      "command rate, latency or noise",
       driven.controller, driven.drive.swings, driven.drive.time);
 }
 
@@ -92,7 +91,7 @@ std::optional<Path> FollowRun::plan() {
       coordinates_.length(planning_space_.radius_in_cells() - space_.radius_in_cells());
   const FailedPlan failed{
       std::string(to_string(status)),
-      fmt::format("{} (planned with a margin of {} around the robot, which these radii include)",
+      fmt::format("{} (these radii include the planning margin of {})",
                   asked->reason(**planner, status, query.limits, plan.metrics), margin)};
   complain(failed.reason);
   write_failure(failed, asked->scene_of_failure(status));

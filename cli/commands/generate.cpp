@@ -12,7 +12,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/output/map_saving.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/io/map/map_format.hpp"
@@ -67,7 +66,7 @@ Size parse_size(const std::string& text) {
 void check_kind(const GenerateArguments& arguments) {
   if (arguments.kind.empty()) {
     throw InputError(
-        "generate: name a KIND of map, or `scenario`; `wend generate --help` lists them");
+        "generate needs a KIND of map or `scenario`; `wend generate --help` lists the kinds");
   }
 }
 
@@ -132,7 +131,7 @@ int run(const GenerateArguments& arguments) {
 }
 
 std::string default_sizes() {
-  std::string text = "Columns and rows, as in 160x100 (default";
+  std::string text = "Size in columns and rows, as in 160x100 (default";
   const GeneratorInfo& first = *generators().begin();
   const auto is_usual = [&](const GeneratorInfo& kind) {
     return kind.default_width == first.default_width && kind.default_height == first.default_height;
@@ -147,7 +146,7 @@ std::string default_sizes() {
 }  // namespace
 
 Command add_generate(Parser& app) {
-  Parser generate = app.add_subcommand("generate", "Make a map from a seed, or a scenario for one");
+  Parser generate = app.add_subcommand("generate", "Generate a map, or a scenario for a map");
   const auto arguments = std::make_shared<GenerateArguments>();
   std::string kinds;
   for (const GeneratorInfo& kind : generators()) {
@@ -157,12 +156,12 @@ Command add_generate(Parser& app) {
   }
   generate.add_option("KIND", arguments->kind, kinds).type_name(kGeneratorType);
   generate.add_option("--size", arguments->size, wrapped(default_sizes())).type_name("WxH");
-  add_count(generate, "--seed", arguments->seed, "Another seed, another map (default 1)");
+  add_count(generate, "--seed", arguments->seed, "Seed of the map (default 1)");
   add_format(generate, arguments->format);
   arguments->output.add_to(
       generate, map_extensions(MapUse::save),
-      "Save the map: " + map_formats_text(MapUse::save) +
-          "; may be given several times. Without it the map is printed as a text grid",
+      "Write the map: " + map_formats_text(MapUse::save) +
+          "; may be given several times. Without -o the map is printed as a text grid",
       "the text grid");
   add_force(generate, arguments->force);
   arguments->options.add_to(generate);

@@ -11,11 +11,10 @@
 #include "bench/scenario/scenario_queries.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/map_arguments.hpp"
-#include "cli/arguments/moves_arguments.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/io/text.hpp"
 
 namespace wend::cli {
@@ -39,11 +38,11 @@ constexpr const char* kExamples = R"(Examples:
   wend generate scenario rooms.map --buckets 10 --seed 1 -o rooms.map.scen
   wend bench rooms.map.scen --planner astar,jps
 
-Queries in MovingAI's format: pairs of cells that a path joins, and the cost of
-a cheapest path, found by Dijkstra's algorithm. Bucket 0 has lengths below 4
-cells, bucket 1 those below 8, and so on. Cells are those of --cells: from the
-upper left one, of a ROS map from the lower left one. The last buckets may hold
-fewer queries than asked for, and a small map fewer buckets. Exit codes: 0
+Queries in MovingAI's format: pairs of connected cells, and the optimal cost
+found by Dijkstra's algorithm. Bucket 0 has lengths below 4 cells, bucket 1
+lengths below 8, and so on. Cells are numbered as with --cells: from the upper
+left cell, on ROS maps from the lower left cell. The last buckets may have fewer
+queries than requested, and a small map may have fewer buckets. Exit codes: 0
 written, 2 bad usage or input.)";
 
 std::vector<ScenarioQuery> make_queries(const ScenarioArguments& arguments, const GridMap& map) {
@@ -52,7 +51,7 @@ std::vector<ScenarioQuery> make_queries(const ScenarioArguments& arguments, cons
   auto queries = scenario_queries(space, arguments.moves.moves, plan);
   if (!queries) throw InputError(std::string(describe(queries.error())));
   if (queries->empty()) {
-    throw InputError(fmt::format("{}: no two cells are joined by a path", arguments.map.file));
+    throw InputError(fmt::format("{}: no two cells are connected", arguments.map.file));
   }
   const std::string name = std::filesystem::path(arguments.map.file).filename().string();
   if (name.find_first_of("\t\r\n") != std::string::npos) {
@@ -95,19 +94,18 @@ int run(const ScenarioArguments& arguments) {
 }  // namespace
 
 Command add_generate_scenario(Parser& generate) {
-  Parser scenario =
-      generate.add_subcommand("scenario", "Make queries for a map, a MovingAI scenario");
+  Parser scenario = generate.add_subcommand("scenario", "Generate a MovingAI scenario for a map");
   const auto arguments = std::make_shared<ScenarioArguments>();
   arguments->map.add_to(scenario);
   arguments->moves.add_to(scenario);
   add_count(scenario, "--buckets", arguments->buckets,
-            "Number of buckets, each of lengths in a range of 4 cells, from the shortest paths on "
-            "(default: all that the map has)");
-  add_count(scenario, "--per-bucket", arguments->per_bucket, "Queries in a bucket (default 10)");
-  add_count(scenario, "--seed", arguments->seed, "Another seed, other queries (default 1)");
+            "Number of buckets, beginning with the shortest paths; each bucket covers path lengths "
+            "in a range of 4 cells (default: all buckets of the map)");
+  add_count(scenario, "--per-bucket", arguments->per_bucket,
+            "Number of queries per bucket (default 10)");
+  add_count(scenario, "--seed", arguments->seed, "Seed of the random queries (default 1)");
   add_format(scenario, arguments->format);
-  arguments->output.add_to(scenario, {".scen"},
-                           "Write the scenario; without it the scenario is printed");
+  arguments->output.add_to(scenario, {".scen"}, "Write the scenario; without -o it is printed");
   scenario.footer(kExamples);
   return {scenario, [arguments] { return run(*arguments); }};
 }

@@ -5,14 +5,12 @@
 #include <memory>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/arguments/index_argument.hpp"
-#include "cli/arguments/limit_arguments.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "wend/base/thread_workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
@@ -47,30 +45,33 @@ constexpr const char* kBuildExamples = R"(Examples:
   wend index build office.yaml --planner corner_hierarchy -o office.idx
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
 
-An index holds for the cells where the robot fits: plan with the same map,
-radius and --unknown. Ctrl-C ends it, and no file is written. Exit codes: 0
-built, 1 not built (standard error says why), 2 bad usage or input.)";
+An index is valid for the cells where the robot fits: plan with the same map,
+radius and --unknown. Ctrl-C stops the build, and no file is written. Exit
+codes: 0 built, 1 not built (standard error gives the reason), 2 bad usage or
+input.)";
 
 constexpr const char* kIndexInfoExamples = R"(Examples:
   wend index info arena.idx
   wend index info arena.idx --format json
 
-Exit codes: 0 it is whole, 2 it is not, or no index (standard error says why).)";
+Exit codes: 0 valid, 2 damaged or not an index (standard error gives the
+reason).)";
 
 int build(const BuildArguments& arguments) {
   check_folder(arguments.output, "-o " + arguments.output);
   if (arguments.output == kStandardOutput) {
-    throw InputError("-o -: an index is used where its file lies: name a file");
+    throw InputError("-o -: an index must be a file");
   }
   check_range("--threads", arguments.threads, 1, kMostThreads);
   const PlannerSpec spec = parse_planner(arguments.planner);
   const PlannerInfo& planner = info_of(spec);
   if (!planner.index_support) {
-    throw InputError(fmt::format("--planner {}: it plans without an index; with one plan {}",
-                                 planner.name, planners_with_index()));
+    throw InputError(
+        fmt::format("--planner {}: this planner does not use an index; planners with an index: {}",
+                    planner.name, planners_with_index()));
   }
   if (!spec.options.empty()) {
-    throw InputError(fmt::format("--planner {}: it has no options", arguments.planner));
+    throw InputError(fmt::format("--planner {}: this planner has no options", arguments.planner));
   }
   const LoadedMap loaded = arguments.map.load();
   check_not_among(loaded.files, arguments.output, "-o " + arguments.output);
@@ -137,7 +138,7 @@ int info(const IndexInfoArguments& arguments) {
 }  // namespace
 
 Command add_index(Parser& app) {
-  Parser index = app.add_subcommand("index", "Build an index of a map, to plan at once");
+  Parser index = app.add_subcommand("index", "Build an index of a map for fast queries");
   index.require_subcommand();
   index.footer(kIndexExamples);
 
@@ -146,17 +147,17 @@ Command add_index(Parser& app) {
   to_build->map.add_to(build_command);
   build_command
       .add_option("--planner", to_build->planner,
-                  wrapped("For which planner (default hub_labels): " + planners_with_index()))
+                  wrapped("Planner of the index (default hub_labels): " + planners_with_index()))
       .type_name(kPlannerType);
   add_count(build_command, "--threads", to_build->threads,
             "Number of threads that build (default: all cores)");
   add_format(build_command, to_build->format);
-  build_command.add_option("-o,--output", to_build->output, "The index to write")
+  build_command.add_option("-o,--output", to_build->output, "Index file to write")
       .required()
       .type_name(kFileType);
   build_command.footer(kBuildExamples);
 
-  Parser info_command = index.add_subcommand("info", "Say what an index holds");
+  Parser info_command = index.add_subcommand("info", "Describe an index");
   const auto to_tell = std::make_shared<IndexInfoArguments>();
   info_command.add_option("FILE", to_tell->file, "An index").required().type_name(kFileType);
   add_format(info_command, to_tell->format);

@@ -23,7 +23,7 @@ constexpr const char* kInfoExamples = R"(Examples:
   wend info office.yaml --robot-radius 0.25
   wend info arena.map --format json
 
-Exit codes: 0 the map loads, 2 it does not (standard error says why).)";
+Exit codes: 0 the map is valid, 2 it is not (standard error gives the reason).)";
 
 int run(const InfoArguments& arguments) {
   const LoadedMap loaded = arguments.map.load();
@@ -37,7 +37,7 @@ int run(const InfoArguments& arguments) {
 }  // namespace
 
 Command add_info(Parser& app) {
-  Parser info = app.add_subcommand("info", "Say what a map file holds");
+  Parser info = app.add_subcommand("info", "Describe a map file");
   const auto arguments = std::make_shared<InfoArguments>();
   arguments->map.add_to(info);
   arguments->map.add_clearance_cost_to(info);

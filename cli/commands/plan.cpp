@@ -29,9 +29,9 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
-with arrows; large ones a summary and, on a terminal, a picture. A car stands on
-the corners of cells; its steps are told as commands. Exit codes: 0 found, 1 no
-plan (standard error says why), 2 bad usage or input.)";
+with arrows; large maps show a summary and, on a terminal, a picture. The car
+planner uses grid vertices; its path is printed as commands. Exit codes: 0
+found, 1 no path (standard error gives the reason), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
 std::string planner_text(const PlanArguments& arguments,
@@ -71,19 +71,18 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
   if (!arguments.queries.empty()) {
     refuse_idle(plan, {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding"},
-                "--queries answers many queries, and draws and smooths none");
+                "--queries only answers queries; it draws and smooths nothing");
   }
   arguments.pictures.check(plan, output.any_picture(),
                            arguments.format == TableFormat::text && !output.print());
   if (is_csv_alone(arguments)) {
-    refuse_idle(plan, {"--show"}, "a path as CSV has no layers; -o FILE.png and JSON have them");
+    refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
   }
   if (!arguments.refine.any()) {
-    refuse_idle(plan, {"--corner-rounding"},
-                "paths are measured with --simplify, --smooth or --resample");
+    refuse_idle(plan, {"--corner-rounding"}, "it needs --simplify, --smooth or --resample");
   }
   if (!arguments.watch.animate && !output.any(".gif")) {
-    refuse_idle(plan, {"--speed"}, "it is that of --animate and of -o FILE.gif");
+    refuse_idle(plan, {"--speed"}, "it needs --animate or -o FILE.gif");
   }
   if (arguments.watch.trace.empty()) {
     refuse_idle(plan, {"--trace-limit"}, "name the trace with --trace FILE");
@@ -100,10 +99,11 @@ void check(const PlanArguments& arguments) {
   if (arguments.ends.goals.empty()) throw InputError("--goal is required, or --queries FILE");
   arguments.watch.check(detect_screen());
   if (arguments.watch.step && arguments.format != TableFormat::text) {
-    throw InputError("--step and --format json or csv: choose one");
+    throw InputError("--step cannot be combined with --format json or csv");
   }
   if (arguments.output.print() && (arguments.watch.step || arguments.watch.animate)) {
-    throw InputError("-o - writes the path and nothing else: leave out --step and --animate");
+    throw InputError(
+        "-o - writes only the path to standard output: leave out --step and --animate");
   }
 }
 
@@ -154,45 +154,45 @@ Command add_plan(Parser& app) {
   arguments->map.add_to(plan);
   arguments->map.add_clearance_cost_to(plan);
   plan.add_option("--start", arguments->ends.start,
-                  wrapped("Where the path begins: metres in the map's frame for a map with a "
-                          "resolution, a cell for others and with --cells; of a car a corner, and "
-                          "the heading N, W, E, S or an angle as 45deg"))
+                  wrapped("Start of the path: metres in the map's frame on maps with a resolution, "
+                          "a cell on others and with --cells. For the car planner a grid vertex "
+                          "and a heading: N, W, E, S or an angle such as 45deg"))
       .type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
-            "Where it ends; of several the cheapest to reach. A car's heading may be any")
+            "Goal of the path; if given several times, the goal with the lowest path cost. For the "
+            "car planner the heading may be any")
       .type_name("X,Y[,HEADING]");
   plan.add_option("--queries", arguments->queries,
-                  wrapped("Answer every row of a CSV file instead: its header names the columns "
+                  wrapped("Answer every row of a CSV file instead. Its header names the columns "
                           "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
-                          "status, a reason and the path's cost and length"))
+                          "status, a reason and the cost and length of the path"))
       .type_name(kFileType);
-  add_count(plan, "--threads", arguments->threads,
-            "Number of threads that answer --queries, each with its planner (default: all cores)");
+  add_count(
+      plan, "--threads", arguments->threads,
+      "Number of threads that answer --queries, each with its own planner (default: all cores)");
   plan.add_flag("--nearest", arguments->nearest,
-                wrapped("Where start or goal is blocked, plan from or to the nearest free cell "
-                        "that is connected to the other end (not of a car)"));
-  plan.add_option(
-          "--planner", arguments->planner,
-          wrapped("The planner (default astar): `wend planners` lists them; options may follow as "
-                  "in astar:weight=2"))
+                wrapped("If the start or the goal is blocked, use the nearest free cell that is "
+                        "connected to the other end (not for the car planner)"));
+  plan.add_option("--planner", arguments->planner,
+                  wrapped("Planner (default astar); `wend planners` lists all. Options may follow, "
+                          "as in astar:weight=2"))
       .type_name(kPlannerType);
   plan.add_option("--index", arguments->index,
-                  wrapped("An index of the map that `wend index build` made; the planner is its "
-                          "own unless --planner says another"))
+                  wrapped("Index of the map, built by `wend index build`; without --planner, the "
+                          "planner is the one that the index is for"))
       .type_name(kFileType);
   arguments->refine.add_to(plan);
   arguments->limits.add_to(plan);
   add_choice<TableFormat>(
       plan, "--format", arguments->format,
       {{"text", TableFormat::text}, {"json", TableFormat::json}, {"csv", TableFormat::csv}},
-      "Results for people (the default) or for programs: all of them as JSON, or the path as CSV");
+      "Format of the output: text (the default), all results as JSON, or the path as CSV");
   arguments->layers.add_to(plan);
   arguments->pictures.add_to(plan);
   arguments->output.add_to(plan, {".png", ".svg", ".pdf", ".gif", ".csv", ".json"},
-                           "Also write a picture (.png, .svg, .pdf), the search as a film (.gif), "
-                           "the path (.csv, smoothed or the like if that is asked for) or the "
-                           "JSON; may be given several "
-                           "times. Where there is no path, the file says why instead",
+                           "Also write a picture (.png, .svg, .pdf), an animation of the search "
+                           "(.gif), the path (.csv, after any smoothing) or the JSON; may be given "
+                           "several times. If there is no path, the file states the reason instead",
                            "the path (JSON with --format json, else CSV)");
   arguments->watch.add_to(plan);
   for (const PlannerInfo& planner : planners()) {

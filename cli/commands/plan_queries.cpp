@@ -23,10 +23,10 @@ namespace {
 constexpr std::size_t kMostRowsTold = 5;
 
 /// Answers rows one after the other; one for each thread.
-class QueryLane {
+class QueryWorker {
  public:
-  QueryLane(const PlanArguments& arguments, const PlannerSpec& spec, FreeSpace space,
-            std::unique_ptr<Planner> planner)
+  QueryWorker(const PlanArguments& arguments, const PlannerSpec& spec, FreeSpace space,
+              std::unique_ptr<Planner> planner)
       : arguments_(arguments),
         spec_(spec),
         space_(std::move(space)),
@@ -79,7 +79,7 @@ class QueryLane {
     // What would help is worth a search of its own for one query, not for each of thousands.
     fail(answer, status,
          status == Status::unreachable
-             ? fmt::format("{}; `wend explain` says why", describe(status))
+             ? fmt::format("{}; `wend explain` shows the reason", describe(status))
              : asked->reason(*planner_, status, query.limits, answer.plan.metrics));
   }
 
@@ -90,29 +90,29 @@ class QueryLane {
   std::unique_ptr<Planner> planner_;
 };
 
-std::vector<QueryLane> lanes_of(const PlanArguments& arguments, PlannerMaker& maker,
-                                const FreeSpace& space, unsigned count) {
-  std::vector<QueryLane> lanes;
+std::vector<QueryWorker> make_workers(const PlanArguments& arguments, PlannerMaker& maker,
+                                      const FreeSpace& space, unsigned count) {
+  std::vector<QueryWorker> workers;
   for (unsigned i = 0; i < count; ++i) {
     WorkTimes times;  // the answers tell those of the searches alone
     auto planner = maker.make(times);
     if (!planner) throw InputError(planner.error().message());
-    lanes.emplace_back(arguments, maker.spec(), space, *std::move(planner));
+    workers.emplace_back(arguments, maker.spec(), space, *std::move(planner));
   }
-  return lanes;
+  return workers;
 }
 
 std::vector<QueryAnswer> answers_to(const std::vector<QueryRow>& rows,
-                                    std::vector<QueryLane>& lanes) {
+                                    std::vector<QueryWorker>& workers) {
   std::vector<QueryAnswer> answers(rows.size());
   const Interruptible interruptible;  // what is answered until then is reported
   ProgressBar progress("queries", rows.size());
   std::atomic<std::uint64_t> done = 0;
-  ThreadWorkers workers(static_cast<unsigned>(lanes.size()));
-  workers.run(rows.size(), [&](std::size_t row, unsigned worker) {
-    answers[row] = lanes[worker].answer(rows[row]);
+  ThreadWorkers threads(static_cast<unsigned>(workers.size()));
+  threads.run(rows.size(), [&](std::size_t row, unsigned thread) {
+    answers[row] = workers[thread].answer(rows[row]);
     ++done;
-    if (worker == 0) progress.update(done);
+    if (thread == 0) progress.update(done);
   });
   return answers;
 }
@@ -136,7 +136,7 @@ void complain_of(const std::string& file, const std::vector<QueryAnswer>& answer
   for (const QueryAnswer& answer : answers) {
     if (answer.found()) continue;
     if (++complaints > kMostRowsTold) {
-      complain("... and more of these; the answers have all of them");
+      complain("... and more; the answers list all of them");
       return;
     }
     const std::string line = fmt::format("line {}: ", answer.line);
@@ -153,12 +153,12 @@ void check_queries(const PlanArguments& arguments) {
   const WatchArguments& watch = arguments.watch;
   const bool watched = watch.verbose || watch.step || watch.animate || !watch.trace.empty();
   if (!arguments.ends.start.empty() || !arguments.ends.goals.empty()) {
-    throw InputError("--queries has the starts and goals: leave out --start and --goal");
+    throw InputError("--queries reads starts and goals from a file: leave out --start and --goal");
   }
   if (watched || !arguments.layers.empty() || arguments.refine.any()) {
     throw InputError(
-        "--queries answers many queries: leave out --show, --verbose, --step, --animate, --trace, "
-        "--simplify, --smooth and --resample");
+        "--queries cannot be combined with --show, --verbose, --step, --animate, --trace, "
+        "--simplify, --smooth or --resample");
   }
   arguments.output.check_not_among({arguments.queries});
   for (const std::string& file : arguments.output.files()) {
@@ -174,8 +174,8 @@ ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const 
   const std::vector<QueryRow> rows = read_queries(arguments.queries);
   const auto most =
       static_cast<unsigned>(std::clamp<std::size_t>(rows.size(), 1, arguments.threads));
-  std::vector<QueryLane> lanes = lanes_of(arguments, maker, space, most);
-  const std::vector<QueryAnswer> answers = answers_to(rows, lanes);
+  std::vector<QueryWorker> workers = make_workers(arguments, maker, space, most);
+  const std::vector<QueryAnswer> answers = answers_to(rows, workers);
   const auto text = [&](TableFormat format) {
     return text_of(maker.spec(), answers, space.map().frame(), format);
   };

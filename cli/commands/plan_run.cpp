@@ -7,11 +7,10 @@
 
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/picture_files.hpp"
+#include "cli/output/picture.hpp"
+#include "cli/watching/films.hpp"
 #include "cli/watching/frame.hpp"
-#include "cli/watching/observer_list.hpp"
-#include "cli/watching/open_list_text.hpp"
-#include "cli/watching/search_frames.hpp"
+#include "cli/watching/narrator.hpp"
 #include "cli/watching/stepped_search.hpp"
 #include "cli/watching/stepper.hpp"
 #include "wend/base/thread_time.hpp"
@@ -47,10 +46,10 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace
   result_.times = times;
   asked_->check(arguments.layers);
   if (!arguments.refine.any() || info_of(maker_.spec()).motion == Motion::cells) return;
-  throw InputError(fmt::format(
-      "--simplify, --smooth and --resample are for paths from cell to cell: what the planner {} "
-      "drives is made of arcs, which are to stay as they are",
-      maker_.spec().name));
+  throw InputError(
+      fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
+                  "planner {} consists of arcs",
+                  maker_.spec().name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -131,7 +130,8 @@ bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.o
 /// Only the search is timed, not the person.
 Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
   if (!info_of(maker_.spec()).can_step) {
-    throw InputError(fmt::format("--step: the planner {} cannot be stepped", maker_.spec().name));
+    throw InputError(
+        fmt::format("--step: the planner {} does not support stepping", maker_.spec().name));
   }
   SteppedSearch search(*planner_, query, recorder, told, result_.plan);
   const Status status =
@@ -260,7 +260,7 @@ std::string PlanRun::text() const {
   std::string summary;
   if (found) summary += asked_->summary(result_);
   if (found && maker_.built_index()) {
-    summary += "index     built for this query and not kept: `wend index build` keeps it\n";
+    summary += "index     built for this query and not saved; `wend index build` saves it\n";
   }
   if (result_.refined) {
     summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
@@ -277,8 +277,9 @@ void PlanRun::write_trace(PosthocTrace& trace) const {
   const std::string wrong = write_bytes(watch.trace, trace.finish(result_.plan.path));
   if (!wrong.empty()) throw InputError(wrong);
   if (trace.dropped() == 0) return;
-  complain(fmt::format("{}: the trace ends after {} events, {} more are left out (--trace-limit)",
-                       watch.trace, watch.trace_limit, trace.dropped()));
+  complain(fmt::format(
+      "{}: the trace is truncated after {} events; {} more events are missing (--trace-limit)",
+      watch.trace, watch.trace_limit, trace.dropped()));
 }
 
 std::string PlanRun::csv() const {

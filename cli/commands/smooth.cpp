@@ -6,21 +6,18 @@
 #include <memory>
 #include <utility>
 
-#include "cli/arguments/corner_rule.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/option_flags.hpp"
-#include "cli/arguments/path_file.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/refine_arguments.hpp"
+#include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/collision_text.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
+#include "cli/output/plan_text.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/io/path/path_csv.hpp"
 
@@ -50,11 +47,11 @@ constexpr const char* kSmoothExamples = R"(Examples:
   wend smooth office.yaml plan.csv --smoother none --simplify=sight -o taut.csv
   wend smooth office.yaml plan.csv --unsafe --format json
 
-Paths are those that `wend plan -o` writes (.csv, .json; of a plan the path as
-planned), or centrelines in metres. First points are left out (--simplify), then
-the path is smoothed, then resampled. Unless --unsafe is given, no part of the
-result touches an obstacle. Exit codes: 0 done, 1 the path is not free to begin
-with (standard error says where), 2 bad usage or input.)";
+A path is a file of `wend plan -o` (.csv, .json; the planned path of a plan), or
+a centreline in metres. The path is simplified first (--simplify), then
+smoothed, then resampled. Without --unsafe the result is clear of obstacles.
+Exit codes: 0 done, 1 the given path is not free (standard error gives the
+reason), 2 bad usage or input.)";
 
 /// What the flags of the command say otherwise.
 bool is_said_by_a_flag(const OptionInfo& option) {
@@ -74,7 +71,7 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   if (arguments.smoother == kNoSmoother) {
     arguments.options.values_for(arguments.smoother);  // refuses them
     if (arguments.turning_radius)
-      throw InputError("--turning-radius: --smoother none smooths nothing");
+      throw InputError("--turning-radius has no effect with --smoother none");
     return std::nullopt;
   }
   SmootherChoice choice = parse_smoother(arguments.smoother);
@@ -83,8 +80,8 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   if (arguments.turning_radius) {
     if (!has_option(smoothers().find(choice.name)->options, "radius")) {
       throw InputError(
-          fmt::format("--turning-radius changes nothing: the smoother {} has none; add --smoother "
-                      "curvature",
+          fmt::format("--turning-radius changes nothing: the smoother {} has no turning radius; "
+                      "add --smoother curvature",
                       choice.name));
     }
     choice.options.emplace_back("radius",
@@ -141,7 +138,7 @@ Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space) {
 void refuse_collision(const SmoothArguments& arguments, const FreeSpace& space, const Path& path,
                       const PathCollision& collision, const Coordinates& coordinates) {
   const FailedPlan failed{
-      "not_free", fmt::format("the path is not free, and can only be smoothed with --unsafe: {}",
+      "not_free", fmt::format("the path is not free and can only be smoothed with --unsafe: {}",
                               collision_text(collision, coordinates))};
   Scene scene = scene_of(space, path);
   scene.collision = collision.point;
@@ -184,10 +181,11 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
     arguments.options.collect(smoother.name, options);
   }
   app.add_option("--smoother", arguments.smoother,
-                 wrapped("How to smooth (default gradient). " + names + "none"))
+                 wrapped("Smoother (default gradient). " + names + "none"))
       .type_name(kSmootherType);
-  add_number(app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
-             "No bend is to be tighter than this (units as --robot-radius; curvature)");
+  add_number(
+      app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
+      "Lower limit on the turning radius, for --smoother curvature (units as --robot-radius)");
   arguments.points.add_points_to(app);
   arguments.options.add_to(app);
 }
@@ -202,11 +200,11 @@ Command add_smooth(Parser& app) {
   add_corner_rule(smooth, arguments->moves.corner_rule);
   add_format(smooth, arguments->format);
   arguments->pictures.add_to(smooth);
-  arguments->output.add_to(smooth, {".csv", ".json", ".png", ".svg", ".pdf"},
-                           "Also write the path (.csv, .json) or a picture of both (.png, .svg, "
-                           ".pdf); may be given several times. Where the path is not free, the "
-                           "file says so instead",
-                           "the path (JSON with --format json, else CSV)");
+  arguments->output.add_to(
+      smooth, {".csv", ".json", ".png", ".svg", ".pdf"},
+      "Also write the path (.csv, .json) or a picture of both paths (.png, .svg, .pdf); may be "
+      "given several times. If the path is not free, the file states the reason instead",
+      "the path (JSON with --format json, else CSV)");
   add_smoothers(smooth, *arguments);
   smooth.footer(kSmoothExamples);
   return {smooth, [smooth, arguments] {

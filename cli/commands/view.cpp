@@ -9,14 +9,11 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/map_arguments.hpp"
-#include "cli/arguments/path_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
-#include "cli/output/output_files.hpp"
 #include "cli/output/picture.hpp"
-#include "cli/output/picture_files.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "cli/watching/shown_layers.hpp"
 #include "wend/path/path_metrics.hpp"
 
@@ -41,9 +38,9 @@ constexpr const char* kViewExamples = R"(Examples:
   wend view office.yaml --show clearance -o clearance.png
   wend view a.map --beside b.map -o both.png
 
-Paths are those that `wend plan -o` writes (.csv, .json; of a plan with --smooth
-the smoothed one), or centrelines in metres. Several paths, maps, layers or
-styles come side by side. Exit codes: 0 shown, 2 bad usage or input.)";
+A path is a file of `wend plan -o` (.csv, .json; the smoothed path if there is
+one), or a centreline in metres. Several paths, maps, layers or styles are shown
+side by side. Exit codes: 0 shown, 2 bad usage or input.)";
 
 /// The title of a panel that shows a file.
 std::string name_of(const std::string& file) {
@@ -128,20 +125,20 @@ void check(const ViewArguments& arguments) {
   check_read_once(read);
   for (const LayerKind kind : arguments.layers.kinds()) {
     if (source_of(kind) == LayerSource::map) continue;
-    throw InputError(fmt::format("--show {}: there is no search here; `wend plan --show` shows it",
-                                 choice_name(kind)));
+    throw InputError(
+        fmt::format("--show {}: view does not search; use `wend plan --show`", choice_name(kind)));
   }
 }
 
 /// Throws InputError for flags that were given and change nothing.
 void check_idle(const Parser& view, const ViewArguments& arguments) {
   if (arguments.when == PictureWhen::never && arguments.output.files().empty()) {
-    throw InputError("--picture never shows nothing: add -o FILE.png, or leave it out");
+    throw InputError("--picture never leaves nothing to show: add -o FILE.png, or leave it out");
   }
   const auto& layers = arguments.layers.kinds();
   if (std::ranges::find(layers, LayerKind::terrain) == layers.end()) {
     refuse_idle(view, {"--clearance-distance", "--clearance-cost"},
-                "it is about what cells cost, which --show terrain shows");
+                "it changes cell costs only: add --show terrain");
   }
 }
 
@@ -169,28 +166,26 @@ int run(const ViewArguments& arguments) {
 }  // namespace
 
 Command add_view(Parser& app) {
-  Parser view = app.add_subcommand("view", "Show a map, and paths on it");
+  Parser view = app.add_subcommand("view", "Show a map and paths on it");
   const auto arguments = std::make_shared<ViewArguments>();
   arguments->map.add_to(view);
   arguments->map.add_clearance_cost_to(view);
   view.add_option("PATH", arguments->paths,
-                  wrapped("Paths on it, as `wend plan -o` writes them (.csv, .json)"))
+                  wrapped("Paths to draw on the map, as written by `wend plan -o` (.csv, .json)"))
       .type_name(kFileType);
   add_texts(view, "--beside", arguments->beside,
-            "Another map, to be shown beside it; may be given "
-            "several times")
+            "Another map to show beside the first; may be given several times")
       .type_name(kFileType);
   arguments->layers.add_to(view);
-  add_choice<PictureWhen>(view, "--picture", arguments->when,
-                          {{"auto", PictureWhen::automatic},
-                           {"always", PictureWhen::always},
-                           {"never", PictureWhen::never}},
-                          "Show the map here: always (the default), on a terminal only (auto), "
-                          "or never");
+  add_choice<PictureWhen>(
+      view, "--picture", arguments->when,
+      {{"auto", PictureWhen::automatic},
+       {"always", PictureWhen::always},
+       {"never", PictureWhen::never}},
+      "Show the map on standard output: always (the default), on a terminal only (auto), or never");
   add_styles(view, arguments->styles);
   arguments->output.add_to(view, picture_extensions(),
-                           "Write the picture, as .png, .svg or .pdf; "
-                           "may be given several times");
+                           "Write the picture as .png, .svg or .pdf; may be given several times");
   view.footer(kViewExamples);
   return {view, [view, arguments] {
             check_idle(view, *arguments);

@@ -1,7 +1,9 @@
 #pragma once
 
-// Why there is no plan, in words: which cell, why, how far, how large.
+// Why there is no plan: in words (which cell, why, how far, how large) and as a scene.
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "cli/arguments/coordinates.hpp"
@@ -10,6 +12,7 @@
 #include "wend/base/status.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/render/scene.hpp"
 
 namespace wend::cli {
 
@@ -57,5 +60,20 @@ bool is_limit(Status status);
 
 /// Why a search was stopped: "gave up after 1000 expansions, the limit".
 std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics);
+
+/// The nearest cell where the robot may stand instead of a blocked one; where the robot may stand at
+/// `other`, only cells that are connected to that.
+std::optional<Cell> nearest_free(const FreeSpace& space, Cell cell, Cell other, GridMoves moves);
+
+/// Of a start and its goals, one or more; those outside the map are left out.
+Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
+                    GridMoves moves, const Coordinates& coordinates);
+
+/// The same, of one goal, both ends on the map, where it has been found out why there is no path.
+Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
+                    const Coordinates& coordinates, const NoPath& why);
+
+/// What a way needs: "path for a robot of 0.45 m through unknown cells".
+std::string describe(const Way& way, const Coordinates& coordinates);
 
 }  // namespace wend::cli

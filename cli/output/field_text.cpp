@@ -9,7 +9,7 @@
 
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/render/terminal/text_picture.hpp"
 
 namespace wend::cli {

@@ -24,7 +24,7 @@ namespace {
 class ScratchFile {
  public:
   ScratchFile() : file_(std::tmpfile()) {
-    if (!file_) throw InputError("--plot: no file can be made in the folder for temporary ones");
+    if (!file_) throw InputError("--plot: cannot create a temporary file");
   }
 
   int descriptor() const { return fileno(file_.get()); }
@@ -50,7 +50,7 @@ class ScratchFile {
   /// For whoever shares the descriptor, too: what was put is written first.
   void to_the_beginning() {
     if (std::fseek(file_.get(), 0, SEEK_SET) != 0) {
-      throw InputError("--plot: a temporary file cannot be written");
+      throw InputError("--plot: cannot write a temporary file");
     }
   }
 
@@ -114,7 +114,7 @@ std::string drawn_by_gnuplot(const std::string& script) {
   const auto status = run_gnuplot(input, output, complaints);
   if (!status) {
     throw InputError(
-        "--plot needs the program gnuplot (in Debian: gnuplot-nox), which is not here");
+        "--plot needs the program gnuplot (Debian package gnuplot-nox), which is not installed");
   }
   if (*status != 0) throw InputError("--plot: gnuplot says: " + complaints.text());
   return output.text();

@@ -12,8 +12,7 @@ namespace wend::cli {
 
 void add_force(Parser& app, bool& force) {
   app.add_flag("--force", force,
-               wrapped("Replace the picture beside a new map.yaml even if it belongs to something "
-                       "else"));
+               wrapped("Replace the image of a new map.yaml even if another file uses it"));
 }
 
 void check_picture(const std::string& file, const std::string& name) {
@@ -28,7 +27,7 @@ void check_picture(const std::string& file, const std::string& name) {
 void check_force(const Parser& command, const std::vector<std::string>& names) {
   const auto has_picture = [](const std::string& name) { return saved_files(name).size() > 1; };
   if (std::ranges::any_of(names, has_picture)) return;
-  refuse_idle(command, {"--force"}, "it is for a map.yaml, which has a picture beside it");
+  refuse_idle(command, {"--force"}, "it applies to a map.yaml and its image only");
 }
 
 std::vector<std::string> files_of_maps(const std::vector<std::string>& names) {

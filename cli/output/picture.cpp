@@ -1,9 +1,11 @@
 #include "cli/output/picture.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/render/terminal/text_picture.hpp"
 
 namespace wend::cli {
@@ -21,6 +23,15 @@ int small_columns(const Screen& screen) {
   return screen.is_terminal ? std::min(screen.columns, kSmallColumns) : kSmallColumns;
 }
 
+/// A panel that has nothing to say besides its scene is a picture of its own.
+Expected<std::string, RenderError> drawn(const std::vector<Panel>& panels, PictureKind kind,
+                                         const Style& style) {
+  const Panel& first = panels.front();
+  const bool alone = panels.size() == 1 && first.title.empty() && first.caption.empty();
+  return alone ? draw_picture(first.scene, kind, first.style.value_or(style))
+               : draw_panels(panels, kind, style);
+}
+
 }  // namespace
 
 void PictureArguments::add_to(Parser& app) {
@@ -28,17 +39,17 @@ void PictureArguments::add_to(Parser& app) {
                           {{"auto", PictureWhen::automatic},
                            {"always", PictureWhen::always},
                            {"never", PictureWhen::never}},
-                          "Show the map: auto, the default, shows small ones (up to 80 x 40 cells) "
-                          "always and large ones on a terminal only");
-  add_style(app, style,
-            "Colours of pictures: light (the default), dark, or print, which survives "
-            "a black-and-white printer");
+                          "Show the map: with auto (the default) small maps (up to 80 x 40 cells) "
+                          "always, large maps on a terminal only");
+  add_style(
+      app, style,
+      "Colours of pictures: light (the default), dark, or print (for black-and-white printers)");
 }
 
 void PictureArguments::check(const Parser& command, bool drawn, bool shown) const {
   if (!shown) refuse_idle(command, {"--picture"}, "leave out --format json to see the map");
   if (!drawn && (!shown || when == PictureWhen::never)) {
-    refuse_idle(command, {"--style"}, "no picture is drawn; -o FILE.png draws one");
+    refuse_idle(command, {"--style"}, "there is no picture; add -o FILE.png");
   }
 }
 
@@ -63,10 +74,9 @@ void add_styles(Parser& app, std::vector<StyleName>& styles) {
       }
     }
   };
-  app.add_list(
-         "--style", add,
-         wrapped("Colours: light (the default), dark or print; several with commas between come "
-                 "side by side"))
+  app.add_list("--style", add,
+               wrapped("Colours: light (the default), dark or print; several, separated by commas, "
+                       "are shown side by side"))
       .separated_by_commas()
       .type_name(kStyleType);
 }
@@ -126,6 +136,25 @@ std::string large_picture(const Scene& scene, const Screen& screen,
   }
   return terminal_picture(scene, screen.columns, picture_rows, screen.terminal, style) + legend +
          shortage;
+}
+
+std::vector<std::string> picture_extensions() { return {".png", ".svg", ".pdf"}; }
+
+std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style) {
+  const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
+  const auto writer_of = [&](PictureKind kind) {
+    return [shared, style, kind](const std::string& file) {
+      return write_picture(file, drawn(*shared, kind, style_of(style)));
+    };
+  };
+  return {{".png", writer_of(PictureKind::png)},
+          {".svg", writer_of(PictureKind::svg)},
+          {".pdf", writer_of(PictureKind::pdf)}};
+}
+
+std::string write_picture(const std::string& file,
+                          const Expected<std::string, RenderError>& picture) {
+  return picture ? write_bytes(file, *picture) : file + ": " + picture.error().message();
 }
 
 }  // namespace wend::cli

@@ -3,11 +3,14 @@
 // A scene on standard output: a small map as text with a character a cell, a large one as a
 // picture.
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "cli/arguments/parser.hpp"
+#include "cli/output/output.hpp"
 #include "cli/output/terminal.hpp"
+#include "wend/render/picture/panels.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/render/style.hpp"
 
@@ -62,5 +65,15 @@ std::string large_picture(const Scene& scene, const Screen& screen,
 /// The same in at most so many rows, the legend's included.
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments, int rows);
+
+/// What pictures can be written as.
+std::vector<std::string> picture_extensions();
+
+/// Writers that draw the panels side by side; they copy what they are given.
+std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);
+
+/// Writes a picture, if it could be drawn; what went wrong, empty if nothing did.
+std::string write_picture(const std::string& file,
+                          const Expected<std::string, RenderError>& picture);
 
 }  // namespace wend::cli

@@ -25,9 +25,9 @@ std::string length_text(double cells, const Frame& frame) {
 }
 
 std::string bound_text(const Plan& plan) {
-  if (plan.optimal()) return "no path is cheaper";
+  if (plan.optimal()) return "optimal";
   if (std::isfinite(plan.bound)) return fmt::format("at most {:g} times the optimum", plan.bound);
-  return "no claim: a cheaper path may exist";
+  return "no guarantee: a cheaper path may exist";
 }
 
 std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
@@ -139,6 +139,15 @@ std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
                                         time_text(times.preparation() + times.search),
                                         thread_time_name())) +
          named_line("before", preparation_text(times));
+}
+
+std::string collision_text(const PathCollision& collision, const Coordinates& coordinates) {
+  std::string text = fmt::format("after {}, at {}, it {}", coordinates.length(collision.along),
+                                 coordinates.text(collision.point), describe(collision.kind));
+  if (collision.obstacle) {
+    text += fmt::format(": the one at {}", coordinates.text(centre_of(*collision.obstacle)));
+  }
+  return text;
 }
 
 }  // namespace wend::cli

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/arguments/coordinates.hpp"
+#include "wend/path/path_collision.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
@@ -29,5 +30,8 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
 /// "cells".
 std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
                        const std::string& states = "cells");
+
+/// "after 3.21 m, at (1.2,3.4) m, cell (24,68), it enters an obstacle: that at ..."
+std::string collision_text(const PathCollision& collision, const Coordinates& coordinates);
 
 }  // namespace wend::cli

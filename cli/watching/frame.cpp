@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 
 namespace wend::cli {
 namespace {
@@ -31,7 +31,7 @@ std::string left_out(const std::vector<Layer>& layers, std::size_t shown) {
   for (std::size_t i = shown; i < layers.size(); ++i) {
     names += (names.empty() ? "" : ", ") + std::string(choice_name(layers[i].kind));
   }
-  return names.empty() ? "" : fmt::format("a larger terminal has room for: {}\n", names);
+  return names.empty() ? "" : fmt::format("shown on a larger terminal: {}\n", names);
 }
 
 /// The map, its first layers and the text beside it; nothing if that is too wide or too high.

@@ -41,4 +41,12 @@ class LastExpansion final : public SearchObserver {
 /// "(3,4) f=9.24 g=4 h=5.24"
 std::string event_text(const SearchEvent& event);
 
+inline constexpr int kMostOpenEntries = 10;
+
+/// In at most `rows` rows, but with at least one entry.
+std::string open_list_text(const OpenList& list, int rows);
+
+/// With kMostOpenEntries entries at most.
+std::string open_list_text(const OpenList& list);
+
 }  // namespace wend::cli

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cli/arguments/flags.hpp"
-#include "cli/output/text_blocks.hpp"
+#include "cli/output/terminal.hpp"
 #include "wend/render/terminal/text_picture.hpp"
 
 namespace wend::cli {
@@ -13,10 +13,9 @@ namespace {
 constexpr int kColumnsAnArrow = 2;
 
 const char* const kHelp =
-    "Show this of every cell, as numbers or arrows where the map is small, else as a picture; "
-    "several with commas between. Of the search: expansion, generation (orders), g, heuristic, f, "
-    "closed, frontier, parent; of the costs to the goal: cost, policy; of the map: occupied, "
-    "clearance, terrain";
+    "Layers to show for every cell, separated by commas: as numbers or arrows on small maps, else "
+    "as a picture. Search: expansion, generation (orders), g, heuristic, f, closed, frontier, "
+    "parent. Costs to the goal: cost, policy. Map: occupied, clearance, terrain";
 
 std::vector<std::string> layer_names() {
   std::vector<std::string> names;
@@ -123,7 +122,7 @@ std::string layer_text(const Scene& scene, const Layer& layer, const Screen& scr
   if (drawn.empty()) return {};
   const bool no_room = layer.numbers.empty() && !has_pixels(screen.terminal);
   return layer_title(layer.kind, scene.space.map().frame()) +
-         (no_room ? " (no room for arrows here: -o FILE.png draws them)\n" : "\n") + drawn + "\n";
+         (no_room ? " (too large for arrows here; -o FILE.png draws them)\n" : "\n") + drawn + "\n";
 }
 
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers) {

@@ -6,13 +6,35 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "cli/watching/narrator.hpp"
-#include "cli/watching/observer_list.hpp"
 #include "wend/analysis/search_recorder.hpp"
+#include "wend/planner/observer.hpp"
 #include "wend/planner/planner.hpp"
 
 namespace wend::cli {
+
+class ObserverList final : public SearchObserver {
+ public:
+  /// It must outlive the search. Observers are told in the order in which they were added.
+  void add(SearchObserver& observer) { observers_.push_back(&observer); }
+
+  bool empty() const { return observers_.empty(); }
+
+  void on_generate(const SearchEvent& event) override {
+    for (SearchObserver* observer : observers_) observer->on_generate(event);
+  }
+  void on_expand(const SearchEvent& event) override {
+    for (SearchObserver* observer : observers_) observer->on_expand(event);
+  }
+  void on_relax(const SearchEvent& event) override {
+    for (SearchObserver* observer : observers_) observer->on_relax(event);
+  }
+
+ private:
+  std::vector<SearchObserver*> observers_;
+};
 
 /// Passes on what an observer has not been told yet, of searches that are begun again and again.
 class ToldOnce final : public SearchObserver {

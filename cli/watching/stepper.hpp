@@ -7,8 +7,7 @@
 #include <string>
 
 #include "cli/interrupt.hpp"
-#include "cli/watching/display.hpp"
-#include "cli/watching/keyboard.hpp"
+#include "cli/watching/console.hpp"
 
 namespace wend::cli {
 

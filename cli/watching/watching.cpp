@@ -6,12 +6,12 @@
 
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/output_files.hpp"
+#include "cli/output/output.hpp"
 
 namespace wend::cli {
 namespace {
 
-constexpr NumberRange kSpeeds{0.1, 1e9, "expansions a second"};
+constexpr NumberRange kSpeeds{0.1, 1e9, "expansions per second"};
 constexpr const char* kGroup = "Watching the search";
 
 bool ends_in(std::string_view text, std::string_view end) {
@@ -26,38 +26,38 @@ bool is_yaml(const std::string& file) {
 
 void WatchArguments::add_to(Parser& app) {
   app.add_flag("--verbose", verbose,
-               wrapped("Tell on standard error what the search does, a line an event"))
+               wrapped("Print every search event to standard error, one per line"))
       .group(kGroup);
   app.add_flag("--open-list", open_list,
-               wrapped("With --verbose: print the open list as a table before each expansion, the "
-                       "ten entries that come next"))
+               wrapped("With --verbose: print the next ten entries of the open list as a table "
+                       "before each expansion"))
       .group(kGroup);
   app.add_flag("--step", step,
                wrapped("Show the search and its open list after each expansion and wait for a key; "
-                       "keys go on and back"))
+                       "keys step forwards and backwards"))
       .group(kGroup);
   app.add_flag("--animate", animate, wrapped("Play the search on the terminal")).group(kGroup);
   add_number(app, "--speed", speed, kSpeeds,
-             "Expansions a second of --animate and of a .gif (default: a few seconds in all)")
+             "Expansions per second of --animate and of a .gif (default: a few seconds in total)")
       .group(kGroup);
   app.add_option("--trace", trace,
-                 wrapped("Write the search as a trace for Posthoc: a name in .trace.yaml or "
-                         ".trace.json"))
+                 wrapped("Write the search as a trace for Posthoc; the name must end in "
+                         ".trace.yaml or .trace.json"))
       .type_name(kFileType)
       .group(kGroup);
   add_count(app, "--trace-limit", trace_limit,
-            "The most events that a trace keeps (default 200000, some 20 MB)")
+            "Limit on the number of events in a trace (default 200000, about 20 MB)")
       .group(kGroup);
 }
 
 void WatchArguments::check(const Screen& screen) const {
   if (animate && !screen.is_terminal) {
-    throw InputError("--animate needs a terminal; -o search.gif keeps the search as a film");
+    throw InputError("--animate needs a terminal; -o search.gif writes the animation to a file");
   }
   if (open_list && !verbose) {
     throw InputError("--open-list needs --verbose; --step shows the open list without it");
   }
-  if (animate && step) throw InputError("--animate and --step: choose one");
+  if (animate && step) throw InputError("--animate cannot be combined with --step");
   if (trace.empty()) return;
   if (!is_yaml(trace) && !ends_in(trace, ".trace.json")) {
     throw InputError(

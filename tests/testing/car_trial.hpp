@@ -23,10 +23,11 @@ inline Trial random_car_trial(std::uint64_t seed, const PlannerInfo& info) {
   const int unit = one_of<int>(random, std::array{1, 1, 1, 2, 3});
   options.erase(std::remove_if(options.begin(), options.end(),
                                [](const auto& option) {
-                                 return option.first == "unit" || option.first == "turning_radius";
+                                 return option.first == "lattice_resolution" ||
+                                        option.first == "turning_radius";
                                }),
                 options.end());
-  if (unit > 1) options.emplace_back("unit", std::to_string(unit));
+  if (unit > 1) options.emplace_back("lattice_resolution", std::to_string(unit));
   const FreeSpaceOptions robot = random_car(random, map.frame().resolution, unit);
   return {std::move(map), robot, std::move(options)};
 }
@@ -35,7 +36,7 @@ inline CarRules rules_of(const Trial& trial, const PlannerInfo& info) {
   const auto value = [&](const std::string& name) {
     return value_of(name, trial.options, info.options);
   };
-  return {.unit = std::stoi(value("unit")),
+  return {.unit = std::stoi(value("lattice_resolution")),
           .straight_terrain = value("straight_terrain"),
           .reverse_factor = std::stod(value("reverse_factor"))};
 }

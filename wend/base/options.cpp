@@ -86,14 +86,16 @@ OptionInfo& SchemaBuilder::add(const OptionText& text, OptionKind kind, std::str
                                          {},
                                          range.least,
                                          range.greatest,
-                                         std::string(text.help)});
+                                         std::string(text.help),
+                                         std::string(text.former)});
 }
 
 std::optional<OptionError> OptionParser::error() const {
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const auto& [name, text] : values_) {
-    if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
-      return option_text::unknown_option(name, known_);
-    }
+    if (!has(known_, name) && !has(former_, name)) return option_text::unknown_option(name, known_);
   }
   return bad_value_;
 }

@@ -9,7 +9,7 @@
 //
 //     template <class Self, class Field>
 //     static void fields(Self& self, Field&& field) {
-//       field({"max_steps", "give up after so many steps"}, self.max_steps, {1, 1e9});
+//       field({"max_steps", "limit on the number of steps"}, self.max_steps, {1, 1e9});
 //       field({"boldness", "how far it strays"}, self.boldness, {0, 1});
 //     }
 //   };
@@ -40,6 +40,7 @@ struct OptionText {
   std::string_view name;
   std::string_view help;
   std::array<std::string_view, 2> aliases = {};  // other names, from a textbook say
+  std::string_view former = {};                  // an old name: parsed, but not shown
 };
 
 enum class OptionKind { flag, integer, number, choice };
@@ -56,6 +57,7 @@ struct OptionInfo {
   double least = 0;                  // of an integer or a number
   double greatest = 0;
   std::string help;
+  std::string former = {};  // an old name, or empty: parsed, but not shown
 };
 
 /// Options as text, by name: {"weight", "1.5"}.
@@ -135,6 +137,7 @@ class OptionParser {
     for (const std::string_view alias : text.aliases) {
       if (!alias.empty()) known_.emplace_back(alias);
     }
+    if (!text.former.empty()) former_.emplace_back(text.former);
     for (const auto& [name, given] : values_) {
       if (!is_name_of(text, name)) continue;
       const std::string wrong = option_text::parse(given, value, range);
@@ -149,11 +152,13 @@ class OptionParser {
   static bool is_name_of(const OptionText& text, std::string_view name) {
     return name == text.name ||
            (!name.empty() &&
-            std::find(text.aliases.begin(), text.aliases.end(), name) != text.aliases.end());
+            (name == text.former ||
+             std::find(text.aliases.begin(), text.aliases.end(), name) != text.aliases.end()));
   }
 
   const OptionValues& values_;
   std::vector<std::string> known_;
+  std::vector<std::string> former_;
   std::optional<OptionError> bad_value_;
 };
 

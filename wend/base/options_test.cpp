@@ -32,6 +32,15 @@ struct BoatOptions {
   friend bool operator==(const BoatOptions&, const BoatOptions&) = default;
 };
 
+struct RenamedOptions {
+  std::int64_t crew = 2;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({.name = "crew", .help = "number of people", .former = "hands"}, self.crew, {1, 9});
+  }
+};
+
 struct NoOptions {
   template <class Self, class Field>
   static void fields(Self&, Field&&) {}
@@ -40,6 +49,22 @@ struct NoOptions {
 std::string error_of(const OptionValues& values) {
   const auto parsed = parse_options<BoatOptions>(values);
   return parsed ? "no error" : parsed.error().message();
+}
+
+TEST(OptionParser, TakesAFormerNameThatIsNotShown) {
+  const auto crew_of = [](const OptionValues& values) {
+    const auto parsed = parse_options<RenamedOptions>(values);
+    return parsed ? std::to_string(parsed->crew) : parsed.error().message();
+  };
+  EXPECT_EQ(crew_of({{"hands", "5"}}), "5");
+  EXPECT_EQ(crew_of({{"hands", "5"}, {"crew", "6"}}), "6") << "the last one counts";
+  EXPECT_EQ(crew_of({{"crew", "6"}, {"hands", "5"}}), "5") << "the last one counts";
+  EXPECT_EQ(crew_of({{"hands", "x"}}), "option 'hands': 'x' is not a whole number");
+  EXPECT_EQ(crew_of({{"hand", "5"}}), "option 'hand': there is no such option: choose from crew");
+  EXPECT_NE(crew_of({{"", "5"}}), "5");
+  const auto schema = option_schema<RenamedOptions>();
+  EXPECT_TRUE(schema[0].aliases.empty());
+  EXPECT_EQ(schema[0].former, "hands");
 }
 
 TEST(OptionSchema, ListsTheFieldsInOrderWithTheirDefaults) {

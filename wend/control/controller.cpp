@@ -21,7 +21,7 @@ const Registry<ControllerInfo>& controllers() {
 
 std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model) {
   if (!info.turns_in_place || model.turning_radius() == 0) return std::nullopt;
-  return "the controller '" + info.name + "' turns in place, which a bicycle cannot";
+  return "the controller '" + info.name + "' turns in place, and a bicycle cannot";
 }
 
 double turn_to(const Pose& pose, Point point) {

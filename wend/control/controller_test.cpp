@@ -73,7 +73,7 @@ TEST(Controllers, ThatTurnInPlaceAreUnfitForABicycle) {
     EXPECT_EQ(why_unfit(info, bicycle).has_value(), info.turns_in_place) << info.name;
   }
   EXPECT_EQ(why_unfit(*controllers().find("p"), bicycle),
-            "the controller 'p' turns in place, which a bicycle cannot");
+            "the controller 'p' turns in place, and a bicycle cannot");
   EXPECT_EQ(why_unfit(*controllers().find("pure_pursuit"), bicycle), std::nullopt);
 }
 

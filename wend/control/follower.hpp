@@ -29,18 +29,19 @@ struct FollowerOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"acceptance_radius", "a waypoint nearer than this is reached, m"},
+    field({"acceptance_radius", "distance at which a waypoint counts as reached, m"},
           self.acceptance_radius, {1e-3, 1e3});
-    field({"goal_tolerance", "the goal is reached within this, m"}, self.goal_tolerance,
-          {1e-3, 1e3});
-    field({"heading_tolerance", "and within this of its heading, rad; 0 = any heading"},
+    field({"goal_tolerance", "distance at which the goal counts as reached, m"},
+          self.goal_tolerance, {1e-3, 1e3});
+    field({"heading_tolerance", "largest heading error at the goal, rad; 0 = any heading"},
           self.heading_tolerance, {0, 3.2});
-    field({"off_path", "farther from the path than this is lost, m"}, self.off_path, {1e-2, 1e6});
+    field({"off_path", "distance from the path at which the robot counts as lost, m"},
+          self.off_path, {1e-2, 1e6});
     field({"heading_window",
-           "the path's heading is its mean from this far before the robot to as far ahead, m"},
+           "length of path before and ahead of the robot over which its heading is averaged, m"},
           self.heading_window, {0, 1e3});
-    field({"stuck_time", "without progress for this long is stuck, s"}, self.stuck_time,
-          {1e-1, 1e6});
+    field({"stuck_time", "time without progress after which the robot counts as stuck, s"},
+          self.stuck_time, {1e-1, 1e6});
   }
 };
 

@@ -31,11 +31,11 @@ struct VelocityLimits {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"speed", "the greatest speed, m/s"}, self.speed, {1e-3, 1e3});
-    field({"turn_rate", "the greatest turn rate, rad/s"}, self.turn_rate, {1e-3, 1e3});
-    field({"acceleration", "the greatest acceleration, m/s^2; braking too"}, self.acceleration,
+    field({"speed", "upper limit on the speed, m/s"}, self.speed, {1e-3, 1e3});
+    field({"turn_rate", "upper limit on the turn rate, rad/s"}, self.turn_rate, {1e-3, 1e3});
+    field({"acceleration", "upper limit on acceleration and braking, m/s^2"}, self.acceleration,
           {1e-3, 1e6});
-    field({"turn_acceleration", "the greatest change of the turn rate, rad/s^2"},
+    field({"turn_acceleration", "upper limit on the angular acceleration, rad/s^2"},
           self.turn_acceleration, {1e-3, 1e6});
   }
 };
@@ -62,11 +62,12 @@ struct MotionModel {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"drivetrain", "what turns the robot: two wheels (differential) or steering (bicycle)"},
+    field({"drivetrain",
+           "how the robot turns: by two driven wheels (differential) or by steering (bicycle)"},
           self.drivetrain);
-    field({"wheelbase", "of a bicycle: from axle to axle, m"}, self.wheelbase, {1e-3, 1e3});
-    field({"steering_limit", "of a bicycle: the greatest steering angle, rad"}, self.steering_limit,
-          {1e-3, 1.5});
+    field({"wheelbase", "bicycle: distance between the axles, m"}, self.wheelbase, {1e-3, 1e3});
+    field({"steering_limit", "bicycle: upper limit on the steering angle, rad"},
+          self.steering_limit, {1e-3, 1.5});
     VelocityLimits::fields(self.limits, field);
   }
 

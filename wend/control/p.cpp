@@ -17,13 +17,14 @@ struct POptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"heading_gain", "turn rate for a radian of heading error, 1/s"}, self.heading_gain,
+    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.heading_gain,
           {0, 1e3});
-    field({"distance_gain", "speed for a metre that is left to drive, 1/s"}, self.distance_gain,
+    field({"distance_gain", "speed per metre of remaining distance, 1/s"}, self.distance_gain,
           {0, 1e3});
-    field({"turn_above", "stops to turn when the heading error is larger, rad"}, self.turn_above,
+    field({"turn_above", "heading error above which the robot stops to turn, rad"}, self.turn_above,
           {1e-3, kPi});
-    field({"drive_below", "and drives on when it is smaller, rad"}, self.drive_below, {1e-3, kPi});
+    field({"drive_below", "heading error below which the robot drives on, rad"}, self.drive_below,
+          {1e-3, kPi});
   }
 };
 
@@ -54,9 +55,8 @@ ControllerInfo p_controller() {
       .name = "p",
       .summary = "P: turns in place towards the next waypoint, then drives",
       .idea =
-          "The turn rate is proportional to the angle by which the robot does not face the next "
-          "waypoint, the speed to what is left to drive. While the angle is large it only "
-          "turns.",
+          "The turn rate is proportional to the angle between the robot's heading and the next "
+          "waypoint, the speed to the remaining distance. While the angle is large it only turns.",
       .citation = "Åström, Murray 2008",
       .turns_in_place = true,
       .options = option_schema<POptions>(),

@@ -14,11 +14,13 @@ struct PMovingOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"heading_gain", "turn rate for a radian of heading error, 1/s"}, self.heading_gain,
+    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.heading_gain,
           {0, 1e3});
-    field({"distance_gain", "speed for a metre that is left to drive, 1/s"}, self.distance_gain,
+    field({"distance_gain", "speed per metre of remaining distance, 1/s"}, self.distance_gain,
           {0, 1e3});
-    field({"standing_angle", "slower with heading error, and not at all from this on, rad"},
+    field({"standing_angle",
+           "heading error from which the robot only turns, rad; below it the speed falls with the "
+           "error"},
           self.standing_angle, {1e-3, 1e3});
   }
 };
@@ -44,11 +46,12 @@ class PMovingController final : public Controller {
 ControllerInfo p_moving_controller() {
   return {
       .name = "p_moving",
-      .summary = "P that drives while it turns, slower the larger the heading error",
+      .summary =
+          "P while moving: drives and turns at the same time, slower with a larger heading error",
       .idea =
-          "The turn rate is proportional to the angle by which the robot does not face the next "
-          "waypoint, the speed to what is left to drive. The larger the angle, the slower it "
-          "drives; from the standing angle on it only turns.",
+          "The turn rate is proportional to the angle between the robot's heading and the next "
+          "waypoint, the speed to the remaining distance. The speed falls as the angle grows; from "
+          "the standing angle on the robot only turns.",
       .citation = "Åström, Murray 2008",
       .turns_in_place = true,
       .options = option_schema<PMovingOptions>(),

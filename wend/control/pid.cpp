@@ -18,17 +18,23 @@ struct PidOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"heading_gain", "turn rate for a radian of heading error, 1/s"},
-          self.heading.proportional, {0, 1e3});
-    field({"heading_integral", "and for the sum of it, 1/s^2"}, self.heading.integral, {0, 1e3});
-    field({"heading_derivative", "and for its change"}, self.heading.derivative, {0, 1e3});
-    field({"distance_gain", "speed for a metre that is left to drive, 1/s"},
-          self.distance.proportional, {0, 1e3});
-    field({"distance_integral", "and for the sum of it, 1/s^2"}, self.distance.integral, {0, 1e3});
-    field({"distance_derivative", "and for its change"}, self.distance.derivative, {0, 1e3});
-    field({"filter_time", "of the filter through which the changes go, s"}, self.filter_time,
+    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.heading.proportional,
           {0, 1e3});
-    field({"standing_angle", "slower with heading error, and not at all from this on, rad"},
+    field({"heading_integral", "turn rate per integral of the heading error, 1/s^2"},
+          self.heading.integral, {0, 1e3});
+    field({"heading_derivative", "turn rate per rate of change of the heading error"},
+          self.heading.derivative, {0, 1e3});
+    field({"distance_gain", "speed per metre of remaining distance, 1/s"},
+          self.distance.proportional, {0, 1e3});
+    field({"distance_integral", "speed per integral of the remaining distance, 1/s^2"},
+          self.distance.integral, {0, 1e3});
+    field({"distance_derivative", "speed per rate of change of the remaining distance"},
+          self.distance.derivative, {0, 1e3});
+    field({"filter_time", "time constant of the filter on the error derivatives, s"},
+          self.filter_time, {0, 1e3});
+    field({"standing_angle",
+           "heading error from which the robot only turns, rad; below it the speed falls with the "
+           "error"},
           self.standing_angle, {1e-3, 1e3});
   }
 };
@@ -86,11 +92,11 @@ double PidTerm::output(double error, double change, double seconds, double limit
 
 ControllerInfo pid_controller() {
   return {.name = "pid",
-          .summary = "PID on heading and distance; p_moving where I and D are 0",
+          .summary = "PID: controls heading and distance; same as p_moving if I and D are 0",
           .idea =
-              "p_moving, with a term for what its errors sum up to, which takes away a lasting "
-              "one, and a term for how fast they change, which damps. While speed or turn rate are "
-              "at their limit nothing is summed that would drive them farther.",
+              "p_moving with two more terms: the integral of the errors, which removes a constant "
+              "error, and their derivative, which damps. While the speed or turn rate is at its "
+              "limit, errors that would push it further are not integrated.",
           .citation = "Åström, Murray 2008",
           .turns_in_place = true,
           .options = option_schema<PidOptions>(),

@@ -22,16 +22,17 @@ struct PurePursuitOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"lookahead", "how far ahead on the path it aims when standing, m"}, self.lookahead,
-          {1e-2, 1e3});
-    field({"lookahead_time", "and farther by what it drives in this time, s"}, self.lookahead_time,
-          {0, 1e2});
-    field({"slow_radius", "slower in curves that are tighter than this, m"}, self.slow_radius,
+    field({"lookahead", "lookahead distance at standstill, m"}, self.lookahead, {1e-2, 1e3});
+    field({"lookahead_time", "lookahead time at the current speed, s, added to the distance"},
+          self.lookahead_time, {0, 1e2});
+    field({"slow_radius", "radius below which the robot slows down in curves, m"}, self.slow_radius,
           {0, 1e3});
-    field({"lateral_acceleration", "slower in curves in which it would be greater, m/s^2"},
+    field({"lateral_acceleration", "upper limit on the lateral acceleration in curves, m/s^2"},
           self.lateral_acceleration, {1e-3, 1e3});
-    field({"approach", "slower this near to the goal, m"}, self.approach, {0, 1e3});
-    field({"min_speed", "but never slower, m/s"}, self.min_speed, {1e-4, 1e3});
+    field({"approach", "distance to the goal at which the robot starts to slow down, m"},
+          self.approach, {0, 1e3});
+    field({.name = "min_speed", .help = "lower limit on the speed, m/s", .former = "least_speed"},
+          self.min_speed, {1e-4, 1e3});
   }
 };
 
@@ -95,11 +96,11 @@ class PurePursuitController final : public Controller {
 
 ControllerInfo pure_pursuit_controller() {
   return {.name = "pure_pursuit",
-          .summary = "Pure pursuit: drives on circles to a point of the path ahead",
+          .summary = "Pure pursuit: drives on a circle to a point ahead on the path",
           .idea =
-              "It aims at a point of the path a lookahead away and drives on the circle that leads "
-              "there. The faster it drives the farther it looks; it brakes in time for curves and "
-              "for the goal.",
+              "The target is the point of the path at the lookahead distance; the robot drives on "
+              "the circle through it. The lookahead distance grows with the speed. The robot "
+              "brakes in time for curves and for the goal.",
           .citation = "Coulter 1992; regulated: Macenski, Singh, Martín, Ginés 2023",
           .turns_in_place = false,
           .options = option_schema<PurePursuitOptions>(),

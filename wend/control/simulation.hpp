@@ -37,19 +37,21 @@ struct SimulationOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"rate", "commands a second"}, self.rate, {0.1, 1e4});
-    field({"time_limit", "give up after this time, s; 0: what ten times the path takes, and 60"},
+    field({"rate", "command rate, commands per second"}, self.rate, {0.1, 1e4});
+    field({"time_limit",
+           "limit on the simulated time, s; 0: ten times the duration of the path plus 60"},
           self.time_limit, {0, 1e6});
-    field({"actuation_noise", "relative error of what the wheels do, standard deviation"},
+    field({"actuation_noise", "relative error of the executed motion, standard deviation"},
           self.actuation_noise, {0, 10});
     field({"position_noise", "error of the measured position, m, standard deviation"},
           self.position_noise, {0, 1e3});
     field({"heading_noise", "error of the measured heading, rad, standard deviation"},
           self.heading_noise, {0, 10});
-    field({"latency", "from a measurement to its command's effect, s"}, self.latency, {0, 10});
-    field({"seed", "of the noise"}, self.seed, {0, 9e15});
+    field({"latency", "delay from a measurement to the effect of its command, s"}, self.latency,
+          {0, 10});
+    field({"seed", "seed of the noise"}, self.seed, {0, 9e15});
     field({"closed", "drive one lap of a closed path"}, self.closed);
-    field({"stop_at_collision", "end where the robot runs into something"}, self.stop_at_collision);
+    field({"stop_at_collision", "stop at the first collision"}, self.stop_at_collision);
   }
 };
 

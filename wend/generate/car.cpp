@@ -18,8 +18,8 @@ struct CarOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     constexpr double kMost = double{kMostGeneratedCells} * kMostGeneratedCells;
-    field({"obstacles", "how many cells are blocked"}, self.obstacles, {0, kMost});
-    field({"rough", "how many cells are rough road, which costs twice as much"}, self.rough,
+    field({"obstacles", "number of blocked cells"}, self.obstacles, {0, kMost});
+    field({"rough", "number of cells that are rough road, which costs twice as much"}, self.rough,
           {0, kMost});
   }
 
@@ -75,7 +75,7 @@ int least_side() {
 
 GeneratorInfo car_generator() {
   GeneratorInfo info = generator_info<CarOptions>(
-      "car", "a yard for a car: obstacles and rough road strewn at random", generate);
+      "car", "a yard for a car: obstacles and rough road at random places", generate);
   info.least_width = info.least_height = least_side();
   info.connected = false;
   info.free_corner = 0;

@@ -12,8 +12,8 @@ struct MazeOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"corridor_width",
-           "cells from wall to wall; where the size does not fit, some "
-           "corridors are wider"},
+           "width of a corridor in cells; where the map's size does not fit, some corridors are "
+           "wider"},
           self.corridor_width, {1, 1000});
   }
 
@@ -34,8 +34,8 @@ GridMap generate(MapSize size, const MazeOptions& options, Random& random) {
 }  // namespace
 
 GeneratorInfo maze_generator() {
-  return generator_info<MazeOptions>("maze", "a perfect maze: one way between any two places",
-                                     generate);
+  return generator_info<MazeOptions>(
+      "maze", "a perfect maze: exactly one path between any two places", generate);
 }
 
 }  // namespace wend

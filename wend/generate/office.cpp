@@ -17,7 +17,7 @@ struct OfficeOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"furniture", "put desks, chairs and shelves into the rooms"}, self.furniture);
+    field({"furniture", "add desks, chairs and shelves to the rooms"}, self.furniture);
   }
 
   MapSize least_size() const { return {80, 80}; }

@@ -46,8 +46,8 @@ struct ParkingOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"occupied", "the share of bays with a parked car"}, self.occupied, {0, 1});
-    field({"rough", "the share of the ground that is rough road, which costs twice as much"},
+    field({"occupied", "proportion of bays with a parked car"}, self.occupied, {0, 1});
+    field({"rough", "proportion of the ground that is rough road, which costs twice as much"},
           self.rough, {0, 1});
   }
 

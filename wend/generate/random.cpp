@@ -10,7 +10,7 @@ struct RandomMapOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"density", "the share of blocked cells"}, self.density, {0, 1});
+    field({"density", "proportion of blocked cells"}, self.density, {0, 1});
   }
 
   MapSize least_size() const { return {1, 1}; }
@@ -33,7 +33,7 @@ GridMap generate(MapSize size, const RandomMapOptions& options, Random& random) 
 
 GeneratorInfo random_generator() {
   GeneratorInfo info = generator_info<RandomMapOptions>(
-      "random", "obstacles strewn at random; regions may be cut off", generate);
+      "random", "obstacles at random places; parts of the map may be disconnected", generate);
   info.connected = false;
   return info;
 }

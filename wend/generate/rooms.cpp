@@ -13,12 +13,11 @@ struct RoomsOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"room_size",
-           "cells from wall to wall; where the size does not fit, some rooms are "
-           "larger"},
+           "size of a room in cells; where the map's size does not fit, some rooms are larger"},
           self.room_size, {1, 1000});
     field({"loops",
-           "the share of walls with a door that nobody would need: 0 leaves one way "
-           "between any two rooms"},
+           "proportion of walls with a redundant door: with 0 there is exactly one way between any "
+           "two rooms"},
           self.loops, {0, 1});
   }
 

@@ -18,9 +18,9 @@ struct RoughOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"roughness", "the share of cells that cost more than 1"}, self.roughness, {0, 1});
-    field({"rocks", "the share of blocked cells"}, self.rocks, {0, 1});
-    field({"hill_size", "cells from one hill to the next, roughly"}, self.hill_size, {2, 10000});
+    field({"roughness", "proportion of cells that cost more than 1"}, self.roughness, {0, 1});
+    field({"rocks", "proportion of blocked cells"}, self.rocks, {0, 1});
+    field({"hill_size", "typical distance between hills in cells"}, self.hill_size, {2, 10000});
   }
 
   MapSize least_size() const { return {3, 3}; }
@@ -64,7 +64,8 @@ GridMap generate(MapSize size, const RoughOptions& options, Random& random) {
 
 GeneratorInfo rough_generator() {
   GeneratorInfo info = generator_info<RoughOptions>(
-      "rough", "hills whose cells cost 2 to 9, with rocks; regions may be cut off", generate);
+      "rough", "hills whose cells cost 2 to 9, with rocks; parts of the map may be disconnected",
+      generate);
   info.connected = false;
   return info;
 }

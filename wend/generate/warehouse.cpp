@@ -23,8 +23,9 @@ struct WarehouseOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"aisle_width", "metres between two racks, at least"}, self.aisle_width, {1, 100});
-    field({"stock", "the share of places with something on them"}, self.stock, {0, 1});
+    field({"aisle_width", "lower limit on the distance between two racks in metres"},
+          self.aisle_width, {1, 100});
+    field({"stock", "proportion of rack places with goods"}, self.stock, {0, 1});
   }
 
   int aisle() const {

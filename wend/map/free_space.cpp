@@ -116,7 +116,7 @@ std::string_view describe(BlockReason reason) {
        {"an obstacle", BlockReason::obstacle},
        {"unknown", BlockReason::unknown},
        {"closer to an obstacle than the robot's radius", BlockReason::too_close},
-       {"so close to the map's edge that the robot would leave the map", BlockReason::over_edge}}};
+       {"too close to the map's edge for the robot's radius", BlockReason::over_edge}}};
   return choice_name(reason, kTexts);
 }
 

@@ -237,8 +237,7 @@ TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
   EXPECT_EQ(space.passable().count(), 3U) << "the middle row, without its ends";
   EXPECT_EQ(space.clearance({2, 1}), 1.5);
   EXPECT_EQ(space.why_blocked({0, 1}), BlockReason::over_edge);
-  EXPECT_EQ(describe(BlockReason::over_edge),
-            "so close to the map's edge that the robot would leave the map");
+  EXPECT_EQ(describe(BlockReason::over_edge), "too close to the map's edge for the robot's radius");
   const FreeSpace hanging(map, {.robot_radius = 0.15, .outside = OutsidePolicy::free});
   EXPECT_EQ(hanging.passable().count(), map.size());
   EXPECT_EQ(FreeSpace(map).passable().count(), map.size()) << "a point fits in every cell";

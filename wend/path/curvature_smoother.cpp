@@ -26,9 +26,9 @@ constexpr double kStill = 1e-12;         // squared cells: a sweep that changes 
 
 std::optional<std::string> fault_of(const CurvatureOptions& options) {
   if (!(options.radius >= 0 && std::isfinite(options.radius))) {
-    return "the radius is finite and not negative";
+    return "the radius must be finite and not negative";
   }
-  if (options.max_sweeps < 1) return "max_sweeps is at least 1";
+  if (options.max_sweeps < 1) return "max_sweeps must be at least 1";
   return fault_of_weights(options.alpha, options.beta, true);
 }
 
@@ -39,7 +39,8 @@ struct CurvatureFlags : CurvatureOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"turning_radius",
-           "the smallest turning radius, in metres (in cells on maps in cells); 0: as radius says"},
+           "lower limit on the turning radius, in metres (in cells on maps in cells); 0: radius "
+           "applies"},
           self.turning_radius, OptionRange{0, 1e6});
     CurvatureOptions::fields(self, field);
   }
@@ -209,7 +210,7 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
 
 SmootherInfo curvature_smoother() {
   return smoother_with<CurvatureFlags>(
-      "curvature", "Bends no tighter than a turning radius, where obstacles leave room for that",
+      "curvature", "Limits the curvature to a turning radius where obstacles leave room for it",
       "Kaczmarz 1937; Mueller and others 2007, Position based dynamics",
       [](const Path& path, const FreeSpace& space, CurvatureFlags flags) {
         const double resolution = space.map().frame().resolution;

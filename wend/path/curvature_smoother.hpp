@@ -34,11 +34,11 @@ struct CurvatureOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"radius", "the smallest turning radius, in cells"}, self.radius, {0, 1e6});
-    field({"alpha", "how strongly points are held where they were"}, self.alpha, {0, 2});
-    field({"beta", "how strongly neighbours are drawn together"}, self.beta, {0, 1});
-    field({"max_sweeps", "done after so many sweeps"}, self.max_sweeps, {1, 1e9});
-    field({"unsafe", "whatever it runs into"}, self.unsafe);
+    field({"radius", "lower limit on the turning radius, in cells"}, self.radius, {0, 1e6});
+    field({"alpha", "weight that holds each point at its original position"}, self.alpha, {0, 2});
+    field({"beta", "weight that pulls neighbouring points together"}, self.beta, {0, 1});
+    field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"unsafe", "even through obstacles"}, self.unsafe);
     field({"squeeze", "a point may pass between two obstacles that touch at a corner"},
           self.squeeze);
   }

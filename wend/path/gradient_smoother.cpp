@@ -10,8 +10,8 @@ namespace wend {
 namespace {
 
 std::optional<std::string> fault_of(const GradientOptions& options) {
-  if (!(options.epsilon >= 0)) return "epsilon is not negative";
-  if (options.max_sweeps < 1) return "max_sweeps is at least 1";
+  if (!(options.epsilon >= 0)) return "epsilon must not be negative";
+  if (options.max_sweeps < 1) return "max_sweeps must be at least 1";
   return fault_of_weights(options.alpha, options.beta, options.in_place);
 }
 
@@ -84,7 +84,7 @@ double smoothing_objective(const Path& path, const Path& smoothed, const Gradien
 
 SmootherInfo gradient_smoother() {
   return smoother_with<GradientOptions>(
-      "gradient", "Gradient descent: near the path, and each point near its neighbours",
+      "gradient", "Gradient descent: keeps points near the path and near their neighbours",
       "Thrun 2012, Artificial Intelligence for Robotics", smooth_by_gradient);
 }
 

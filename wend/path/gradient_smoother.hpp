@@ -38,14 +38,14 @@ struct GradientOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"alpha", "how strongly points are held where they were"}, self.alpha, {0, 2});
-    field({"beta", "how strongly neighbours are drawn together"}, self.beta, {0, 1});
-    field({"epsilon", "done when the squared changes of a sweep sum to less (cells squared)"},
+    field({"alpha", "weight that holds each point at its original position"}, self.alpha, {0, 2});
+    field({"beta", "weight that pulls neighbouring points together"}, self.beta, {0, 1});
+    field({"epsilon",
+           "threshold for convergence: the sum of the squared changes of a sweep (cells squared)"},
           self.epsilon, {0, 1e6});
-    field({"max_sweeps", "done after so many sweeps"}, self.max_sweeps, {1, 1e9});
-    field({"in_place", "use each point's new place at once, not from the next sweep on"},
-          self.in_place);
-    field({"unsafe", "the textbook's result, whatever it runs into"}, self.unsafe);
+    field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
+    field({"in_place", "use the new position of a point within the same sweep"}, self.in_place);
+    field({"unsafe", "the textbook's result, even through obstacles"}, self.unsafe);
     field({"squeeze", "a point may pass between two obstacles that touch at a corner"},
           self.squeeze);
   }

@@ -146,7 +146,7 @@ std::string_view describe(CollisionKind kind) {
       {{"leaves the map", CollisionKind::outside},
        {"enters an obstacle", CollisionKind::obstacle},
        {"comes closer to an obstacle than the robot's radius", CollisionKind::too_close},
-       {"squeezes between two obstacles that touch at a corner", CollisionKind::squeezed}}};
+       {"passes between two obstacles that touch at a corner", CollisionKind::squeezed}}};
   return choice_name(kind, kTexts);
 }
 

@@ -114,7 +114,7 @@ TEST(PathCollision, TellsWhatItRunsInto) {
   EXPECT_EQ(through->kind, CollisionKind::squeezed);
   EXPECT_EQ(through->piece, 1U);
   EXPECT_NEAR(through->along, 1.5 * std::sqrt(2), 1e-6);
-  EXPECT_EQ(describe(through->kind), "squeezes between two obstacles that touch at a corner");
+  EXPECT_EQ(describe(through->kind), "passes between two obstacles that touch at a corner");
   EXPECT_FALSE(
       first_collision(Path({{0, 0}, {1, 1}, {2, 2}, {3, 2}}), point, Adjacency::edges_and_corners));
 

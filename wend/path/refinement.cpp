@@ -42,8 +42,9 @@ Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& spa
   Refined refined{path};
   if (refinement.simplify) {
     if (path.driven()) {
-      return refused(Status::unsupported_query,
-                     "a car's drive is not simplified: its arcs need their ends");
+      return refused(
+          Status::unsupported_query,
+          "a path of the car planner cannot be simplified: its arcs need their end points");
     }
     refined.path = simplified_by(*refinement.simplify, path, space, adjacency);
   }
@@ -59,7 +60,7 @@ Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& spa
       return refused(Status::invalid_option,
                      "resampling would make " + std::to_string(static_cast<std::uint64_t>(points)) +
                          " points, and " + std::to_string(kMostResampled) +
-                         " are the most: choose a larger spacing");
+                         " is the limit: choose a larger spacing");
     }
     refined.path = resampled(refined.path, *refinement.spacing, space, adjacency);
   }

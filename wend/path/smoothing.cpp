@@ -24,7 +24,7 @@ std::string text_of(const PathCollision& collision) {
 
 std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place) {
   if (!(alpha >= 0 && beta >= 0 && std::isfinite(alpha) && std::isfinite(beta))) {
-    return "alpha and beta are finite and not negative";
+    return "alpha and beta must be finite and not negative";
   }
   const double neighbours = in_place ? 2 : 4;
   const double sum = alpha + neighbours * beta;

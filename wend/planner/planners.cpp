@@ -51,17 +51,17 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
   if (!info) return Unexpected<PlannerError>(info.error());
   if (!(*info)->index_support) {
     return Unexpected<PlannerError>(
-        {Status::invalid_option, std::string(name) + " plans without an index"});
+        {Status::invalid_option, std::string(name) + " does not use an index"});
   }
   return (*info)->index_support->make_planner(space, options, std::move(index));
 }
 
 std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space) {
   if (space.uniform_terrain()) return std::nullopt;
-  return PlannerError{Status::unsupported_map,
-                      std::string(planner) +
-                          " plans where all cells cost the same, and this map has terrain, or the "
-                          "robot keeps away from obstacles"};
+  return PlannerError{
+      Status::unsupported_map,
+      std::string(planner) +
+          " supports uniform terrain only; this map has terrain or clearance costs"};
 }
 
 std::optional<PlannerError> refused_options(const OptionValues& values) {

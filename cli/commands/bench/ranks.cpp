@@ -42,7 +42,7 @@ Function* function(void* module, const char* name) {
 
 Ranks::Ranks() : module_(load_module()) {
   auto* const start = function<decltype(wend_mpi_start)>(module_, "wend_mpi_start");
-  if (!start(&rank_, &count_)) throw InputError("--distributed: MPI does not start");
+  if (!start(&rank_, &count_)) throw InputError("--distributed: MPI cannot be started");
 }
 
 Ranks::~Ranks() { function<decltype(wend_mpi_finish)>(module_, "wend_mpi_finish")(); }

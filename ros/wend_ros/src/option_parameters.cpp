@@ -25,7 +25,11 @@ wend::OptionValues parameters_of(const ros::NodeHandle& own,
                                  const std::vector<wend::OptionInfo>& schema) {
   wend::OptionValues values;
   for (const wend::OptionInfo& option : schema) {
-    if (auto text = parameter_text(own, option.name)) values.emplace_back(option.name, *text);
+    if (auto text = parameter_text(own, option.name)) {
+      values.emplace_back(option.name, *text);
+    } else if (!option.former.empty()) {
+      if (auto old = parameter_text(own, option.former)) values.emplace_back(option.former, *old);
+    }
   }
   return values;
 }

@@ -37,16 +37,21 @@ struct NodeOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"robot_radius", "the robot is a disc of this radius, m"}, self.robot_radius, {0, 100});
-    field({"unknown_free", "the robot may drive where nothing is known"}, self.unknown_free);
-    field({"outside", "outside of the map: free lets the robot's disc hang over the map's edge"},
+    field({"unknown_free", "the robot may drive on unknown cells"}, self.unknown_free);
+    field({"outside",
+           "what is outside the map: with free the robot's disc may extend beyond the map's edge"},
           self.outside);
-    field({"keep_away", "cells nearer to obstacles than this cost more, m; 0: off"},
+    field({.name = "clearance_distance",
+           .help = "cells nearer to obstacles than this cost more, m; 0: off",
+           .former = "keep_away"},
           self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
-    field({"time_limit", "give up after so many seconds; 0: never"}, self.time_limit, {0, 3600});
+    field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
-    field({"smooth_alpha", "how strongly the path holds its points"}, self.smooth_alpha, {0, 2});
-    field({"smooth_beta", "how strongly neighbours are drawn together"}, self.smooth_beta, {0, 1});
+    field({"smooth_alpha", "weight that holds the points of the path in place"}, self.smooth_alpha,
+          {0, 2});
+    field({"smooth_beta", "weight that pulls neighbouring points together"}, self.smooth_beta,
+          {0, 1});
   }
 };
 
@@ -56,7 +61,7 @@ OptionInfo planner_option() {
           .kind = OptionKind::choice,
           .default_value = "astar",
           .choices = wend::planners().names(),
-          .help = "which planner"};
+          .help = "name of the planner"};
 }
 
 /// Of options of the same name, one that takes what any of them does.
@@ -85,7 +90,9 @@ std::vector<OptionInfo> full_schema() {
 }
 
 bool is_called(const OptionInfo& option, std::string_view name) {
-  return option.name == name || std::ranges::find(option.aliases, name) != option.aliases.end();
+  if (name.empty()) return false;
+  return option.name == name || option.former == name ||
+         std::ranges::find(option.aliases, name) != option.aliases.end();
 }
 
 /// What is wrong with a value, empty if nothing is.

@@ -23,7 +23,7 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
                                                      : wend::UnknownPolicy::blocked,
           .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
                                                           : wend::OutsidePolicy::blocked,
-          .clearance_distance = parameters.number("keep_away")};
+          .clearance_distance = parameters.number("clearance_distance")};
 }
 
 wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {

@@ -31,6 +31,7 @@ void Reconfigure::read(ros::NodeHandle& own) {
     if (!fault.empty()) ROS_ERROR_STREAM(fault << "; it stays " << parameters_.text(name));
   };
   for (const wend::OptionInfo& option : parameters_.schema()) {
+    if (!option.former.empty()) take(option.former);
     for (const std::string& alias : option.aliases) take(alias);
     take(option.name);
   }

@@ -76,11 +76,11 @@ class Inspection {
 
 std::optional<std::string> fault_of(const ContractionHierarchy& hierarchy) {
   Inspection inspection(hierarchy);
-  if (!inspection.sizes_fit()) return "its arrays do not fit each other";
+  if (!inspection.sizes_fit()) return "the sizes of its arrays do not match";
   if (!inspection.begins_ascend()) return "the arcs of its nodes overlap";
   inspection.find_owners();
   for (std::uint32_t arc = 0; arc < hierarchy.arcs.size(); ++arc) {
-    if (!inspection.is_sound(arc)) return "an arc makes no sense";
+    if (!inspection.is_sound(arc)) return "an arc is invalid";
   }
   return std::nullopt;
 }

@@ -204,7 +204,7 @@ Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
   const std::vector<GraphArc> arcs = arcs_of(turns);
   if (paths_may_be_too_long(turns, arcs)) {
     return Unexpected<IndexError>(
-        {Status::unsupported_map, "paths on this map may be longer than the costs of its index"});
+        {Status::unsupported_map, "paths on this map may cost more than the index can store"});
   }
   auto contracted = contract(turns.size(), arcs, effort, building);
   if (!contracted) return Unexpected<IndexError>(contracted.error());
@@ -230,7 +230,7 @@ Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexB
     return Unexpected<std::string>("its nodes are not the turns of this map");
   }
   if (!costs_fit(stored->hierarchy, *cells)) {
-    return Unexpected<std::string>("its arcs cost what no way on this map does");
+    return Unexpected<std::string>("the costs of its arcs do not match this map");
   }
   return std::make_unique<CornerHierarchyEngine>(*std::move(reader), std::move(turns), *stored,
                                                  *std::move(cells));

@@ -74,12 +74,12 @@ Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> 
   IndexHeader header;
   if (bytes.size() < header.magic.size() ||
       std::memcmp(bytes.data(), IndexHeader::kMagic.data(), header.magic.size()) != 0) {
-    return failure("it is no index of wend");
+    return failure("it is not an index of wend");
   }
-  if (bytes.size() < sizeof header) return failure("it is cut off within its first bytes");
+  if (bytes.size() < sizeof header) return failure("it is truncated within its header");
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.format != IndexHeader::kFormat) {
-    return failure("its format is number " + std::to_string(header.format) + ", this wend reads " +
+    return failure("its format has number " + std::to_string(header.format) + ", this wend reads " +
                    std::to_string(IndexHeader::kFormat) + ": build it again");
   }
   if (header.bytes != bytes.size()) {
@@ -92,7 +92,7 @@ Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> 
   if (header.sections > IndexHeader::kMostSections) return failure("it has too many sections");
   for (std::size_t i = 0; i < header.sections; ++i) {
     if (!lies_within(header.table[i], header.bytes)) {
-      return failure("its section " + std::to_string(i) + " lies outside of it");
+      return failure("its section " + std::to_string(i) + " is outside the file");
     }
   }
   return header;
@@ -113,8 +113,8 @@ std::string index_fault(const IndexHeader& header, std::string_view planner, std
            " cells, this one has " + size_text(passable.width(), passable.height());
   }
   if (header.map_hash != map_hash(passable)) {
-    return "it was built for another map, or for a robot that fits elsewhere (its radius, unknown "
-           "cells, the map's outside): build it again";
+    return "it was built for another map, another robot radius, or another setting for unknown "
+           "cells or the outside of the map; build it again";
   }
   return {};
 }

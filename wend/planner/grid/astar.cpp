@@ -17,7 +17,8 @@ struct AStarOptions {
     GridMoves::fields(self.moves, field);
     HeuristicOptions::fields(self.heuristic, field);
     field({"weight",
-           "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
+           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
+           "optimum",
            {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
   }
@@ -34,24 +35,25 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& opti
 PlannerInfo astar_planner() {
   return grid_planner<AStarOptions>(
       {.name = "astar",
-       .summary = "A*: what the path costs so far plus an estimate of the rest, cheapest first",
-       .idea = "Every open cell has a key: what the cheapest known way to it costs, plus w "
-               "times an estimate of the rest. The cell with the smallest key is expanded "
-               "next, so the search leans towards the goal. An estimate that never "
-               "overestimates cannot hide a cheaper path.",
+       .summary =
+           "A*: expands the cell with the lowest cost from the start plus estimate to the goal",
+       .idea = "Every open cell has a key: the cost of the cheapest known path to it, plus w times "
+               "an estimate of the cost to the goal. The cell with the smallest key is expanded "
+               "next, so the search is directed towards the goal. If the estimate never "
+               "overestimates, the path is optimal.",
        .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
        .guarantee_text = "optimal with a weight up to 1 and a heuristic that never overestimates; "
                          "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain the log is that of a "
-               "small bucket",
-       .memory = "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain, with "
+       .time = "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the "
+               "size of a small bucket",
+       .memory = "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain, with "
                  "euclidean, with manhattan on 8 neighbours, with a weight other than 0 and 1, and "
-                 "when the search is watched",
+                 "when the search is observed",
        .bytes_per_cell = 8,
-       .when = "The default, on terrain too: cheapest paths with little search where the "
-               "goal's direction says where to go. In mazes the estimate says little, and it "
-               "searches almost as much as dijkstra. A weight above 1 often expands far less, but "
-               "each expansion then costs several times as much: measure it on your maps.",
+       .when = "The default, on terrain too: optimal paths with few expansions where the direction "
+               "of the goal is a good guide. In mazes the estimate helps little, and astar expands "
+               "almost as many cells as dijkstra. A weight above 1 often expands far fewer cells, "
+               "but each expansion then takes several times as long: measure it on your maps.",
        .guarantee = Guarantee::bounded,
        .plans_on_terrain = true},
       choose_parts);

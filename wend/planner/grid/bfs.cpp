@@ -29,20 +29,20 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) 
 PlannerInfo bfs_planner() {
   return grid_planner<GridMoves>(
       {.name = "bfs",
-       .summary = "Breadth-first: cells in the order in which they are reached",
-       .idea = "Cells wait in a queue and are expanded in the order in which they were "
-               "reached: all that are one step away, then all at two steps. The first path to "
+       .summary = "Breadth-first search: expands cells in the order in which they are reached",
+       .idea = "Open cells are kept in a queue and expanded in the order in which they were "
+               "reached: all cells one step away, then all cells two steps away. The first path to "
                "the goal therefore has the fewest steps.",
        .citation = "Moore 1959",
        .guarantee_text = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
                          "sqrt(2) times the optimum on 8",
        .time = "O(n) in the n cells expanded",
-       .memory = "16 bytes a cell and 4 an open cell",
+       .memory = "16 bytes per cell and 4 per open cell",
        .bytes_per_cell = 16,
-       .when = "Where the number of moves counts, or on 4 neighbours and uniform terrain, "
-               "where the fewest moves are the cheapest path and no queue is simpler. On 8 "
-               "neighbours it takes a diagonal step for no longer than a straight one; it "
-               "ignores terrain.",
+       .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain, where "
+               "the path with the fewest moves is also the cheapest and a queue is the simplest "
+               "frontier. On 8 neighbours it counts a diagonal step as one step, like a straight "
+               "one. It ignores terrain.",
        .guarantee = Guarantee::fewest_steps},
       choose_parts);
 }

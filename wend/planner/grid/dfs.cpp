@@ -19,17 +19,18 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) 
 PlannerInfo dfs_planner() {
   return grid_planner<GridMoves>(
       {.name = "dfs",
-       .summary = "Depth-first: the cell that was reached last",
-       .idea = "Cells wait on a stack and the one that was reached last is expanded first: the "
-               "search runs on until it is stuck, then goes back to the last cell left open.",
+       .summary = "Depth-first search: expands the cell that was reached last",
+       .idea = "Open cells are kept on a stack and the one that was reached last is expanded "
+               "first: the search follows one path until it is stuck, then returns to the most "
+               "recent open cell.",
        .citation = "Trémaux 1882",
        .guarantee_text = "complete; the path is rarely short",
        .time = "O(n) in the n cells expanded",
-       .memory = "16 bytes a cell and 4 an open cell",
+       .memory = "16 bytes per cell and 4 per open cell",
        .bytes_per_cell = 16,
-       .when = "To see what a stack does in place of a queue, and to find some way through a "
-               "maze, where there is only one. In open space its paths wander through "
-               "everything: do not drive them.",
+       .when = "To see the effect of a stack in place of a queue, and to find a path through a "
+               "maze that has only one. In open space its paths wander over the whole map: do not "
+               "execute them on a robot.",
        .guarantee = Guarantee::complete},
       choose_parts);
 }

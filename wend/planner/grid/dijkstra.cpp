@@ -17,18 +17,18 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) 
 PlannerInfo dijkstra_planner() {
   return grid_planner<GridMoves>(
       {.name = "dijkstra",
-       .summary = "Dijkstra: what the path costs so far, cheapest first",
-       .idea = "Cells are expanded in the order of what it costs to reach them, so the search "
-               "grows evenly in all directions until it meets the goal. It needs no estimate.",
+       .summary = "Dijkstra: expands the cell with the lowest cost from the start",
+       .idea = "Cells are expanded in the order of their cost from the start, so the search grows "
+               "evenly in all directions until it reaches the goal. It needs no estimate.",
        .citation = "Dijkstra 1959",
        .guarantee_text = "optimal",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain the log is that of a "
-               "small bucket",
-       .memory = "8 bytes a cell and 16 an entry of the frontier; 16 and 24 on terrain or when "
-                 "the search is watched",
+       .time = "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the "
+               "size of a small bucket",
+       .memory = "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain or when the "
+                 "search is observed",
        .bytes_per_cell = 8,
-       .when = "Where no estimate is to be trusted, in mazes, and as the yardstick for all "
-               "others. Elsewhere astar finds paths of the same cost and expands less.",
+       .when = "In mazes, where an estimate helps little, and as a baseline for other planners. "
+               "Elsewhere astar finds paths of the same cost and expands fewer cells.",
        .guarantee = Guarantee::optimal,
        .plans_on_terrain = true},
       choose_parts);

@@ -36,18 +36,18 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GreedyOptions& opt
 PlannerInfo greedy_planner() {
   return grid_planner<GreedyOptions>(
       {.name = "greedy",
-       .summary = "Greedy best-first: the estimate of the rest alone, smallest first",
-       .idea = "The open cell that seems nearest to the goal is expanded next, whatever the "
-               "way to it has cost. In the open it runs straight at the goal; behind a wall it "
-               "fills the pocket in front of the goal before it goes around.",
+       .summary = "Greedy best-first search: expands the cell with the lowest estimate to the goal",
+       .idea = "The open cell with the lowest estimate is expanded next; the cost of reaching it "
+               "is ignored. In open space the search goes straight to the goal. Where a wall is in "
+               "the way it explores the whole area in front of the wall before it goes around.",
        .citation = "Doran, Michie 1966",
-       .guarantee_text = "complete; often quick, and says nothing about the cost",
+       .guarantee_text = "complete; often fast, with no bound on the cost",
        .time = "O(n log n) in the n cells expanded",
-       .memory = "16 bytes a cell and 24 an entry of the frontier",
+       .memory = "16 bytes per cell and 24 per frontier entry",
        .bytes_per_cell = 16,
-       .when = "Where any path will do and the first one should come soon. It ignores terrain, "
-               "and its paths hug whatever it ran into: smooth them, or take astar with a "
-               "weight, which has a bound.",
+       .when = "Where any path is good enough and time matters. It ignores terrain, and its paths "
+               "follow the obstacles that the search met: smooth them, or use astar with a weight, "
+               "which has a bound.",
        .guarantee = Guarantee::complete},
       choose_parts);
 }

@@ -22,7 +22,7 @@ std::string text_of(Point point) {
 std::string end_in_cells(const FreeSpace& space, const std::string& name, Point point) {
   const auto cell = cell_on_map(space, point);
   if (!cell) {
-    return "the " + name + " " + text_of(point) + " lies outside the map of " +
+    return "the " + name + " " + text_of(point) + " is outside the map of " +
            std::to_string(space.width()) + " x " + std::to_string(space.height()) + " cells";
   }
   const std::string text =
@@ -64,8 +64,8 @@ std::string reason_in_cells(const FreeSpace& space, const Query& query, Status s
     case Status::goal_blocked:
       return end_in_cells(space, "goal", query.goals.front().point);
     case Status::unreachable:
-      return "no path joins " + end_in_cells(space, "start", query.start.point()) + ", and " +
-             end_in_cells(space, "goal", query.goals.front().point);
+      return "there is no path from " + end_in_cells(space, "start", query.start.point()) +
+             ", to " + end_in_cells(space, "goal", query.goals.front().point);
     default:
       return {};
   }

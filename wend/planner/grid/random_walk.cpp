@@ -26,10 +26,11 @@ struct RandomWalkOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"max_steps",
-           "give up after so many steps; the walk avoids the cells of its last "
+           "limit on the number of steps; the walk avoids the cells of its last "
            "floor(sqrt(max_steps)) steps"},
           self.max_steps, OptionRange{0, kMostSteps});
-    field({"seed", "another seed, another walk"}, self.seed, OptionRange{0, 9e15});
+    field({"seed", "seed of the random numbers: each seed gives another walk"}, self.seed,
+          OptionRange{0, 9e15});
   }
 };
 
@@ -169,17 +170,17 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const RandomWalkOptions&
 PlannerInfo random_walk_planner() {
   return grid_planner<RandomWalkOptions>(
       {.name = "random_walk",
-       .summary = "A random walk with a short memory, on 4 neighbours",
-       .idea = "At every step it moves to a random one of the 4 neighbours, and not back to a "
-               "cell that it has just left if there is another. It keeps no frontier and does "
-               "not know where the goal is.",
+       .summary = "Random walk with a short memory, on 4 neighbours",
+       .idea = "At every step it moves to a random one of the 4 neighbours and avoids the cells "
+               "that it has just left if there is another. It has no frontier and does not use the "
+               "position of the goal.",
        .citation = "Pearson 1905",
-       .guarantee_text = "none: it may run out of steps",
+       .guarantee_text = "none: the walk ends after max_steps",
        .time = "O(s) in the s steps taken; max_steps is the only bound on s",
-       .memory = "8 bytes a cell and 8 a step",
+       .memory = "8 bytes per cell and 8 per step",
        .bytes_per_cell = 8,
-       .when = "As what every planner has to beat, and to test what becomes of a planner that "
-               "fails. Never to drive.",
+       .when = "As a baseline that every planner must beat, and to test how a program handles a "
+               "planner that fails. Not for execution on a robot.",
        .guarantee = Guarantee::none},
       choose_parts);
 }

@@ -11,22 +11,20 @@ namespace wend {
 PlannerInfo corner_hierarchy_planner() {
   return with_index(
       {.name = "corner_hierarchy",
-       .summary = "Contraction hierarchy on the turns around obstacles' corners",
-       .idea =
-           "A path turns only at corners of obstacles, and where it can go on from there depends "
-           "on how it arrived: that makes a sparse directed graph. Its nodes are taken out one by "
-           "one, and shortcuts put in their place. A query climbs from its start and from its "
-           "goal, and meets at the top.",
+       .summary = "Contraction hierarchy on the turns at obstacle corners",
+       .idea = "A shortest path turns only at corners of obstacles, and the next turns depend on "
+               "the direction of arrival: this gives a sparse directed graph. Its nodes are "
+               "contracted one by one and replaced by shortcuts. A query searches upwards in the "
+               "hierarchy from the start and from the goal until the two searches meet.",
        .citation = "Geisberger et al. 2008; Harabor et al. 2019",
        .guarantee_text = "optimal, on 8 neighbours without corner cutting",
-       .time = "O(k) in the k arcs climbed, some tens to some thousands, and the turns that start "
-               "and goal see",
-       .memory = "the index: 40 to 75 bytes a turn; a planner on it: 36 bytes a turn and 5 a cell",
+       .time = "O(k) in the k arcs searched, tens to thousands, plus the turns visible from start "
+               "and goal",
+       .memory = "index: 40 to 75 bytes per turn; planner: 36 bytes per turn and 5 per cell",
        .bytes_per_cell = 5,
-       .when =
-           "Where many queries come on one map, and its index is to be small and built within "
-           "seconds, mostly within a tenth of one. hub_labels answers faster and takes longer to "
-           "build. Not on terrain.",
+       .when = "For many queries on one map, where the index must be small and built within "
+               "seconds, mostly within a tenth of a second. hub_labels answers faster and takes "
+               "longer to build. It does not plan on terrain.",
        .preprocessing = Preprocessing::quick},
       {.build =
            [](const BitGrid& passable, const IndexBuilding& building) {

@@ -149,8 +149,7 @@ class MethodSupport final : public IndexSupport {
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
     auto opened = method_.open(std::move(index), drawn_passable(space));
-    if (!opened)
-      return failure(Status::index_mismatch, "the index is of no use: " + opened.error());
+    if (!opened) return failure(Status::index_mismatch, "index does not match: " + opened.error());
     return *std::move(opened);
   }
 

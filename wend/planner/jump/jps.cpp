@@ -147,40 +147,37 @@ GridPlanner::Parts choose_parts(const FreeSpace& space) {
 }  // namespace
 
 PlannerInfo jps_planner() {
-  return {
-      .name = "jps",
-      .summary = "jump point search: A* that leaps over everything between two turns",
-      .idea =
-          "Among all shortest paths that differ only in the order of their steps it looks at one: "
-          "diagonal steps first. That one turns nowhere but past the corners of obstacles, and "
-          "to the next such place the search jumps, reading the map 64 cells at a time. Dead "
-          "ends of the map are left out. Where there is no choice one leap takes several turns, "
-          "and "
-          "what has been found out is kept for later searches.",
-      .citation = "Harabor, Grastien 2011 and 2014",
-      .guarantee_text =
-          "optimal on 8 neighbours without corner cutting, where all cells cost the same",
-      .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
-      .memory =
-          "8 bytes a cell, 57 a jump point, 16 for each leap that a search has met so far, and 12 "
-          "an entry of the frontier",
-      .bytes_per_cell = 8,
-      .when =
-          "The fastest without an index, wherever the map has rooms, streets or corridors: ask it "
-          "first. In noise it has little to leap over. It cannot plan on terrain, nor keep away "
-          "from obstacles.",
-      .guarantee = Guarantee::optimal,
-      .plans_on_terrain = false,
-      .preprocessing = Preprocessing::none,
-      .can_step = true,
-      .jumps = true,
-      .options = {},
-      .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
-        auto refused = refused_options(values);
-        if (!refused) refused = refused_terrain("jps", space);
-        if (refused) return Unexpected<PlannerError>(*std::move(refused));
-        return std::make_unique<GridPlanner>(space, choose_parts);
-      }};
+  return {.name = "jps",
+          .summary = "Jump point search: A* that skips the cells between two turns",
+          .idea =
+              "Among all shortest paths that differ only in the order of their steps it considers "
+              "one: the path with diagonal steps first. This path turns only at corners of "
+              "obstacles. The search jumps from turn to turn and reads the map 64 cells at a time. "
+              "Dead ends of the map are skipped. A chain of jump points without a branch is one "
+              "shortcut edge, and shortcuts are cached for later searches.",
+          .citation = "Harabor, Grastien 2011 and 2014",
+          .guarantee_text = "optimal on 8 neighbours without corner cutting, on uniform terrain",
+          .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
+          .memory =
+              "8 bytes per cell, 57 per jump point, 16 per shortcut that a search has used so far, "
+              "and 12 per frontier entry",
+          .bytes_per_cell = 8,
+          .when =
+              "The fastest planner without an index on maps with rooms, streets or corridors: try "
+              "it first. On maps of random noise it can skip few cells. It does not support "
+              "terrain or clearance costs.",
+          .guarantee = Guarantee::optimal,
+          .plans_on_terrain = false,
+          .preprocessing = Preprocessing::none,
+          .can_step = true,
+          .jumps = true,
+          .options = {},
+          .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
+            auto refused = refused_options(values);
+            if (!refused) refused = refused_terrain("jps", space);
+            if (refused) return Unexpected<PlannerError>(*std::move(refused));
+            return std::make_unique<GridPlanner>(space, choose_parts);
+          }};
 }
 
 }  // namespace wend

@@ -15,14 +15,14 @@ struct CarFlags : CarOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     CarDriving::fields(self.driving, field);
-    field(
-        {"turning_radius",
-         "the turning radius in metres (in cells on maps in cells), rounded up to whole cells, in "
-         "place of unit; 0: as unit says"},
-        self.turning_radius, OptionRange{0, 1e6});
-    field({"heuristic", "estimate of the fuel to the goal"}, self.heuristic);
+    field({"turning_radius",
+           "turning radius in metres (in cells on maps in cells), rounded up to whole cells, "
+           "instead of lattice_resolution; 0: lattice_resolution applies"},
+          self.turning_radius, OptionRange{0, 1e6});
+    field({"heuristic", "estimate of the cost to the goal"}, self.heuristic);
     field({"weight",
-           "w in f = g + w h: 0 is Dijkstra, 1 A*, above 1 at most w times the optimum",
+           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
+           "optimum",
            {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
   }
@@ -34,10 +34,14 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
   }
   if (options->turning_radius > 0) {
-    const auto is_unit = [](const auto& value) { return value.first == "unit"; };
-    if (std::ranges::any_of(values, is_unit)) {
+    const auto is_resolution = [](const auto& value) {
+      return value.first == "lattice_resolution" || value.first == "unit";
+    };
+    const auto given = std::ranges::find_if(values, is_resolution);
+    if (given != values.end()) {
       return Unexpected<PlannerError>(
-          {Status::invalid_option, "unit and turning_radius say the same: give one of them"});
+          {Status::invalid_option,
+           given->first + " and turning_radius set the same value: give one of them"});
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
@@ -57,25 +61,27 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
 
 PlannerInfo car_planner() {
   return {.name = "car",
-          .summary = "A car that drives from corner to corner by six moves, with A*",
+          .summary = "A* for a car on a state lattice with six motion primitives",
           .idea =
-              "The car stands on a corner of the grid and faces north, west, east or south. It "
-              "moves one unit straight, or along a quarter circle of radius one, ahead or in "
-              "reverse; a turn costs pi/2 times the terrain of the cell that it sweeps. A* "
-              "finds the drive that needs the least fuel.",
+              "The car stands on a grid vertex and faces north, west, east or south. It moves one "
+              "lattice cell straight, or along a quarter circle with a radius of one lattice cell, "
+              "forwards or in reverse; a turn costs pi/2 times the terrain of the cell that it "
+              "sweeps. A* finds the path with the lowest cost.",
           .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
           .guarantee_text =
-              "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum",
+              "optimal on its lattice with a weight up to 1; above 1 the cost is at most w times "
+              "the optimum",
           .time =
-              "O(n log n) in the n poses expanded; with whole terrain costs the log is that of a "
-              "small bucket",
+              "O(n log n) in the n poses expanded; with whole terrain costs the logarithm is of "
+              "the size of a small bucket",
           .memory =
-              "8 bytes a pose, four poses a corner, and 16 an entry of the frontier; 16 and 24 "
-              "with terrain costs that are not whole or above 5, a factor for reversing or a "
-              "weight other than 0 and 1",
+              "8 bytes per pose, four poses per lattice vertex, and 16 per frontier entry; 16 and "
+              "24 with terrain costs that are not whole or above 5, with a factor for reversing, "
+              "or with a weight other than 0 and 1",
           .when =
-              "For robots that cannot turn on the spot. On a fine map choose a unit as wide as "
-              "the turning circle's radius. It can only park on corners, facing along the grid.",
+              "For robots that cannot turn in place. On a fine map set lattice_resolution to the "
+              "turning radius in cells. Its poses are at grid vertices, with headings along the "
+              "grid axes.",
           .guarantee = Guarantee::bounded,
           .plans_on_terrain = true,
           .preprocessing = Preprocessing::none,

@@ -84,11 +84,12 @@ std::string why_no_lattice(const GridMap& map, const CarDriving& driving) {
   const std::string size =
       std::to_string(map.width()) + " x " + std::to_string(map.height()) + " cells";
   if (!has_room_for(map, driving)) {
-    return "the map of " + size + " is too small for a lattice of " + std::to_string(driving.unit) +
-           " map cells a unit";
+    return "the map of " + size + " is too small for a lattice_resolution of " +
+           std::to_string(driving.unit);
   }
   if (!CarSpace<RealCarCosts>::can_number(map, driving)) {
-    return "the map of " + size + " has too many corners for a car: a larger unit has fewer";
+    return "the map of " + size +
+           " has too many lattice vertices for the car planner: choose a larger lattice_resolution";
   }
   return {};
 }

@@ -82,7 +82,7 @@ TEST(Car, TurnsTheSameWayAsDrawnWhereYIsUp) {
 }
 
 TEST(Car, SaysByHowMuchItMissesWhatWasAsked) {
-  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   const Query query{{0.3, 0.4, 0.25}, {Goal(Point{7.6, 9}), Goal(Point{4, 3})}};
   const auto plan = planner->plan(query);
   ASSERT_TRUE(plan);
@@ -121,18 +121,17 @@ void expect_refusal(Planner& planner, const Query& query, const std::string& sta
 TEST(Car, NamesThePlaceAndTheCauseOfARefusal) {
   const auto planner = car_on(test::drawn_space(kYard));
   const Pose here = at(1, 1, Heading::east);
+  expect_refusal(*planner, {{9.5, 0, 0}, {here}}, "start_outside",
+                 "the start (9.5,0) is outside the map: its grid vertices have x from 0 to 9 and y "
+                 "from 0 to 4");
   expect_refusal(
-      *planner, {{9.5, 0, 0}, {here}}, "start_outside",
-      "the start (9.5,0) lies outside: the map's corners have x from 0 to 9 and y from 0 "
-      "to 4");
-  expect_refusal(*planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
-                 "the goal (0,-1) lies outside: the map's corners have x from 0 to 9 and y from 0 "
-                 "to 4");
+      *planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
+      "the goal (0,-1) is outside the map: its grid vertices have x from 0 to 9 and y from 0 to 4");
   expect_refusal(*planner, {at(5, 1, Heading::north), {here}}, "start_blocked",
-                 "the start (5,1,N) is an impassable corner: cell (5,0) beside it is an obstacle");
+                 "the start (5,1,N) is impassable: cell (5,0) next to it is an obstacle");
   expect_refusal(*planner, {here, {Goal(Point{6, 3})}}, "goal_blocked",
-                 "the goal (6,3,any) is an impassable corner: cell (5,2) beside it is unknown");
-  expect_refusal(*planner, {here, {}}, "unsupported_query", "a goal is missing");
+                 "the goal (6,3,any) is impassable: cell (5,2) next to it is unknown");
+  expect_refusal(*planner, {here, {}}, "unsupported_query", "the query has no goal");
 }
 
 TEST(Car, SaysWhenItIsBoxedIn) {
@@ -143,24 +142,24 @@ TEST(Car, SaysWhenItIsBoxedIn) {
 ........
 )"));
   expect_refusal(*planner, {at(5, 2, Heading::east), {at(0, 0, Heading::east)}}, "unreachable",
-                 "no drive joins the start (5,2,E) and the goal (0,0,E): obstacles part them for a "
-                 "car");
+                 "there is no path from the start (5,2,E) to the goal (0,0,E): obstacles separate "
+                 "them for the car");
   const auto tight = car_on(test::drawn_space(R"(
 .#...
 ##...
 .....
 )"));
   expect_refusal(*tight, {at(0, 0, Heading::south), {at(4, 2, Heading::east)}}, "unreachable",
-                 "boxed in: no move leads away from the start (0,0,S)");
+                 "no motion primitive leaves the start (0,0,S)");
   expect_refusal(*tight, {at(4, 2, Heading::east), {Goal(Point{0, 0})}}, "unreachable",
-                 "boxed in: no move leads to the goal (0,0,any)");
+                 "no motion primitive reaches the goal (0,0,any)");
 }
 
 TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
   const auto planner = car_on(test::drawn_space("....\n....\n....\n...#", {.robot_radius = 1.5}));
   expect_refusal(*planner, {at(2, 3, Heading::east), {at(0, 0, Heading::east)}}, "start_blocked",
-                 "the start (2,3,E) is an impassable corner: the nearest obstacle is 1 cells away, "
-                 "the robot's radius is 1.5");
+                 "the start (2,3,E) is impassable: the nearest obstacle is 1 cells away, the "
+                 "robot's radius is 1.5");
 }
 
 TEST(Car, RefusesWhatIsNoNumber) {
@@ -168,9 +167,9 @@ TEST(Car, RefusesWhatIsNoNumber) {
   const Pose here = at(1, 1, Heading::east);
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     expect_refusal(*planner, {{1, 1, bad}, {here}}, "unsupported_query",
-                   "the headings of start and goal must be finite numbers");
+                   "the headings of the start and the goal must be finite numbers");
     expect_refusal(*planner, {here, {Pose{1, 1, bad}}}, "unsupported_query",
-                   "the headings of start and goal must be finite numbers");
+                   "the headings of the start and the goal must be finite numbers");
     EXPECT_EQ(refusal_of(*planner, {{bad, 1, 0}, {here}}).status, "start_outside");
     EXPECT_EQ(refusal_of(*planner, {here, {Goal(Point{1, bad})}}).status, "goal_outside");
   }
@@ -198,17 +197,17 @@ TEST(Car, SaysWhichGoalItSearchedForInVain) {
   // The way to it leads around the corner (0,0), along two edges of the map.
   const Goal hopeless(at(1, 0, Heading::south));
   expect_refusal(*planner, {start, {outside, blocked, hopeless}}, "unreachable",
-                 "no drive joins the start (2,4,E) and the goal (1,0,S): obstacles part them for a "
-                 "car");
+                 "there is no path from the start (2,4,E) to the goal (1,0,S): obstacles separate "
+                 "them for the car");
 }
 
 TEST(Car, SaysOfAMapThatItIsTooSmall) {
-  const auto made = make_planner("car", test::open_space(4, 2), {{"unit", "3"}});
+  const auto made = make_planner("car", test::open_space(4, 2), {{"lattice_resolution", "3"}});
   ASSERT_FALSE(made);
   EXPECT_EQ(to_string(made.error().status), "unsupported_map");
-  const std::string why = "the map of 4 x 2 cells is too small for a lattice of 3 map cells a unit";
+  const std::string why = "the map of 4 x 2 cells is too small for a lattice_resolution of 3";
   EXPECT_EQ(made.error().message(), why);
-  const auto planner = car_on(test::open_space(9, 9), {{"unit", "3"}});
+  const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   planner->update(test::open_space(4, 2));
   expect_refusal(*planner, {at(0, 0, Heading::east), {at(0, 0, Heading::east)}}, "unsupported_map",
                  why);

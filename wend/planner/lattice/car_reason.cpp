@@ -64,8 +64,9 @@ std::string name_of(const CarLattice& lattice, const End& end) {
 std::string outside(const CarLattice& lattice, const End& end) {
   const auto last = [&](int corners) { return std::to_string((corners - 1) * lattice.unit()); };
   std::string text = "the " + end.name + " (" + format_number(end.asked.x) + ',' +
-                     format_number(end.asked.y) + ") lies outside: the map's corners have x from " +
-                     "0 to " + last(lattice.columns()) + " and y from 0 to " + last(lattice.rows());
+                     format_number(end.asked.y) +
+                     ") is outside the map: its grid vertices have x from " + "0 to " +
+                     last(lattice.columns()) + " and y from 0 to " + last(lattice.rows());
   if (lattice.unit() > 1) text += ", every " + std::to_string(lattice.unit());
   return text;
 }
@@ -73,12 +74,12 @@ std::string outside(const CarLattice& lattice, const End& end) {
 std::string blocked(const CarLattice& lattice, const End& end) {
   const auto fault = lattice.why_blocked(end.place.corner);
   if (!fault) return {};
-  const std::string text = "the " + name_of(lattice, end) + " is an impassable corner: ";
+  const std::string text = "the " + name_of(lattice, end) + " is impassable: ";
   switch (fault->reason) {
     case BlockReason::obstacle:
-      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is an obstacle";
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is an obstacle";
     case BlockReason::unknown:
-      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " beside it is unknown";
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is unknown";
     case BlockReason::too_close:
       return text + "the nearest obstacle is " + format_number(fault->distance) +
              " cells away, the robot's radius is " +
@@ -113,13 +114,13 @@ std::string unreachable(const CarLattice& lattice, const Query& query) {
   const End start = start_of(lattice, query);
   const End goal = searched_goal_of(lattice, query);
   if (is_boxed_in(lattice, start)) {
-    return "boxed in: no move leads away from the " + name_of(lattice, start);
+    return "no motion primitive leaves the " + name_of(lattice, start);
   }
   if (is_boxed_in(lattice, goal)) {
-    return "boxed in: no move leads to the " + name_of(lattice, goal);
+    return "no motion primitive reaches the " + name_of(lattice, goal);
   }
-  return "no drive joins the " + name_of(lattice, start) + " and the " + name_of(lattice, goal) +
-         ": obstacles part them for a car";
+  return "there is no path from the " + name_of(lattice, start) + " to the " +
+         name_of(lattice, goal) + ": obstacles separate them for the car";
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ std::string car_reason(const CarLattice& lattice, const Query& query, Status sta
     case Status::unreachable:
       return unreachable(lattice, query);
     case Status::unsupported_query:
-      return query.goals.empty() ? "a goal is missing"
-                                 : "the headings of start and goal must be finite numbers";
+      return query.goals.empty() ? "the query has no goal"
+                                 : "the headings of the start and the goal must be finite numbers";
     default:
       return {};
   }

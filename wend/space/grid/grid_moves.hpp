@@ -38,8 +38,8 @@ struct GridMoves {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"connectivity", "move to 4 or 8 neighbours"}, self.connectivity);
-    field({"corner_rule", "how many corners a diagonal step may cut: none, one or both"},
+    field({"connectivity", "number of neighbours of a cell: 4 or 8"}, self.connectivity);
+    field({"corner_rule", "corners that a diagonal step may cut: none, one or both"},
           self.corner_rule);
   }
 

@@ -44,8 +44,7 @@ struct HeuristicOptions {
     field({"heuristic",
            "estimate of the cost to the goal; auto is manhattan on 4 neighbours and octile on 8"},
           self.kind);
-    field({"constant", "what the constant heuristic is worth everywhere"}, self.constant,
-          OptionRange{0, 1e9});
+    field({"constant", "value of the constant heuristic"}, self.constant, OptionRange{0, 1e9});
   }
 };
 

@@ -32,12 +32,15 @@ struct CarDriving {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"unit", "map cells that a cell of the car's lattice is wide: its turning radius"},
+    field({.name = "lattice_resolution",
+           .help = "spacing of the car's lattice in map cells, which is also its turning radius",
+           .former = "unit"},
           self.unit, OptionRange{1, 1e6});
     field({"straight_terrain",
-           "what straight moves pay for the terrain of the two cells beside them"},
+           "what a straight move costs on terrain: 1, or the mean or the larger multiplier of the "
+           "two cells beside it"},
           self.straight_terrain);
-    field({"reverse_factor", "how many times as much a move costs in reverse"}, self.reverse_factor,
+    field({"reverse_factor", "factor on the cost of a move in reverse"}, self.reverse_factor,
           OptionRange{kLeastReverseFactor, 1e6});
   }
 };

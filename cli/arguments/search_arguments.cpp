@@ -1,0 +1,66 @@
+#include "cli/arguments/search_arguments.hpp"
+
+#include <chrono>
+
+#include "cli/arguments/flags.hpp"
+#include "cli/interrupt.hpp"
+
+namespace wend::cli {
+namespace {
+
+template <class Value>
+NamedValues<Value> named_values() {
+  NamedValues<Value> values;
+  for (const auto& choice : choice_names(Value{})) values.emplace_back(choice.name, choice.value);
+  return values;
+}
+
+constexpr NumberRange kLimitSeconds{0, 1e9, "s"};
+
+}  // namespace
+
+void MovesArguments::add_to(Parser& app) {
+  add_choice<Connectivity>(app, "--connectivity", moves.connectivity, named_values<Connectivity>(),
+                           "Number of neighbours of a cell: 4 or 8 (default 8)");
+  add_choice<CornerRule>(app, "--corner-rule", moves.corner_rule, named_values<CornerRule>(),
+                         "Corners that a diagonal step may cut (default none)");
+}
+
+void add_corner_rule(Parser& app, CornerRule& rule) {
+  NamedValues<CornerRule> rules;
+  for (const auto& choice : choice_names(CornerRule{})) {
+    rules.emplace_back(choice.name, choice.value);
+  }
+  add_choice<CornerRule>(
+      app, "--corner-rule", rule, rules,
+      "Corner rule that the path was planned with: with both, a robot with radius 0 may pass "
+      "between two obstacles that touch at a corner (default none)");
+}
+
+void LimitArguments::add_to(Parser& app) {
+  add_count(app, "--limit-expansions", expansions, "Limit on the number of expansions");
+  add_number(app, "--limit-time", seconds, kLimitSeconds,
+             "Limit on the search time in seconds (wall time); the time to read the map and make "
+             "the planner does not count");
+}
+
+Limits LimitArguments::limits(ProgressBar& progress) const {
+  Limits limits;
+  limits.expansions = expansions;
+  if (seconds) limits.seconds = *seconds;
+  // A search reads the clock at its start and then after every so many expansions.
+  limits.clock = [&progress, expanded = std::uint64_t{0}]() mutable {
+    progress.update(expanded);
+    expanded += Limits::kExpansionsBetweenClockReads;
+    return steady_seconds();
+  };
+  limits.cancel = &Interruptible::cancelled();
+  return limits;
+}
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+}  // namespace wend::cli

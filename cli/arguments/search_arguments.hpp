@@ -1,0 +1,42 @@
+#pragma once
+
+// What limits a search: the moves of the robot (--connectivity, --corner-rule) where no planner has them
+// among its options, and --limit-expansions and --limit-time.
+
+#include <cstdint>
+#include <optional>
+
+#include "cli/arguments/parser.hpp"
+#include "cli/output/progress_bar.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+
+/// --connectivity and --corner-rule.
+struct MovesArguments {
+  GridMoves moves;
+
+  void add_to(Parser& app);
+};
+
+/// --corner-rule none|one|both
+void add_corner_rule(Parser& app, CornerRule& rule);
+
+/// --limit-expansions and --limit-time.
+struct LimitArguments {
+  std::uint64_t expansions = Limits::kUnlimited;
+  std::optional<double> seconds;
+
+  void add_to(Parser& app);
+
+  /// `progress` is told the cells expanded; it must outlive the search. Within an Interruptible,
+  /// Ctrl-C cancels the search.
+  Limits limits(ProgressBar& progress) const;
+};
+
+/// Seconds of a clock that never goes back.
+double steady_seconds();
+
+}  // namespace wend::cli

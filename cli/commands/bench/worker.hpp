@@ -1,0 +1,60 @@
+#pragma once
+
+// BenchWorker: asks the queries of a scenario in one thread, times and checks the answers. Times are CPU
+// time of that thread.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "bench/scenario/bench_answer.hpp"
+#include "wend/io/query/scenario.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::cli {
+
+/// What all queries of a worker have in common.
+struct WorkerRules {
+  GridMoves moves;
+  double limit_s = 0;  // that a query may take; 0: no limit
+};
+
+class BenchWorker {
+ public:
+  using Make = std::function<PlannerResult()>;
+
+  /// Told what is wrong with the answer to a query, once for each that is. From this worker's thread.
+  using Complain = std::function<void(const ScenarioQuery& query, const std::string& wrong)>;
+
+  /// `make` is called for every first query. `space` must outlive the worker.
+  BenchWorker(const FreeSpace& space, Make make, WorkerRules rules, Complain complain);
+
+  /// The planner that later queries are asked; the query is not timed: fresh memory costs time.
+  void keep(std::unique_ptr<Planner> planner, const ScenarioQuery& query);
+
+  /// Asks a new planner, one run. False, and nothing was done, if Ctrl-C came; as all that follow.
+  bool time_first(const ScenarioQuery& query, BenchAnswer& answer);
+
+  /// One more pass of a query that the kept planner is asked: the least of as many runs as fill 5 ms.
+  bool time_later(const ScenarioQuery& query, BenchAnswer& answer);
+
+  /// One more pass of a query that a new planner is asked.
+  bool time_fresh(const ScenarioQuery& query, BenchAnswer& answer);
+
+ private:
+  Query asked(const ScenarioQuery& query) const;
+  void take(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
+  void settle(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
+  void compare(const ScenarioQuery& query, BenchAnswer& answer, Status status, const Plan& plan);
+  void judge(const ScenarioQuery& query, BenchAnswer& answer, const std::string& wrong);
+
+  const FreeSpace& space_;
+  Make make_;
+  WorkerRules rules_;
+  Complain complain_;
+  std::unique_ptr<Planner> planner_;
+  Plan plan_;
+};
+
+}  // namespace wend::cli

@@ -1,0 +1,142 @@
+#pragma once
+
+// TypedQuery: what was asked of `wend plan`, and what came of it, in the words of the one who typed
+// it: cells, or the poses of a car. The rest of `wend plan` does not know which.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/arguments/coordinates.hpp"
+#include "cli/output/explainer.hpp"
+#include "cli/output/terminal.hpp"
+#include "cli/watching/shown_layers.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/map/free_space.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/report/plan_report.hpp"
+#include "wend/report/posthoc_trace.hpp"
+
+namespace wend::cli {
+
+/// --start and --goal
+struct EndArguments {
+  std::string start;
+  std::vector<std::string> goals;  // one or more
+};
+
+class TypedQuery {
+ public:
+  virtual ~TypedQuery() = default;
+  TypedQuery(const TypedQuery&) = delete;
+  TypedQuery& operator=(const TypedQuery&) = delete;
+
+  /// Throws InputError for layers that there are not of such a query.
+  virtual void check(const ShownLayers& layers) const = 0;
+
+  /// For a planner, without limits.
+  virtual Query query() const = 0;
+
+  /// --nearest: plans from and to where the robot can stand. Says so, a line for each end moved.
+  /// Throws InputError where that cannot be.
+  virtual std::vector<std::string> move_to_nearest() = 0;
+
+  /// The map with start and goals.
+  virtual Scene scene() const = 0;
+
+  /// The same with the reason why there is no path, as far as it can be drawn.
+  virtual Scene scene_of_failure(Status status) const = 0;
+
+  /// Costs to the goals from everywhere; nothing if there are none.
+  virtual std::optional<CostToGo> cost_to_go(const Limits& limits) const = 0;
+
+  /// Observers of a search for it.
+  virtual SearchRecorder recorder() const = 0;
+  virtual PosthocTrace trace(TraceForm form, std::uint64_t most_events) const = 0;
+
+  /// Why the planner found nothing, in one or more sentences.
+  virtual std::string reason(const Planner& planner, Status status, const Limits& limits,
+                             const SearchMetrics& metrics) const = 0;
+
+  /// The way that was found, step by step: lines; empty where that is no help on so large a map.
+  virtual std::string steps(const Plan& plan, const Screen& screen) const = 0;
+
+  /// What was found and what it took, a line for each thing.
+  virtual std::string summary(const PlanResult& result) const = 0;
+
+ protected:
+  TypedQuery() = default;
+};
+
+/// As the planner's motion has it. Throws InputError for text that is no start or goal of it.
+std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
+                                        const Coordinates& coordinates, const EndArguments& ends);
+
+class CellQuery final : public TypedQuery {
+ public:
+  CellQuery(FreeSpace space, const Coordinates& coordinates, GridMoves moves,
+            const EndArguments& ends);
+
+  void check(const ShownLayers& /*layers*/) const override {}
+  Query query() const override;
+  std::vector<std::string> move_to_nearest() override;
+  Scene scene() const override;
+  Scene scene_of_failure(Status status) const override;
+  std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
+  SearchRecorder recorder() const override;
+  PosthocTrace trace(TraceForm form, std::uint64_t most_events) const override;
+  std::string reason(const Planner& planner, Status status, const Limits& limits,
+                     const SearchMetrics& metrics) const override;
+  std::string steps(const Plan& plan, const Screen& screen) const override;
+  std::string summary(const PlanResult& result) const override;
+
+ private:
+  std::vector<Cell> goal_cells() const;
+
+  FreeSpace space_;
+  Coordinates coordinates_;
+  GridMoves moves_;
+  Place start_;
+  std::vector<Place> goals_;
+};
+
+class CarQuery final : public TypedQuery {
+ public:
+  CarQuery(FreeSpace space, const Coordinates& coordinates, int unit, const EndArguments& ends);
+
+  void check(const ShownLayers& layers) const override;
+  Query query() const override;
+  std::vector<std::string> move_to_nearest() override;
+  Scene scene() const override;
+  /// Components and the widest path are of discs.
+  Scene scene_of_failure(Status /*status*/) const override { return scene(); }
+  std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
+  SearchRecorder recorder() const override;
+  PosthocTrace trace(TraceForm form, std::uint64_t most_events) const override;
+  std::string reason(const Planner& planner, Status status, const Limits& limits,
+                     const SearchMetrics& metrics) const override;
+  std::string steps(const Plan& plan, const Screen& screen) const override;
+  std::string summary(const PlanResult& result) const override;
+
+ private:
+  std::string outside(const std::string& name, const TypedPose& pose) const;
+  std::string as_typed() const;
+
+  FreeSpace space_;
+  Coordinates coordinates_;
+  int unit_;  // of its lattice, in map cells
+  TypedPose start_;
+  std::vector<TypedPose> goals_;
+};
+
+/// Moves blocked ends to the nearest passable cells that are connected to the other end; says so,
+/// a line for each. Ends outside the map stay where they are.
+std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,
+                                         const Coordinates& coordinates, GridMoves moves);
+
+}  // namespace wend::cli
