@@ -14,6 +14,7 @@ namespace wend {
 const Registry<ControllerInfo>& controllers() {
   static const Registry<ControllerInfo> registry({
 #define WEND_CONTROLLER(name) name##_controller(),
+#include "wend/control/controllers.def"
 #undef WEND_CONTROLLER
   });
   return registry;

@@ -9,6 +9,7 @@ namespace wend {
 const Registry<SmootherInfo>& smoothers() {
   static const Registry<SmootherInfo> registry({
 #define WEND_SMOOTHER(name) name##_smoother(),
+#include "wend/path/smoothers.def"
 #undef WEND_SMOOTHER
   });
   return registry;

@@ -15,6 +15,7 @@ namespace wend {
 const Registry<PlannerInfo>& planners() {
   static const Registry<PlannerInfo> registry({
 #define WEND_PLANNER(name) name##_planner(),
+#include "wend/planner/planners.def"
 #undef WEND_PLANNER
   });
   return registry;

@@ -29,6 +29,7 @@ MapFormatInfo::Loaded MapFormatInfo::load(const std::string& bytes, const MapSou
 const Registry<MapFormatInfo>& map_formats() {
   static const Registry<MapFormatInfo> registry({
 #define WEND_MAP_FORMAT(name) name##_format(),
+#include "wend/io/map/formats.def"
 #undef WEND_MAP_FORMAT
   });
   return registry;
