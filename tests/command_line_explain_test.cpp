@@ -40,13 +40,13 @@ TEST_F(ExplainCommand, FindsTheDoorThatIsTooNarrow) {
   const std::vector<std::string> query{"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"};
   const Outcome outcome = explain(door_, query);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out,
-              AllOf(StartsWith("there is no path from start (1,2) to goal (9,2)\n"),
-                    HasSubstr("with a radius of up to 0.5 cells, narrowest at cell (5,2)"),
-                    HasSubstr("--robot-radius 0.5"), HasSubstr("robot's size      the cause"),
-                    HasSubstr("unknown cells     not the cause"),
-                    HasSubstr("corner rule       not the cause"),
-                    HasSubstr("connectivity      not the cause")));
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("there is no path from start (1,2) to goal (9,2)\n"),
+                                 HasSubstr("with a radius of up to 0.5 cells, narrowest at cell"),
+                                 HasSubstr("(5,2)\n"), HasSubstr("--robot-radius 0.5"),
+                                 HasSubstr("robot's size      the cause"),
+                                 HasSubstr("unknown cells     not the cause"),
+                                 HasSubstr("corner rule       not the cause"),
+                                 HasSubstr("connectivity      not the cause")));
   // What it says would help, helps.
   EXPECT_EQ(wend({"plan", door_, "--start", "1,2", "--goal", "9,2", "--robot-radius", "0.5"}).code,
             0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -76,8 +77,9 @@ class RandomWalk final : public GridEngine {
     observer_ = observer;
     random_ = Random(static_cast<std::uint64_t>(options_.seed));
     memory_.clear();
-    path_.clear();
+    steps_.clear();
     metrics_ = {.max_frontier = 1};
+    start_ = start;
     here_ = grid_.state(start);
     arrive();
   }
@@ -92,7 +94,10 @@ class RandomWalk final : public GridEngine {
     if (observer_ != nullptr) observer_->on_expand(event());
     if (goals_.contains(here_.cell)) return SearchOutcome::found;
     if (steps() == options_.max_steps) return SearchOutcome::step_limit;
+    const Cell from = here_.cell;
     here_ = random_neighbour();
+    steps_.push_back({static_cast<std::int8_t>(here_.cell.x - from.x),
+                      static_cast<std::int8_t>(here_.cell.y - from.y)});
     arrive();
     return SearchOutcome::running;
   }
@@ -114,14 +119,22 @@ class RandomWalk final : public GridEngine {
   double heuristic(const Cell& /*cell*/) const override { return 0; }
 
   void write_path(Path& path) const override {
-    std::ranges::copy(path_, path.make_cells(path_.size()).begin());
+    Cell cell = start_;
+    auto out = path.make_cells(steps_.size() + 1).begin();
+    *out = cell;
+    for (const Step step : steps_) *++out = cell = {cell.x + step.x, cell.y + step.y};
   }
 
  private:
-  std::uint32_t steps() const { return static_cast<std::uint32_t>(path_.size() - 1); }
+  /// To the next cell of the walk, which may have millions.
+  struct Step {
+    std::int8_t x;
+    std::int8_t y;
+  };
+
+  std::uint32_t steps() const { return static_cast<std::uint32_t>(steps_.size()); }
 
   void arrive() {
-    path_.push_back(here_.cell);
     memory_.add(here_.number, steps());
     ++metrics_.generated;
     if (observer_ != nullptr) observer_->on_generate(event());
@@ -131,7 +144,9 @@ class RandomWalk final : public GridEngine {
   SearchEvent event() const {
     const double g = steps();
     SearchEvent event{here_.cell, {}, g, 0, g};
-    if (steps() > 0) event.parent = path_[steps() - 1];
+    if (!steps_.empty()) {
+      event.parent = Cell{here_.cell.x - steps_.back().x, here_.cell.y - steps_.back().y};
+    }
     return event;
   }
 
@@ -155,7 +170,8 @@ class RandomWalk final : public GridEngine {
   GoalCells goals_;
   Random random_{0};
   GridState here_;
-  std::vector<Cell> path_;  // so far, its last cell is here_
+  Cell start_{};
+  std::vector<Step> steps_;  // from the start to here_
   SearchMetrics metrics_;
   LimitCheck limits_;
   SearchObserver* observer_ = nullptr;
