@@ -1,5 +1,5 @@
 // Runs a WebAssembly program that needs nothing but WASI: node scripts/run_wasm.mjs FILE [ARG...]
-import { readFile } from 'node:fs/guarantees';
+import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 
 const args = process.argv.slice(2);
