@@ -72,7 +72,8 @@ std::string section(const ScalingPlan& plan, const std::vector<MapScale>& maps,
   for (const MapScale& map : maps) {
     std::vector<std::string> row{map_name(map)};
     for (const std::size_t i : places) {
-      row.push_back(map.planners[i] ? field(*map.planners[i]) : "–");
+      const auto& planner = map.planners[i];
+      row.push_back(planner ? field(*planner) : "–");
     }
     table.add(row);
   }

@@ -96,7 +96,8 @@ std::vector<Configuration> planners_for(const FreeSpace& space, const std::strin
   std::vector<Configuration> configurations;
   for (const std::string& name : names) {
     const char separator = name.find(':') == std::string::npos ? ':' : ',';
-    const PlannerSpec spec = planner_spec(option.empty() ? name : name + separator + option);
+    const PlannerSpec spec =
+        planner_spec(option.empty() ? name : fmt::format("{}{}{}", name, separator, option));
     if (planners().find(spec.name)->make(space, spec.options)) {
       configurations.push_back({name, spec});
     }

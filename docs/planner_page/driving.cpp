@@ -95,6 +95,7 @@ std::vector<MeasuredCar> measured_cars(const FreeSpace& space, std::size_t count
 void add_row(MarkdownTable& table, const std::string& map, const std::string& title,
              const std::vector<MeasuredCar>& cars, double MeasuredCar::* value, int decimals) {
   std::vector<double> values;
+  values.reserve(cars.size());
   for (const MeasuredCar& car : cars) values.push_back(car.*value);
   const std::vector<bool> best = best_of(values, false);
   std::vector<std::string> row{map, title};

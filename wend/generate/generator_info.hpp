@@ -43,7 +43,8 @@ GeneratorInfo generator_info(const std::string& name, std::string summary,
     const auto options = parse_options<Options>(values);
     if (!options) return Unexpected<GeneratorError>({options.error().message()});
     const MapSize size{width, height};
-    std::string fault = fault_of(size, options->least_size());
+    std::string fault = fault_of(  // NOLINT(misc-const-correctness): not where there is a shortage
+        size, options->least_size());
     if constexpr (requires { options->shortage(size); }) {
       if (fault.empty()) fault = options->shortage(size);
     }

@@ -78,7 +78,7 @@ Runs runs_of(const BitGrid& cells) {
 template <class Join>
 void for_touching(std::span<const RowRun> upper, std::span<RowRun> lower, int slack, Join&& join) {
   std::size_t i = 0;
-  for (RowRun& run : lower) {
+  for (RowRun& run : lower) {  // NOLINT(misc-const-correctness): join() may change it
     while (i < upper.size() && upper[i].end + slack <= run.begin) ++i;
     for (std::size_t j = i; j < upper.size() && upper[j].begin < run.end + slack; ++j) {
       join(upper[j], run);

@@ -1,6 +1,7 @@
 #include "wend/path/smoothing.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "wend/base/parse.hpp"
@@ -54,6 +55,7 @@ Expected<MovablePath, SmoothingError> MovablePath::from(const Path& path, const 
 }
 
 std::optional<double> MovablePath::room_beside(const Line& line) const {
+  assert(adjacency_);
   return room_along(*space_, line, *adjacency_);
 }
 

@@ -37,7 +37,6 @@
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
-#include "wend/report/posthoc_trace.hpp"
 
 namespace wend {
 

@@ -122,14 +122,14 @@ class MapYamlReader {
 
   /// The value of a key that must exist; null where it is wrong.
   YAML::Node value_of(const char* key) {
-    YAML::Node node = root_[key];
+    const YAML::Node node = root_[key];
     if (node.IsDefined() && is_known_tag(node.Tag())) return node;
     if (node.IsDefined()) {
       fail(node, fmt::format("'{}' has the unknown tag {}", key, quote(node.Tag())));
     } else if (!error_) {
       error_ = IoError{file_, 0, fmt::format("the key '{}' is missing", key)};
     }
-    return YAML::Node();
+    return {};
   }
 
   /// A finite number under `name`, which is how errors call it.

@@ -14,6 +14,7 @@
 // are other formats and refused by name.
 
 #include <fmt/format.h>
+#include <cassert>
 
 #include <algorithm>
 #include <array>
@@ -64,6 +65,7 @@ class MovingAiReader {
         return io_failure(file_, lines_.number(), std::move(wrong));
       }
     }
+    assert(rows_);
     return LoadedMap{std::move(*rows_).finish(), MapFormat::moving_ai_map, notes()};
   }
 
@@ -121,14 +123,14 @@ class MovingAiReader {
   }
 
   std::string read_rows() {
-    rows_.emplace(width_);
-    if (cells() <= lines_.size()) rows_->reserve(height_);
+    GridMapBuilder& rows = rows_.emplace(width_);
+    if (cells() <= lines_.size()) rows.reserve(height_);
     std::vector<CellState> states(static_cast<std::size_t>(width_));
     for (int y = 0; y < height_; ++y) {
       const auto row = lines_.next();
       if (!row) return fmt::format("only {} of the {} rows that the header declares", y, height_);
       if (std::string wrong = read_row(*row, y, states); !wrong.empty()) return wrong;
-      rows_->append(states);
+      rows.append(states);
     }
     while (const auto line = lines_.next()) {
       if (is_blank(*line)) continue;

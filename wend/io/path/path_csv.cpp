@@ -1,6 +1,7 @@
 #include "wend/io/path/path_csv.hpp"
 
 #include <fmt/format.h>
+#include <cassert>
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +148,10 @@ std::optional<PathColumns> read_centreline_header(LineReader& lines) {
 
 Point centreline_point(PathColumns& columns, const Frame& frame) {
   columns.check_numbers(0);
-  const Point metres{columns.number(*columns.find("x_m")), columns.number(*columns.find("y_m"))};
+  const auto x = columns.find("x_m");
+  const auto y = columns.find("y_m");
+  assert(x && y);
+  const Point metres{columns.number(*x), columns.number(*y)};
   const Point point = frame.to_grid(metres);
   if (!may_be_coordinate_of_pose(point.x) || !may_be_coordinate_of_pose(point.y)) {
     columns.fail(

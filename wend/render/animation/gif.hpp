@@ -40,6 +40,8 @@ class GifAnimation {
   /// Width and height from 1 to kMostGifPixels; 1 to kMostGifColours colours as 0xRRGGBB. Colours
   /// of frames that are not among them become the nearest (Euclidean in RGB).
   GifAnimation(int width, int height, std::vector<std::uint32_t> palette);
+  GifAnimation(const GifAnimation&) = delete;
+  GifAnimation& operator=(const GifAnimation&) = delete;
   GifAnimation(GifAnimation&&) noexcept;
   GifAnimation& operator=(GifAnimation&&) noexcept;
   ~GifAnimation();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -256,9 +257,10 @@ void draw_lines(const SceneDrawing& drawing) {
 /// At the start, where it is larger than the mark at its centre.
 void draw_robot_at_start(const SceneDrawing& drawing) {
   const auto& [line, halo, mark] = drawing.sizes;
+  const auto& start = drawing.scene.start;
   const double radius = drawing.scene.space.radius_in_cells() * drawing.view.scale();
-  if (radius < 1.2 * (mark + halo)) return;
-  trace_circle(drawing.context, drawing.view.to_picture(drawing.scene.start->point), radius);
+  if (!start || radius < 1.2 * (mark + halo)) return;
+  trace_circle(drawing.context, drawing.view.to_picture(start->point), radius);
   fill_and_keep(drawing.context, drawing.style.start, 0.2);
   stroke(drawing.context, line / 2, drawing.style.start, 0.8);
 }
@@ -267,6 +269,7 @@ void draw_robot_at_start(const SceneDrawing& drawing) {
 /// its heading.
 void draw_robot(const SceneDrawing& drawing) {
   cairo_t* const context = drawing.context;
+  assert(drawing.scene.robot);
   const Pose& robot = *drawing.scene.robot;
   const Point centre = drawing.view.to_picture(robot.point());
   const double angle = drawing.view.angle_of(robot.heading);
