@@ -1,5 +1,7 @@
 #include "docs/planner_page/benchmark_maps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
