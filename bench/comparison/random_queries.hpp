@@ -16,15 +16,15 @@ struct CellPair {
   Cell goal;
 };
 
-/// Pairs of different cells that a path joins whatever the moves: the start is any cell that can be
-/// left, the goal any that can be reached from it. The same seed gives the same pairs. Empty where
-/// there is no such pair. O(cells + count).
+/// Pairs of different cells that a path joins with any kind of moves. The start is any cell with a
+/// free neighbour, the goal any cell of the same connected component. The same seed gives the same
+/// pairs. Empty if the map has no such pair. O(cells + count).
 std::vector<CellPair> random_pairs(const FreeSpace& space, std::uint64_t count, std::uint64_t seed);
 
-/// Queries of a car, from a corner and heading to another corner and a heading. It can stand on
-/// both, and moves could join them if headings did not matter: most have a path, but not all. The
-/// coordinates are multiples of `unit`, 1 or more. The same seed gives the same queries. Empty where
-/// there is no such pair. O(cells + count).
+/// Queries for the car: from a lattice vertex and a heading to another vertex and a heading. Both
+/// vertices are free and connected if headings are ignored, so most queries have a path, but not all.
+/// The coordinates are multiples of `unit`, 1 or more. The same seed gives the same queries. Empty if
+/// the map has no such pair. O(cells + count).
 std::vector<Query> random_drives(const FreeSpace& space, int unit, std::uint64_t count,
                                  std::uint64_t seed);
 

@@ -20,16 +20,16 @@
 
 namespace wend::cli {
 
-/// The planners of a list. Throws InputError for one that does not exist and for text that is no
+/// The planners of a list. Throws InputError for one that does not exist and for text that is not an
 /// option.
 std::vector<PlannerSpec> parse_planners(const std::string& text);
 
-/// The same where only one may stand.
+/// The same for a list of exactly one planner.
 PlannerSpec parse_planner(const std::string& text);
 
 const PlannerInfo& info_of(const PlannerSpec& planner);
 
-/// Of a car: how many map cells apart the corners lie on which it stands, as far as its options say.
+/// Spacing of the car's lattice in map cells, from the planner's options; 1 if they do not set it.
 int unit_of(const PlannerSpec& planner, const Frame& frame);
 
 /// Has a planner or smoother an option of that name?
@@ -42,8 +42,8 @@ struct GivenIndex {
   IndexBytes bytes;
 };
 
-/// Throws InputError for a file that cannot be read. What is wrong with one that is no index, or a
-/// damaged one, is the error.
+/// Throws InputError if the file cannot be read. If it is damaged or not an index, the error says what
+/// is wrong.
 Expected<GivenIndex, std::string> read_given_index(const std::string& file);
 
 /// Builds with a progress bar.

@@ -67,7 +67,7 @@ class Shortcut {
   CoarseBox seen_;
 };
 
-/// Leaps one behind the other in memory, the last of them marked.
+/// Shortcuts one behind the other in memory, the last of them marked.
 class ShortcutList {
  public:
   class Iterator {

@@ -48,7 +48,7 @@ class GoalSight {
     bool nearest = false;  // the nearest one: no way from here is shorter
   };
 
-  /// At least one goal, none of which was seen. Leaps count by the raster.
+  /// At least one goal, none of which was seen. Shortcuts count by the raster.
   void begin(std::span<const Cell> goals, const CoarseRaster& raster) {
     goals_.assign(goals);
     places_.clear();
