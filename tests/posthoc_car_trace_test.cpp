@@ -10,7 +10,7 @@
 #include "bench/comparison/random_queries.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"
@@ -40,11 +40,10 @@ SearchEvent traced_drive(CornerPose to, std::optional<CornerPose> from, double g
 
 /// A drive of two moves, and a turn that led nowhere.
 std::string trace_of_a_drive(const FreeSpace& space, TraceForm form, int unit = 1) {
-  const bool y_up = space.map().frame().y_up;
-  const CornerPose start{{0, 0}, Heading::south};
-  const CornerPose ahead = moved(start, CarMove::fwd, y_up, unit);
-  const CornerPose goal = moved(ahead, CarMove::fwd_left, y_up, unit);
-  const Query query{pose_of(start, y_up), {pose_of(goal, y_up)}};
+  const CornerPose start{{0, 0}, Heading::plus_y};
+  const CornerPose ahead = moved(start, CarMove::fwd, unit);
+  const CornerPose goal = moved(ahead, CarMove::fwd_minus, unit);
+  const Query query{pose_of(start), {pose_of(goal)}};
   PosthocTrace trace(space, query, unit, form, kNoLimit);
   trace.on_generate(traced_drive(start, {}, 0));
   trace.on_expand(traced_drive(start, {}, 0));
@@ -53,7 +52,7 @@ std::string trace_of_a_drive(const FreeSpace& space, TraceForm form, int unit = 
   trace.on_generate(traced_drive(goal, ahead, 2.5));
   trace.on_expand(traced_drive(goal, ahead, 2.5));
   Path path;
-  for (const CornerPose& place : {start, ahead, goal}) path.drive_to(pose_of(place, y_up));
+  for (const CornerPose& place : {start, ahead, goal}) path.drive_to(pose_of(place));
   return trace.finish(path);
 }
 
@@ -80,7 +79,7 @@ TEST(PosthocTraceOfACar, IsYaml) {
 CornerPose place_in(const json& event, const FreeSpace& space) {
   const int y = event.at("y").get<int>();
   return {{event.at("x").get<int>(), space.map().frame().y_up ? space.height() - y : y},
-          parse_heading(event.at("heading").get<std::string>()).value()};
+          parse_heading(event.at("heading").get<std::string>(), space.map().frame()).value()};
 }
 
 void check_drive(const std::vector<Seen>& seen, const json& trace, const FreeSpace& space) {
@@ -113,7 +112,7 @@ Path drive_in(const json& trace, const FreeSpace& space) {
   Path path;
   for (json id = trace.at("events").back().at("id"); !id.is_null(); id = latest.at(id).at("pId")) {
     require(path.size() <= latest.size(), "no circle", id);
-    path.drive_to(pose_of(place_in(latest.at(id), space), space.map().frame().y_up));
+    path.drive_to(pose_of(place_in(latest.at(id), space)));
   }
   path.reverse();
   return path;
@@ -143,7 +142,7 @@ RC_GTEST_PROP(PosthocTraceOfACar, TellsEverySearchAsItWas, ()) {
   check_drive(witness.seen(), told, space);
   const auto sources = events_of(told, {"source"});
   RC_ASSERT(sources.size() == 1U);
-  RC_ASSERT(pose_of(place_in(sources.front(), space), space.map().frame().y_up) == query.start);
+  RC_ASSERT(pose_of(place_in(sources.front(), space)) == query.start);
   RC_ASSERT(events_of(told, {"end"}).size() == (plan.path.empty() ? 0U : 1U));
   if (!plan.path.empty()) RC_ASSERT(drive_in(told, space) == plan.path);
 }
@@ -171,8 +170,8 @@ TEST(PosthocTraceOfACar, CountsCornersFromTheTopWhereYIsUp) {
   EXPECT_EQ(events.at(0), json::parse(R"({"type":"source","id":46,"x":3,"y":0,"heading":"E"})"));
   ASSERT_EQ(events.size(), 5U) << "a goal with any heading is four";
   EXPECT_EQ(events.at(1),
-            json::parse(R"({"type":"destination","id":0,"x":0,"y":2,"heading":"N"})"));
-  EXPECT_EQ(events.at(4).at("heading"), "S");
+            json::parse(R"({"type":"destination","id":0,"x":0,"y":2,"heading":"S"})"));
+  EXPECT_EQ(events.at(4).at("heading"), "N");
 }
 
 TEST(PosthocTraceOfACar, LeavesOutWhatIsNotOnTheMap) {

@@ -132,8 +132,7 @@ void expect_layers(const SearchLayers& layers, const Replay& replay, const FreeS
     EXPECT_EQ(layers.f[cell], event.f);
     ASSERT_EQ(layers.parent[cell].has_value(), event.parent.has_value());
     if (event.parent) {
-      EXPECT_EQ(*layers.parent[cell],
-                nearest_direction(cell, *event.parent, space.map().frame().y_up));
+      EXPECT_EQ(*layers.parent[cell], nearest_direction(cell, *event.parent));
     }
   });
 }
@@ -146,7 +145,7 @@ void expect_true_costs(const SearchLayers& layers, const Planner& planner, const
     if (std::isnan(layers.g[cell])) return;
     EXPECT_NEAR(layers.h[cell], planner.heuristic(cell), kRounding);
     if (!layers.parent[cell] || info.guarantee == Guarantee::none || info.jumps) return;
-    const Cell parent = step(cell, *layers.parent[cell], space.map().frame().y_up);
+    const Cell parent = step(cell, *layers.parent[cell]);
     EXPECT_TRUE(reference.is_step(parent, cell));
     const double cost = info.plans_on_terrain ? reference.step_cost(parent, cell)
                                               : std::hypot(parent.x - cell.x, parent.y - cell.y);

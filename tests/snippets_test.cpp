@@ -35,7 +35,7 @@
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/geometry/car_move.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/io/files.hpp"
 #include "wend/io/map/load_map.hpp"
@@ -125,15 +125,21 @@ TEST(Snippets, OfRandom) {
   EXPECT_TRUE(die >= 1 && die <= 6);
 }
 
-TEST(Snippets, OfHeadingAndCarMove) {
-  const wend::Heading heading = wend::parse_heading("E").value();
-  const wend::Cell ahead = wend::ahead(heading, /*y_up=*/false);  // (1, 0)
-  EXPECT_EQ(ahead, (wend::Cell{1, 0}));
+TEST(Snippets, OfDirectionHeadingCarMoveAndCompass) {
+  const wend::Cell next = wend::step({3, 4}, wend::Direction::plus_x);  // (4,4)
+  EXPECT_EQ(next, (wend::Cell{4, 4}));
+  const wend::Cell ahead = wend::ahead(wend::Heading::minus_y);  // (0,-1)
+  EXPECT_EQ(ahead, (wend::Cell{0, -1}));
 
-  const wend::CornerPose from{{1, 0}, wend::Heading::east};
-  const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_right, /*y_up=*/false);
-  // to is (2,1) facing south
-  EXPECT_EQ(to, (wend::CornerPose{{2, 1}, wend::Heading::south}));
+  const wend::Frame frame{.y_up = true};
+  const std::string_view up = wend::name_of(wend::Direction::plus_y, frame);
+  const std::string_view north = wend::letter_of(wend::Heading::plus_y, frame);
+  EXPECT_EQ(up, "up");
+  EXPECT_EQ(north, "N");
+
+  const wend::CornerPose from{{1, 0}, wend::Heading::plus_x};
+  const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_plus);  // (2,1) facing +y
+  EXPECT_EQ(to, (wend::CornerPose{{2, 1}, wend::Heading::plus_y}));
 }
 
 TEST(Snippets, OfArc) {
@@ -638,7 +644,8 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "map/grid_map.hpp",
                                         "map/free_space.hpp",
                                         "generate/generators.hpp",
-                                        "geometry/heading.hpp",
+                                        "geometry/direction.hpp",
+                                        "geometry/compass.hpp",
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
                                         "geometry/arc_distance.hpp",

@@ -17,13 +17,12 @@ Pose random_pose(Random& random, const FreeSpace& space) {
     return static_cast<int>(random.below(static_cast<std::uint64_t>(end)));
   };
   const Cell corner{below(space.width() + 1), below(space.height() + 1)};
-  return pose_of({corner, kAllHeadings[random.below(kHeadings)]}, space.map().frame().y_up);
+  return pose_of({corner, kAllHeadings[random.below(kHeadings)]});
 }
 
 Query corner_to_corner(const FreeSpace& space) {
-  const bool y_up = space.map().frame().y_up;
-  return {pose_of({{0, 0}, Heading::east}, y_up),
-          {pose_of({{space.width(), space.height()}, Heading::east}, y_up)}};
+  return {pose_of({{0, 0}, Heading::plus_x}),
+          {pose_of({{space.width(), space.height()}, Heading::plus_x})}};
 }
 
 /// Drives that the car can find.

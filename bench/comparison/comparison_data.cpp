@@ -31,7 +31,7 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
 Json json_of_end(const Comparison& comparison, const Goal& end) {
   if (comparison.motion == Motion::cells) return json_of(cell_at(end.point));
   Json json = json_of(end.point);
-  json.push_back(end.heading ? json_of_heading(*end.heading, comparison.frame.y_up) : Json("any"));
+  json.push_back(end.heading ? json_of_heading(*end.heading, comparison.frame) : Json("any"));
   return json;
 }
 

@@ -12,7 +12,7 @@
 #include "cli/exit_code.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/io/text.hpp"
 
 namespace wend::cli {
@@ -70,12 +70,12 @@ std::optional<double> parse_angle(std::string_view text) {
 double angle_in_grid(double angle, const Frame& frame) {
   constexpr double kRounding = 1e-9;
   const double in_grid = frame.to_grid(Pose{0, 0, angle}).heading;
-  const double straight = radians_of(nearest_heading(in_grid, frame.y_up), frame.y_up);
+  const double straight = radians_of(nearest_heading(in_grid));
   return std::abs(normalized_angle(in_grid - straight)) < kRounding ? straight : in_grid;
 }
 
 std::optional<double> parse_typed_heading(std::string_view text, const Frame& frame) {
-  if (const auto heading = parse_heading(text)) return radians_of(*heading, frame.y_up);
+  if (const auto heading = parse_heading(text, frame)) return radians_of(*heading);
   if (const auto angle = parse_angle(text)) return angle_in_grid(*angle, frame);
   return std::nullopt;
 }

@@ -3,7 +3,7 @@
 // Coordinates and poses as people type and read them: metres in the map's frame for maps that have a
 // resolution, cells for the others and with --cells. A pose of the car planner is X,Y,HEADING:
 //
-//   0,0,E         a grid vertex, facing east: N, W, E and S are those of the map as drawn
+//   0,0,E         a grid vertex, facing east: N, W, E and S are those of the map on a page
 //   0,0,2         the same: N = 0, W = 1, E = 2, S = 3
 //   1.5,2,45deg   an angle in the map's frame, from +x towards +y; 0.8rad too
 //   18,18,any     a goal with any heading; 18,18 too

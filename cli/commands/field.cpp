@@ -145,7 +145,7 @@ void FieldRun::write_files() const {
       {".json", [&](const std::string& file) { return write_bytes(file, json()); }}};
   if (field_) {
     writers[".csv"] = [&](const std::string& file) {
-      return write_bytes(file, field_csv(*field_));
+      return write_bytes(file, field_csv(*field_, space_.map().frame()));
     };
   }
   arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");

@@ -83,7 +83,7 @@ void PlanRun::search() {
   Query query = asked_->query();
   query.limits = arguments_.limits.limits(progress);
   ObserverList told;
-  Narrator narrator;
+  Narrator narrator(space_.map().frame());
   if (arguments_.watch.verbose) told.add(narrator);
   if (records()) recorder_.emplace(asked_->recorder());
   std::optional<PosthocTrace> trace;
@@ -143,7 +143,7 @@ Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, Ob
 /// Tells the open list on the way, if that is asked for.
 std::optional<Status> PlanRun::go_on(SteppedSearch& search) {
   if (arguments_.watch.open_list && search.expansions() == open_lists_told_) {
-    tell(open_list_text(planner_->open_list(kMostOpenEntries)));
+    tell(open_list_text(planner_->open_list(kMostOpenEntries), space_.map().frame()));
     ++open_lists_told_;
   }
   return search.go_on();
@@ -234,16 +234,17 @@ std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder
     }
   }
   const OpenList open = planner_->open_list(kMostOpenEntries);
+  const Frame& frame = space_.map().frame();
   const std::string keys = Stepper::keys(screen_.columns);
   const auto rows_below =
       kRowsOfStep + static_cast<int>(std::count(keys.begin(), keys.end(), '\n'));
   const std::string text = frame_text(with_snapshot(asked_->scene(), snapshot), layers, screen_,
                                       arguments_.pictures.style, rows_below,
-                                      [&open](int rows) { return open_list_text(open, rows); });
+                                      [&](int rows) { return open_list_text(open, frame, rows); });
   const auto& event = search.last_expansion();
   return text +
          fmt::format("expansion {}: {}, frontier {}\n", search.expansions(),
-                     event ? event_text(*event) : "not begun", open.count) +
+                     event ? event_text(*event, frame) : "not begun", open.count) +
          keys;
 }
 

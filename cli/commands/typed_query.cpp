@@ -219,7 +219,7 @@ std::string CarQuery::as_typed() const {
 }
 
 std::string CarQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
-  return drive_commands(plan, space_.map().frame().y_up);
+  return drive_commands(plan, space_.map().frame());
 }
 
 std::string CarQuery::summary(const PlanResult& result) const {

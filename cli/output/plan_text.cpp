@@ -8,7 +8,7 @@
 
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
@@ -36,7 +36,7 @@ std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", go
 std::string steps_text(const Plan& plan) {
   int turns = 0;
   for (const std::string_view name : plan.moves) {
-    const auto move = car_move_from_string(name);
+    const auto move = parse_car_move(name);
     turns += move && is_turn(*move) ? 1 : 0;
   }
   const std::size_t reverse = steps_in_reverse(plan);
@@ -73,7 +73,7 @@ std::string end_line(std::string_view name, const Pose& pose, const SnappingErro
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
-  return named_line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame().y_up),
+  return named_line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame()),
                                       fmt::join(remarks, ", ")));
 }
 

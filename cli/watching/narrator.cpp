@@ -6,31 +6,26 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
 namespace {
 
-std::string place_text(Cell cell, std::optional<Heading> heading) {
-  constexpr bool kYUp = false;  // there and back: letters do not depend on it
-  return heading ? corner_pose_text(pose_of({cell, *heading}, kYUp), kYUp) : cell_text(cell);
+std::string place_text(Cell cell, std::optional<Heading> heading, const Frame& frame) {
+  return heading ? corner_pose_text(pose_of({cell, *heading}), frame) : cell_text(cell);
 }
 
-std::string from_text(const SearchEvent& event) {
-  return event.parent ? " from " + place_text(*event.parent, event.parent_heading) : "";
-}
-
-std::string reached_text(std::string_view how, const SearchEvent& event) {
+std::string reached_text(std::string_view how, const SearchEvent& event, const Frame& frame) {
+  const std::string from =
+      event.parent ? " from " + place_text(*event.parent, event.parent_heading, frame) : "";
   return fmt::format("  {} {}{} f={:.6g} g={:.6g} h={:.6g}\n", how,
-                     place_text(event.cell, event.heading), from_text(event), event.f, event.g,
-                     event.h);
+                     place_text(event.cell, event.heading, frame), from, event.f, event.g, event.h);
 }
 
 using Row = std::vector<std::string>;
@@ -56,10 +51,10 @@ Row titles_of(bool headings) {
   return row;
 }
 
-Row row_of(std::size_t rank, const OpenEntry& entry) {
+Row row_of(std::size_t rank, const OpenEntry& entry, const Frame& frame) {
   const SearchEvent& state = entry.state;
   Row row{std::to_string(rank), std::to_string(state.cell.x), std::to_string(state.cell.y)};
-  if (state.heading) row.emplace_back(to_string(*state.heading));
+  if (state.heading) row.emplace_back(letter_of(*state.heading, frame));
   row.insert(row.end(),
              {number(state.g), number(state.h), number(state.f), std::string(mark_of(entry.tie))});
   return row;
@@ -96,10 +91,12 @@ std::string explained(const OpenList& list, std::size_t shown) {
   return text;
 }
 
-std::string table(const OpenList& list, std::size_t shown) {
+std::string table(const OpenList& list, std::size_t shown, const Frame& frame) {
   const bool headings = !list.entries.empty() && list.entries.front().state.heading.has_value();
   std::vector<Row> rows{titles_of(headings)};
-  for (std::size_t i = 0; i < shown; ++i) rows.push_back(row_of(i + 1, list.entries[i]));
+  for (std::size_t i = 0; i < shown; ++i) {
+    rows.push_back(row_of(i + 1, list.entries[i], frame));
+  }
   std::string text = fmt::format("open list: {}, next entry first\n", list.count) + aligned(rows);
   if (list.count > shown) text += fmt::format("{} more\n", list.count - shown);
   return text + explained(list, shown);
@@ -113,27 +110,27 @@ int lines_of(const std::string& text) {
 
 void tell(const std::string& lines) { std::fwrite(lines.data(), 1, lines.size(), stderr); }
 
-void Narrator::on_generate(const SearchEvent& event) { tell(reached_text("generate", event)); }
+void Narrator::on_generate(const SearchEvent& event) {
+  tell(reached_text("generate", event, frame_));
+}
 
-void Narrator::on_expand(const SearchEvent& event) { tell("expand " + event_text(event) + "\n"); }
+void Narrator::on_expand(const SearchEvent& event) {
+  tell("expand " + event_text(event, frame_) + "\n");
+}
 
-void Narrator::on_relax(const SearchEvent& event) { tell(reached_text("relax", event)); }
+void Narrator::on_relax(const SearchEvent& event) { tell(reached_text("relax", event, frame_)); }
 
-std::string event_text(const SearchEvent& event) {
-  return fmt::format("{} f={:.6g} g={:.6g} h={:.6g}", place_text(event.cell, event.heading),
+std::string event_text(const SearchEvent& event, const Frame& frame) {
+  return fmt::format("{} f={:.6g} g={:.6g} h={:.6g}", place_text(event.cell, event.heading, frame),
                      event.f, event.g, event.h);
 }
 
-std::string open_list_text(const OpenList& list, int rows) {
+std::string open_list_text(const OpenList& list, const Frame& frame, int rows) {
   if (list.count == 0) return "open list: empty\n";
   std::size_t shown = std::min<std::size_t>(list.entries.size(), kMostOpenEntries);
-  std::string text = table(list, shown);
-  while (shown > 1 && lines_of(text) > rows) text = table(list, --shown);
+  std::string text = table(list, shown, frame);
+  while (shown > 1 && lines_of(text) > rows) text = table(list, --shown, frame);
   return text;
-}
-
-std::string open_list_text(const OpenList& list) {
-  return open_list_text(list, std::numeric_limits<int>::max());
 }
 
 }  // namespace wend::cli

@@ -7,9 +7,11 @@
 //
 // Of a car with the heading: (4,4,E).
 
+#include <limits>
 #include <optional>
 #include <string>
 
+#include "wend/geometry/frame.hpp"
 #include "wend/planner/observer.hpp"
 
 namespace wend::cli {
@@ -19,9 +21,14 @@ void tell(const std::string& lines);
 
 class Narrator final : public SearchObserver {
  public:
+  explicit Narrator(const Frame& frame) : frame_(frame) {}
+
   void on_generate(const SearchEvent& event) override;
   void on_expand(const SearchEvent& event) override;
   void on_relax(const SearchEvent& event) override;
+
+ private:
+  Frame frame_;
 };
 
 /// Keeps what was expanded last.
@@ -39,14 +46,12 @@ class LastExpansion final : public SearchObserver {
 };
 
 /// "(3,4) f=9.24 g=4 h=5.24"
-std::string event_text(const SearchEvent& event);
+std::string event_text(const SearchEvent& event, const Frame& frame);
 
 inline constexpr int kMostOpenEntries = 10;
 
-/// In at most `rows` rows, but with at least one entry.
-std::string open_list_text(const OpenList& list, int rows);
-
-/// With kMostOpenEntries entries at most.
-std::string open_list_text(const OpenList& list);
+/// With kMostOpenEntries entries at most, in at most `rows` rows, but with at least one entry.
+std::string open_list_text(const OpenList& list, const Frame& frame,
+                           int rows = std::numeric_limits<int>::max());
 
 }  // namespace wend::cli

@@ -48,7 +48,7 @@ Pose random_pose(Random& random, const FreeSpace& space) {
     return static_cast<int>(random.below(static_cast<std::uint64_t>(end)));
   };
   const Cell corner{below(space.width() + 1), below(space.height() + 1)};
-  return pose_of({corner, kAllHeadings[random.below(kHeadings)]}, space.map().frame().y_up);
+  return pose_of({corner, kAllHeadings[random.below(kHeadings)]});
 }
 
 /// Random queries that have a path.

@@ -58,9 +58,8 @@ PictureQuery between_rooms() {
 
 PictureQuery across_a_parking_lot() {
   const FreeSpace space(generated_map("parking", kLotWidth, kLotHeight, kPictureSeed));
-  const bool y_up = space.map().frame().y_up;
-  const Pose start = pose_of({{0, 0}, Heading::east}, y_up);
-  const Pose goal = pose_of({{kLotWidth, kLotHeight}, Heading::east}, y_up);
+  const Pose start = pose_of({{0, 0}, Heading::plus_x});
+  const Pose goal = pose_of({{kLotWidth, kLotHeight}, Heading::plus_x});
   Scene scene{.space = space};
   scene.start = start;
   scene.goals = {goal};

@@ -22,7 +22,7 @@ inline Path random_cell_path(Random& random, int width, int height) {
   for (int i = random.between(0, 12); i > 0; --i) {
     const auto direction = static_cast<Direction>(random.between(0, kDirections - 1));
     const Cell next = random.chance(0.1) ? random_cell(random, width, height)
-                                         : step(path.cells().back(), direction, false);
+                                         : step(path.cells().back(), direction);
     if (next.x >= 0 && next.y >= 0 && next.x < width && next.y < height) path.append(next);
   }
   return path;
@@ -76,7 +76,7 @@ inline Path random_free_path(Random& random, const FreeSpace& space, Adjacency a
   int direction = random.between(0, kDirections - 1);
   for (int i = one_of<int>(random, std::array{0, 1, 5, 30, 60}); i > 0; --i) {
     if (random.chance(0.3)) direction = random.between(0, kDirections - 1);
-    const Cell way = kDrawnSteps[static_cast<std::size_t>(direction)];
+    const Cell way = kDirectionSteps[static_cast<std::size_t>(direction)];
     const double far = by_halves ? random.between(1, 2) / 2.0 : number_between(random, 0, 2);
     points.push_back({points.back().x + way.x * far, points.back().y + way.y * far});
     if (!first_collision(Path::along(points), space, adjacency)) continue;

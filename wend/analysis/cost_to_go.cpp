@@ -110,11 +110,10 @@ Expected<Plan, PlanFailure> CostToGo::path_from(Cell start) const {
   if (costs_[start] == std::numeric_limits<double>::infinity()) {
     return Unexpected<PlanFailure>({Status::unreachable, {}});
   }
-  const bool y_up = space_.map().frame().y_up;
   Plan plan;
   plan.path.append(start);
   for (Cell cell = start; const auto direction = policy(cell);) {
-    cell = step(cell, *direction, y_up);
+    cell = step(cell, *direction);
     plan.path.append(cell);
   }
   plan.cost = grid_path_cost(space_, plan.path.cells());

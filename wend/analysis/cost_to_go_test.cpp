@@ -116,13 +116,12 @@ TEST(CostToGo, LeadsToAGoalFromEveryCellForThatCost) {
 /// Every step of the policy comes as much nearer as it costs.
 TEST(CostToGo, HasAPolicyThatGoesDownhill) {
   on_random_fields([](const Field& made) {
-    const bool y_up = made.space.map().frame().y_up;
     for_all_cells(made.space, [&](Cell cell) {
       const auto direction = made.field.policy(cell);
       const double cost = made.field.cost(cell);
       ASSERT_EQ(direction.has_value(), cost > 0 && cost < kUnreachable);
       if (!direction) return;
-      const Cell next = step(cell, *direction, y_up);
+      const Cell next = step(cell, *direction);
       ASSERT_TRUE(made.reference.is_step(cell, next));
       expect_cost(made.field.cost(next) + made.reference.step_cost(cell, next), cost, cell);
     });

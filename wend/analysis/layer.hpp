@@ -71,7 +71,7 @@ bool is_length(LayerKind kind);
 struct Layer {
   LayerKind kind;
   Grid<double> numbers;                   // NaN where nothing is known; empty for directions
-  Grid<std::optional<Direction>> arrows;  // as drawn; empty for numbers
+  Grid<std::optional<Direction>> arrows;  // empty for numbers
 };
 
 /// Of the search that `recorder` watched. The heuristic is that of `planner`'s last query.

@@ -102,7 +102,7 @@ TEST_F(Layers, ParentsLeadBackAlongThePath) {
   const auto cells = plan_.path.cells();
   for (std::size_t i = 1; i < cells.size(); ++i) {
     ASSERT_TRUE(parent.arrows[cells[i]]);
-    EXPECT_EQ(step(cells[i], *parent.arrows[cells[i]], false), cells[i - 1]);
+    EXPECT_EQ(step(cells[i], *parent.arrows[cells[i]]), cells[i - 1]);
   }
 }
 

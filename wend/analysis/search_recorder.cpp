@@ -21,9 +21,7 @@ SearchLayers empty_layers(int width, int height) {
 }  // namespace
 
 SearchRecorder::SearchRecorder(const FreeSpace& space, int unit)
-    : y_up_(space.map().frame().y_up),
-      unit_(unit),
-      layers_(empty_layers(space.width(), space.height())) {}
+    : unit_(unit), layers_(empty_layers(space.width(), space.height())) {}
 
 /// Visits the cell, or those that touch the corner.
 template <class Visit>
@@ -60,7 +58,7 @@ void SearchRecorder::on_relax(const SearchEvent& event) { write_down(event); }
 
 void SearchRecorder::write_down(const SearchEvent& event) {
   std::optional<Direction> towards_parent;
-  if (event.parent) towards_parent = nearest_direction(event.cell, *event.parent, y_up_);
+  if (event.parent) towards_parent = nearest_direction(event.cell, *event.parent);
   for_cells_at(event.cell, [&](Cell cell) {
     const bool knows_cheaper = unit_ > 0 && layers_.g[cell] <= event.g;
     if (knows_cheaper) return;

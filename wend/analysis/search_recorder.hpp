@@ -82,7 +82,6 @@ class SearchRecorder final : public SearchObserver {
   void for_cells_at(Cell place, Visit&& visit) const;
   void write_down(const SearchEvent& event);
 
-  bool y_up_;
   int unit_;  // 0: cells
   SearchLayers layers_;
   std::vector<Cell> expansions_;

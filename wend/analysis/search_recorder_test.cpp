@@ -23,8 +23,8 @@ SearchEvent event_at(Cell corner, double g, std::optional<Cell> parent = std::nu
           .g = g,
           .h = 10 - g,
           .f = 10,
-          .heading = Heading::east,
-          .parent_heading = parent ? std::optional(Heading::east) : std::nullopt};
+          .heading = Heading::plus_x,
+          .parent_heading = parent ? std::optional(Heading::plus_x) : std::nullopt};
 }
 
 /// The numbers of a layer, a line for each row; '.' where there is none.
@@ -68,7 +68,7 @@ TEST(SearchRecorderOfACar, TellsOfTheCellsAroundACorner) {
   EXPECT_EQ(text_of(recorder.layers().g), ".2..\n22..\n...3\n") << "0 of the start is shown as '.'";
   EXPECT_EQ(recorder.layers().h[(Cell{0, 0})], 10);
   EXPECT_EQ(recorder.layers().h[(Cell{1, 0})], 8);
-  EXPECT_EQ(recorder.layers().parent[(Cell{1, 1})], Direction::up_left);
+  EXPECT_EQ(recorder.layers().parent[(Cell{1, 1})], Direction::minus_x_minus_y);
   EXPECT_EQ(recorder.layers().parent[(Cell{0, 0})], std::nullopt);
   EXPECT_EQ(text_of(recorder.snapshot()), "Co..\noo..\n...o\n");
 }
@@ -87,13 +87,13 @@ TEST(SearchRecorderOfACar, KeepsTheCheapestStateAroundACell) {
   recorder.on_generate(event_at({1, 1}, 4, Cell{1, 0}));
   recorder.on_generate(event_at({1, 1}, 7, Cell{0, 0}));  // facing elsewhere
   EXPECT_EQ(text_of(recorder.layers().g), "44\n");
-  EXPECT_EQ(recorder.layers().parent[(Cell{0, 0})], Direction::up);
+  EXPECT_EQ(recorder.layers().parent[(Cell{0, 0})], Direction::minus_y);
   recorder.on_relax(event_at({1, 1}, 6, Cell{0, 1}));
   EXPECT_EQ(text_of(recorder.layers().g), "44\n");
   recorder.on_relax(event_at({2, 0}, 3, Cell{1, 0}));
   EXPECT_EQ(text_of(recorder.layers().g), "43\n");
   EXPECT_EQ(recorder.layers().h[(Cell{1, 0})], 7);
-  EXPECT_EQ(recorder.layers().parent[(Cell{1, 0})], Direction::left);
+  EXPECT_EQ(recorder.layers().parent[(Cell{1, 0})], Direction::minus_x);
 }
 
 TEST(SearchRecorderOfACar, CountsEveryStateOfACorner) {
@@ -171,7 +171,7 @@ Known known_of(Cell cell, const std::vector<Entry>& entries, std::size_t count, 
 
 std::optional<Direction> direction_to_parent(const SearchEvent& event) {
   if (!event.parent) return std::nullopt;
-  return nearest_direction(event.cell, *event.parent, false);
+  return nearest_direction(event.cell, *event.parent);
 }
 
 RC_GTEST_PROP(SearchRecorderOfACar, KnowsOfACellWhatItsCornersSay, ()) {

@@ -64,7 +64,7 @@ class WidestSearch {
  private:
   void expand(const Reached& from) {
     for (int direction = 0; direction < kDirections; direction += stride_) {
-      const Cell to = step(from.cell, static_cast<Direction>(direction), false);
+      const Cell to = step(from.cell, static_cast<Direction>(direction));
       if (!space_.contains(to) || space_.obstacles()[to]) continue;
       reach(to, std::min(from.width, squared_half_cell_way_clearance(space_, from.cell, to)));
     }
@@ -126,7 +126,7 @@ BitGrid reach_of_a_wider_robot(const FreeSpace& space, Cell start, std::uint32_t
     const Cell from = open.back();
     open.pop_back();
     for (int direction = 0; direction < kDirections; direction += stride) {
-      const Cell to = step(from, static_cast<Direction>(direction), false);
+      const Cell to = step(from, static_cast<Direction>(direction));
       if (space.contains(to)) reach(from, to);
     }
   }

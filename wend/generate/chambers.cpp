@@ -43,9 +43,8 @@ std::vector<std::pair<Cell, Cell>> random_spanning_tree(int columns, int rows, R
     const Cell here = walk.back();
     std::array<Cell, 4> unvisited;
     std::size_t choices = 0;
-    for (const Direction way :
-         {Direction::down, Direction::right, Direction::up, Direction::left}) {
-      const Cell next = step(here, way, false);
+    for (const Direction way : kStraightDirections) {
+      const Cell next = step(here, way);
       if (visited.contains(next) && visited[next] == 0) unvisited[choices++] = next;
     }
     if (choices == 0) {

@@ -5,22 +5,14 @@
 
 namespace wend {
 
-std::optional<CarMove> car_move_from_string(std::string_view name) {
-  for (std::size_t i = 0; i < kCarMoveTable.size(); ++i) {
-    if (kCarMoveTable[i].name == name) return static_cast<CarMove>(i);
-  }
-  return std::nullopt;
-}
-
-std::optional<CornerPose> nearest_corner_pose(const Pose& pose, bool y_up, int unit) {
+std::optional<CornerPose> nearest_corner_pose(const Pose& pose, int unit) {
   const double x = unit * std::round(pose.x / unit);
   const double y = unit * std::round(pose.y / unit);
   constexpr double kMost = std::numeric_limits<int>::max();
   if (!(std::abs(x) <= kMost && std::abs(y) <= kMost) || !std::isfinite(pose.heading)) {
     return std::nullopt;
   }
-  return CornerPose{{static_cast<int>(x), static_cast<int>(y)},
-                    nearest_heading(pose.heading, y_up)};
+  return CornerPose{{static_cast<int>(x), static_cast<int>(y)}, nearest_heading(pose.heading)};
 }
 
 }  // namespace wend

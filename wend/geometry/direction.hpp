@@ -1,74 +1,145 @@
 #pragma once
 
-// The eight directions of a grid as a picture shows them, in the one fixed order in which wend
-// generates successors: down first, then counter-clockwise as drawn. Even ones are straight, odd
-// ones diagonal.
+// Direction: a step from a cell to one of its eight neighbours. Heading: one of the four ways in
+// which a car on the corners of a grid can face.
 //
-// "Down" is +y on maps with y down and -y on maps with y up, so that the same picture gives the
-// same search whatever its file format.
+// Both are in grid coordinates and know nothing of pictures: which of them is up, and what people
+// call it, is said by compass.hpp.
+//
+//   const wend::Cell next = wend::step({3, 4}, wend::Direction::plus_x);  // (4,4)
+//   const wend::Cell ahead = wend::ahead(wend::Heading::minus_y);         // (0,-1)
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <string_view>
+#include <optional>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
 
 namespace wend {
 
+/// In the one fixed order in which wend generates successors. Even ones are straight, odd ones
+/// diagonal; each is an eighth of a turn from +y towards +x after the one before.
 enum class Direction : std::uint8_t {
-  down,
-  down_right,
-  right,
-  up_right,
-  up,
-  up_left,
-  left,
-  down_left,
+  plus_y,
+  plus_x_plus_y,
+  plus_x,
+  plus_x_minus_y,
+  minus_y,
+  minus_x_minus_y,
+  minus_x,
+  minus_x_plus_y,
 };
 
 inline constexpr int kDirections = 8;
 
-/// The step of a direction where y grows downwards.
-inline constexpr std::array<Cell, kDirections> kDrawnSteps{
+/// The step of each direction.
+inline constexpr std::array<Cell, kDirections> kDirectionSteps{
     {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
+
+inline constexpr std::array<Direction, 4> kStraightDirections{
+    Direction::plus_y, Direction::plus_x, Direction::minus_y, Direction::minus_x};
+
+inline constexpr std::array<Direction, 4> kDiagonalDirections{
+    Direction::plus_x_plus_y, Direction::plus_x_minus_y, Direction::minus_x_minus_y,
+    Direction::minus_x_plus_y};
+
+/// The number of a straight direction among the straight ones, of a diagonal one among its own.
+constexpr std::size_t quarter(Direction direction) {
+  return static_cast<std::size_t>(direction) / 2;
+}
+
+/// A bit for each direction.
+using DirectionSet = std::uint8_t;
+
+constexpr DirectionSet set_of(Direction direction) {
+  return static_cast<DirectionSet>(1U << static_cast<unsigned>(direction));
+}
 
 constexpr bool is_diagonal(Direction direction) {
   return (static_cast<unsigned>(direction) & 1U) != 0;
 }
 
-constexpr Direction opposite(Direction direction) {
-  return static_cast<Direction>((static_cast<unsigned>(direction) + 4U) % kDirections);
+/// The direction so many eighths of a turn on, from +y towards +x.
+constexpr Direction turned(Direction direction, int eighths) {
+  return static_cast<Direction>(
+      (static_cast<unsigned>(direction) + kDirections + static_cast<unsigned>(eighths)) %
+      kDirections);
 }
 
-/// The neighbour of a cell in that direction.
-constexpr Cell step(Cell cell, Direction direction, bool y_up) {
-  const Cell drawn = kDrawnSteps[static_cast<std::size_t>(direction)];
-  return {cell.x + drawn.x, y_up ? cell.y - drawn.y : cell.y + drawn.y};
+constexpr Direction opposite(Direction direction) { return turned(direction, kDirections / 2); }
+
+/// The two directions an eighth of a turn away.
+constexpr std::array<Direction, 2> beside(Direction direction) {
+  return {turned(direction, -1), turned(direction, 1)};
 }
 
-/// "down", "down_right", ... as drawn.
-constexpr std::string_view to_string(Direction direction) {
-  constexpr std::array<std::string_view, kDirections> kNames{
-      "down", "down_right", "right", "up_right", "up", "up_left", "left", "down_left"};
-  return kNames[static_cast<std::size_t>(direction)];
+/// The cell so many steps away.
+constexpr Cell step(Cell cell, Direction direction, int steps = 1) {
+  const Cell step = kDirectionSteps[static_cast<std::size_t>(direction)];
+  return {cell.x + steps * step.x, cell.y + steps * step.y};
+}
+
+/// The direction of a step to a neighbour.
+constexpr Direction direction_of(Cell step) {
+  using enum Direction;
+  constexpr std::array<Direction, 9> kByStep{minus_x_minus_y, minus_y, plus_x_minus_y,
+                                             minus_x,         {},      plus_x,
+                                             minus_x_plus_y,  plus_y,  plus_x_plus_y};
+  return kByStep[static_cast<std::size_t>(3 * (step.y + 1) + step.x + 1)];
 }
 
 /// The direction nearest to the way from one cell to another, which is another one.
-inline Direction nearest_direction(Cell from, Cell to, bool y_up) {
-  const double right = static_cast<double>(to.x) - from.x;
-  const double down = (static_cast<double>(to.y) - from.y) * (y_up ? -1 : 1);
-  const auto eighths = static_cast<int>(std::round(std::atan2(right, down) / (kPi / 4)));
+inline Direction nearest_direction(Cell from, Cell to) {
+  const double x = static_cast<double>(to.x) - from.x;
+  const double y = static_cast<double>(to.y) - from.y;
+  const auto eighths = static_cast<int>(std::round(std::atan2(x, y) / (kPi / 4)));
   return static_cast<Direction>((eighths + kDirections) % kDirections);
 }
 
-/// The direction nearest to a heading in grid coordinates, in radians from +x towards +y.
-inline Direction nearest_direction(double heading, bool y_up) {
-  const auto eighths =
-      static_cast<int>(std::round(normalized_angle(y_up ? -heading : heading) / (kPi / 4)));
-  return static_cast<Direction>((static_cast<int>(Direction::right) - eighths + kDirections) %
-                                kDirections);
+/// The direction nearest to a heading, in radians from +x towards +y.
+inline Direction nearest_direction(double heading) {
+  const auto eighths = static_cast<int>(std::round(normalized_angle(heading) / (kPi / 4)));
+  return turned(Direction::plus_x, -eighths);
 }
+
+/// The numbers are those of the states of a car's lattice.
+enum class Heading : std::uint8_t { minus_y = 0, minus_x = 1, plus_x = 2, plus_y = 3 };
+
+inline constexpr int kHeadings = 4;
+inline constexpr std::array<Heading, kHeadings> kAllHeadings{Heading::minus_y, Heading::minus_x,
+                                                             Heading::plus_x, Heading::plus_y};
+
+constexpr bool is_along_x(Heading heading) {
+  return heading == Heading::minus_x || heading == Heading::plus_x;
+}
+
+constexpr Heading opposite(Heading heading) {
+  return static_cast<Heading>(kHeadings - 1 - static_cast<int>(heading));
+}
+
+/// A quarter turn on, from +x towards +y, as angles grow.
+constexpr Heading quarter_turned(Heading heading) {
+  constexpr std::array<Heading, kHeadings> kNext{Heading::plus_x, Heading::minus_y, Heading::plus_y,
+                                                 Heading::minus_x};
+  return kNext[static_cast<std::size_t>(heading)];
+}
+
+/// The unit step ahead.
+constexpr Cell ahead(Heading heading) {
+  constexpr std::array<Cell, kHeadings> kAhead{{{0, -1}, {-1, 0}, {1, 0}, {0, 1}}};
+  return kAhead[static_cast<std::size_t>(heading)];
+}
+
+/// The angle from +x towards +y: a multiple of pi / 2 in (-pi, pi].
+double radians_of(Heading heading);
+
+/// The heading nearest to an angle, which is finite.
+Heading nearest_heading(double radians);
+
+/// The heading that has exactly this angle, as radians_of() gives it; nothing for any other.
+std::optional<Heading> exact_heading(double radians);
 
 }  // namespace wend

@@ -67,14 +67,14 @@ ArrivalBoards::ArrivalBoards(const BitLines& rows, const BitLines& corners,
   std::array<BitLines, 4> met;
   for (const Direction diagonal : kDiagonalDirections) {
     const std::size_t i = quarter(diagonal);
-    DiagonalRows made = diagonal_rows(rows, beginnings[i], moved({0, 0}, diagonal, 1));
+    DiagonalRows made = diagonal_rows(rows, beginnings[i], step({0, 0}, diagonal, 1));
     diagonal_[i] = made.stops.diagonals(diagonals_along(diagonal));
     met[i] = std::move(made.met);
   }
   for (const Direction straight : kStraightDirections) {
     BitLines of_interest = corners;
     for (const Direction diagonal : beside(straight)) add(of_interest, met[quarter(diagonal)]);
-    const bool vertical = straight == Direction::down || straight == Direction::up;
+    const bool vertical = straight == Direction::plus_y || straight == Direction::minus_y;
     BitLines& stops = straight_[quarter(straight)];
     stops = vertical ? of_interest.transposed() : std::move(of_interest);
     add_blocked(stops, vertical ? columns : rows);

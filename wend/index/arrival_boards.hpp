@@ -8,14 +8,13 @@
 // of legs, and blocked cells; and for each diagonal direction one with the beginnings of legs and
 // the cells from which there is no step back. Beginnings are told from outside.
 //
-// Cells are as drawn. Immutable. O(cells) to make, some 12 bits a cell.
+// Immutable. O(cells) to make, some 12 bits a cell.
 
 #include <array>
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/jump/bit_lines.hpp"
-#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 
@@ -34,10 +33,10 @@ class ArrivalBoards {
   template <Direction kStraight>
   int distance_back(Cell from) const {
     const BitLines& stops = straight_[quarter(kStraight)];
-    if constexpr (kStraight == Direction::down) return stops.distance_back(from.x, from.y);
-    if constexpr (kStraight == Direction::right) return stops.distance_back(from.y, from.x);
-    if constexpr (kStraight == Direction::up) return stops.distance_ahead(from.x, from.y);
-    if constexpr (kStraight == Direction::left) return stops.distance_ahead(from.y, from.x);
+    if constexpr (kStraight == Direction::plus_y) return stops.distance_back(from.x, from.y);
+    if constexpr (kStraight == Direction::plus_x) return stops.distance_back(from.y, from.x);
+    if constexpr (kStraight == Direction::minus_y) return stops.distance_ahead(from.x, from.y);
+    if constexpr (kStraight == Direction::minus_x) return stops.distance_ahead(from.y, from.x);
   }
 
   /// The same against a diagonal direction: to a beginning of legs, or to the last cell. The first
@@ -46,7 +45,7 @@ class ArrivalBoards {
   int distance_back_on_diagonal(Cell from) const {
     const BitLines& stops = diagonal_[quarter(kDiagonal)];
     const int line = diagonal_line(diagonals_along(kDiagonal), from, height_);
-    if constexpr (kDiagonal == Direction::down_right || kDiagonal == Direction::down_left) {
+    if constexpr (kDiagonal == Direction::plus_x_plus_y || kDiagonal == Direction::minus_x_plus_y) {
       return stops.distance_back(line, from.y);
     } else {
       return stops.distance_ahead(line, from.y);

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "wend/geometry/direction.hpp"
 #include "wend/index/diagonal_walk.hpp"
 #include "wend/index/rays.hpp"
-#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 namespace {

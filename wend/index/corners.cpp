@@ -19,7 +19,7 @@ Corners::Corners(BitGrid passable)
   for (int y = 0; y < passable_.height(); ++y) {
     for (int x = 0; x < passable_.width(); ++x) {
       const Cell cell{x, y};
-      if (!passable_[cell] || jump_directions(passable_.block(cell, 1)) == 0) continue;
+      if (!passable_[cell] || jump_directions(passable_.block(cell)) == 0) continue;
       bits_.set(cell, true);
       cells_.push_back(cell);
     }

@@ -5,8 +5,6 @@
 // Without corner cutting a corner is a passable cell with a blocked diagonal neighbour whose two
 // shared orthogonal neighbours are passable. (The subgoals of T. Uras, S. Koenig and C. Hernandez,
 // "Subgoal Graphs for Optimal Pathfinding in Eight-Neighbor Grids", 2013.)
-//
-// Boards here have y down: see planner/drawn_cells.hpp.
 
 #include <array>
 #include <cstddef>
@@ -23,7 +21,7 @@ constexpr unsigned compute_jump_directions(unsigned block) {
   const auto passable = [block](int dx, int dy) { return (block >> (4 - 3 * dy + dx) & 1) != 0; };
   unsigned set = 0;
   for (unsigned straight = 0; straight < 4; ++straight) {
-    const Cell ahead = kDrawnSteps[2 * straight];
+    const Cell ahead = kDirectionSteps[2 * straight];
     for (const int side : {-1, 1}) {
       const Cell beside{side * ahead.y, side * ahead.x};
       const bool jump = passable(-ahead.x, -ahead.y) && passable(beside.x, beside.y) &&
@@ -44,7 +42,7 @@ inline constexpr auto kJumpDirections = [] {
 
 /// The straight directions in which a ray stops at a passable cell as at a jump point: beside it is
 /// a passable cell, and the one behind that is blocked. Bit d/2 for Direction d. `block` is
-/// BitGrid::block(cell, 1). A cell is a corner if and only if the set is not empty.
+/// BitGrid::block(cell). A cell is a corner if and only if the set is not empty.
 constexpr unsigned jump_directions(unsigned block) { return kJumpDirections[block]; }
 
 class Corners {

@@ -12,7 +12,7 @@ namespace wend {
 template <class Visit>
 void walk_diagonal(const BitGrid& passable, Cell from, Direction diagonal, Visit&& visit) {
   for (Cell cell = from;;) {
-    const Cell next = step(cell, diagonal, false);
+    const Cell next = step(cell, diagonal);
     if (!passable[{next.x, cell.y}] || !passable[{cell.x, next.y}] || !passable[next]) return;
     if (!visit(next)) return;
     cell = next;

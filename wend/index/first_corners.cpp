@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "wend/geometry/direction.hpp"
 #include "wend/index/diagonal_walk.hpp"
-#include "wend/jump/drawn_direction.hpp"
 
 namespace wend {
 namespace {
 
 bool is_stop(const BitGrid& passable, Cell cell, Direction straight) {
-  return (jump_directions(passable.block(cell, 1)) >> quarter(straight) & 1U) != 0;
+  return (jump_directions(passable.block(cell)) >> quarter(straight) & 1U) != 0;
 }
 
 /// Visits every cell that has a corner in its list: back along the rays that stop there, and back
@@ -18,8 +18,8 @@ template <class Visit>
 void visit_cells_before(const BitGrid& passable, Cell corner, Visit&& visit) {
   for (const Direction straight : kStraightDirections) {
     if (!is_stop(passable, corner, straight)) continue;
-    for (Cell cell = step(corner, opposite(straight), false); passable[cell];
-         cell = step(cell, opposite(straight), false)) {
+    for (Cell cell = step(corner, opposite(straight)); passable[cell];
+         cell = step(cell, opposite(straight))) {
       visit(cell);
       for (const Direction diagonal : beside(straight)) {
         walk_diagonal(passable, cell, opposite(diagonal), [&](Cell start) {

@@ -3,8 +3,7 @@
 // IndexEngine: answers queries from an index that threads share, with scratch memory of its own.
 // One engine a thread.
 //
-// An index knows the passable cells alone, as drawn: row 0 on top. Steps go to the 8 neighbours
-// and cut no corner.
+// An index knows the passable cells alone. Steps go to the 8 neighbours and cut no corner.
 
 #include <cstdint>
 #include <numbers>

@@ -13,7 +13,7 @@ namespace {
 constexpr unsigned kEveryDirection = 0b1111;
 
 bool is_vertical(Direction straight) {
-  return straight == Direction::down || straight == Direction::up;
+  return straight == Direction::plus_y || straight == Direction::minus_y;
 }
 
 Cell transposed(Cell cell) { return {cell.y, cell.x}; }
@@ -47,7 +47,7 @@ Rays::Rays(const BitGrid& passable, Stops stops) {
     for (int x = 0; x < width; ++x) {
       const Cell cell{x, y};
       if (!passable[cell]) continue;
-      const unsigned jumps = jump_directions(passable.block(cell, 1));
+      const unsigned jumps = jump_directions(passable.block(cell));
       const unsigned stopping =
           stops == Stops::every_corner && jumps != 0 ? kEveryDirection : jumps;
       for (unsigned straight = 0; straight < passing_.size(); ++straight) {
@@ -62,7 +62,7 @@ Cell Rays::end(Cell from, Direction straight) const {
   const BitGrid& passing = passing_[static_cast<std::size_t>(straight) / 2];
   const bool vertical = is_vertical(straight);
   const Cell begin = vertical ? transposed(from) : from;
-  const bool onward = straight == Direction::down || straight == Direction::right;
+  const bool onward = straight == Direction::plus_y || straight == Direction::plus_x;
   const auto row = passing.row_words(begin.y);
   const Cell stop{onward ? next_gap(row, begin.x) : previous_gap(row, begin.x), begin.y};
   return vertical ? transposed(stop) : stop;

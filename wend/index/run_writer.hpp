@@ -43,15 +43,17 @@ class RunWriter {
     const int wide = std::abs(way.x);
     const int high = std::abs(way.y);
     const int diagonal = std::min(wide, high);
-    constexpr Direction kDiagonals[2][2] = {{Direction::up_left, Direction::down_left},
-                                            {Direction::up_right, Direction::down_right}};
+    constexpr Direction kDiagonals[2][2] = {{Direction::minus_x_minus_y, Direction::minus_x_plus_y},
+                                            {Direction::plus_x_minus_y, Direction::plus_x_plus_y}};
     if (diagonal > 0) {
       run(kDiagonals[way.x > 0 ? 1 : 0][way.y > 0 ? 1 : 0], static_cast<std::size_t>(diagonal));
     }
     if (wide > high) {
-      run(way.x > 0 ? Direction::right : Direction::left, static_cast<std::size_t>(wide - high));
+      run(way.x > 0 ? Direction::plus_x : Direction::minus_x,
+          static_cast<std::size_t>(wide - high));
     } else if (high > wide) {
-      run(way.y > 0 ? Direction::down : Direction::up, static_cast<std::size_t>(high - wide));
+      run(way.y > 0 ? Direction::plus_y : Direction::minus_y,
+          static_cast<std::size_t>(high - wide));
     }
   }
 
@@ -70,7 +72,7 @@ class RunWriter {
 
   static constexpr auto kSteps = [] {
     std::array<std::int64_t, kDirections> steps{};
-    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = packed(kDrawnSteps[i]);
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = packed(kDirectionSteps[i]);
     return steps;
   }();
 

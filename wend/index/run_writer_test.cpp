@@ -25,7 +25,7 @@ struct Runs {
       const auto direction = static_cast<Direction>(random.below(kDirections));
       const auto steps = static_cast<std::size_t>(random.between(0, 20));
       runs.push_back({direction, steps});
-      for (std::size_t k = 0; k < steps; ++k) cells.push_back(at = step(at, direction, false));
+      for (std::size_t k = 0; k < steps; ++k) cells.push_back(at = step(at, direction));
     }
   }
 
@@ -56,7 +56,7 @@ TEST(RunWriter, WritesUpwardsAndDownwardsAndNowhereElse) {
 TEST(RunWriter, StopsWhereThereIsNoRoom) {
   std::vector<Cell> written(12, {-1, -1});
   RunWriter<1> writer(written.data(), 10, {5, 5});
-  writer.run(Direction::right, 1000);
+  writer.run(Direction::plus_x, 1000);
   EXPECT_EQ(writer.room(), 0U);
   EXPECT_EQ(written[9], (Cell{15, 5}));
   EXPECT_EQ(written[10], (Cell{-1, -1}));

@@ -13,7 +13,7 @@ ArrivalBoards arrival_boards(const Corners& corners, const JumpBoards& boards) {
   ArrivalBoards::Beginnings beginnings{none, none, none, none};
   for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
     const Cell cell = corners.cell(corner);
-    const unsigned sides = turn_sides(passable.block(cell, 1));
+    const unsigned sides = turn_sides(passable.block(cell));
     rows.set(cell.y, cell.x);
     for (unsigned straight = 0; straight < 4; ++straight) {
       const unsigned turning = sides >> (2 * straight);
@@ -34,7 +34,7 @@ Turns::Turns(const BitGrid& passable)
     const Cell cell = corners_.cell(corner);
     first_.push_back(size());
     const unsigned straights = turning_straights(sides(cell));
-    for (const Direction straight : {down, right, up, left}) {
+    for (const Direction straight : {plus_y, plus_x, minus_y, minus_x}) {
       if ((straights & left_side(straight)) == 0) continue;
       cells_.push_back(cell);
       straights_.push_back(straight);

@@ -21,7 +21,7 @@
 // Subgoal Graphs", 2019.)
 //
 // That gives a directed graph of turns, which is sparse even where corners see many others: a path
-// that arrives in one direction has few ways to go on. Boards have y down: see planner/drawn_cells.hpp.
+// that arrives in one direction has few ways to go on.
 
 #include <array>
 #include <bit>
@@ -43,10 +43,10 @@ constexpr unsigned compute_turn_sides(unsigned block) {
   const auto passable = [block](Cell at) { return (block >> (4 - 3 * at.y + at.x) & 1U) != 0; };
   unsigned sides = 0;
   for (unsigned straight = 0; straight < 4; ++straight) {
-    const Cell ahead = kDrawnSteps[2 * straight];
+    const Cell ahead = kDirectionSteps[2 * straight];
     if (!passable({-ahead.x, -ahead.y})) continue;
     for (const unsigned turn : {1U, 3U}) {
-      const Cell beside = kDrawnSteps[(2 * (straight + turn)) % kDirections];
+      const Cell beside = kDirectionSteps[(2 * (straight + turn)) % kDirections];
       if (!passable(beside) || passable({beside.x - ahead.x, beside.y - ahead.y})) continue;
       sides |= (turn == 1 ? 1U : 2U) << (2 * straight);
     }
@@ -64,7 +64,7 @@ inline constexpr auto kTurnSides = [] {
 
 /// By a set of 8 bits: for each straight direction d/2 whether a path that arrives that way turns
 /// to the next straight direction counter-clockwise (bit d), or clockwise (the bit after). `block`
-/// is BitGrid::block(cell, 1).
+/// is BitGrid::block(cell).
 constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
 
 /// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
@@ -122,13 +122,13 @@ class Turns {
   template <class Visit>
   static void for_each_straight(Visit&& visit) {
     using enum Direction;
-    visit(std::integral_constant<Direction, down>());
-    visit(std::integral_constant<Direction, right>());
-    visit(std::integral_constant<Direction, up>());
-    visit(std::integral_constant<Direction, left>());
+    visit(std::integral_constant<Direction, plus_y>());
+    visit(std::integral_constant<Direction, plus_x>());
+    visit(std::integral_constant<Direction, minus_y>());
+    visit(std::integral_constant<Direction, minus_x>());
   }
 
-  unsigned sides(Cell cell) const { return turn_sides(passable().block(cell, 1)); }
+  unsigned sides(Cell cell) const { return turn_sides(passable().block(cell)); }
 
   std::uint32_t number(Cell cell, unsigned sides, Direction straight) const {
     const unsigned before = turning_straights(sides) & (left_side(straight) - 1);
@@ -156,7 +156,7 @@ template <Direction kStraight, class Visit>
 void Turns::visit_ray(Cell from, CornerCost cost, Visit&& visit) const {
   if ((boards_.moves(from) & set_of(kStraight)) == 0) return;
   const int steps = boards_.distance_to_stop<kStraight>(from);
-  const Cell end = moved(from, kStraight, steps);
+  const Cell end = step(from, kStraight, steps);
   visit(TurnChoice{end, both_sides(kStraight)},
         cost + static_cast<CornerCost>(steps) * kStraightCost);
 }
@@ -166,7 +166,7 @@ void Turns::visit_diagonal(Cell from, Visit&& visit) const {
   CornerCost cost = 0;
   while ((boards_.moves(from) & set_of(kDiagonal)) != 0) {
     const int steps = boards_.distance_to_diagonal_stop<kDiagonal>(from);
-    from = moved(from, kDiagonal, steps);
+    from = step(from, kDiagonal, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
     visit_ray<turned(kDiagonal, -1)>(from, cost, visit);
     visit_ray<turned(kDiagonal, 1)>(from, cost, visit);
@@ -219,7 +219,7 @@ void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) co
   constexpr unsigned kSides = left_side(turned(kDiagonal, -1)) | right_side(turned(kDiagonal, 1));
   while ((boards_.moves(from) & set_of(kBack)) != 0) {
     const int steps = arrivals_.distance_back_on_diagonal<kDiagonal>(from);
-    from = moved(from, kBack, steps);
+    from = step(from, kBack, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
     const bool last = (boards_.moves(from) & set_of(kBack)) == 0;
     if (!last || (sides(from) & kSides) != 0) visit(TurnChoice{from, kSides}, cost);
@@ -235,7 +235,7 @@ void Turns::visit_back(Cell from, Visit&& visit) const {
   // What comes from before a turn of this direction comes through that turn.
   while ((turning & both_sides(kStraight)) == 0) {
     const int steps = arrivals_.distance_back<kStraight>(from);
-    from = moved(from, opposite(kStraight), steps);
+    from = step(from, opposite(kStraight), steps);
     if (!boards_.passable(from)) return;
     cost += static_cast<CornerCost>(steps) * kStraightCost;
     turning = sides(from);

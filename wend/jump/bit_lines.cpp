@@ -50,9 +50,9 @@ BitLines::BitLines(int lines, int length)
       words_per_line_((static_cast<std::size_t>(length) + 2 + kWordBits - 1) / kWordBits),
       words_((static_cast<std::size_t>(lines) + 2) * words_per_line_ + 2 * kSlackWords) {}
 
-BitLines::BitLines(const BitGrid& drawn) : BitLines(drawn.height(), drawn.width()) {
+BitLines::BitLines(const BitGrid& bits) : BitLines(bits.height(), bits.width()) {
   for (int y = 0; y < lines_; ++y) {
-    std::copy_n(drawn.row_words(y).begin(), words_per_line_, words(y).begin());
+    std::copy_n(bits.row_words(y).begin(), words_per_line_, words(y).begin());
   }
 }
 

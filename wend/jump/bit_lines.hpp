@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
@@ -27,8 +28,8 @@ class BitLines {
   /// All bits are zero.
   BitLines(int lines, int length);
 
-  /// The rows of a picture.
-  explicit BitLines(const BitGrid& drawn);
+  /// The rows of a grid.
+  explicit BitLines(const BitGrid& bits);
 
   int lines() const { return lines_; }
   int length() const { return length_; }
@@ -102,7 +103,7 @@ class BitLines {
   /// Lines become places in lines, and the other way round. O(bits), 64 x 64 of them at a time.
   BitLines transposed() const;
 
-  /// A line for each diagonal of the picture whose rows these lines are, and a bit for each row:
+  /// A line for each diagonal of the grid whose rows these lines are, and a bit for each row:
   /// cell (at, line) is bit `line` of the line that diagonal_line() says.
   enum class Diagonals { falling_right, falling_left };
   BitLines diagonals(Diagonals which) const;
@@ -133,10 +134,17 @@ class BitLines {
   std::vector<std::uint64_t> words_;
 };
 
-/// The line of diagonals() that a cell lies on, of a picture with so many rows. Diagonals may begin
+/// The line of diagonals() that a cell lies on, of a grid with so many rows. Diagonals may begin
 /// outside.
 constexpr int diagonal_line(BitLines::Diagonals which, Cell cell, int rows) {
   return which == BitLines::Diagonals::falling_right ? cell.x - cell.y + rows - 1 : cell.x + cell.y;
+}
+
+/// On which lines of cells a diagonal direction runs.
+constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
+  return diagonal == Direction::plus_x_plus_y || diagonal == Direction::minus_x_minus_y
+             ? BitLines::Diagonals::falling_right
+             : BitLines::Diagonals::falling_left;
 }
 
 /// Word i of a line, but of the bits one place before (`at - 1`).

@@ -21,7 +21,7 @@
 //   open.open_for(start, goals);
 //   if (open.contains(open.number(jump_point))) ...
 //
-// Cells are as drawn. Immutable; O(cells) to make, 4 bytes a cell and some a dead end.
+// Immutable; O(cells) to make, 4 bytes a cell and some a dead end.
 
 #include <cstddef>
 #include <cstdint>

@@ -56,7 +56,7 @@ std::vector<double> lengths_from(const BitGrid& cells, Cell start) {
     open.pop();
     if (lengths[number(cell)] >= 0) continue;
     lengths[number(cell)] = length;
-    for (const Cell step : kDrawnSteps) {
+    for (const Cell step : kDirectionSteps) {
       const Cell next{cell.x + step.x, cell.y + step.y};
       if (!cells[next] || !cells[{next.x, cell.y}] || !cells[{cell.x, next.y}]) continue;
       open.push({length + (step.x != 0 && step.y != 0 ? 1.4142135623730951 : 1), next});

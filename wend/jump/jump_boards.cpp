@@ -139,16 +139,16 @@ Grid<DirectionSet> sets_of(const std::array<const BitLines*, kDirections>& board
 
 }  // namespace
 
-JumpBoards::JumpBoards(const BitGrid& drawn) : sight_(drawn) {
+JumpBoards::JumpBoards(const BitGrid& passable) : sight_(passable) {
   using enum Direction;
   std::array<BitLines, 4> row_rays;  // by quarter()
   for (const Direction direction : kStraightDirections) {
-    const bool vertical = direction == down || direction == up;
-    const bool ahead = direction == down || direction == right;
-    const BitLines& passable = vertical ? sight_.columns() : rows();
-    const BitLines jumps = jump_points_along(passable, ahead);
+    const bool vertical = direction == plus_y || direction == minus_y;
+    const bool ahead = direction == plus_y || direction == plus_x;
+    const BitLines& lines = vertical ? sight_.columns() : rows();
+    const BitLines jumps = jump_points_along(lines, ahead);
     BitLines& stops = stops_[quarter(direction)];
-    stops = with_blocked(jumps, passable);
+    stops = with_blocked(jumps, lines);
     const BitLines found = places_with_ray(jumps, stops, ahead);
     row_rays[quarter(direction)] = vertical ? found.transposed() : found;
   }
@@ -179,9 +179,9 @@ BitLines JumpBoards::jump_points() const {
     });
   };
   using enum Direction;
-  const BitLines by_rows = found(rows(), stops_[quarter(right)], stops_[quarter(left)]);
+  const BitLines by_rows = found(rows(), stops_[quarter(plus_x)], stops_[quarter(minus_x)]);
   const BitLines by_columns =
-      found(sight_.columns(), stops_[quarter(down)], stops_[quarter(up)]).transposed();
+      found(sight_.columns(), stops_[quarter(plus_y)], stops_[quarter(minus_y)]).transposed();
   return mapped(rows(), [&](int line, std::size_t i) {
     return by_rows.words(line)[i] | by_columns.words(line)[i];
   });

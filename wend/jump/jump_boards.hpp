@@ -12,14 +12,13 @@
 // ray. A diagonal run is of interest where one of its two straight directions has such a ray, so it
 // stops there, or at its last cell.
 //
-// The boards know cells as drawn, row 0 on top. Immutable. O(cells) to make, some 26 bits a cell.
+// Immutable. O(cells) to make, some 26 bits a cell.
 
 #include <array>
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/jump/bit_lines.hpp"
-#include "wend/jump/drawn_direction.hpp"
 #include "wend/jump/sight.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -28,7 +27,7 @@ namespace wend {
 
 class JumpBoards {
  public:
-  explicit JumpBoards(const BitGrid& drawn);
+  explicit JumpBoards(const BitGrid& passable);
 
   int width() const { return rows().length(); }
   int height() const { return rows().lines(); }
@@ -45,10 +44,10 @@ class JumpBoards {
   template <Direction kStraight>
   int distance_to_stop(Cell from) const {
     const BitLines& stops = stops_[quarter(kStraight)];
-    if constexpr (kStraight == Direction::down) return stops.distance_ahead(from.x, from.y);
-    if constexpr (kStraight == Direction::right) return stops.distance_ahead(from.y, from.x);
-    if constexpr (kStraight == Direction::up) return stops.distance_back(from.x, from.y);
-    if constexpr (kStraight == Direction::left) return stops.distance_back(from.y, from.x);
+    if constexpr (kStraight == Direction::plus_y) return stops.distance_ahead(from.x, from.y);
+    if constexpr (kStraight == Direction::plus_x) return stops.distance_ahead(from.y, from.x);
+    if constexpr (kStraight == Direction::minus_y) return stops.distance_back(from.x, from.y);
+    if constexpr (kStraight == Direction::minus_x) return stops.distance_back(from.y, from.x);
   }
 
   /// The straight directions whose next stop is a jump point, and the diagonal ones in which a step
@@ -61,7 +60,7 @@ class JumpBoards {
   int distance_to_diagonal_stop(Cell from) const {
     const BitLines& stops = diagonal_stops_[quarter(kDiagonal)];
     const int line = diagonal_line(diagonals_along(kDiagonal), from, height());
-    if constexpr (kDiagonal == Direction::down_right || kDiagonal == Direction::down_left) {
+    if constexpr (kDiagonal == Direction::plus_x_plus_y || kDiagonal == Direction::minus_x_plus_y) {
       return stops.distance_ahead(line, from.y);
     } else {
       return stops.distance_back(line, from.y);

@@ -17,13 +17,13 @@ class SlowBoards {
   bool passable(Cell cell) const { return cells_.contains(cell) && cells_[cell]; }
 
   bool legal(Cell cell, Direction direction) const {
-    const Cell next = moved(cell, direction, 1);
+    const Cell next = step(cell, direction, 1);
     return passable(cell) && passable(next) && passable({next.x, cell.y}) &&
            passable({cell.x, next.y});
   }
 
   bool is_jump_point(Cell cell, Direction travel) const {
-    const Cell last = moved(cell, travel, -1);
+    const Cell last = step(cell, travel, -1);
     return passable(cell) && passable(last) &&
            (forced(cell, last, turned(travel, 2)) || forced(cell, last, turned(travel, -2)));
   }
@@ -31,18 +31,18 @@ class SlowBoards {
   int distance_to_stop(Cell cell, Direction travel) const {
     int distance = 1;
     for (;; ++distance) {
-      const Cell next = moved(cell, travel, distance);
+      const Cell next = step(cell, travel, distance);
       if (!passable(next) || is_jump_point(next, travel)) return distance;
     }
   }
 
   bool has_ray(Cell cell, Direction travel) const {
-    return passable(moved(cell, travel, distance_to_stop(cell, travel)));
+    return passable(step(cell, travel, distance_to_stop(cell, travel)));
   }
 
   int distance_to_diagonal_stop(Cell cell, Direction travel) const {
     for (int distance = 1;; ++distance) {
-      const Cell at = moved(cell, travel, distance);
+      const Cell at = step(cell, travel, distance);
       if (has_ray(at, turned(travel, 1)) || has_ray(at, turned(travel, -1)) || !legal(at, travel)) {
         return distance;
       }
@@ -51,7 +51,7 @@ class SlowBoards {
 
  private:
   bool forced(Cell cell, Cell last, Direction side) const {
-    return passable(moved(cell, side, 1)) && !passable(moved(last, side, 1));
+    return passable(step(cell, side, 1)) && !passable(step(last, side, 1));
   }
 
   const BitGrid& cells_;
@@ -94,14 +94,14 @@ TEST(JumpBoards, SayWhatTheDefinitionsSay) {
         if (!cells[{x, y}]) continue;
         SCOPED_TRACE("map " + std::to_string(map) + ", cell " + std::to_string(x) + ',' +
                      std::to_string(y));
-        expect_same_run<Direction::down>(boards, slow, {x, y});
-        expect_same_run<Direction::right>(boards, slow, {x, y});
-        expect_same_run<Direction::up>(boards, slow, {x, y});
-        expect_same_run<Direction::left>(boards, slow, {x, y});
-        expect_same_diagonal<Direction::down_right>(boards, slow, {x, y});
-        expect_same_diagonal<Direction::up_right>(boards, slow, {x, y});
-        expect_same_diagonal<Direction::up_left>(boards, slow, {x, y});
-        expect_same_diagonal<Direction::down_left>(boards, slow, {x, y});
+        expect_same_run<Direction::plus_y>(boards, slow, {x, y});
+        expect_same_run<Direction::plus_x>(boards, slow, {x, y});
+        expect_same_run<Direction::minus_y>(boards, slow, {x, y});
+        expect_same_run<Direction::minus_x>(boards, slow, {x, y});
+        expect_same_diagonal<Direction::plus_x_plus_y>(boards, slow, {x, y});
+        expect_same_diagonal<Direction::plus_x_minus_y>(boards, slow, {x, y});
+        expect_same_diagonal<Direction::minus_x_minus_y>(boards, slow, {x, y});
+        expect_same_diagonal<Direction::minus_x_plus_y>(boards, slow, {x, y});
       }
     }
   }

@@ -40,12 +40,12 @@ std::uint8_t JumpGraph::forced_at(Cell cell) const {
   unsigned forced = 0;
   for (unsigned arrival = 0; arrival < kArrivals; ++arrival) {
     const auto ahead = static_cast<Direction>(2 * arrival);
-    const Cell last = moved(cell, ahead, -1);
+    const Cell last = step(cell, ahead, -1);
     if (!boards_->passable(last)) continue;
     for (const int eighths : {2, -2}) {
       const Direction side = turned(ahead, eighths);
-      const bool open = boards_->passable(moved(cell, side, 1));
-      if (!open || boards_->passable(moved(last, side, 1))) continue;
+      const bool open = boards_->passable(step(cell, side, 1));
+      if (!open || boards_->passable(step(last, side, 1))) continue;
       forced |= (eighths > 0 ? 1U : 2U) << (2 * arrival);
     }
   }

@@ -33,7 +33,7 @@ class Jump {
   constexpr Jump(std::uint32_t number, unsigned arrival) : code_(number << 2U | arrival) {}
 
   constexpr std::uint32_t number() const { return code_ >> 2U; }
-  /// 0 to 3 for down, right, up and left.
+  /// 0 to 3 for +y, +x, -y and -x.
   constexpr unsigned arrival() const { return code_ & 3U; }
   /// Both in one number, below 2^31.
   constexpr std::uint32_t code() const { return code_; }
@@ -118,7 +118,7 @@ inline std::uint32_t JumpGraph::number_of(Cell cell) const {
 
 template <Direction kStraight>
 Jump JumpGraph::shoot(Cell from) const {
-  const Cell stop = moved(from, kStraight, boards_->distance_to_stop<kStraight>(from));
+  const Cell stop = step(from, kStraight, boards_->distance_to_stop<kStraight>(from));
   return {number_of(stop), static_cast<unsigned>(quarter(kStraight))};
 }
 
@@ -130,7 +130,7 @@ bool JumpGraph::sweep(Cell from, Visit& visit) const {
   Cell at = from;
   DirectionSet moves = 0;
   do {
-    at = moved(at, kDiagonal, boards_->distance_to_diagonal_stop<kDiagonal>(at));
+    at = step(at, kDiagonal, boards_->distance_to_diagonal_stop<kDiagonal>(at));
     moves = boards_->moves(at);
     if ((moves & set_of(kOne)) != 0 && !visit(shoot<kOne>(at))) return false;
     if ((moves & set_of(kOther)) != 0 && !visit(shoot<kOther>(at))) return false;
@@ -142,14 +142,14 @@ template <class Visit>
 void JumpGraph::visit_jumps(Cell from, DirectionSet directions, Visit&& visit) const {
   using enum Direction;
   directions &= boards_->moves(from);
-  if ((directions & set_of(down)) != 0 && !visit(shoot<down>(from))) return;
-  if ((directions & set_of(right)) != 0 && !visit(shoot<right>(from))) return;
-  if ((directions & set_of(up)) != 0 && !visit(shoot<up>(from))) return;
-  if ((directions & set_of(left)) != 0 && !visit(shoot<left>(from))) return;
-  if ((directions & set_of(down_right)) != 0 && !sweep<down_right>(from, visit)) return;
-  if ((directions & set_of(up_right)) != 0 && !sweep<up_right>(from, visit)) return;
-  if ((directions & set_of(up_left)) != 0 && !sweep<up_left>(from, visit)) return;
-  if ((directions & set_of(down_left)) != 0) sweep<down_left>(from, visit);
+  if ((directions & set_of(plus_y)) != 0 && !visit(shoot<plus_y>(from))) return;
+  if ((directions & set_of(plus_x)) != 0 && !visit(shoot<plus_x>(from))) return;
+  if ((directions & set_of(minus_y)) != 0 && !visit(shoot<minus_y>(from))) return;
+  if ((directions & set_of(minus_x)) != 0 && !visit(shoot<minus_x>(from))) return;
+  if ((directions & set_of(plus_x_plus_y)) != 0 && !sweep<plus_x_plus_y>(from, visit)) return;
+  if ((directions & set_of(plus_x_minus_y)) != 0 && !sweep<plus_x_minus_y>(from, visit)) return;
+  if ((directions & set_of(minus_x_minus_y)) != 0 && !sweep<minus_x_minus_y>(from, visit)) return;
+  if ((directions & set_of(minus_x_plus_y)) != 0) sweep<minus_x_plus_y>(from, visit);
 }
 
 }  // namespace wend

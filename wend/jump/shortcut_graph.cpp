@@ -80,20 +80,20 @@ void ShortcutGraph::look_around(Jump jump, CoarseBox& seen) const {
   const Cell from = jumps_->cell(jump.number());
   const DirectionSet directions = jumps_->directions(jump);
   seen.include(raster_.place(from));
-  if ((directions & set_of(down)) != 0) look_ahead<down>(from, seen);
-  if ((directions & set_of(right)) != 0) look_ahead<right>(from, seen);
-  if ((directions & set_of(up)) != 0) look_ahead<up>(from, seen);
-  if ((directions & set_of(left)) != 0) look_ahead<left>(from, seen);
-  if ((directions & set_of(down_right)) != 0) look_along_diagonal<down_right>(from, seen);
-  if ((directions & set_of(up_right)) != 0) look_along_diagonal<up_right>(from, seen);
-  if ((directions & set_of(up_left)) != 0) look_along_diagonal<up_left>(from, seen);
-  if ((directions & set_of(down_left)) != 0) look_along_diagonal<down_left>(from, seen);
+  if ((directions & set_of(plus_y)) != 0) look_ahead<plus_y>(from, seen);
+  if ((directions & set_of(plus_x)) != 0) look_ahead<plus_x>(from, seen);
+  if ((directions & set_of(minus_y)) != 0) look_ahead<minus_y>(from, seen);
+  if ((directions & set_of(minus_x)) != 0) look_ahead<minus_x>(from, seen);
+  if ((directions & set_of(plus_x_plus_y)) != 0) look_along_diagonal<plus_x_plus_y>(from, seen);
+  if ((directions & set_of(plus_x_minus_y)) != 0) look_along_diagonal<plus_x_minus_y>(from, seen);
+  if ((directions & set_of(minus_x_minus_y)) != 0) look_along_diagonal<minus_x_minus_y>(from, seen);
+  if ((directions & set_of(minus_x_plus_y)) != 0) look_along_diagonal<minus_x_plus_y>(from, seen);
 }
 
 template <Direction kStraight>
 void ShortcutGraph::look_ahead(Cell from, CoarseBox& seen) const {
   const int steps = jumps_->boards().distance_to_stop<kStraight>(from);
-  seen.include(raster_.place(moved(from, kStraight, steps)));
+  seen.include(raster_.place(step(from, kStraight, steps)));
 }
 
 /// A long diagonal is not gone along to its end: all that lies that way may be seen.
@@ -103,11 +103,11 @@ void ShortcutGraph::look_along_diagonal(Cell from, CoarseBox& seen) const {
   const JumpBoards& boards = jumps_->boards();
   for (int steps = 0; steps < kLongest; ++steps) {
     if ((boards.moves(from) & set_of(kDiagonal)) == 0) return;
-    from = moved(from, kDiagonal, 1);
+    from = step(from, kDiagonal, 1);
     look_ahead<turned(kDiagonal, -1)>(from, seen);
     look_ahead<turned(kDiagonal, 1)>(from, seen);
   }
-  seen.include(raster_.place(moved(from, kDiagonal, boards.width() + boards.height())));
+  seen.include(raster_.place(step(from, kDiagonal, boards.width() + boards.height())));
 }
 
 }  // namespace wend

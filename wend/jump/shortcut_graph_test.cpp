@@ -85,7 +85,7 @@ class Map {
     const int right = (goal.x > from.x) - (goal.x < from.x);
     const int down = (goal.y > from.y) - (goal.y < from.y);
     for (unsigned i = 0; i < kDirections; ++i) {
-      if (kDrawnSteps[i] == Cell{right, down}) {
+      if (kDirectionSteps[i] == Cell{right, down}) {
         return (jumps_->directions(jump) & set_of(static_cast<Direction>(i))) != 0;
       }
     }

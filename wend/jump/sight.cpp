@@ -26,7 +26,7 @@ BitLines squares_of(const BitLines& rows) {
 
 }  // namespace
 
-Sight::Sight(const BitGrid& drawn) : rows_(drawn), columns_(rows_.transposed()) {
+Sight::Sight(const BitGrid& passable) : rows_(passable), columns_(rows_.transposed()) {
   const BitLines squares = squares_of(rows_);
   falling_right_ = squares.diagonals(falling_right);
   falling_left_ = squares.diagonals(falling_left);

@@ -5,7 +5,7 @@
 //
 // A few words of bits a question: along rows and columns the passable cells, along both diagonals
 // the squares of 2 x 2 passable cells, for a diagonal step that cuts no corner needs all four.
-// Cells are as drawn. Immutable.
+// Immutable.
 
 #include "wend/geometry/cell.hpp"
 #include "wend/jump/bit_lines.hpp"
@@ -16,7 +16,7 @@ namespace wend {
 class Sight {
  public:
   /// O(cells); half a byte a cell, and a fourth of a byte for each in a square around the map.
-  explicit Sight(const BitGrid& drawn);
+  explicit Sight(const BitGrid& passable);
 
   /// The passable cells, by rows and by columns.
   const BitLines& rows() const { return rows_; }

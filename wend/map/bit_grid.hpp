@@ -42,9 +42,9 @@ class BitGrid {
   }
 
   /// The 3 x 3 block around a cell: bits 0 to 2 are its left, middle and right cell in row
-  /// y + down, bits 3 to 5 in row y, bits 6 to 8 in row y - down. `down` is 1 or -1. O(1).
-  unsigned block(Cell cell, int down) const {
-    assert(contains(cell) && (down == 1 || down == -1));
+  /// y + 1, bits 3 to 5 in row y, bits 6 to 8 in row y - 1. O(1).
+  unsigned block(Cell cell) const {
+    assert(contains(cell));
     const auto x = static_cast<std::size_t>(cell.x);  // the bit of x-1: bit 0 is the border
     const auto row_bytes = static_cast<std::ptrdiff_t>(8 * words_per_row_);
     const unsigned char* const middle =
@@ -54,8 +54,7 @@ class BitGrid {
       std::memcpy(&bits, bytes, sizeof bits);
       return (static_cast<unsigned>(bits) >> shift) & 7U;
     };
-    return three(middle + down * row_bytes) | three(middle) << 3U |
-           three(middle - down * row_bytes) << 6U;
+    return three(middle + row_bytes) | three(middle) << 3U | three(middle - row_bytes) << 6U;
   }
 
   /// The words of a row, -1 and height included. Cell x is bit x+1 of them; all bits outside the

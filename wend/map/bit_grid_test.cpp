@@ -54,17 +54,15 @@ TEST_P(BitGridOfWidth, ReadsTheBlockAroundACellAtOnce) {
     Random random(seed);
     const BitGrid bits = test::random_bits(random, width, height, random.uniform());
     for (const Cell cell : test::all_cells(width, height)) {
-      for (const int down : {1, -1}) {
-        unsigned expected = 0;
-        unsigned bit = 1;
-        for (const int dy : {down, 0, -down}) {
-          for (const int dx : {-1, 0, 1}) {
-            if (bits[{cell.x + dx, cell.y + dy}]) expected |= bit;
-            bit *= 2;
-          }
+      unsigned expected = 0;
+      unsigned bit = 1;
+      for (const int dy : {1, 0, -1}) {
+        for (const int dx : {-1, 0, 1}) {
+          if (bits[{cell.x + dx, cell.y + dy}]) expected |= bit;
+          bit *= 2;
         }
-        ASSERT_EQ(bits.block(cell, down), expected) << cell.x << "," << cell.y << " " << down;
       }
+      ASSERT_EQ(bits.block(cell), expected) << cell.x << "," << cell.y;
     }
   }
 }

@@ -46,7 +46,7 @@ TEST(PathMetrics, TurningBackIsHalfATurn) {
 TEST(PathMetrics, TurningOnceAroundIsAFullTurn) {
   std::vector<Cell> cells{{10, 10}};
   for (int i = 0; i <= kDirections; ++i) {
-    cells.push_back(step(cells.back(), static_cast<Direction>(i % kDirections), false));
+    cells.push_back(step(cells.back(), static_cast<Direction>(i % kDirections)));
   }
   EXPECT_NEAR(turning(cells), 2 * kPi, 1e-12);
 }

@@ -18,7 +18,7 @@ std::vector<Cell> any_walk(int steps) {
   std::vector<Cell> cells{{*rc::gen::inRange(-50, 50), *rc::gen::inRange(-50, 50)}};
   for (int i = 0; i < steps; ++i) {
     const auto direction = static_cast<Direction>(*rc::gen::inRange(0, kDirections));
-    cells.push_back(step(cells.back(), direction, false));
+    cells.push_back(step(cells.back(), direction));
   }
   return cells;
 }

@@ -34,13 +34,13 @@ struct FreeWalk {
   Path walk() {
     Path way({test::random_cell(random, map.width(), map.height())});
     if (!is_free(way)) return way;
-    auto direction = Direction::right;
+    auto direction = Direction::plus_x;
     for (int i = random.between(0, 80); i > 0; --i) {
       if (random.chance(0.3)) {
         direction = static_cast<Direction>(random.between(0, kDirections - 1));
       }
       Path longer = way;
-      longer.append(step(way.cells().back(), direction, false));
+      longer.append(step(way.cells().back(), direction));
       if (is_free(longer)) way = longer;
     }
     return random.chance(0.5) ? way : shaken(way);

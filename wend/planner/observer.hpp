@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/direction.hpp"
 
 namespace wend {
 

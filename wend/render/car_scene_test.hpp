@@ -11,12 +11,12 @@
 namespace wend {
 
 /// The poses after some moves.
-inline Path driven(CornerPose from, const std::vector<CarMove>& moves, bool y_up, int unit = 1) {
+inline Path driven(CornerPose from, const std::vector<CarMove>& moves, int unit = 1) {
   Path path;
-  path.drive_to(pose_of(from, y_up));
+  path.drive_to(pose_of(from));
   for (const CarMove move : moves) {
-    from = moved(from, move, y_up, unit);
-    path.drive_to(pose_of(from, y_up));
+    from = moved(from, move, unit);
+    path.drive_to(pose_of(from));
   }
   return path;
 }

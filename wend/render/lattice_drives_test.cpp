@@ -114,7 +114,7 @@ Scene random_drive(bool y_up) {
   for (const int number : numbers) moves.push_back(static_cast<CarMove>(number));
   const CornerPose from{{*rc::gen::inRange(0, width + 1), *rc::gen::inRange(0, height + 1)},
                         static_cast<Heading>(*rc::gen::inRange(0, kHeadings))};
-  return car_on(FreeSpace(GridMap(cells, {.y_up = y_up}, terrain)), driven(from, moves, y_up));
+  return car_on(FreeSpace(GridMap(cells, {.y_up = y_up}, terrain)), driven(from, moves));
 }
 
 RC_GTEST_PROP(LatticePicture, IsUpsideDownForAMapUpsideDown, ()) {

@@ -21,7 +21,7 @@ TEST(Legend, ExplainsAllThatOccurs) {
   scene.goals = {centre_of({4, 0})};
   scene.path = Path({{3, 0}, {4, 0}});
   scene.narrowest = centre_of({3, 0});
-  scene.arrows.emplace(7, 1, Direction::left);
+  scene.arrows.emplace(7, 1, Direction::minus_x);
   scene.heatmap = {"cost", Grid<double>(7, 1, 3.0)};
   scene.marked = {{CellRole::frontier, marked_of({"....*.."}, '*')},
                   {CellRole::expanded, marked_of({"...*..."}, '*')}};

@@ -39,7 +39,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/geometry/direction.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/free_space.hpp"
@@ -89,7 +89,7 @@ struct SceneLine {
   std::string label{};  // as the legend calls it; empty: as describe() does
 };
 
-/// Which way to move from a cell, as drawn. As large as the map.
+/// Which way to move from a cell. As large as the map.
 using ArrowField = Grid<std::optional<Direction>>;
 
 /// A start or a goal, in grid coordinates; of some, a heading matters too.
@@ -132,8 +132,9 @@ struct RowOrder {
   /// How far below the top edge a grid coordinate lies.
   double down(double y) const { return y_up ? rows - y : y; }
 
-  /// The direction nearest to a heading, as drawn.
-  Direction direction(double heading) const { return nearest_direction(heading, y_up); }
+  /// A direction, or the one nearest to a heading, as drawn: where y grows downwards.
+  Direction direction(Direction in_grid) const { return on_page(in_grid, {.y_up = y_up}); }
+  Direction direction(double heading) const { return direction(nearest_direction(heading)); }
 };
 
 inline RowOrder row_order(const FreeSpace& space) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -15,7 +16,7 @@ Json json_of_start(const FieldStart& from, const Frame& frame) {
   return json;
 }
 
-Json json_of_grid(const CostToGo& field) {
+Json json_of_grid(const CostToGo& field, const Frame& frame) {
   const Grid<double>& costs = field.costs();
   Grid<std::optional<Direction>> policy(costs.width(), costs.height());
   for (int y = 0; y < costs.height(); ++y) {
@@ -24,7 +25,7 @@ Json json_of_grid(const CostToGo& field) {
   return {{"width", costs.width()},
           {"height", costs.height()},
           {"costs", json_of(costs)},
-          {"policy", json_of(policy)}};
+          {"policy", json_of(policy, frame)}};
 }
 
 Json json_of(const WidestPath& widest, const Frame& frame) {
@@ -56,11 +57,11 @@ std::string field_json(const FieldReport& report, const Frame& frame, const Cost
   json["times"] = json_of(report.times);
   Json& starts = json["starts"] = Json::array();
   for (const FieldStart& start : report.starts) starts.push_back(json_of_start(start, frame));
-  if (grid != nullptr) json["grid"] = json_of_grid(*grid);
+  if (grid != nullptr) json["grid"] = json_of_grid(*grid, frame);
   return text_of(json);
 }
 
-std::string field_csv(const CostToGo& field) {
+std::string field_csv(const CostToGo& field, const Frame& frame) {
   const Grid<double>& costs = field.costs();
   std::string csv = "x,y,cost,move\n";
   for (int y = 0; y < costs.height(); ++y) {
@@ -70,7 +71,7 @@ std::string field_csv(const CostToGo& field) {
       csv += std::to_string(x) + "," + std::to_string(y) + ",";
       if (std::isfinite(cost)) csv += format_number(cost);
       csv += ",";
-      if (move) csv += to_string(*move);
+      if (move) csv += name_of(*move, frame);
       csv += "\n";
     }
   }

@@ -29,13 +29,13 @@ struct FieldReport {
 /// {"schema", "goals", "status", "metrics", "times", "starts": [{"start", "status", "cost", "length_cells",
 /// "length_m", "path", "path_m"}], "grid": {"width", "height", "costs", "policy"}}. The grid is
 /// there where a field is given: a list for every row, row 0 first; null where there is no path,
-/// and, in the policy, in a goal. Moves have the names of the directions as drawn ("up_left"). One
+/// and, in the policy, in a goal. Moves have the names of directions on a page ("up_left"). One
 /// line.
 std::string field_json(const FieldReport& report, const Frame& frame, const CostToGo* grid);
 
 /// x,y,cost,move for every cell; cost and move are empty where there is no path, the move in a
 /// goal.
-std::string field_csv(const CostToGo& field);
+std::string field_csv(const CostToGo& field, const Frame& frame);
 
 /// Why there is no path:
 ///

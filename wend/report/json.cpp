@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 
 namespace wend {
 namespace {
@@ -18,7 +18,7 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
   for (const Pose& pose : plan.path.poses()) {
     const Pose in_map = frame.to_metres(pose);
     corners.push_back(json_of(pose.point()));
-    headings.push_back(json_of_heading(pose.heading, frame.y_up));
+    headings.push_back(json_of_heading(pose.heading, frame));
     metres.push_back(Json::array({in_map.x, in_map.y}));
     yaws.push_back(in_map.heading);
   }
@@ -39,9 +39,9 @@ Json json_of(Point point) {
   return Json::array({number(point.x), number(point.y)});
 }
 
-Json json_of_heading(double radians, bool y_up) {
-  const auto heading = exact_heading(radians, y_up);
-  return heading ? Json(to_string(*heading)) : Json(radians);
+Json json_of_heading(double radians, const Frame& frame) {
+  const auto heading = exact_heading(radians);
+  return heading ? Json(letter_of(*heading, frame)) : Json(radians);
 }
 
 Json json_of(const std::vector<Point>& points) {
@@ -67,12 +67,12 @@ Json json_of(const Grid<double>& numbers) {
   return rows;
 }
 
-Json json_of(const Grid<std::optional<Direction>>& directions) {
+Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame) {
   Json rows = Json::array();
   for (int y = 0; y < directions.height(); ++y) {
     Json& row = rows.emplace_back(Json::array());
     for (const auto& direction : directions.row(y)) {
-      row.push_back(direction ? Json(to_string(*direction)) : Json());
+      row.push_back(direction ? Json(name_of(*direction, frame)) : Json());
     }
   }
   return rows;

@@ -34,8 +34,8 @@ Json json_of(Point point);
 /// [[x, y], ...], all as numbers with a fraction.
 Json json_of(const std::vector<Point>& points);
 
-/// "E" of one of the four headings, else radians.
-Json json_of_heading(double radians, bool y_up);
+/// "E" of one of the four headings, else radians in grid coordinates.
+Json json_of_heading(double radians, const Frame& frame);
 
 /// [[x, y], ...]
 Json json_of(std::span<const Cell> cells);
@@ -44,7 +44,7 @@ Json json_of(std::span<const Cell> cells);
 Json json_of(const Grid<double>& numbers);
 
 /// The same of directions, by name; null where there is none.
-Json json_of(const Grid<std::optional<Direction>>& directions);
+Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame);
 
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
 Json json_of(const OptionInfo& option);

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/car_move.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/report/json.hpp"
 
 namespace wend {
@@ -43,30 +42,30 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   json["times"] = json_of(result.times);
   for (const Layer& layer : layers) {
     json["layers"][std::string(choice_name(layer.kind))] =
-        layer.numbers.empty() ? json_of(layer.arrows) : json_of(layer.numbers);
+        layer.numbers.empty() ? json_of(layer.arrows, frame) : json_of(layer.numbers);
   }
   return text_of(json);
 }
 
-std::string corner_pose_text(const Pose& pose, bool y_up) {
-  return fmt::format("({},{},{})", pose.x, pose.y, to_string(nearest_heading(pose.heading, y_up)));
+std::string corner_pose_text(const Pose& pose, const Frame& frame) {
+  return fmt::format("({},{},{})", pose.x, pose.y, letter_of(nearest_heading(pose.heading), frame));
 }
 
-std::string drive_commands(const Plan& plan, bool y_up) {
+std::string drive_commands(const Plan& plan, const Frame& frame) {
   if (plan.path.empty()) return {};
   const std::vector<Pose> poses = plan.path.poses();
   assert(plan.path.driven() && plan.moves.size() + 1 == poses.size());
-  std::string text = "Start " + corner_pose_text(poses.front(), y_up) + "\n";
+  std::string text = "Start " + corner_pose_text(poses.front(), frame) + "\n";
   for (std::size_t i = 0; i < plan.moves.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "Go {} -> {}\n", plan.moves[i],
-                   corner_pose_text(poses[i + 1], y_up));
+                   corner_pose_text(poses[i + 1], frame));
   }
   return text;
 }
 
 std::size_t steps_in_reverse(const Plan& plan) {
   const auto count = std::ranges::count_if(plan.moves, [](std::string_view name) {
-    const auto move = car_move_from_string(name);
+    const auto move = parse_car_move(name);
     return move && is_reverse(*move);
   });
   return static_cast<std::size_t>(count);

@@ -28,7 +28,7 @@
 //    "steps_in_reverse": 0, "turning_radius_cells": 1, "turning_radius_m": 0.05, "states": 1600,
 //    "metrics": {...}, "times": {...}}
 //
-// `path` are then corners of the map, `headings` N, W, E or S as drawn (a pose that faces elsewhere
+// `path` are then corners of the map, `headings` N, W, E or S on a page (a pose that faces elsewhere
 // has its angle instead, in radians from +x towards +y of the grid), `moves` and `steps` what joins
 // them, one fewer. `path_m` are the same points in the map's frame and `yaw` the headings there,
 // radians counter-clockwise from its +x. The shifts say how far the corners and headings are from
@@ -36,7 +36,7 @@
 // the shifts null.
 //
 // Layers, where they are given, follow as "layers": {"g": [[0,1,...],...]}, a
-// list for every row, row 0 first: numbers, or names of directions as drawn ("up_left"); null where
+// list for every row, row 0 first: numbers, or names of directions on a page ("up_left"); null where
 // there is nothing.
 
 // As text, a car's plan is what a driver is told to do: a line for the start, then one for each move with
@@ -91,11 +91,11 @@ std::string plan_json(const PlanResult& result, const Frame& frame,
                       std::span<const Layer> layers = {});
 
 /// "(2,1,S)": grid coordinates, and the nearest of the four headings.
-std::string corner_pose_text(const Pose& pose, bool y_up);
+std::string corner_pose_text(const Pose& pose, const Frame& frame);
 
 /// Of a driven plan, whose moves have names, in grid coordinates; empty if there is no path. Each
 /// line has its line end.
-std::string drive_commands(const Plan& plan, bool y_up);
+std::string drive_commands(const Plan& plan, const Frame& frame);
 
 /// How many of a driven plan's moves go backwards.
 std::size_t steps_in_reverse(const Plan& plan);

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/io/path/load_path.hpp"
 
 namespace wend {
@@ -111,10 +111,10 @@ RC_GTEST_PROP(PlanJson, OfADriveIsReadAsTheSamePath, (bool y_up)) {
   PlanResult result{.planner = "car", .plan = {}, .reason = {}};
   result.motion = Motion::car;
   CornerPose place{{*rc::gen::inRange(100, 1 << 20), 1000000}, *rc::gen::elementOf(kAllHeadings)};
-  result.plan.path.drive_to(pose_of(place, y_up));
+  result.plan.path.drive_to(pose_of(place));
   for (int moves = *rc::gen::inRange(0, 40); moves > 0; --moves) {
-    place = moved(place, static_cast<CarMove>(*rc::gen::inRange(0, kCarMoves)), y_up);
-    result.plan.path.drive_to(pose_of(place, y_up));
+    place = moved(place, static_cast<CarMove>(*rc::gen::inRange(0, kCarMoves)));
+    result.plan.path.drive_to(pose_of(place));
   }
   const auto path = parse_path_json(plan_json(result, frame), "plan.json", frame);
   RC_ASSERT(path.has_value());
@@ -140,21 +140,24 @@ TEST(PlanJson, StaysUtf8WhateverTheReasonHolds) {
   EXPECT_EQ(json::parse(plan_json(result, kPlanFrame)).at("reason"), "\xef\xbf\xbd!");
 }
 
-Plan driven(CornerPose place, const std::vector<CarMove>& moves, bool y_up, int unit = 1) {
+constexpr Frame kYDown{};
+constexpr Frame kYUp{.y_up = true};
+
+Plan driven(CornerPose place, const std::vector<CarMove>& moves, const Frame& frame, int unit = 1) {
   Plan plan;
-  plan.path.drive_to(pose_of(place, y_up));
+  plan.path.drive_to(pose_of(place));
   for (const CarMove move : moves) {
-    place = moved(place, move, y_up, unit);
-    plan.path.drive_to(pose_of(place, y_up));
-    plan.moves.push_back(to_string(move));
+    place = moved(place, move, unit);
+    plan.path.drive_to(pose_of(place));
+    plan.moves.push_back(name_of(move, frame));
   }
   return plan;
 }
 
 TEST(DriveCommands, AreTheStartAndALineForEachMove) {
-  const Plan plan =
-      driven({{1, 0}, Heading::east}, {CarMove::fwd_right, CarMove::fwd, CarMove::rev_left}, false);
-  EXPECT_EQ(drive_commands(plan, false),
+  const Plan plan = driven({{1, 0}, Heading::plus_x},
+                           {CarMove::fwd_plus, CarMove::fwd, CarMove::rev_minus}, kYDown);
+  EXPECT_EQ(drive_commands(plan, kYDown),
             "Start (1,0,E)\n"
             "Go FWD_RIGHT -> (2,1,S)\n"
             "Go FWD -> (2,2,S)\n"
@@ -162,19 +165,20 @@ TEST(DriveCommands, AreTheStartAndALineForEachMove) {
 }
 
 TEST(DriveCommands, SayTheSameOfTheSameDriveWithYUp) {
-  const Plan plan = driven({{10, 10}, Heading::east}, {CarMove::fwd_right, CarMove::fwd}, true, 5);
-  EXPECT_EQ(drive_commands(plan, true),
+  const Plan plan =
+      driven({{10, 10}, Heading::plus_x}, {CarMove::fwd_minus, CarMove::fwd}, kYUp, 5);
+  EXPECT_EQ(drive_commands(plan, kYUp),
             "Start (10,10,E)\n"
             "Go FWD_RIGHT -> (15,5,S)\n"
             "Go FWD -> (15,0,S)\n");
 }
 
 TEST(DriveCommands, OfACarThatIsThereAreTheStart) {
-  EXPECT_EQ(drive_commands(driven({{1000000, 0}, Heading::north}, {}, false), false),
+  EXPECT_EQ(drive_commands(driven({{1000000, 0}, Heading::minus_y}, {}, kYDown), kYDown),
             "Start (1000000,0,N)\n");
 }
 
-TEST(DriveCommands, OfNothingAreNone) { EXPECT_EQ(drive_commands({}, false), ""); }
+TEST(DriveCommands, OfNothingAreNone) { EXPECT_EQ(drive_commands({}, kYDown), ""); }
 
 }  // namespace
 }  // namespace wend

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/map/joined_rows.hpp"
 
 namespace wend {
@@ -139,7 +139,7 @@ PosthocTrace::PosthocTrace(const FreeSpace& space, int unit, TraceForm form,
       unit_(unit),
       width_(space.width() + (unit > 0 ? 1 : 0)),
       height_(space.height() + (unit > 0 ? 1 : 0)),
-      y_up_(space.map().frame().y_up),
+      frame_(space.map().frame()),
       room_(most_events),
       text_(form, unit) {
   put_map(space);
@@ -176,7 +176,7 @@ void PosthocTrace::put_map(const FreeSpace& space) {
   if (!rectangles || rectangles->empty()) return;
   std::string blocked = "[";
   for (const Rectangle& cells : *rectangles) {
-    const int top = y_up_ ? map_height_ - cells.y - cells.height : cells.y;
+    const int top = frame_.y_up ? map_height_ - cells.y - cells.height : cells.y;
     fmt::format_to(std::back_inserter(blocked), "{}[{},{},{},{}]", blocked.size() > 1 ? "," : "",
                    cells.x, top, cells.width, cells.height);
   }
@@ -198,7 +198,7 @@ std::uint64_t PosthocTrace::number(const Place& place) const {
 
 /// Where a car in that pose is on its lattice.
 std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) const {
-  const auto nearest = nearest_corner_pose(pose, y_up_, unit_);
+  const auto nearest = nearest_corner_pose(pose, unit_);
   if (!nearest) return std::nullopt;
   return Place{nearest->corner, nearest->heading};
 }
@@ -269,8 +269,9 @@ void PosthocTrace::put_end(std::string_view type, const Place& place) {
 void PosthocTrace::put_event(std::string_view type, const Place& place, std::uint64_t id) {
   text_.begin_event(type, std::to_string(id));
   text_.put("x", static_cast<std::uint64_t>(place.cell.x));
-  text_.put("y", static_cast<std::uint64_t>(y_up_ ? height_ - 1 - place.cell.y : place.cell.y));
-  if (place.heading) text_.put("heading", fmt::format("\"{}\"", to_string(*place.heading)));
+  text_.put("y",
+            static_cast<std::uint64_t>(frame_.y_up ? height_ - 1 - place.cell.y : place.cell.y));
+  if (place.heading) text_.put("heading", fmt::format("\"{}\"", letter_of(*place.heading, frame_)));
 }
 
 void PosthocTrace::put_event(std::string_view type, const SearchEvent& event, Node& node) {

@@ -32,7 +32,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/geometry/frame.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
@@ -125,7 +126,7 @@ class PosthocTrace final : public SearchObserver {
   int unit_;   // 0: cells
   int width_;  // of the places: cells, or corners
   int height_;
-  bool y_up_;
+  Frame frame_;
   std::uint64_t room_;  // how many more events may be kept
   std::uint64_t dropped_ = 0;
   std::unordered_map<std::uint64_t, Node> nodes_;  // by the number of the place

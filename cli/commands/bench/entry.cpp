@@ -11,7 +11,6 @@
 #include "wend/base/thread_workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -84,7 +83,7 @@ std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files) {
 }
 
 bool is_for(const GivenIndex& index, const FreeSpace& space) {
-  return index.header.map_hash == map_hash(drawn_passable(space));
+  return index.header.map_hash == map_hash(space.passable());
 }
 
 BenchEntry::BenchEntry(PlannerSpec spec, const PlannerInfo& info)

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "wend/base/thread_time.hpp"
-#include "wend/geometry/car_move.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend_ros {
@@ -50,7 +49,7 @@ wend::Expected<wend::Pose, std::string> pose_of(const CarPose& pose, const char*
                  std::to_string(pose.d));
   }
   const wend::CornerPose corner{{pose.x, pose.y}, static_cast<wend::Heading>(pose.d)};
-  return wend::pose_of(corner, false);
+  return wend::pose_of(corner);
 }
 
 void put_plan(CarResult& result, const wend::Plan& plan) {
@@ -58,10 +57,10 @@ void put_plan(CarResult& result, const wend::Plan& plan) {
     CarPose& stop = result.path.emplace_back();
     stop.x = static_cast<std::int32_t>(std::lround(pose.x));
     stop.y = static_cast<std::int32_t>(std::lround(pose.y));
-    stop.d = static_cast<std::int32_t>(wend::nearest_heading(pose.heading, false));
+    stop.d = static_cast<std::int32_t>(wend::nearest_heading(pose.heading));
   }
   for (const std::string_view name : plan.moves) {
-    if (const auto move = wend::car_move_from_string(name)) {
+    if (const auto move = wend::parse_car_move(name)) {
       result.moves.push_back(static_cast<std::uint8_t>(*move));
     }
   }
@@ -70,7 +69,7 @@ void put_plan(CarResult& result, const wend::Plan& plan) {
 
 std::string pose_text(const CarPose& pose) {
   return "(" + std::to_string(pose.x) + "," + std::to_string(pose.y) + "," +
-         std::string(wend::to_string(static_cast<wend::Heading>(pose.d))) + ")";
+         std::string(wend::letter_of(static_cast<wend::Heading>(pose.d), wend::Frame{})) + ")";
 }
 
 }  // namespace
@@ -158,7 +157,7 @@ std::vector<std::string> commands_of(const CarResult& result) {
       continue;
     }
     const auto move = static_cast<wend::CarMove>(result.moves[i - 1]);
-    lines.push_back("Go " + std::string(wend::to_string(move)) + " -> " + pose);
+    lines.push_back("Go " + std::string(wend::name_of(move, wend::Frame{})) + " -> " + pose);
   }
   return lines;
 }
@@ -166,8 +165,8 @@ std::vector<std::string> commands_of(const CarResult& result) {
 wend::Path path_of(const CarResult& result) {
   wend::Path path;
   for (const CarPose& pose : result.path) {
-    path.drive_to(wend::pose_of(
-        wend::CornerPose{{pose.x, pose.y}, static_cast<wend::Heading>(pose.d)}, false));
+    path.drive_to(
+        wend::pose_of(wend::CornerPose{{pose.x, pose.y}, static_cast<wend::Heading>(pose.d)}));
   }
   return path;
 }

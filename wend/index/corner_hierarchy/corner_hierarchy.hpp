@@ -9,7 +9,7 @@
 // few milliseconds.
 //
 // Costs are 32-bit: maps on which a path may be longer than 2^32 - 1 of them, some 128,000 cells,
-// are refused. Passable cells are those of a drawn board, y down.
+// are refused.
 
 #include <memory>
 #include <string>

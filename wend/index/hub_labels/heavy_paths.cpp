@@ -10,12 +10,6 @@ namespace {
 constexpr std::uint32_t kNone = HubTreeNode::kRoot;
 constexpr unsigned kHalf = 16;  // bits
 
-/// The direction of a step of one cell.
-Direction direction_of(Cell step) {
-  const auto found = std::find(kDrawnSteps.begin(), kDrawnSteps.end(), step);
-  return static_cast<Direction>(found - kDrawnSteps.begin());
-}
-
 }  // namespace
 
 HeavyPaths::HeavyPaths(const Corners& corners, const HubLabelling& labelling)

@@ -36,7 +36,7 @@ namespace wend {
 
 inline constexpr std::string_view kHubLabels = "hub_labels";
 
-/// Builds the index of the passable cells as drawn; cancelled or unsupported_map. The same bytes
+/// Builds the index of the passable cells; cancelled or unsupported_map. The same bytes
 /// whatever the workers.
 Expected<IndexBytes, IndexError> build_hub_index(const BitGrid& passable,
                                                  const IndexBuilding& building);

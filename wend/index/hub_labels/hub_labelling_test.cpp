@@ -112,7 +112,7 @@ Walk walked(std::span<const RunWord> words, std::uint32_t place, Cell from) {
     for (; words[place] != run_word::kJoint; ++place) {
       const auto steps = run_word::steps(words[place]);
       const Direction direction = run_word::direction(words[place]);
-      for (unsigned i = 0; i < steps; ++i) walk.end = step(walk.end, direction, false);
+      for (unsigned i = 0; i < steps; ++i) walk.end = step(walk.end, direction);
       walk.cost += std::uint64_t{steps} * (is_diagonal(direction) ? 47321 : 33461);
     }
     place = words[place + 1] | static_cast<std::uint32_t>(words[place + 2]) << 16U;

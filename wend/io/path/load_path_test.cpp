@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/path/path_csv.hpp"
 
@@ -60,28 +60,29 @@ std::string json_of(const Path& path) {
 }
 
 /// On corners facing one of the four headings, or anywhere facing anywhere.
-Path any_driven_path(bool y_up) {
+Path any_driven_path() {
   std::vector<Pose> poses;
   const int count = *rc::gen::inRange(1, 40);
   for (int i = 0; i < count; ++i) {
     const Cell corner{*rc::gen::inRange(0, (1 << 30) + 1), *rc::gen::inRange(0, (1 << 30) + 1)};
     const auto heading = *rc::gen::elementOf(kAllHeadings);
     const double aside = *rc::gen::inRange(0, 2) * *rc::gen::inRange(0, 1000) / 997.0;
-    const Pose pose = pose_of({corner, heading}, y_up);
+    const Pose pose = pose_of({corner, heading});
     poses.push_back({std::max(0.0, pose.x - aside), pose.y, pose.heading + 7 * aside});
   }
   return Path::through(poses);
 }
 
 /// Written here with another library than the one that writes plans.
-std::string json_of_driven(const Path& path, bool y_up) {
+std::string json_of_driven(const Path& path, const Frame& frame) {
   std::string points;
   std::string headings;
   for (const Pose& pose : path.poses()) {
     points += fmt::format("[{:.17g},{:.17g}],", pose.x, pose.y);
-    const auto letter = nearest_heading(pose.heading, y_up);
-    headings += pose.heading == radians_of(letter, y_up) ? fmt::format("\"{}\",", to_string(letter))
-                                                         : fmt::format("{:.17g},", pose.heading);
+    const auto heading = nearest_heading(pose.heading);
+    headings += pose.heading == radians_of(heading)
+                    ? fmt::format("\"{}\",", letter_of(heading, frame))
+                    : fmt::format("{:.17g},", pose.heading);
   }
   points.pop_back();
   headings.pop_back();
@@ -102,7 +103,7 @@ RC_GTEST_PROP(LoadPath, ACsvGivesTheCellsBack, ()) {
 RC_GTEST_PROP(LoadPath, ACsvGivesThePosesBack, (bool y_up)) {
   Frame frame = kTurned;
   frame.y_up = y_up;
-  const Path path = any_driven_path(y_up);
+  const Path path = any_driven_path();
   const auto parsed = parse_path_csv(path_csv(path, frame), "p.csv", frame);
   RC_ASSERT(error_of(parsed) == "no error");
   RC_ASSERT(*parsed == path);
@@ -160,8 +161,8 @@ RC_GTEST_PROP(LoadPath, ACentrelineGivesItsPointsInGridCoordinates, (bool semico
 RC_GTEST_PROP(LoadPath, JsonGivesThePosesBack, (bool y_up)) {
   Frame frame = kTurned;
   frame.y_up = y_up;
-  const Path path = any_driven_path(y_up);
-  const auto parsed = parse_path_json(json_of_driven(path, y_up), "p.json", frame);
+  const Path path = any_driven_path();
+  const auto parsed = parse_path_json(json_of_driven(path, frame), "p.json", frame);
   RC_ASSERT(error_of(parsed) == "no error");
   RC_ASSERT(*parsed == path);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
@@ -40,7 +40,7 @@ inline std::string wrong_heading(std::string_view name, std::string_view found) 
 /// The angle of "N", "W", "E" or "S". The numbers that people may type for them are angles here.
 inline std::optional<double> radians_of_letter(std::string_view letter, bool y_up) {
   for (const Heading heading : kAllHeadings) {
-    if (letter == to_string(heading)) return radians_of(heading, y_up);
+    if (letter == letter_of(heading, {.y_up = y_up})) return radians_of(heading);
   }
   return std::nullopt;
 }

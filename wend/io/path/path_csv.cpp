@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/heading.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_coordinates.hpp"
 #include "wend/io/text.hpp"
@@ -183,9 +183,9 @@ Expected<Path, IoError> parse_centreline(std::string_view text, const std::strin
   return Path::along(std::move(points));
 }
 
-std::string heading_text(double radians, bool y_up) {
-  const auto heading = exact_heading(radians, y_up);
-  return heading ? std::string(to_string(*heading)) : format_number(radians);
+std::string heading_text(double radians, const Frame& frame) {
+  const auto heading = exact_heading(radians);
+  return heading ? std::string(letter_of(*heading, frame)) : format_number(radians);
 }
 
 /// "0.075,0.075"
@@ -207,7 +207,7 @@ std::string poses_csv(const Path& path, const Frame& frame) {
   std::string text = fmt::format("{}\n", driven ? kPoseHeader : kWaypointHeader);
   for (const Pose& pose : path.poses()) {
     const Pose metres = frame.to_metres(pose);
-    const std::string heading = driven ? heading_text(pose.heading, frame.y_up) + "," : "";
+    const std::string heading = driven ? heading_text(pose.heading, frame) + "," : "";
     // {fmt} writes the shortest text too, and a million not as 1e+06.
     fmt::format_to(std::back_inserter(text), "{},{},{}{},{}\n", pose.x, pose.y, heading,
                    metres_text(metres.point()), format_number(metres.heading));

@@ -66,7 +66,7 @@ bool contains(std::span<const Cell> cells, Cell cell) {
 /// Runs walks of many lengths on random maps and shows each to `check`.
 template <class Check>
 void on_random_walks(Check&& check) {
-  for (std::uint64_t seed = 1; seed <= 300 && !::testing::Test::HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 400 && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
     const FreeSpace space(test::random_map(random));
     const auto cell = [&] { return test::random_cell(random, space.width(), space.height()); };

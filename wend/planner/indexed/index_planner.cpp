@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -45,7 +44,7 @@ class IndexPlanner final : public Planner {
     const Limits& limits = query.limits;
     if (const auto status = stopped(limits)) return *status;
     const double begin = limits.clock ? limits.clock() : 0;
-    const Cell start = drawn_cell(free_space(), cells_.start);
+    const Cell start = cells_.start;
     const Cell goal = nearest_goal(start, out.metrics);
     const OctileSteps steps = start == goal ? OctileSteps{} : find(start, goal, out.metrics);
     if (limits.clock && limits.clock() - begin > limits.seconds) return Status::time_limit;
@@ -56,7 +55,7 @@ class IndexPlanner final : public Planner {
     } else {
       // No shortest path visits a cell twice: an index that says so was forged.
       if (steps.cells() > most_cells_) return Status::index_mismatch;
-      write(out.path.make_cells(steps.cells()));
+      engine_->write(out.path.make_cells(steps.cells()));
       out.cost = steps.cost();
     }
     out.bound = 1;
@@ -74,22 +73,15 @@ class IndexPlanner final : public Planner {
 
   /// With one goal there is nothing to look up.
   Cell nearest_goal(Cell start, SearchMetrics& metrics) {
-    Cell nearest = drawn_cell(free_space(), cells_.goals.front());
+    Cell nearest = cells_.goals.front();
     if (cells_.goals.size() == 1) return nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (const Cell typed : cells_.goals) {
-      const Cell goal = drawn_cell(free_space(), typed);
+    for (const Cell goal : cells_.goals) {
       const double cost = goal == start ? 0 : find(start, goal, metrics).cost();
       if (cost < least) nearest = goal;
       least = std::min(least, cost);
     }
     return nearest;
-  }
-
-  void write(std::span<Cell> cells) {
-    engine_->write(cells);
-    if (!free_space().map().frame().y_up) return;
-    for (Cell& cell : cells) cell = drawn_cell(free_space(), cell);
   }
 
   std::string do_reason(const Query& query, Status status) const override {
@@ -123,7 +115,7 @@ class MethodSupport final : public IndexSupport {
   Expected<IndexBytes, PlannerError> build(const FreeSpace& space,
                                            const IndexBuilding& building) const override {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
-    auto built = method_.build(drawn_passable(space), building);
+    auto built = method_.build(space.passable(), building);
     if (!built) return failure(built.error().status, built.error().what);
     return *std::move(built);
   }
@@ -148,7 +140,7 @@ class MethodSupport final : public IndexSupport {
  private:
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
-    auto opened = method_.open(std::move(index), drawn_passable(space));
+    auto opened = method_.open(std::move(index), space.passable());
     if (!opened) return failure(Status::index_mismatch, "index does not match: " + opened.error());
     return *std::move(opened);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 // IndexPlanner: a planner that looks its answers up in an index. It checks queries like every
-// planner of cells, and turns maps whose y points up, for an index knows cells as drawn.
+// planner of cells.
 
 #include <functional>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace wend {
 
-/// How an index is built and used. Both take the passable cells as drawn, row 0 on top.
+/// How an index is built and used. Both take the passable cells.
 struct IndexMethod {
   std::function<Expected<IndexBytes, IndexError>(const BitGrid&, const IndexBuilding&)> build;
   /// Checks the index; cheap beside reading it once. What is wrong is of index_mismatch.

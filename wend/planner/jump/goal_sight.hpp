@@ -7,7 +7,7 @@
 //   const auto view = goals.look(boards.sight(), cell, directions, g);
 //   if (view.nearest) ...  // no need to go on from there
 //
-// Cells are as drawn, costs are in OctileUnits<Cost>.
+// Costs are in OctileUnits<Cost>.
 
 #include <array>
 #include <cstddef>
@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/jump/coarse_box.hpp"
-#include "wend/jump/drawn_direction.hpp"
 #include "wend/jump/shortcut_graph.hpp"
 #include "wend/jump/sight.hpp"
 #include "wend/planner/goal_cells.hpp"
@@ -28,9 +28,15 @@ namespace wend {
 /// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
 constexpr DirectionSet first_direction(Cell from, Cell to) {
   using enum Direction;
-  constexpr std::array<DirectionSet, 9> kByNeighbour{
-      set_of(up_left), set_of(up),        set_of(up_right), set_of(left),      0,
-      set_of(right),   set_of(down_left), set_of(down),     set_of(down_right)};
+  constexpr std::array<DirectionSet, 9> kByNeighbour{set_of(minus_x_minus_y),
+                                                     set_of(minus_y),
+                                                     set_of(plus_x_minus_y),
+                                                     set_of(minus_x),
+                                                     0,
+                                                     set_of(plus_x),
+                                                     set_of(minus_x_plus_y),
+                                                     set_of(plus_y),
+                                                     set_of(plus_x_plus_y)};
   const int right_of = static_cast<int>(to.x > from.x) - static_cast<int>(to.x < from.x);
   const int below = static_cast<int>(to.y > from.y) - static_cast<int>(to.y < from.y);
   return kByNeighbour[static_cast<std::size_t>(4 + 3 * below + right_of)];

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "wend/index/run_writer.hpp"
-#include "wend/planner/drawn_cells.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
 #include "wend/planner/planner_info.hpp"
@@ -14,23 +13,20 @@
 namespace wend {
 namespace {
 
-/// JumpPointSearch behind the face of a GridEngine: turns maps with y up, and writes every cell.
+/// JumpPointSearch behind the face of a GridEngine: writes every cell of the paths.
 template <class Cost>
 class JumpEngine final : public GridEngine {
  public:
-  JumpEngine(FreeSpace space, std::shared_ptr<const JumpGraph> graph,
-             std::shared_ptr<const DeadEnds> dead_ends)
-      : space_(std::move(space)), search_(std::move(graph), std::move(dead_ends)) {}
+  JumpEngine(std::shared_ptr<const JumpGraph> graph, std::shared_ptr<const DeadEnds> dead_ends)
+      : search_(std::move(graph), std::move(dead_ends)) {}
 
   bool allocated() const override { return true; }
 
   void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
              SearchObserver* observer) override {
     observer_ = observer;
-    goals_.clear();
-    for (const Cell goal : goals) goals_.push_back(drawn_cell(space_, goal));
-    watched(
-        [&](auto&& watcher) { search_.begin(drawn_cell(space_, start), goals_, limits, watcher); });
+    has_goals_ = !goals.empty();
+    watched([&](auto&& watcher) { search_.begin(start, goals, limits, watcher); });
   }
 
   SearchOutcome step() override {
@@ -54,7 +50,7 @@ class JumpEngine final : public GridEngine {
   }
 
   double heuristic(const Cell& cell) const override {
-    return goals_.empty() ? 0 : in_cells(search_.h(drawn_cell(space_, cell)));
+    return has_goals_ ? in_cells(search_.h(cell)) : 0;
   }
 
   void write_path(Path& path) const override {
@@ -65,9 +61,9 @@ class JumpEngine final : public GridEngine {
       count += static_cast<std::size_t>(steps_between(waypoints[i - 1], waypoints[i]));
     }
     const std::span<Cell> cells = path.make_cells(count);
-    cells.front() = drawn_cell(space_, waypoints.front());
+    cells.front() = waypoints.front();
     RunWriter<1> writer(cells.data() + 1, cells.size() - 1, cells.front());
-    for (const Cell waypoint : waypoints.subspan(1)) writer.go_to(drawn_cell(space_, waypoint));
+    for (const Cell waypoint : waypoints.subspan(1)) writer.go_to(waypoint);
   }
 
  private:
@@ -79,15 +75,14 @@ class JumpEngine final : public GridEngine {
     return std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   }
 
-  /// A state as the map has it, from what the search calls cells.
   SearchEvent event(Cell cell, Cell parent, Cost g) const {
     const double h = in_cells(search_.h(cell));
-    SearchEvent event{drawn_cell(space_, cell), {}, in_cells(g), h, in_cells(g) + h};
-    if (parent != cell) event.parent = drawn_cell(space_, parent);
+    SearchEvent event{cell, {}, in_cells(g), h, in_cells(g) + h};
+    if (parent != cell) event.parent = parent;
     return event;
   }
 
-  /// Passes the events on, in the map's cells.
+  /// Passes the events on.
   class Watcher {
    public:
     Watcher(const JumpEngine& engine, SearchObserver& observer)
@@ -123,19 +118,18 @@ class JumpEngine final : public GridEngine {
     }
   }
 
-  FreeSpace space_;
   mutable JumpPointSearch<Cost> search_;
-  std::vector<Cell> goals_;  // as drawn
+  bool has_goals_ = false;
   SearchObserver* observer_ = nullptr;
 };
 
 GridPlanner::Parts choose_parts(const FreeSpace& space) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
-  const auto boards = std::make_shared<const JumpBoards>(drawn_passable(space));
+  const auto boards = std::make_shared<const JumpBoards>(space.passable());
   const auto graph = std::make_shared<const JumpGraph>(boards);
   const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  const auto engine = [space, graph, dead_ends]<class Cost>(Cost) {
-    return std::make_unique<JumpEngine<Cost>>(space, graph, dead_ends);
+  const auto engine = [graph, dead_ends]<class Cost>(Cost) {
+    return std::make_unique<JumpEngine<Cost>>(graph, dead_ends);
   };
   return {
       {},

@@ -60,7 +60,7 @@ class JumpPointSearch {
   JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
                   std::shared_ptr<const DeadEnds> dead_ends);
 
-  /// Forgets the last search. Cells are as drawn and passable; `limits` must live as long as the
+  /// Forgets the last search. Cells are passable; `limits` must live as long as the
   /// search. A watcher is told cells, the cells they were reached from (of the start: itself) and g.
   template <class Watcher = NoJumpWatcher>
   void begin(Cell start, std::span<const Cell> goals, const Limits& limits, Watcher&& watcher = {});
@@ -84,7 +84,7 @@ class JumpPointSearch {
   std::span<const Cell> waypoints();
 
   /// Calls visit(cell, parent, g, newest) for the states that would be expanded next, in that order,
-  /// at most `most` of them: cell and parent as drawn, of the start the parent is itself; newest:
+  /// at most `most` of them: cell and parent, of the start the parent is itself; newest:
   /// it lies in the bucket of the one before, where the newest comes first. Returns how many states
   /// are open. On a copy of the queue: O(its entries).
   template <class Visit>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
 #include "wend/planner/lattice/car_reason.hpp"
 #include "wend/planner/widening_engine.hpp"
@@ -140,8 +141,8 @@ void CarPlanner::assess(Plan& out) {
     if (const auto place = lattice_->nearest(pose)) drive_.push_back(*place);
   }
   for (std::size_t i = 1; i < drive_.size(); ++i) {
-    const auto move = move_between(drive_[i - 1], drive_[i], lattice_->y_up());
-    if (move) out.moves.push_back(to_string(*move));
+    const auto move = move_between(drive_[i - 1], drive_[i]);
+    if (move) out.moves.push_back(name_of(*move, free_space().map().frame()));
   }
   assert(drive_.size() == out.path.size() && out.moves.size() + 1 == drive_.size());
   out.cost = car_path_cost(*lattice_, drive_);

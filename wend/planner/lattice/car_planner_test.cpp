@@ -22,7 +22,6 @@ using ::testing::HasSubstr;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr bool kYDown = false;
 
 std::unique_ptr<Planner> car_on(const FreeSpace& space, const OptionValues& options = {}) {
   return std::move(make_planner("car", space, options).value());
@@ -34,15 +33,12 @@ FreeSpace open_yard(int width, int height, bool y_up) {
   return FreeSpace(GridMap(Grid<CellState>(width, height, CellState::free), frame));
 }
 
-Pose at(int x, int y, Heading heading, bool y_up = kYDown) {
-  return pose_of({{x, y}, heading}, y_up);
-}
+Pose at(int x, int y, Heading heading) { return pose_of({{x, y}, heading}); }
 
 TEST(Car, NeedsNinePiToCrossAYardOfNineteenCells) {
   for (const bool y_up : {false, true}) {
     const auto planner = car_on(open_yard(19, 19, y_up));
-    const auto plan =
-        planner->plan({at(0, 0, Heading::east, y_up), {at(18, 18, Heading::east, y_up)}});
+    const auto plan = planner->plan({at(0, 0, Heading::plus_x), {at(18, 18, Heading::plus_x)}});
     ASSERT_TRUE(plan);
     EXPECT_EQ(plan->moves.size(), 18U);
     EXPECT_NEAR(plan->cost, 9 * kPi, 1e-12);
@@ -63,20 +59,19 @@ TEST(Car, MakesEachOfItsSixMoves) {
     EXPECT_THAT(plan->moves, ElementsAre(move.name));
     EXPECT_THAT(plan->path.poses(), ElementsAre(from, move.to));
   };
-  expect_move(at(1, 0, Heading::east), {"FWD_RIGHT", at(2, 1, Heading::south)});
+  expect_move(at(1, 0, Heading::plus_x), {"FWD_RIGHT", at(2, 1, Heading::plus_y)});
   for (const OneMove& move :
-       {OneMove{"FWD", at(3, 2, Heading::east)}, OneMove{"FWD_RIGHT", at(3, 3, Heading::south)},
-        OneMove{"FWD_LEFT", at(3, 1, Heading::north)}, OneMove{"REV", at(1, 2, Heading::east)},
-        OneMove{"REV_RIGHT", at(1, 3, Heading::north)},
-        OneMove{"REV_LEFT", at(1, 1, Heading::south)}}) {
-    expect_move(at(2, 2, Heading::east), move);
+       {OneMove{"FWD", at(3, 2, Heading::plus_x)}, OneMove{"FWD_RIGHT", at(3, 3, Heading::plus_y)},
+        OneMove{"FWD_LEFT", at(3, 1, Heading::minus_y)}, OneMove{"REV", at(1, 2, Heading::plus_x)},
+        OneMove{"REV_RIGHT", at(1, 3, Heading::minus_y)},
+        OneMove{"REV_LEFT", at(1, 1, Heading::plus_y)}}) {
+    expect_move(at(2, 2, Heading::plus_x), move);
   }
 }
 
-TEST(Car, TurnsTheSameWayAsDrawnWhereYIsUp) {
+TEST(Car, NamesItsMovesAsPeopleSeeThemWhereYIsUp) {
   const auto planner = car_on(open_yard(5, 5, true));
-  const auto plan =
-      planner->plan({at(2, 2, Heading::east, true), {at(1, 1, Heading::north, true)}});
+  const auto plan = planner->plan({at(2, 2, Heading::plus_x), {at(1, 1, Heading::plus_y)}});
   ASSERT_TRUE(plan);
   EXPECT_THAT(plan->moves, ElementsAre("REV_RIGHT"));
 }
@@ -120,14 +115,14 @@ void expect_refusal(Planner& planner, const Query& query, const std::string& sta
 
 TEST(Car, NamesThePlaceAndTheCauseOfARefusal) {
   const auto planner = car_on(test::drawn_space(kYard));
-  const Pose here = at(1, 1, Heading::east);
+  const Pose here = at(1, 1, Heading::plus_x);
   expect_refusal(*planner, {{9.5, 0, 0}, {here}}, "start_outside",
                  "the start (9.5,0) is outside the map: its grid vertices have x from 0 to 9 and y "
                  "from 0 to 4");
   expect_refusal(
       *planner, {here, {Goal(Point{0, -1})}}, "goal_outside",
       "the goal (0,-1) is outside the map: its grid vertices have x from 0 to 9 and y from 0 to 4");
-  expect_refusal(*planner, {at(5, 1, Heading::north), {here}}, "start_blocked",
+  expect_refusal(*planner, {at(5, 1, Heading::minus_y), {here}}, "start_blocked",
                  "the start (5,1,N) is impassable: cell (5,0) next to it is an obstacle");
   expect_refusal(*planner, {here, {Goal(Point{6, 3})}}, "goal_blocked",
                  "the goal (6,3,any) is impassable: cell (5,2) next to it is unknown");
@@ -141,7 +136,7 @@ TEST(Car, SaysWhenItIsBoxedIn) {
 ###.....
 ........
 )"));
-  expect_refusal(*planner, {at(5, 2, Heading::east), {at(0, 0, Heading::east)}}, "unreachable",
+  expect_refusal(*planner, {at(5, 2, Heading::plus_x), {at(0, 0, Heading::plus_x)}}, "unreachable",
                  "there is no path from the start (5,2,E) to the goal (0,0,E): obstacles separate "
                  "them for the car");
   const auto tight = car_on(test::drawn_space(R"(
@@ -149,22 +144,23 @@ TEST(Car, SaysWhenItIsBoxedIn) {
 ##...
 .....
 )"));
-  expect_refusal(*tight, {at(0, 0, Heading::south), {at(4, 2, Heading::east)}}, "unreachable",
+  expect_refusal(*tight, {at(0, 0, Heading::plus_y), {at(4, 2, Heading::plus_x)}}, "unreachable",
                  "no motion primitive leaves the start (0,0,S)");
-  expect_refusal(*tight, {at(4, 2, Heading::east), {Goal(Point{0, 0})}}, "unreachable",
+  expect_refusal(*tight, {at(4, 2, Heading::plus_x), {Goal(Point{0, 0})}}, "unreachable",
                  "no motion primitive reaches the goal (0,0,any)");
 }
 
 TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
   const auto planner = car_on(test::drawn_space("....\n....\n....\n...#", {.robot_radius = 1.5}));
-  expect_refusal(*planner, {at(2, 3, Heading::east), {at(0, 0, Heading::east)}}, "start_blocked",
+  expect_refusal(*planner, {at(2, 3, Heading::plus_x), {at(0, 0, Heading::plus_x)}},
+                 "start_blocked",
                  "the start (2,3,E) is impassable: the nearest obstacle is 1 cells away, the "
                  "robot's radius is 1.5");
 }
 
 TEST(Car, RefusesWhatIsNoNumber) {
   const auto planner = car_on(test::drawn_space(kYard));
-  const Pose here = at(1, 1, Heading::east);
+  const Pose here = at(1, 1, Heading::plus_x);
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     expect_refusal(*planner, {{1, 1, bad}, {here}}, "unsupported_query",
                    "the headings of the start and the goal must be finite numbers");
@@ -179,23 +175,23 @@ TEST(Car, RefusesWhatIsNoNumber) {
 
 TEST(Car, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
   const auto planner = car_on(test::drawn_space(kYard));
-  const Pose start = at(1, 1, Heading::east);
+  const Pose start = at(1, 1, Heading::plus_x);
   const Pose outside{20, 20, 0};
-  const Pose blocked = at(5, 1, Heading::north);
+  const Pose blocked = at(5, 1, Heading::minus_y);
   EXPECT_EQ(refusal_of(*planner, {start, {outside, blocked}}).status, "goal_outside");
   EXPECT_EQ(refusal_of(*planner, {start, {blocked, outside}}).status, "goal_blocked");
-  EXPECT_EQ(refusal_of(*planner, {start, {blocked, outside, at(2, 1, Heading::east)}}).status,
+  EXPECT_EQ(refusal_of(*planner, {start, {blocked, outside, at(2, 1, Heading::plus_x)}}).status,
             "found");
 }
 
 /// What is no goal of the search is not what it says it did not reach.
 TEST(Car, SaysWhichGoalItSearchedForInVain) {
   const auto planner = car_on(test::drawn_space("...#\n.#..\n....\n...."));
-  const Pose start = at(2, 4, Heading::east);
+  const Pose start = at(2, 4, Heading::plus_x);
   const Goal outside(Point{20, 20});
   const Goal blocked(Point{2, 1});
   // The way to it leads around the corner (0,0), along two edges of the map.
-  const Goal hopeless(at(1, 0, Heading::south));
+  const Goal hopeless(at(1, 0, Heading::plus_y));
   expect_refusal(*planner, {start, {outside, blocked, hopeless}}, "unreachable",
                  "there is no path from the start (2,4,E) to the goal (1,0,S): obstacles separate "
                  "them for the car");
@@ -209,8 +205,8 @@ TEST(Car, SaysOfAMapThatItIsTooSmall) {
   EXPECT_EQ(made.error().message(), why);
   const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   planner->update(test::open_space(4, 2));
-  expect_refusal(*planner, {at(0, 0, Heading::east), {at(0, 0, Heading::east)}}, "unsupported_map",
-                 why);
+  expect_refusal(*planner, {at(0, 0, Heading::plus_x), {at(0, 0, Heading::plus_x)}},
+                 "unsupported_map", why);
   EXPECT_EQ(planner->state_count(), 0U);
   EXPECT_EQ(planner->heuristic(Pose{0, 0, 0}), 0);
 }

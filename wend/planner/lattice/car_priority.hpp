@@ -123,7 +123,6 @@ class CarPriority {
 
   CarPriority(const CarSpace<Costs>& space, CarHeuristic kind, double weight)
       : kind_(kind),
-        y_up_(space.lattice().y_up()),
         scale_(std::min(1.0, space.lattice().driving().reverse_factor)),
         weight_(weight) {
     if (kind == CarHeuristic::obstacles) {
@@ -188,7 +187,7 @@ class CarPriority {
   }
 
   Cost on_empty_yard(const CornerPose& place) const {
-    return least([&](const CarGoal& goal) { return headings_estimate<Costs>(place, goal, y_up_); });
+    return least([&](const CarGoal& goal) { return headings_estimate<Costs>(place, goal); });
   }
 
   template <class Estimate>
@@ -199,7 +198,6 @@ class CarPriority {
   }
 
   CarHeuristic kind_;
-  bool y_up_;
   double scale_;  // where reversing costs less than driving ahead
   double weight_;
   std::vector<CarGoal> goals_;

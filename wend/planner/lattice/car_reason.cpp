@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wend/base/parse.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/space/lattice/car_path.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
@@ -55,10 +56,9 @@ End searched_goal_of(const CarLattice& lattice, const Query& query) {
 /// "start (3,4,E)", in grid coordinates.
 std::string name_of(const CarLattice& lattice, const End& end) {
   const Cell corner{end.place.corner.x * lattice.unit(), end.place.corner.y * lattice.unit()};
-  if (end.any_heading) {
-    return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ",any)";
-  }
-  return end.name + ' ' + to_string(CornerPose{corner, end.place.heading});
+  const Frame& frame = lattice.free_space().map().frame();
+  return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ',' +
+         std::string(end.any_heading ? "any" : letter_of(end.place.heading, frame)) + ')';
 }
 
 std::string outside(const CarLattice& lattice, const End& end) {

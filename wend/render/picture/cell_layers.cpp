@@ -52,7 +52,7 @@ void draw_number_rim(cairo_t* context, Point baseline, const std::string& number
 }
 
 void trace_arrow(cairo_t* context, Point centre, double length, Direction direction) {
-  const Cell drawn = kDrawnSteps[static_cast<std::size_t>(direction)];
+  const Cell drawn = step({}, direction);
   const double norm = std::hypot(drawn.x, drawn.y);
   const Point along{drawn.x / norm, drawn.y / norm};
   const Point tip{centre.x + along.x * length / 2, centre.y + along.y * length / 2};
@@ -133,7 +133,8 @@ void draw_arrows(const SceneDrawing& drawing, bool raised) {
       const auto direction = arrows[{x, y}];
       if (!direction) continue;
       const Point centre = drawing.view.to_picture(centre_of(Cell{x, y}));
-      trace_arrow(drawing.context, {centre.x, centre.y - rise}, length, *direction);
+      trace_arrow(drawing.context, {centre.x, centre.y - rise}, length,
+                  row_order(drawing.scene.space).direction(*direction));
     }
   }
   stroke_arrows(drawing.context, length, drawing.style.arrows);

@@ -123,7 +123,7 @@ TEST(Drawing, DrawsSmallMapsAsRectanglesInASvg) {
 Scene field() {
   Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(10, 6)))};
   scene.heatmap = {"cost to the goal", Grid<double>(10, 6)};
-  scene.arrows.emplace(10, 6, Direction::left);
+  scene.arrows.emplace(10, 6, Direction::minus_x);
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 10; ++x) scene.heatmap->values[{x, y}] = 1000 * x;
   }
@@ -178,7 +178,7 @@ TEST(Drawing, WritesNumbersOnlyIntoCellsThatAreLargeEnough) {
 
 TEST(Drawing, SharesArrowsAmongCellsThatAreTooSmallForOneEach) {
   Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(400, 400)))};
-  scene.arrows.emplace(400, 400, Direction::right);
+  scene.arrows.emplace(400, 400, Direction::plus_x);
   const Picture picture = png_of(scene);
   int arrows = 0;  // along a row of middle cells, by their shafts
   bool before = false;

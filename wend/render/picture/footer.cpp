@@ -88,7 +88,7 @@ void draw_swatch(cairo_t* context, Point centre, const LegendItem& item, const S
     case Swatch::reverse:
       return draw_driven_sample(pen, centre, length, item.swatch == Swatch::reverse);
     case Swatch::arrow:
-      return draw_arrow(context, centre, 2 * kSwatch, Direction::right, item.colour);
+      return draw_arrow(context, centre, 2 * kSwatch, Direction::plus_x, item.colour);
     default:
       return draw_cell_swatch(context, centre, item, style);
   }

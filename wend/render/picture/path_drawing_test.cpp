@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/render/picture/drawing.hpp"
 #include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/png_picture_test.hpp"
@@ -56,9 +56,7 @@ struct Move {
   CarMove move;
   bool y_up;
 
-  Path path() const {
-    return Path::through({pose_of(from, y_up), pose_of(moved(from, move, y_up), y_up)});
-  }
+  Path path() const { return Path::through({pose_of(from), pose_of(moved(from, move))}); }
 };
 
 /// Every move with every heading, from the middle of a driven_yard.
@@ -75,7 +73,8 @@ std::vector<Move> all_moves() {
 }
 
 std::ostream& operator<<(std::ostream& out, const Move& move) {
-  return out << to_string(move.move) << " from " << to_string(move.from.heading)
+  const Frame frame{.y_up = move.y_up};
+  return out << name_of(move.move, frame) << " from " << letter_of(move.from.heading, frame)
              << (move.y_up ? ", y up" : ", y down");
 }
 
@@ -114,15 +113,14 @@ TEST(DrivenPath, PointsAnArrowAlongTheHeadingOfEachPose) {
   for (const bool y_up : {false, true}) {
     for (const Heading heading : kAllHeadings) {
       Scene scene = driven_yard(4, 4, y_up);
-      scene.path = Path::through({pose_of({{2, 2}, heading}, y_up)});
+      scene.path = Path::through({pose_of({{2, 2}, heading})});
       const Drawn drawn(scene);
-      const Cell along =
-          kDrawnSteps[static_cast<std::size_t>(nearest_direction(radians_of(heading, y_up), y_up))];
+      const Cell along = ahead(on_page(heading, {.y_up = y_up}));
       constexpr double kTip = 8;   // pixels; an arrow is 20 long
       constexpr double kSide = 5;  // and narrower than that ahead
       EXPECT_EQ(drawn.at({2, 2}), kPathColour);
       EXPECT_EQ(drawn.at({2, 2}, kTip * along.x, kTip * along.y), kPathColour)
-          << to_string(heading);
+          << radians_of(heading);
       EXPECT_NE(drawn.at({2, 2}, -kTip * along.x, -kTip * along.y), kPathColour) << "its notch";
       EXPECT_EQ(drawn.at({2, 2}, -kSide * (along.x + along.y), -kSide * (along.y - along.x)),
                 kPathColour)
@@ -195,16 +193,16 @@ TEST(Marks, HaveATipThatPointsAlongTheirHeading) {
   for (const bool y_up : {false, true}) {
     for (const Heading heading : kAllHeadings) {
       Scene scene = driven_yard(4, 4, y_up);
-      scene.start = pose_of({{1, 1}, heading}, y_up);
-      scene.goals = {pose_of({{3, 3}, opposite(heading)}, y_up), Point{1, 3}};
+      scene.start = pose_of({{1, 1}, heading});
+      scene.goals = {pose_of({{3, 3}, opposite(heading)}), Point{1, 3}};
       const Drawn drawn(scene);
-      const Cell along =
-          kDrawnSteps[static_cast<std::size_t>(nearest_direction(radians_of(heading, y_up), y_up))];
+      const Cell along = ahead(on_page(heading, {.y_up = y_up}));
       const double tip = 1.3 * 0.75 * 18;  // pixels
-      EXPECT_EQ(drawn.at({1, 1}, tip * along.x, tip * along.y), kStartColour) << to_string(heading);
+      EXPECT_EQ(drawn.at({1, 1}, tip * along.x, tip * along.y), kStartColour)
+          << radians_of(heading);
       EXPECT_NE(drawn.at({1, 1}, -tip * along.x, -tip * along.y), kStartColour);
       EXPECT_EQ(drawn.at({3, 3}, -tip * along.x, -tip * along.y), kGoalColour)
-          << to_string(heading);
+          << radians_of(heading);
       EXPECT_NE(drawn.at({3, 3}, tip * along.x, tip * along.y), kGoalColour);
       EXPECT_NE(drawn.at({1, 3}, tip, 0), kGoalColour) << "any heading will do";
       EXPECT_EQ(drawn.at({1, 3}), kGoalColour);

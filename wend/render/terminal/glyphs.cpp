@@ -86,13 +86,15 @@ constexpr std::array<std::string_view, 16> kDouble{" ", "║", "═", "╔", "�
                                                    "═", "╗", "═", "╦", "╝", "╣", "╩", "╬"};
 
 std::string_view ascii_line(unsigned joins) {
-  const bool across = (joins & (bit(Direction::right) | bit(Direction::left))) != 0;
-  const bool down = (joins & (bit(Direction::down) | bit(Direction::up))) != 0;
+  const bool across = (joins & (bit(Direction::plus_x) | bit(Direction::minus_x))) != 0;
+  const bool down = (joins & (bit(Direction::plus_y) | bit(Direction::minus_y))) != 0;
   if (across && down) return "+";
   if (across) return "-";
   if (down) return "|";
-  const bool falls = (joins & (bit(Direction::down_right) | bit(Direction::up_left))) != 0;
-  const bool rises = (joins & (bit(Direction::up_right) | bit(Direction::down_left))) != 0;
+  const bool falls =
+      (joins & (bit(Direction::plus_x_plus_y) | bit(Direction::minus_x_minus_y))) != 0;
+  const bool rises =
+      (joins & (bit(Direction::plus_x_minus_y) | bit(Direction::minus_x_plus_y))) != 0;
   if (falls && rises) return "X";
   return falls ? "\\" : "/";
 }
@@ -246,7 +248,7 @@ void put_arrows(const Scene& scene, Grid<Glyph>& glyphs) {
   for (const Cell cell : every_cell(glyphs)) {
     const auto direction = (*scene.arrows)[cell];
     if (!direction || glyphs[cell].meaning == Meaning::obstacle) continue;
-    glyphs[cell] = arrow(*direction, Meaning::move);
+    glyphs[cell] = arrow(row_order(scene.space).direction(*direction), Meaning::move);
   }
 }
 
@@ -275,7 +277,7 @@ void GlyphLines::join(Cell from, Cell to, bool reverse) {
   if (!joins_.contains(from) || !joins_.contains(to)) return;
   Joins& joins = joins_[from];
   std::uint8_t& way = reverse ? joins.reverse : joins.ahead;
-  way = static_cast<std::uint8_t>(way | bit(nearest_direction(from, to, false)));
+  way = static_cast<std::uint8_t>(way | bit(nearest_direction(from, to)));
 }
 
 std::optional<Glyph> GlyphLines::operator[](Cell character) const {

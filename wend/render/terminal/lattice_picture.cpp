@@ -84,11 +84,6 @@ std::optional<Direction> drawn_heading(const ScenePlace& place, const RowOrder& 
   return order.direction(*place.heading);
 }
 
-Cell neighbour(Cell character, Direction direction) {
-  const Cell step = kDrawnSteps[static_cast<std::size_t>(direction)];
-  return {character.x + step.x, character.y + step.y};
-}
-
 class LatticePicture {
  public:
   LatticePicture(const Scene& scene, int columns_a_cell, bool ascii)
@@ -134,7 +129,7 @@ class LatticePicture {
       const auto heading = drawn_heading(marked, order_);
       const Cell at = character_at(marked.point);
       if (!heading || !on_lattice(at)) return;
-      const int row = neighbour(at, *heading).y;
+      const int row = step(at, *heading).y;
       if (row < 0) margins.top = order_.y_up ? 1 : 2;
       if (row >= rows_) margins.bottom = order_.y_up ? 2 : 1;
     };
@@ -221,7 +216,7 @@ class LatticePicture {
     put_at(place.point, glyph);
     const Cell at = character_at(place.point);
     const auto heading = drawn_heading(place, order_);
-    if (heading && on_lattice(at)) put(neighbour(at, *heading), arrow(*heading, glyph.meaning));
+    if (heading && on_lattice(at)) put(step(at, *heading), arrow(*heading, glyph.meaning));
   }
 
   void draw_axes() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/geometry/compass.hpp"
 #include "wend/render/car_scene_test.hpp"
 #include "wend/render/terminal/text_map_test.hpp"
 
@@ -14,15 +15,17 @@ namespace {
 /// A car drives around a corner, and back around two others into a gap.
 Scene parking(bool y_up) {
   using enum CarMove;
-  const std::vector<CarMove> moves{fwd, fwd_right, fwd, rev_left, rev, rev_left};
+  const Frame frame{.y_up = y_up};
+  std::vector<CarMove> moves{fwd, fwd_plus, fwd, rev_minus, rev, rev_minus};
+  for (CarMove& move : moves) move = on_page(move, frame);
   Scene scene = car_on(FreeSpace(map_of(
                            {
                                "......",
                                "5...2.",
                                "...#.9",
                            },
-                           {.y_up = y_up})),
-                       driven({{0, y_up ? 3 : 0}, Heading::east}, moves, y_up));
+                           frame)),
+                       driven({{0, y_up ? 3 : 0}, Heading::plus_x}, moves));
   scene.start = scene.path.poses().front();
   scene.goals = {scene.path.poses().back()};
   return scene;
@@ -135,7 +138,7 @@ TEST(LatticePicture, ShowsRolesTooCloseCellsAndTheNarrowestPlace) {
 
 TEST(LatticePicture, MayShowOnePoseOrNoPath) {
   const FreeSpace space(map_of({".."}));
-  EXPECT_EQ(text_picture(car_on(space, driven({{1, 1}, Heading::west}, {}, false))),
+  EXPECT_EQ(text_picture(car_on(space, driven({{1, 1}, Heading::minus_x}, {}))),
             lines_of({"  0   1   2", "0 ·   ·   ·", "", "1 ·   ←   ·"}));
   EXPECT_EQ(text_picture(car_on(space, {})),
             lines_of({"  0   1   2", "0 ·   ·   ·", "", "1 ·   ·   ·"}));
@@ -179,7 +182,7 @@ TEST(LatticePicture, DrawsTheCellsOfALargerUnit) {
                            "....9",
                            "99999",
                        })),
-                       driven({{0, 4}, Heading::north}, {CarMove::fwd_right}, false, 2));
+                       driven({{0, 4}, Heading::minus_y}, {CarMove::fwd_plus}, 2));
   scene.unit = 2;
   EXPECT_EQ(text_picture(scene), lines_of({
                                      "  0   2   4",

@@ -30,10 +30,11 @@ void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
 /// In every cell of the path: the direction towards the next one.
 void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
   const auto cells = scene.path.cells();
-  const bool y_up = row_order(scene.space).y_up;
+  const RowOrder order = row_order(scene.space);
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
     if (!glyphs.contains(cells[i]) || cells[i] == cells[i + 1]) continue;
-    glyphs[cells[i]] = arrow(nearest_direction(cells[i], cells[i + 1], y_up), Meaning::path);
+    glyphs[cells[i]] =
+        arrow(order.direction(nearest_direction(cells[i], cells[i + 1])), Meaning::path);
   }
 }
 

@@ -208,12 +208,12 @@ TEST(TextArrows, ShowsAPolicyAsDrawn) {
               }))};
   scene.goals = {centre_of({2, 2})};
   ArrowField policy(3, 3);
-  policy[{0, 0}] = Direction::down;
-  policy[{1, 0}] = Direction::down;  // the obstacle stays
-  policy[{0, 1}] = Direction::down_right;
-  policy[{1, 1}] = Direction::down;
-  policy[{0, 2}] = Direction::right;
-  policy[{1, 2}] = Direction::right;
+  policy[{0, 0}] = Direction::plus_y;
+  policy[{1, 0}] = Direction::plus_y;  // the obstacle stays
+  policy[{0, 1}] = Direction::plus_x_plus_y;
+  policy[{1, 1}] = Direction::plus_y;
+  policy[{0, 2}] = Direction::plus_x;
+  policy[{1, 2}] = Direction::plus_x;
   scene.arrows = policy;
   EXPECT_EQ(text_arrows(scene), lines_of({
                                     "↓ # .",
@@ -225,8 +225,8 @@ TEST(TextArrows, ShowsAPolicyAsDrawn) {
 TEST(TextArrows, DrawsTheLastRowFirstWithYUp) {
   Scene scene{.space = FreeSpace(map_of({"..", ".#"}, {.y_up = true}))};
   ArrowField policy(2, 2);
-  policy[{0, 0}] = Direction::up;  // the bottom row
-  policy[{0, 1}] = Direction::up_right;
+  policy[{0, 0}] = Direction::plus_y;  // the bottom row
+  policy[{0, 1}] = Direction::plus_x_plus_y;
   scene.arrows = policy;
   EXPECT_EQ(text_arrows(scene), lines_of({"↗ .", "↑ #"}));
 }

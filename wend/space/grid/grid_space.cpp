@@ -22,27 +22,25 @@ GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning
       passable_(&space_.passable()),
       steps_(space_),
       width_(static_cast<StateId>(space_.width())),
-      down_(space_.map().frame().y_up ? -1 : 1),
       table_(moves, sweeps_diagonals(space_, moves) ? MoveTable::Pruning::none : pruning),
       sweeps_(sweeps_diagonals(space_, moves)) {
   for (std::size_t i = 0; i < kDirections; ++i) {
-    offsets_[i] = step({}, static_cast<Direction>(i), space_.map().frame().y_up);
-    id_offsets_[i] =
-        static_cast<StateId>(offsets_[i].y) * width_ + static_cast<StateId>(offsets_[i].x);
+    id_offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * width_ +
+                     static_cast<StateId>(kDirectionSteps[i].x);
   }
 }
 
 template <class Steps>
-MoveSet GridSpace<Steps>::without_unsafe(Cell cell, MoveSet moves) const {
+DirectionSet GridSpace<Steps>::without_unsafe(Cell cell, DirectionSet moves) const {
   unsigned safe = moves;
   for (unsigned left = moves & 0b10101010U; left != 0; left &= left - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(left));
-    const Cell to{cell.x + offsets_[direction].x, cell.y + offsets_[direction].y};
+    const Cell to = step(cell, static_cast<Direction>(direction));
     if (!space_.far_enough(squared_half_cell_way_clearance(space_, cell, to))) {
       safe &= ~(1U << direction);
     }
   }
-  return static_cast<MoveSet>(safe);
+  return static_cast<DirectionSet>(safe);
 }
 
 template <class Steps>

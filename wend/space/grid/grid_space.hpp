@@ -4,7 +4,7 @@
 //
 // UniformGrid counts steps in whole numbers and is exact; TerrainGrid charges a step its length
 // times the mean of the multipliers of its two cells (the L-stage additive cost of LaValle).
-// Successors come in the order of Direction: down first, then counter-clockwise as drawn.
+// Successors come in the order of Direction.
 
 #include <array>
 #include <bit>
@@ -96,27 +96,25 @@ class GridSpace {
   bool is_step(Cell from, Cell to) const;
 
  private:
-  MoveSet moves_from(Cell cell, Move arrival) const {
-    const MoveSet moves = table_.moves(arrival, passable_->block(cell, down_));
+  DirectionSet moves_from(Cell cell, Move arrival) const {
+    const DirectionSet moves = table_.moves(arrival, passable_->block(cell));
     return sweeps_ ? without_unsafe(cell, moves) : moves;
   }
 
   State neighbour(const State& state, unsigned direction) const {
-    const Cell offset = offsets_[direction];
+    const Cell offset = kDirectionSteps[direction];
     return {state.number + id_offsets_[direction],
             {state.cell.x + offset.x, state.cell.y + offset.y}};
   }
 
-  MoveSet without_unsafe(Cell cell, MoveSet moves) const;
+  DirectionSet without_unsafe(Cell cell, DirectionSet moves) const;
 
   FreeSpace space_;
   const BitGrid* passable_;  // of the FreeSpace
   Steps steps_;
   StateId width_;
-  int down_;  // the step in y that is down as drawn
   MoveTable table_;
   bool sweeps_;  // is the way along a diagonal step to be checked?
-  std::array<Cell, kDirections> offsets_{};
   std::array<StateId, kDirections> id_offsets_{};  // modulo 2^32
 };
 

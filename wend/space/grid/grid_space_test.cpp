@@ -49,16 +49,13 @@ FreeSpace open_space(bool y_up) {
 
 // The order of these cells is what makes expansion orders the same everywhere.
 
-TEST(GridSpace, ListsSuccessorsDownFirstThenCounterClockwiseAsDrawn) {
-  EXPECT_THAT(cells_after(ExactGrid(open_space(/*y_up=*/false)), {1, 1}),
-              ElementsAre(Cell{1, 2}, Cell{2, 2}, Cell{2, 1}, Cell{2, 0}, Cell{1, 0}, Cell{0, 0},
-                          Cell{0, 1}, Cell{0, 2}));
-}
-
-TEST(GridSpace, ListsTheSamePictureWhereYIsUp) {
-  EXPECT_THAT(cells_after(ExactGrid(open_space(/*y_up=*/true)), {1, 1}),
-              ElementsAre(Cell{1, 0}, Cell{2, 0}, Cell{2, 1}, Cell{2, 2}, Cell{1, 2}, Cell{0, 2},
-                          Cell{0, 1}, Cell{0, 0}));
+TEST(GridSpace, ListsSuccessorsInTheOrderOfDirection) {
+  for (const bool y_up : {false, true}) {
+    EXPECT_THAT(cells_after(ExactGrid(open_space(y_up)), {1, 1}),
+                ElementsAre(Cell{1, 2}, Cell{2, 2}, Cell{2, 1}, Cell{2, 0}, Cell{1, 0}, Cell{0, 0},
+                            Cell{0, 1}, Cell{0, 2}))
+        << "y_up " << y_up;
+  }
 }
 
 TEST(GridSpace, ListsFourNeighboursInTheSameOrder) {

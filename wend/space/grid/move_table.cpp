@@ -5,14 +5,13 @@
 namespace wend {
 namespace {
 
-// Offsets as drawn: x to the right, y down.
 using Offset = Cell;
 
 constexpr Offset operator+(Offset a, Offset b) { return {a.x + b.x, a.y + b.y}; }
 constexpr Offset operator-(Offset a, Offset b) { return {a.x - b.x, a.y - b.y}; }
 
 constexpr Offset offset_of(int direction) {
-  return kDrawnSteps[static_cast<std::size_t>(direction)];
+  return kDirectionSteps[static_cast<std::size_t>(direction)];
 }
 
 /// The 3 x 3 block around a cell, in which moves are judged.
@@ -89,7 +88,7 @@ bool superfluous(const Neighbours& block, Offset parent, Offset target) {
   return false;
 }
 
-MoveSet moves_in(const Neighbours& block, Move arrival) {
+DirectionSet moves_in(const Neighbours& block, Move arrival) {
   unsigned moves = 0;
   for (int direction = 0; direction < kDirections; ++direction) {
     const Offset target = offset_of(direction);
@@ -100,7 +99,7 @@ MoveSet moves_in(const Neighbours& block, Move arrival) {
     }
     moves |= 1U << static_cast<unsigned>(direction);
   }
-  return static_cast<MoveSet>(moves);
+  return static_cast<DirectionSet>(moves);
 }
 
 }  // namespace

@@ -23,9 +23,6 @@
 
 namespace wend {
 
-/// A set of directions, bit d for Direction d.
-using MoveSet = std::uint8_t;
-
 class MoveTable {
  public:
   enum class Pruning { none, canonical };
@@ -33,15 +30,16 @@ class MoveTable {
   explicit MoveTable(GridMoves moves, Pruning pruning = Pruning::none);
 
   /// The moves from a cell that was reached by `arrival`, a Direction or kNoMove. `block` holds the
-  /// passable cells of the block around it, rows as drawn, left to right: bits 0-2 the row below,
-  /// 3-5 its own row, 6-8 the row above.
-  MoveSet moves(Move arrival, unsigned block) const { return moves_[arrival * kBlocks + block]; }
+  /// passable cells of the block around it, as BitGrid::block() gives them.
+  DirectionSet moves(Move arrival, unsigned block) const {
+    return moves_[arrival * kBlocks + block];
+  }
 
  private:
   static constexpr std::size_t kBlocks = 512;
 
   // Indexed by all that a Move can be, so that a lookup needs no case for the start.
-  std::array<MoveSet, (kNoMove + 1) * kBlocks> moves_{};
+  std::array<DirectionSet, (kNoMove + 1) * kBlocks> moves_{};
 };
 
 }  // namespace wend

@@ -31,15 +31,15 @@ std::string text_of(GridMoves moves) {
 
 /// The bits of a block by name, as the header lays them out.
 enum Bit : unsigned {
-  kDownLeft = 1U << 0U,
-  kDown = 1U << 1U,
-  kDownRight = 1U << 2U,
-  kLeft = 1U << 3U,
+  kMinusXPlusY = 1U << 0U,
+  kPlusY = 1U << 1U,
+  kPlusXPlusY = 1U << 2U,
+  kMinusX = 1U << 3U,
   kMiddle = 1U << 4U,
-  kRight = 1U << 5U,
-  kUpLeft = 1U << 6U,
-  kUp = 1U << 7U,
-  kUpRight = 1U << 8U,
+  kPlusX = 1U << 5U,
+  kMinusXMinusY = 1U << 6U,
+  kMinusY = 1U << 7U,
+  kPlusXMinusY = 1U << 8U,
 };
 
 /// A move, the cell that it leads to, and for a diagonal one the two cells beside it.
@@ -49,14 +49,15 @@ struct Rule {
   unsigned beside;
 };
 
-constexpr std::array<Rule, 8> kRules{{{Direction::down, kDown, 0},
-                                      {Direction::down_right, kDownRight, kDown | kRight},
-                                      {Direction::right, kRight, 0},
-                                      {Direction::up_right, kUpRight, kUp | kRight},
-                                      {Direction::up, kUp, 0},
-                                      {Direction::up_left, kUpLeft, kUp | kLeft},
-                                      {Direction::left, kLeft, 0},
-                                      {Direction::down_left, kDownLeft, kDown | kLeft}}};
+constexpr std::array<Rule, 8> kRules{
+    {{Direction::plus_y, kPlusY, 0},
+     {Direction::plus_x_plus_y, kPlusXPlusY, kPlusY | kPlusX},
+     {Direction::plus_x, kPlusX, 0},
+     {Direction::plus_x_minus_y, kPlusXMinusY, kMinusY | kPlusX},
+     {Direction::minus_y, kMinusY, 0},
+     {Direction::minus_x_minus_y, kMinusXMinusY, kMinusY | kMinusX},
+     {Direction::minus_x, kMinusX, 0},
+     {Direction::minus_x_plus_y, kMinusXPlusY, kPlusY | kMinusX}}};
 
 bool is_legal(const Rule& rule, GridMoves moves, unsigned block) {
   if ((block & kMiddle) == 0 || (block & rule.target) == 0) return false;
@@ -72,10 +73,11 @@ TEST(MoveTable, HoldsTheLegalMovesOfEveryBlock) {
     SCOPED_TRACE(text_of(moves));
     const MoveTable table(moves);
     for (unsigned block = 0; block < kBlocks; ++block) {
-      MoveSet expected = 0;
+      DirectionSet expected = 0;
       for (const Rule& rule : kRules) {
         if (!is_legal(rule, moves, block)) continue;
-        expected = static_cast<MoveSet>(expected | 1U << static_cast<unsigned>(rule.direction));
+        expected =
+            static_cast<DirectionSet>(expected | 1U << static_cast<unsigned>(rule.direction));
       }
       ASSERT_EQ(table.moves(kNoMove, block), expected) << "block " << block;
       for (Move arrival = 0; arrival < kDirections; ++arrival) {
@@ -106,12 +108,12 @@ TEST(CanonicalMoveTable, IsThinInTheOpen) {
     return table.moves(static_cast<Move>(arrival), kBlocks - 1);
   };
   const auto set_of = [](auto... directions) {
-    return static_cast<MoveSet>(((1U << static_cast<unsigned>(directions)) | ...));
+    return static_cast<DirectionSet>(((1U << static_cast<unsigned>(directions)) | ...));
   };
-  EXPECT_EQ(moves_after(Direction::right), set_of(Direction::right));
-  EXPECT_EQ(moves_after(Direction::up), set_of(Direction::up));
-  EXPECT_EQ(moves_after(Direction::down_left),
-            set_of(Direction::down_left, Direction::down, Direction::left));
+  EXPECT_EQ(moves_after(Direction::plus_x), set_of(Direction::plus_x));
+  EXPECT_EQ(moves_after(Direction::minus_y), set_of(Direction::minus_y));
+  EXPECT_EQ(moves_after(Direction::minus_x_plus_y),
+            set_of(Direction::minus_x_plus_y, Direction::plus_y, Direction::minus_x));
 }
 
 /// The cheapest cost of every cell from `start`, as a search finds it that keeps the first of equal

@@ -53,33 +53,26 @@ constexpr typename Costs::Cost diagonal_estimate(Cell from, Cell to) {
 
 namespace empty_yard {
 
-/// Which turns must be odd in number between two headings: bit 0 those along the falling diagonal,
-/// which swap E with S and N with W, bit 1 those along the rising one, which swap E with N and S
-/// with W. Any order does: the two swaps commute.
+/// Which turns must be odd in number between two headings: bit 0 those along the diagonal x = y,
+/// which swap +x with +y and -x with -y, bit 1 those along the other one, which swap +x with -y and
+/// -x with +y. Any order does: the two swaps commute.
 constexpr unsigned odd_turns(Heading from, Heading to) {
   return static_cast<unsigned>(from) ^ static_cast<unsigned>(to);
 }
 
-/// A displacement as drawn, y down.
-struct Displacement {
-  int x;
-  int y;
-};
-
 /// The cheapest drive with turns of those parities.
 template <class Costs>
-constexpr typename Costs::Cost cheapest(Displacement way, Heading from, unsigned odd) {
+constexpr typename Costs::Cost cheapest(Cell way, Heading from, unsigned odd) {
   using Cost = typename Costs::Cost;
   const int shorter = std::min(std::abs(way.x), std::abs(way.y));
   const int sign = way.x < 0 ? -1 : 1;
-  const bool falling = (way.x < 0) == (way.y < 0);
-  const int best_p = falling ? sign * shorter : 0;
-  const int best_q = falling ? 0 : sign * shorter;
+  const bool along_first = (way.x < 0) == (way.y < 0);
+  const int best_p = along_first ? sign * shorter : 0;
+  const int best_q = along_first ? 0 : sign * shorter;
   const auto cost = [&](int turns, int straight) {
     return static_cast<Cost>(turns) * Costs::kTurn + static_cast<Cost>(straight) * Costs::kStraight;
   };
-  const bool faces_x = from == Heading::east || from == Heading::west;
-  const bool straight_only = faces_x ? way.y == 0 : way.x == 0;
+  const bool straight_only = is_along_x(from) ? way.y == 0 : way.x == 0;
   Cost least = cost(0, 0);
   bool any = false;
   for (int p = best_p - 2; p <= best_p + 2; ++p) {
@@ -107,16 +100,14 @@ constexpr typename Costs::Cost cheapest(Displacement way, Heading from, unsigned
 /// headings ask for, for which |p| + |q| turns and the straight rest cost least: they are within 2
 /// of those without parities.
 template <class Costs>
-constexpr typename Costs::Cost headings_estimate(const CornerPose& from, const CarGoal& goal,
-                                                 bool y_up) {
-  const int down = goal.corner.y - from.corner.y;
-  const empty_yard::Displacement way{goal.corner.x - from.corner.x, y_up ? -down : down};
+constexpr typename Costs::Cost headings_estimate(const CornerPose& from, const CarGoal& goal) {
+  const Cell way{goal.corner.x - from.corner.x, goal.corner.y - from.corner.y};
   if (goal.heading) {
     return empty_yard::cheapest<Costs>(way, from.heading,
                                        empty_yard::odd_turns(from.heading, *goal.heading));
   }
-  const bool faces_x = from.heading == Heading::east || from.heading == Heading::west;
-  const bool across = faces_x ? way.x == 0 && way.y != 0 : way.y == 0 && way.x != 0;
+  const bool across =
+      is_along_x(from.heading) ? way.x == 0 && way.y != 0 : way.y == 0 && way.x != 0;
   if (!across) return diagonal_estimate<Costs>(from.corner, goal.corner);
   auto least = empty_yard::cheapest<Costs>(way, from.heading, 0);
   for (unsigned odd = 1; odd < kHeadings; ++odd) {

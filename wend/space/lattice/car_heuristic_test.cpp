@@ -11,8 +11,8 @@ namespace {
 
 using Costs = RealCarCosts;
 
-double headings(const CornerPose& from, const CarGoal& goal, bool y_up = false) {
-  return headings_estimate<Costs>(from, goal, y_up);
+double headings(const CornerPose& from, const CarGoal& goal) {
+  return headings_estimate<Costs>(from, goal);
 }
 
 TEST(CarHeuristic, DiagonalCountsATurnForEachDiagonalCell) {
@@ -22,25 +22,26 @@ TEST(CarHeuristic, DiagonalCountsATurnForEachDiagonalCell) {
 }
 
 TEST(CarHeuristic, HeadingsKnowsHowACarMustFace) {
-  const CornerPose start{{0, 0}, Heading::east};
-  EXPECT_DOUBLE_EQ(headings(start, {{3, 0}, Heading::east}), 3);
-  EXPECT_DOUBLE_EQ(headings(start, {{-3, 0}, Heading::east}), 3) << "in reverse";
-  EXPECT_DOUBLE_EQ(headings(start, {{1, 1}, Heading::south}), kPi / 2);
-  EXPECT_DOUBLE_EQ(headings(start, {{2, 2}, Heading::east}), kPi);
-  EXPECT_DOUBLE_EQ(headings(start, {{0, 1}, Heading::east}), kPi + 1) << "there and back";
-  EXPECT_DOUBLE_EQ(headings(start, {{0, 0}, Heading::west}), kPi + 2) << "in three moves or more";
+  const CornerPose start{{0, 0}, Heading::plus_x};
+  EXPECT_DOUBLE_EQ(headings(start, {{3, 0}, Heading::plus_x}), 3);
+  EXPECT_DOUBLE_EQ(headings(start, {{-3, 0}, Heading::plus_x}), 3) << "in reverse";
+  EXPECT_DOUBLE_EQ(headings(start, {{1, 1}, Heading::plus_y}), kPi / 2);
+  EXPECT_DOUBLE_EQ(headings(start, {{2, 2}, Heading::plus_x}), kPi);
+  EXPECT_DOUBLE_EQ(headings(start, {{0, 1}, Heading::plus_x}), kPi + 1) << "there and back";
+  EXPECT_DOUBLE_EQ(headings(start, {{0, 0}, Heading::minus_x}), kPi + 2)
+      << "in three moves or more";
 }
 
 TEST(CarHeuristic, HeadingsTakesTheBestOfAnyHeading) {
-  const CornerPose start{{0, 0}, Heading::east};
+  const CornerPose start{{0, 0}, Heading::plus_x};
   EXPECT_DOUBLE_EQ(headings(start, {{3, 1}}), kPi / 2 + 2);
   EXPECT_DOUBLE_EQ(headings(start, {{0, 1}}), kPi / 2 + 1) << "one turn, and back along its side";
   EXPECT_EQ(headings(start, {{0, 0}}), 0);
 }
 
-TEST(CarHeuristic, HeadingsIsOfThePictureWithYUpAsWithYDown) {
-  EXPECT_DOUBLE_EQ(headings({{0, 5}, Heading::east}, {{1, 4}, Heading::south}, true), kPi / 2);
-  EXPECT_GT(headings({{0, 4}, Heading::east}, {{1, 5}, Heading::south}, true), kPi);
+TEST(CarHeuristic, HeadingsKnowsTheSideOfATurn) {
+  EXPECT_DOUBLE_EQ(headings({{0, 5}, Heading::plus_x}, {{1, 4}, Heading::minus_y}), kPi / 2);
+  EXPECT_GT(headings({{0, 4}, Heading::plus_x}, {{1, 5}, Heading::minus_y}), kPi);
 }
 
 TEST(CarHeuristic, IsTheSameInWholeNumbers) {
@@ -51,7 +52,7 @@ TEST(CarHeuristic, IsTheSameInWholeNumbers) {
           const CornerPose start{{0, 0}, from};
           const CarGoal goal{{dx, dy}, to};
           const double real = headings(start, goal);
-          const auto whole = headings_estimate<CompactCarCosts>(start, goal, false);
+          const auto whole = headings_estimate<CompactCarCosts>(start, goal);
           EXPECT_NEAR(static_cast<double>(whole) / CompactCarCosts::kUnitsPerCell, real, 1e-8);
         }
       }
@@ -60,10 +61,10 @@ TEST(CarHeuristic, IsTheSameInWholeNumbers) {
 }
 
 TEST(CarGoal, ContainsOnePoseOrAllOfACorner) {
-  const CarGoal goal{{2, 3}, Heading::west};
-  EXPECT_TRUE(goal.contains({{2, 3}, Heading::west}));
-  EXPECT_FALSE(goal.contains({{2, 3}, Heading::east}));
-  EXPECT_FALSE(goal.contains({{3, 3}, Heading::west}));
+  const CarGoal goal{{2, 3}, Heading::minus_x};
+  EXPECT_TRUE(goal.contains({{2, 3}, Heading::minus_x}));
+  EXPECT_FALSE(goal.contains({{2, 3}, Heading::plus_x}));
+  EXPECT_FALSE(goal.contains({{3, 3}, Heading::minus_x}));
   const CarGoal any{{2, 3}, std::nullopt};
   for (const Heading heading : kAllHeadings) EXPECT_TRUE(any.contains({{2, 3}, heading}));
 }

@@ -32,30 +32,31 @@ bool may_touch_obstacles(const FreeSpace& space, int unit) {
 int cells_along(int length, int unit) { return (length + unit - 1) / unit; }
 int corners_along(int length, int unit) { return length / unit + 1; }
 
-CarStep turn_of(Heading heading, CarMove move, bool y_up) {
-  const CornerPose to = moved({{0, 0}, heading}, move, y_up);
+CarStep turn_of(Heading heading, CarMove move) {
+  const CornerPose to = moved({{0, 0}, heading}, move);
   const Cell swept{std::min(0, to.corner.x), std::min(0, to.corner.y)};
   // The centre lies beside the car, on the side of the turn.
-  const Cell side = ahead(info_of(move).side > 0 ? right_of(heading) : left_of(heading), y_up);
+  const Heading plus = quarter_turned(heading);
+  const Cell side = ahead(side_of(move) > 0 ? plus : opposite(plus));
   const unsigned bit = (side.x > swept.x ? 1U : 0U) + (side.y > swept.y ? 2U : 0U);
   return {to.corner, to.heading, swept, {}, {}, bit, swept};
 }
 
-CarStep straight_of(Heading heading, CarMove move, bool y_up) {
-  const CornerPose to = moved({{0, 0}, heading}, move, y_up);
+CarStep straight_of(Heading heading, CarMove move) {
+  const CornerPose to = moved({{0, 0}, heading}, move);
   const Cell lower{std::min(0, to.corner.x), std::min(0, to.corner.y)};
   const bool along_x = to.corner.x != 0;
   const Cell other{lower.x - (along_x ? 0 : 1), lower.y - (along_x ? 1 : 0)};
   return {to.corner, heading, {}, lower, other, along_x ? kLineAlongX : kLineAlongY, lower};
 }
 
-Steps steps_of(bool y_up) {
+Steps all_steps() {
   Steps steps;
   for (const Heading heading : kAllHeadings) {
     for (int number = 0; number < kCarMoves; ++number) {
       const auto move = static_cast<CarMove>(number);
       steps[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(number)] =
-          is_turn(move) ? turn_of(heading, move, y_up) : straight_of(heading, move, y_up);
+          is_turn(move) ? turn_of(heading, move) : straight_of(heading, move);
     }
   }
   return steps;
@@ -129,7 +130,7 @@ class Sweeping {
  private:
   void sweep_from(Cell corner, Grid<std::uint8_t>& fitting) const {
     for (const Heading heading : kAllHeadings) {
-      for (const CarMove move : {CarMove::fwd, CarMove::fwd_right, CarMove::fwd_left}) {
+      for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
         sweep(corner, heading, move, fitting);
       }
     }
@@ -142,7 +143,7 @@ class Sweeping {
     if (!passable_.contains(to) || !passable_[to]) return;
     std::uint8_t& bits = fitting[{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y}];
     if (((bits >> step.arc_bit) & 1U) != 0) return;  // seen from its other end
-    const Pose from = corner_point(corner, unit_, radians_of(heading, space_.map().frame().y_up));
+    const Pose from = corner_point(corner, unit_, radians_of(heading));
     if (!fits_along(space_, arc_to(from, corner_point(to, unit_).point()))) return;
     bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
   }
@@ -162,7 +163,7 @@ bool has_room_for(const GridMap& map, const CarDriving& driving) {
 CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
   assert(has_room_for(space.map(), driving));
   const auto unit = static_cast<int>(driving.unit);
-  const Steps steps = steps_of(space.map().frame().y_up);
+  const Steps steps = all_steps();
   BitGrid blocked = blocked_cells(space, unit);
   BitGrid passable = passable_corners(space, blocked, unit);
   ConnectedComponents components(passable);
@@ -208,11 +209,11 @@ double CarLattice::ground(const CornerPose& from, CarMove move) const {
 }
 
 Pose CarLattice::to_grid(const CornerPose& place) const {
-  return corner_point(place.corner, unit(), radians_of(place.heading, y_up()));
+  return corner_point(place.corner, unit(), radians_of(place.heading));
 }
 
 std::optional<CornerPose> CarLattice::nearest(const Pose& pose) const {
-  auto place = nearest_corner_pose(pose, y_up(), unit());
+  auto place = nearest_corner_pose(pose, unit());
   if (place) place->corner = {place->corner.x / unit(), place->corner.y / unit()};
   return place;
 }

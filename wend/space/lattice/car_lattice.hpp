@@ -53,7 +53,6 @@ class CarLattice {
   const FreeSpace& free_space() const { return data_->space; }
   const CarDriving& driving() const { return data_->driving; }
   int unit() const { return static_cast<int>(data_->driving.unit); }
-  bool y_up() const { return data_->space.map().frame().y_up; }
 
   /// How many corners there are.
   int columns() const { return data_->passable.width(); }

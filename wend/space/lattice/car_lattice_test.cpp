@@ -64,11 +64,11 @@ TEST(CarLattice, HasTheMeanTerrainOfItsMapCells) {
 
 TEST(CarLattice, LetsTurnsPayForTheCellThatTheySweep) {
   const CarLattice rough = lattice("2345\n6789");
-  EXPECT_EQ(ground(rough, {1, 1}, Heading::east, CarMove::fwd_left), 3);
-  EXPECT_EQ(ground(rough, {1, 1}, Heading::east, CarMove::fwd_right), 7);
-  EXPECT_EQ(ground(rough, {1, 1}, Heading::east, CarMove::rev_left), 2);
-  EXPECT_EQ(ground(rough, {1, 1}, Heading::east, CarMove::rev_right), 6);
-  EXPECT_EQ(ground(rough, {1, 1}, Heading::north, CarMove::fwd_left), 2);
+  EXPECT_EQ(ground(rough, {1, 1}, Heading::plus_x, CarMove::fwd_minus), 3);
+  EXPECT_EQ(ground(rough, {1, 1}, Heading::plus_x, CarMove::fwd_plus), 7);
+  EXPECT_EQ(ground(rough, {1, 1}, Heading::plus_x, CarMove::rev_minus), 2);
+  EXPECT_EQ(ground(rough, {1, 1}, Heading::plus_x, CarMove::rev_plus), 6);
+  EXPECT_EQ(ground(rough, {1, 1}, Heading::minus_y, CarMove::fwd_minus), 2);
 }
 
 TEST(CarLattice, LetsStraightMovesPayForTheCellsBesideThem) {
@@ -77,13 +77,13 @@ TEST(CarLattice, LetsStraightMovesPayForTheCellsBesideThem) {
     const CarLattice rough(space, {.straight_terrain = pays});
     return ground(rough, corner, heading, CarMove::fwd);
   };
-  EXPECT_EQ(along(StraightTerrain::none, {1, 1}, Heading::east), 1);
-  EXPECT_EQ(along(StraightTerrain::mean, {1, 1}, Heading::east), 5) << "of 3 and 7";
-  EXPECT_EQ(along(StraightTerrain::max, {1, 1}, Heading::east), 7);
-  EXPECT_EQ(along(StraightTerrain::mean, {1, 1}, Heading::south), 6.5) << "of 6 and 7";
-  EXPECT_EQ(along(StraightTerrain::max, {1, 0}, Heading::south), 3);
-  EXPECT_EQ(along(StraightTerrain::mean, {1, 0}, Heading::east), 3) << "the one cell at the edge";
-  EXPECT_EQ(along(StraightTerrain::max, {4, 1}, Heading::north), 5);
+  EXPECT_EQ(along(StraightTerrain::none, {1, 1}, Heading::plus_x), 1);
+  EXPECT_EQ(along(StraightTerrain::mean, {1, 1}, Heading::plus_x), 5) << "of 3 and 7";
+  EXPECT_EQ(along(StraightTerrain::max, {1, 1}, Heading::plus_x), 7);
+  EXPECT_EQ(along(StraightTerrain::mean, {1, 1}, Heading::plus_y), 6.5) << "of 6 and 7";
+  EXPECT_EQ(along(StraightTerrain::max, {1, 0}, Heading::plus_y), 3);
+  EXPECT_EQ(along(StraightTerrain::mean, {1, 0}, Heading::plus_x), 3) << "the one cell at the edge";
+  EXPECT_EQ(along(StraightTerrain::max, {4, 1}, Heading::minus_y), 5);
 }
 
 TEST(CarLattice, SaysWhyACornerIsBlocked) {
@@ -116,13 +116,13 @@ TEST(CarLattice, SweepsTheDiscAlongTheWholeArc) {
     return yard.fits({1, 0}, yard.step(heading, move));
   };
   const double touching = std::sqrt(2) - 1;
-  EXPECT_TRUE(fits(0.1, Heading::south, CarMove::fwd_right));
-  EXPECT_TRUE(fits(touching, Heading::south, CarMove::fwd_right));
-  EXPECT_FALSE(fits(touching + 1e-6, Heading::south, CarMove::fwd_right));
-  EXPECT_TRUE(fits(touching + 1e-6, Heading::west, CarMove::fwd_left));
-  EXPECT_TRUE(fits(1, Heading::west, CarMove::fwd_left));
-  EXPECT_TRUE(fits(1, Heading::east, CarMove::rev_right)) << "the same arc, in reverse";
-  EXPECT_TRUE(fits(1, Heading::west, CarMove::fwd));
+  EXPECT_TRUE(fits(0.1, Heading::plus_y, CarMove::fwd_plus));
+  EXPECT_TRUE(fits(touching, Heading::plus_y, CarMove::fwd_plus));
+  EXPECT_FALSE(fits(touching + 1e-6, Heading::plus_y, CarMove::fwd_plus));
+  EXPECT_TRUE(fits(touching + 1e-6, Heading::minus_x, CarMove::fwd_minus));
+  EXPECT_TRUE(fits(1, Heading::minus_x, CarMove::fwd_minus));
+  EXPECT_TRUE(fits(1, Heading::plus_x, CarMove::rev_plus)) << "the same arc, in reverse";
+  EXPECT_TRUE(fits(1, Heading::minus_x, CarMove::fwd));
 }
 
 TEST(CarLattice, ConnectsWhatHeadingsAloneMightPart) {

@@ -120,8 +120,8 @@ class CarSpace {
   template <class Sink>
   void for_each_move(const State& state, unsigned moves, Sink&& sink) const {
     const Cell corner = state.place.corner;
-    moves &= open_[static_cast<std::size_t>(state.place.heading) * kBlocks +
-                   passable_->block(corner, 1)];
+    moves &=
+        open_[static_cast<std::size_t>(state.place.heading) * kBlocks + passable_->block(corner)];
     for (; moves != 0; moves &= moves - 1) {
       const auto move = static_cast<CarMove>(std::countr_zero(moves));
       const CarStep& way = step(state.place.heading, move);

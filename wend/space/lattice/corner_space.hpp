@@ -4,7 +4,6 @@
 // goes straight to four neighbours and along arcs to four others, ahead. What that costs is never
 // more than what the car pays, where reversing costs at least as much as driving ahead.
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -31,38 +30,31 @@ class CornerSpace {
   StateId state_count() const { return car_.state_count() / kHeadings; }
 
   State state(Cell corner) const {
-    return {car_.state({corner, Heading::north}).number / kHeadings, corner};
+    return {car_.state({corner, Heading::minus_y}).number / kHeadings, corner};
   }
   State state(StateId id) const { return state(car_.state(id * kHeadings).place.corner); }
   StateId id(const State& state) const { return state.number; }
 
   State parent(const State& state, Move move) const {
-    return this->state(step(state.corner, opposite(static_cast<Direction>(move)), false));
+    return this->state(step(state.corner, opposite(static_cast<Direction>(move))));
   }
 
   template <class Sink>
   void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
     for (const Heading heading : kAllHeadings) {
       const CarState start = car_.state({from.corner, heading});
-      // Facing north or south the car turns to the same corners, on the other side of the cell.
-      const bool all = car_.lattice().sweeps() || ahead(heading, false).x != 0;
+      // Facing along y the car turns to the same corners, on the other side of the cell.
+      const bool all = car_.lattice().sweeps() || is_along_x(heading);
       const unsigned moves = all ? Car::kMovesAhead : Car::kStraightAhead;
       car_.for_each_move(start, moves, [&](const CarState& to, Move, Cost cost) {
         const Cell by{to.place.corner.x - from.corner.x, to.place.corner.y - from.corner.y};
-        sink(State{to.number / kHeadings, to.place.corner}, direction_of(by), cost);
+        sink(State{to.number / kHeadings, to.place.corner}, static_cast<Move>(direction_of(by)),
+             cost);
       });
     }
   }
 
  private:
-  static Move direction_of(Cell by) {
-    constexpr std::array<Direction, 9> kDirectionOf{
-        Direction::up_left,   Direction::up,   Direction::up_right,
-        Direction::left,      Direction::down, Direction::right,
-        Direction::down_left, Direction::down, Direction::down_right};
-    return static_cast<Move>(kDirectionOf[static_cast<std::size_t>((by.y + 1) * 3 + by.x + 1)]);
-  }
-
   Car car_;
 };
 

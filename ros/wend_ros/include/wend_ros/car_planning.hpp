@@ -3,7 +3,7 @@
 // CarPlanning: a yard and a drive on it, from message to message. Knows no node.
 //
 // Messages count corners, with +y south; so do the grid coordinates of the map made here, whose
-// y points down as drawn. One cell is one metre in the frame `car_map`, which is `map` turned by pi
+// frame has y down. One cell is one metre in the frame `car_map`, which is `map` turned by pi
 // about x.
 
 #include <wend_ros/CarRequest.h>
