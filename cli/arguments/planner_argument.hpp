@@ -10,7 +10,6 @@
 
 #include "wend/base/workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
-#include "wend/index/file/index_header.hpp"
 #include "wend/io/files.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "wend/index/file/index_bytes.hpp"
-#include "wend/index/file/index_header.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"

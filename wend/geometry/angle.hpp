@@ -2,6 +2,7 @@
 
 // Angles in radians, counter-clockwise from +x.
 
+#include <cmath>
 #include <numbers>
 
 namespace wend {
@@ -9,7 +10,10 @@ namespace wend {
 inline constexpr double kPi = std::numbers::pi;
 
 /// The same direction in (-pi, pi].
-double normalized_angle(double radians);
+inline double normalized_angle(double radians) {
+  const double wrapped = std::remainder(radians, 2 * kPi);  // in [-pi, pi]
+  return wrapped == -kPi ? kPi : wrapped;
+}
 
 constexpr double degrees_from(double radians) { return radians * (180 / kPi); }
 constexpr double radians_from(double degrees) { return degrees * (kPi / 180); }

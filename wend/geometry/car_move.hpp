@@ -14,7 +14,9 @@
 //   const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_plus);  // (2,1) facing +y
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "wend/geometry/angle.hpp"
@@ -78,6 +80,14 @@ inline Pose pose_of(const CornerPose& place) {
 
 /// The corner of the lattice and the heading nearest to a pose in grid coordinates, all finite. It
 /// may lie outside any map; nothing where its numbers are too large for a corner.
-std::optional<CornerPose> nearest_corner_pose(const Pose& pose, int unit = 1);
+inline std::optional<CornerPose> nearest_corner_pose(const Pose& pose, int unit = 1) {
+  const double x = unit * std::round(pose.x / unit);
+  const double y = unit * std::round(pose.y / unit);
+  constexpr double kMost = std::numeric_limits<int>::max();
+  if (!(std::abs(x) <= kMost && std::abs(y) <= kMost) || !std::isfinite(pose.heading)) {
+    return std::nullopt;
+  }
+  return CornerPose{{static_cast<int>(x), static_cast<int>(y)}, nearest_heading(pose.heading)};
+}
 
 }  // namespace wend

@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include "wend/geometry/direction.hpp"
-#include "wend/index/diagonal_walk.hpp"
-#include "wend/index/rays.hpp"
+#include "wend/jump/bit_lines.hpp"
 
 namespace wend {
 namespace {
-
-int steps_between(Cell a, Cell b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y); }
 
 /// Finds the neighbours of one corner after the other.
 class EdgeScan {
  public:
   explicit EdgeScan(const Corners& corners)
-      : corners_(corners), rays_(corners.passable(), Rays::Stops::every_corner) {}
+      : corners_(corners),
+        rows_(with_blocked(BitLines(corners.bits()), BitLines(corners.passable()))),
+        columns_(with_blocked(BitLines(corners.bits()).transposed(),
+                              BitLines(corners.passable()).transposed())) {}
 
   void append_neighbours(Cell from, std::vector<CornerEdge>& edges) {
     from_ = from;
@@ -45,16 +44,22 @@ class EdgeScan {
     });
   }
 
-  int clear_steps(Direction straight) const {
-    return steps_between(from_, rays_.end(from_, straight)) - 1;
+  int clear_steps(Direction straight) const { return steps_to_stop(from_, straight) - 1; }
+
+  /// To the next cell in a straight direction that is a corner or blocked, perhaps outside.
+  int steps_to_stop(Cell from, Direction straight) const {
+    const bool along_x = straight == Direction::plus_x || straight == Direction::minus_x;
+    const BitLines& stops = along_x ? rows_ : columns_;
+    const auto [line, at] = along_x ? std::pair(from.y, from.x) : std::pair(from.x, from.y);
+    const bool onward = straight == Direction::plus_x || straight == Direction::plus_y;
+    return onward ? stops.distance_ahead(line, at) : stops.distance_back(line, at);
   }
 
   /// Takes the corner that a ray stops at, if it does within `reach` steps. Says how many steps it
   /// is clear for.
   int scan_ray(Cell cell, Direction straight, int reach) {
-    const Cell end = rays_.end(cell, straight);
-    const int steps = steps_between(cell, end);
-    if (steps <= reach) append_if_corner(end);
+    const int steps = steps_to_stop(cell, straight);
+    if (steps <= reach) append_if_corner(step(cell, straight, steps));
     return steps - 1;
   }
 
@@ -66,7 +71,8 @@ class EdgeScan {
   }
 
   const Corners& corners_;
-  Rays rays_;
+  BitLines rows_;  // of the cells that a ray stops at
+  BitLines columns_;
   Cell from_;
   std::vector<CornerEdge>* edges_ = nullptr;
 };

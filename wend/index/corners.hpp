@@ -17,33 +17,40 @@
 
 namespace wend {
 
-constexpr unsigned compute_jump_directions(unsigned block) {
-  const auto passable = [block](int dx, int dy) { return (block >> (4 - 3 * dy + dx) & 1) != 0; };
-  unsigned set = 0;
+constexpr unsigned compute_turn_sides(unsigned block) {
+  const auto passable = [block](Cell at) { return (block >> (4 - 3 * at.y + at.x) & 1U) != 0; };
+  unsigned sides = 0;
   for (unsigned straight = 0; straight < 4; ++straight) {
     const Cell ahead = kDirectionSteps[2 * straight];
-    for (const int side : {-1, 1}) {
-      const Cell beside{side * ahead.y, side * ahead.x};
-      const bool jump = passable(-ahead.x, -ahead.y) && passable(beside.x, beside.y) &&
-                        !passable(beside.x - ahead.x, beside.y - ahead.y);
-      if (jump) set |= 1U << straight;
+    if (!passable({-ahead.x, -ahead.y})) continue;
+    for (const unsigned turn : {1U, 3U}) {
+      const Cell beside = kDirectionSteps[(2 * (straight + turn)) % kDirections];
+      if (!passable(beside) || passable({beside.x - ahead.x, beside.y - ahead.y})) continue;
+      sides |= (turn == 1 ? 1U : 2U) << (2 * straight);
     }
   }
-  return set;
+  return sides;
 }
 
-inline constexpr auto kJumpDirections = [] {
+inline constexpr auto kTurnSides = [] {
   std::array<std::uint8_t, 512> table{};
   for (unsigned block = 0; block < table.size(); ++block) {
-    table[block] = static_cast<std::uint8_t>(compute_jump_directions(block));
+    table[block] = static_cast<std::uint8_t>(compute_turn_sides(block));
   }
   return table;
 }();
 
-/// The straight directions in which a ray stops at a passable cell as at a jump point: beside it is
-/// a passable cell, and the one behind that is blocked. Bit d/2 for Direction d. `block` is
-/// BitGrid::block(cell). A cell is a corner if and only if the set is not empty.
-constexpr unsigned jump_directions(unsigned block) { return kJumpDirections[block]; }
+/// By a set of 8 bits: for each straight direction d/2 whether a path that arrives that way turns
+/// to the next straight direction counter-clockwise (bit d), or clockwise (the bit after). `block`
+/// is BitGrid::block(cell).
+constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
+
+/// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
+constexpr unsigned turning_straights(unsigned sides) { return (sides | sides >> 1U) & 0x55U; }
+
+/// The straight directions in which a ray stops at a passable cell as at a jump point: a path that
+/// arrives that way may turn. As turning_straights(). A cell is a corner if and only if there is one.
+constexpr unsigned jump_directions(unsigned block) { return turning_straights(turn_sides(block)); }
 
 class Corners {
  public:
@@ -58,6 +65,7 @@ class Corners {
   Cell cell(std::uint32_t corner) const { return cells_[corner]; }
 
   bool contains(Cell cell) const { return bits_[cell]; }
+  const BitGrid& bits() const { return bits_; }
 
   /// The number of a cell that is a corner, kNone for others. O(1).
   std::uint32_t number(Cell cell) const;
@@ -69,5 +77,17 @@ class Corners {
   std::vector<std::uint32_t>
       before_;  // a word of bits_ (without the border rows): corners before it
 };
+
+/// Visits the cells on a diagonal after `from` until a step would cut a corner or is blocked, or
+/// `visit(cell)` says false.
+template <class Visit>
+void walk_diagonal(const BitGrid& passable, Cell from, Direction diagonal, Visit&& visit) {
+  for (Cell cell = from;;) {
+    const Cell next = step(cell, diagonal);
+    if (!passable[{next.x, cell.y}] || !passable[{cell.x, next.y}] || !passable[next]) return;
+    if (!visit(next)) return;
+    cell = next;
+  }
+}
 
 }  // namespace wend

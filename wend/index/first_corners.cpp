@@ -1,15 +1,16 @@
 #include "wend/index/first_corners.hpp"
 
 #include <algorithm>
+#include <ranges>
+#include <unordered_map>
 
 #include "wend/geometry/direction.hpp"
-#include "wend/index/diagonal_walk.hpp"
 
 namespace wend {
 namespace {
 
 bool is_stop(const BitGrid& passable, Cell cell, Direction straight) {
-  return (jump_directions(passable.block(cell)) >> quarter(straight) & 1U) != 0;
+  return (jump_directions(passable.block(cell)) & set_of(straight)) != 0;
 }
 
 /// Visits every cell that has a corner in its list: back along the rays that stop there, and back
@@ -32,26 +33,26 @@ void visit_cells_before(const BitGrid& passable, Cell corner, Visit&& visit) {
   }
 }
 
-}  // namespace
+using List = std::span<const std::uint32_t>;
 
-FirstCorners::FirstCorners(const Corners& corners)
-    : corners_(&corners), rays_(corners.passable(), Rays::Stops::jump_points) {}
-
-void FirstCorners::find(Cell cell, std::vector<std::uint32_t>& out) const {
-  out.clear();
-  const auto cast = [&](Cell from, Direction straight) {
-    const std::uint32_t corner = corners_->number(rays_.end(from, straight));
-    if (corner != Corners::kNone) out.push_back(corner);
-  };
-  for (const Direction straight : kStraightDirections) cast(cell, straight);
-  for (const Direction diagonal : kDiagonalDirections) {
-    walk_diagonal(corners_->passable(), cell, diagonal, [&](Cell on_diagonal) {
-      for (const Direction straight : beside(diagonal)) cast(on_diagonal, straight);
-      return true;
-    });
+struct ListHash {
+  std::size_t operator()(List list) const {
+    std::uint64_t hash = list.size();
+    for (const std::uint32_t corner : list) {
+      hash = (hash ^ corner) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 32U;
+    }
+    return static_cast<std::size_t>(hash);
   }
-  std::sort(out.begin(), out.end());
-}
+};
+
+struct SameList {
+  bool operator()(List a, List b) const {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+}  // namespace
 
 AllFirstCorners::AllFirstCorners(const Corners& corners)
     : width_(corners.passable().width()),
@@ -70,6 +71,33 @@ AllFirstCorners::AllFirstCorners(const Corners& corners)
   for (std::uint32_t corner = count; corner-- > 0;) {
     visit_cells_before(passable, corners.cell(corner),
                        [&](Cell cell) { corners_[--begins_[number_of(cell)]] = corner; });
+  }
+}
+
+CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& first) {
+  struct Member {
+    Cell cell;
+    std::size_t component;
+  };
+  std::vector<Member> members;
+  std::unordered_map<List, std::size_t, ListHash, SameList> components;
+  const BitGrid& passable = corners.passable();
+  for (int y = 0; y < passable.height(); ++y) {
+    for (int x = 0; x < passable.width(); ++x) {
+      const Cell cell{x, y};
+      if (!passable[cell] || corners.contains(cell)) continue;
+      const std::size_t component =
+          components.try_emplace(first.of(cell), components.size()).first->second;
+      members.push_back({cell, component});
+    }
+  }
+  begins_.resize(components.size() + 1);
+  for (const Member& member : members) ++begins_[member.component];
+  std::size_t end = 0;  // filling moves each to its begin
+  for (std::size_t& begin : begins_) begin = end += begin;
+  cells_.resize(members.size());
+  for (const Member& member : members | std::views::reverse) {
+    cells_[--begins_[member.component]] = member.cell;
   }
 }
 

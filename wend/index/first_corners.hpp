@@ -23,24 +23,10 @@
 #include <span>
 #include <vector>
 
+#include "wend/geometry/cell.hpp"
 #include "wend/index/corners.hpp"
-#include "wend/index/rays.hpp"
 
 namespace wend {
-
-/// Finds the first corners of single cells, forwards. Immutable; `corners` must outlive it.
-class FirstCorners {
- public:
-  explicit FirstCorners(const Corners& corners);
-
-  /// Replaces `out` by the first corners of a passable cell, in ascending order. O(cells on its
-  /// diagonals).
-  void find(Cell cell, std::vector<std::uint32_t>& out) const;
-
- private:
-  const Corners* corners_;
-  Rays rays_;
-};
 
 /// The first corners of all cells. Made backwards, from the corners: O(cells + the lists).
 class AllFirstCorners {
@@ -62,6 +48,27 @@ class AllFirstCorners {
   int width_;
   std::vector<std::size_t> begins_;  // by cell, and the end
   std::vector<std::uint32_t> corners_;
+};
+
+// CellComponents: the passable cells of a map that are no corners, grouped by their first corners.
+// Cells side by side mostly have the same ones, so what an index knows of them is kept once.
+
+class CellComponents {
+ public:
+  /// O(the lists of all cells). Components are numbered by their first cell, row by row.
+  CellComponents(const Corners& corners, const AllFirstCorners& first);
+
+  std::size_t size() const { return begins_.size() - 1; }
+
+  /// Never empty.
+  std::span<const Cell> cells(std::size_t component) const {
+    return std::span(cells_).subspan(begins_[component],
+                                     begins_[component + 1] - begins_[component]);
+  }
+
+ private:
+  std::vector<std::size_t> begins_{0};  // by component, and the end
+  std::vector<Cell> cells_;
 };
 
 }  // namespace wend

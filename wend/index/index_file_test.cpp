@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/index/file/index_reader.hpp"
-#include "wend/index/file/index_writer.hpp"
+#include "wend/index/file/index_sections.hpp"
 
 namespace wend {
 namespace {

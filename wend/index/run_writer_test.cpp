@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "wend/base/random.hpp"
-#include "wend/index/octile_steps.hpp"
+#include "wend/index/corner_cost.hpp"
 
 namespace wend {
 namespace {

@@ -1,40 +1,98 @@
 #include "wend/index/turns.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 namespace wend {
 namespace {
 
-/// Where legs begin, by the diagonal between each straight direction and the next.
-ArrivalBoards arrival_boards(const Corners& corners, const JumpBoards& boards) {
+/// A word of a row, of the bits one place before (dx = 1) or behind (dx = -1).
+std::uint64_t shifted(std::span<const std::uint64_t> words, std::size_t i, int dx) {
+  return dx > 0 ? bits_before(words, i) : bits_behind(words, i);
+}
+
+/// What there is for one diagonal direction: by rows.
+struct DiagonalRows {
+  BitLines stops;  // beginnings, and where a step back is not legal
+  BitLines met;    // the cells from which a way back meets a beginning
+};
+
+DiagonalRows diagonal_rows(const BitLines& passable, const BitLines& beginnings, Cell step) {
+  const int height = passable.lines();
+  DiagonalRows rows{BitLines(height, passable.length()), BitLines(height, passable.length())};
+  for (int i = 0; i < height; ++i) {
+    const int y = step.y > 0 ? i : height - 1 - i;  // a row after the one that steps come from
+    const auto here = passable.words(y);
+    const auto before = passable.words(y - step.y);
+    const auto begun = beginnings.words(y - step.y);
+    const auto met_before = rows.met.words(y - step.y);
+    const auto own = beginnings.words(y);
+    const auto met = rows.met.words(y);
+    const auto stops = rows.stops.words(y);
+    for (std::size_t at = 0; at < here.size(); ++at) {
+      const std::uint64_t legal =
+          here[at] & shifted(here, at, step.x) & before[at] & shifted(before, at, step.x);
+      met[at] = legal & (shifted(begun, at, step.x) | shifted(met_before, at, step.x));
+      stops[at] = own[at] | ~legal;
+    }
+  }
+  return rows;
+}
+
+/// By quarter(), where a leg may begin that goes along a diagonal: the one between each straight
+/// direction in which a path turns and the next.
+std::array<BitLines, 4> beginnings_of_legs(const Corners& corners) {
   const BitGrid& passable = corners.passable();
-  const BitLines none(passable.height(), passable.width());
-  BitLines rows = none;
-  ArrivalBoards::Beginnings beginnings{none, none, none, none};
+  std::array<BitLines, 4> beginnings;
+  beginnings.fill(BitLines(passable.height(), passable.width()));
   for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
     const Cell cell = corners.cell(corner);
     const unsigned sides = turn_sides(passable.block(cell));
-    rows.set(cell.y, cell.x);
     for (unsigned straight = 0; straight < 4; ++straight) {
       const unsigned turning = sides >> (2 * straight);
       if ((turning & 1U) != 0) beginnings[straight].set(cell.y, cell.x);
       if ((turning & 2U) != 0) beginnings[(straight + 3) % 4].set(cell.y, cell.x);
     }
   }
-  return {boards.rows(), rows, beginnings};
+  return beginnings;
 }
 
 }  // namespace
 
+ArrivalBoards::ArrivalBoards(const Corners& corners, const JumpBoards& boards)
+    : height_(boards.height()) {
+  const auto beginnings = beginnings_of_legs(corners);
+  std::array<BitLines, 4> met;
+  for (const Direction diagonal : kDiagonalDirections) {
+    const std::size_t i = quarter(diagonal);
+    DiagonalRows made = diagonal_rows(boards.rows(), beginnings[i], step({}, diagonal));
+    stops_[static_cast<std::size_t>(diagonal)] = made.stops.diagonals(diagonals_along(diagonal));
+    met[i] = std::move(made.met);
+  }
+  const BitLines corner_rows(corners.bits());
+  for (const Direction straight : kStraightDirections) {
+    const auto [one, other] = beside(straight);
+    const BitLines of_interest = mapped(corner_rows, [&](int line, std::size_t i) {
+      return corner_rows.words(line)[i] | met[quarter(one)].words(line)[i] |
+             met[quarter(other)].words(line)[i];
+    });
+    const bool vertical = straight == Direction::plus_y || straight == Direction::minus_y;
+    stops_[static_cast<std::size_t>(straight)] =
+        vertical ? with_blocked(of_interest.transposed(), boards.sight().columns())
+                 : with_blocked(of_interest, boards.rows());
+  }
+}
+
 Turns::Turns(const BitGrid& passable)
-    : corners_(passable), boards_(passable), arrivals_(arrival_boards(corners_, boards_)) {
-  using enum Direction;
+    : corners_(passable), boards_(passable), arrivals_(corners_, boards_) {
   first_.reserve(corners_.size());
   for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {
     const Cell cell = corners_.cell(corner);
     first_.push_back(size());
     const unsigned straights = turning_straights(sides(cell));
-    for (const Direction straight : {plus_y, plus_x, minus_y, minus_x}) {
+    for (const Direction straight : kStraightDirections) {
       if ((straights & left_side(straight)) == 0) continue;
       cells_.push_back(cell);
       straights_.push_back(straight);

@@ -1,5 +1,49 @@
 #pragma once
 
+// ArrivalBoards: bit boards on which one looks back from a goal: where a last leg may have begun.
+//
+// A leg goes diagonally first, then straight. Seen from its end it goes back straight, and from
+// some cell on along a diagonal. So for each straight direction there is a board with the cells at
+// which such a way back is of interest: corners, cells from which a diagonal back meets a beginning
+// of legs, and blocked cells; and for each diagonal direction one with the beginnings of legs and
+// the cells from which there is no step back. Beginnings are told from outside.
+//
+// Immutable. O(cells) to make, some 12 bits a cell.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/index/corner_cost.hpp"
+#include "wend/index/corners.hpp"
+#include "wend/jump/bit_lines.hpp"
+#include "wend/jump/jump_boards.hpp"
+
+namespace wend {
+
+class ArrivalBoards {
+ public:
+  ArrivalBoards(const Corners& corners, const JumpBoards& boards);
+
+  /// How many steps one goes back from a cell, against a direction of travel: a straight one, before
+  /// there is something of interest; a diagonal one, to a beginning of legs or to the last cell. Then
+  /// the first step back must be legal.
+  template <Direction kDirection>
+  int distance_back(Cell from) const {
+    const BitLines& stops = stops_[static_cast<std::size_t>(kDirection)];
+    return distance_to_bit<opposite(kDirection)>(stops, from, height_);
+  }
+
+ private:
+  int height_ = 0;
+  std::array<BitLines, kDirections> stops_;  // as distance_to_bit() takes them
+};
+
 // Turns: where a shortest path turns around an obstacle, and how it comes there.
 //
 // A turn is a cell and the straight direction d in which a path arrives there, where on a side e
@@ -22,53 +66,6 @@
 //
 // That gives a directed graph of turns, which is sparse even where corners see many others: a path
 // that arrives in one direction has few ways to go on.
-
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <vector>
-
-#include "wend/geometry/cell.hpp"
-#include "wend/geometry/direction.hpp"
-#include "wend/index/arrival_boards.hpp"
-#include "wend/index/corner_cost.hpp"
-#include "wend/index/corners.hpp"
-#include "wend/jump/jump_boards.hpp"
-
-namespace wend {
-
-constexpr unsigned compute_turn_sides(unsigned block) {
-  const auto passable = [block](Cell at) { return (block >> (4 - 3 * at.y + at.x) & 1U) != 0; };
-  unsigned sides = 0;
-  for (unsigned straight = 0; straight < 4; ++straight) {
-    const Cell ahead = kDirectionSteps[2 * straight];
-    if (!passable({-ahead.x, -ahead.y})) continue;
-    for (const unsigned turn : {1U, 3U}) {
-      const Cell beside = kDirectionSteps[(2 * (straight + turn)) % kDirections];
-      if (!passable(beside) || passable({beside.x - ahead.x, beside.y - ahead.y})) continue;
-      sides |= (turn == 1 ? 1U : 2U) << (2 * straight);
-    }
-  }
-  return sides;
-}
-
-inline constexpr auto kTurnSides = [] {
-  std::array<std::uint8_t, 512> table{};
-  for (unsigned block = 0; block < table.size(); ++block) {
-    table[block] = static_cast<std::uint8_t>(compute_turn_sides(block));
-  }
-  return table;
-}();
-
-/// By a set of 8 bits: for each straight direction d/2 whether a path that arrives that way turns
-/// to the next straight direction counter-clockwise (bit d), or clockwise (the bit after). `block`
-/// is BitGrid::block(cell).
-constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
-
-/// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
-constexpr unsigned turning_straights(unsigned sides) { return (sides | sides >> 1U) & 0x55U; }
 
 /// The turns at a cell that turn to one of these sides: a subset of turn_sides().
 struct TurnChoice {
@@ -165,7 +162,7 @@ template <Direction kDiagonal, class Visit>
 void Turns::visit_diagonal(Cell from, Visit&& visit) const {
   CornerCost cost = 0;
   while ((boards_.moves(from) & set_of(kDiagonal)) != 0) {
-    const int steps = boards_.distance_to_diagonal_stop<kDiagonal>(from);
+    const int steps = boards_.distance_to_stop<kDiagonal>(from);
     from = step(from, kDiagonal, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
     visit_ray<turned(kDiagonal, -1)>(from, cost, visit);
@@ -218,7 +215,7 @@ void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) co
   constexpr Direction kBack = opposite(kDiagonal);
   constexpr unsigned kSides = left_side(turned(kDiagonal, -1)) | right_side(turned(kDiagonal, 1));
   while ((boards_.moves(from) & set_of(kBack)) != 0) {
-    const int steps = arrivals_.distance_back_on_diagonal<kDiagonal>(from);
+    const int steps = arrivals_.distance_back<kDiagonal>(from);
     from = step(from, kBack, steps);
     cost += static_cast<CornerCost>(steps) * kDiagonalCost;
     const bool last = (boards_.moves(from) & set_of(kBack)) == 0;

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "wend/index/brute_distances_test.hpp"
-#include "wend/index/corner_hierarchy/path_bound.hpp"
+#include "wend/index/corner_hierarchy/corner_hierarchy.hpp"
 
 namespace wend {
 namespace {

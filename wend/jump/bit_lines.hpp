@@ -147,6 +147,39 @@ constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
              : BitLines::Diagonals::falling_left;
 }
 
+/// How many steps it is from a cell to the next set bit in a direction: `lines` are columns for steps
+/// along y, rows for steps along x, and for diagonal ones the lines of diagonals() of a grid with so
+/// many rows.
+template <Direction kDirection>
+int distance_to_bit(const BitLines& lines, Cell from, int rows) {
+  constexpr Cell kStep = kDirectionSteps[static_cast<std::size_t>(kDirection)];
+  int line = kStep.y == 0 ? from.y : from.x;
+  if constexpr (is_diagonal(kDirection)) {
+    line = diagonal_line(diagonals_along(kDirection), from, rows);
+  }
+  const int at = kStep.y == 0 ? from.x : from.y;
+  constexpr bool kAhead = kStep.y == 0 ? kStep.x > 0 : kStep.y > 0;
+  return kAhead ? lines.distance_ahead(line, at) : lines.distance_back(line, at);
+}
+
+/// The words of a board from words of another one, around each place.
+template <class WordAt>
+BitLines mapped(const BitLines& board, WordAt&& word_at) {
+  BitLines made(board.lines(), board.length());
+  for (int line = 0; line < board.lines(); ++line) {
+    const auto words = made.words(line);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = word_at(line, i);
+  }
+  return made;
+}
+
+/// The bits of a board, and all that is blocked, outside too.
+inline BitLines with_blocked(const BitLines& board, const BitLines& passable) {
+  return mapped(board, [&](int line, std::size_t i) {
+    return board.words(line)[i] | ~passable.words(line)[i];
+  });
+}
+
 /// Word i of a line, but of the bits one place before (`at - 1`).
 inline std::uint64_t bits_before(std::span<const std::uint64_t> words, std::size_t i) {
   return words[i] << 1U | (i > 0 ? words[i - 1] >> 63U : 0);

@@ -1,4 +1,4 @@
-#include "wend/jump/coarse_box.hpp"
+#include "wend/jump/shortcut_graph.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
+
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 namespace {
 
-/// The words of a board from words of another one, around each place.
-template <class WordAt>
-BitLines mapped(const BitLines& board, WordAt&& word_at) {
-  BitLines made(board.lines(), board.length());
-  for (int line = 0; line < board.lines(); ++line) {
-    const auto words = made.words(line);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = word_at(line, i);
-  }
-  return made;
-}
+using enum BitLines::Diagonals;
 
 /// The jump points of runs along the lines, towards greater numbers (or smaller ones).
 BitLines jump_points_along(const BitLines& passable, bool ahead) {
@@ -28,13 +22,6 @@ BitLines jump_points_along(const BitLines& passable, bool ahead) {
     const auto other_side = passable.words(line + 1);
     return here[i] & last(here, i) &
            ((one_side[i] & ~last(one_side, i)) | (other_side[i] & ~last(other_side, i)));
-  });
-}
-
-/// Where runs stop: at jump points and where they cannot go, outside too.
-BitLines with_blocked(const BitLines& jumps, const BitLines& passable) {
-  return mapped(passable, [&](int line, std::size_t i) {
-    return jumps.words(line)[i] | ~passable.words(line)[i];
   });
 }
 
@@ -139,6 +126,35 @@ Grid<DirectionSet> sets_of(const std::array<const BitLines*, kDirections>& board
 
 }  // namespace
 
+Sight::Sight(const BitGrid& passable) : rows_(passable), columns_(rows_.transposed()) {
+  const BitLines squares = legal_steps_down(rows_, true);
+  falling_right_ = squares.diagonals(falling_right);
+  falling_left_ = squares.diagonals(falling_left);
+}
+
+bool Sight::sees(Cell from, Cell to) const {
+  const Cell bend = octile_bend(from, to);
+  // Most ways that are not free fail in their straight part, which is read faster.
+  return straight_is_free(bend, to) && diagonal_is_free(from, bend);
+}
+
+bool Sight::diagonal_is_free(Cell from, Cell to) const {
+  if (from == to) return true;
+  const int steps = std::abs(to.y - from.y);
+  const Cell top = from.y < to.y ? from : to;
+  if ((to.x > from.x) == (to.y > from.y)) {
+    return falling_right_.all_set(diagonal_line(falling_right, top, rows_.lines()), top.y, steps);
+  }
+  const Cell square{top.x - 1, top.y};  // of its first step
+  return falling_left_.all_set(diagonal_line(falling_left, square, rows_.lines()), top.y, steps);
+}
+
+bool Sight::straight_is_free(Cell from, Cell to) const {
+  return from.x == to.x
+             ? columns_.all_set(from.x, std::min(from.y, to.y), std::abs(to.y - from.y) + 1)
+             : rows_.all_set(from.y, std::min(from.x, to.x), std::abs(to.x - from.x) + 1);
+}
+
 JumpBoards::JumpBoards(const BitGrid& passable) : sight_(passable) {
   using enum Direction;
   std::array<BitLines, 4> row_rays;  // by quarter()
@@ -147,7 +163,7 @@ JumpBoards::JumpBoards(const BitGrid& passable) : sight_(passable) {
     const bool ahead = direction == plus_y || direction == plus_x;
     const BitLines& lines = vertical ? sight_.columns() : rows();
     const BitLines jumps = jump_points_along(lines, ahead);
-    BitLines& stops = stops_[quarter(direction)];
+    BitLines& stops = stops_[static_cast<std::size_t>(direction)];
     stops = with_blocked(jumps, lines);
     const BitLines found = places_with_ray(jumps, stops, ahead);
     row_rays[quarter(direction)] = vertical ? found.transposed() : found;
@@ -161,7 +177,7 @@ JumpBoards::JumpBoards(const BitGrid& passable) : sight_(passable) {
   std::array<const BitLines*, kDirections> boards{};
   for (const Direction direction : kDiagonalDirections) {
     const auto [one, other] = beside(direction);
-    diagonal_stops_[quarter(direction)] =
+    stops_[static_cast<std::size_t>(direction)] =
         diagonal_stops(row_rays[quarter(one)], row_rays[quarter(other)], *legal[quarter(direction)])
             .diagonals(diagonals_along(direction));
     boards[static_cast<std::size_t>(direction)] = legal[quarter(direction)];
@@ -178,10 +194,12 @@ BitLines JumpBoards::jump_points() const {
       return passable.words(line)[i] & (one.words(line)[i] | other.words(line)[i]);
     });
   };
+  const auto stops = [this](Direction direction) -> const BitLines& {
+    return stops_[static_cast<std::size_t>(direction)];
+  };
   using enum Direction;
-  const BitLines by_rows = found(rows(), stops_[quarter(plus_x)], stops_[quarter(minus_x)]);
-  const BitLines by_columns =
-      found(sight_.columns(), stops_[quarter(plus_y)], stops_[quarter(minus_y)]).transposed();
+  const BitLines by_rows = found(rows(), stops(plus_x), stops(minus_x));
+  const BitLines by_columns = found(sight_.columns(), stops(plus_y), stops(minus_y)).transposed();
   return mapped(rows(), [&](int line, std::size_t i) {
     return by_rows.words(line)[i] | by_columns.words(line)[i];
   });

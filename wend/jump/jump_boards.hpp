@@ -19,11 +19,39 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/jump/bit_lines.hpp"
-#include "wend/jump/sight.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 
 namespace wend {
+
+// Sight: is the way between two cells free that takes its diagonal steps first and its straight ones
+// after them?
+//
+// A few words of bits a question: along rows and columns the passable cells, along both diagonals
+// the squares of 2 x 2 passable cells, for a diagonal step that cuts no corner needs all four.
+// Immutable.
+
+class Sight {
+ public:
+  /// O(cells); half a byte a cell, and a fourth of a byte for each in a square around the map.
+  explicit Sight(const BitGrid& passable);
+
+  /// The passable cells, by rows and by columns.
+  const BitLines& rows() const { return rows_; }
+  const BitLines& columns() const { return columns_; }
+
+  /// From a passable cell; the other one is any of the map.
+  bool sees(Cell from, Cell to) const;
+
+ private:
+  bool diagonal_is_free(Cell from, Cell to) const;
+  bool straight_is_free(Cell from, Cell to) const;
+
+  BitLines rows_;
+  BitLines columns_;
+  BitLines falling_right_;  // squares by their left upper cell
+  BitLines falling_left_;
+};
 
 class JumpBoards {
  public:
@@ -39,41 +67,25 @@ class JumpBoards {
   /// False outside the map, which must be no farther than one cell.
   bool passable(Cell cell) const { return rows().get(cell.y, cell.x); }
 
-  /// How many steps a straight run makes before it stops: at a jump point if moves() says so, else
-  /// the step would be into a blocked cell.
-  template <Direction kStraight>
+  /// How many steps a run makes before it stops. A straight one: at a jump point if moves() says so,
+  /// else the step would be into a blocked cell. A diagonal one, whose first step must be legal:
+  /// where one of its straight directions has a ray, or at its last cell.
+  template <Direction kDirection>
   int distance_to_stop(Cell from) const {
-    const BitLines& stops = stops_[quarter(kStraight)];
-    if constexpr (kStraight == Direction::plus_y) return stops.distance_ahead(from.x, from.y);
-    if constexpr (kStraight == Direction::plus_x) return stops.distance_ahead(from.y, from.x);
-    if constexpr (kStraight == Direction::minus_y) return stops.distance_back(from.x, from.y);
-    if constexpr (kStraight == Direction::minus_x) return stops.distance_back(from.y, from.x);
+    return distance_to_bit<kDirection>(stops_[static_cast<std::size_t>(kDirection)], from,
+                                       height());
   }
 
   /// The straight directions whose next stop is a jump point, and the diagonal ones in which a step
   /// is legal.
   DirectionSet moves(Cell cell) const { return moves_[cell]; }
 
-  /// How many steps a diagonal run makes before it stops: where one of its straight directions has a
-  /// ray, or at its last cell. The first step must be legal.
-  template <Direction kDiagonal>
-  int distance_to_diagonal_stop(Cell from) const {
-    const BitLines& stops = diagonal_stops_[quarter(kDiagonal)];
-    const int line = diagonal_line(diagonals_along(kDiagonal), from, height());
-    if constexpr (kDiagonal == Direction::plus_x_plus_y || kDiagonal == Direction::minus_x_plus_y) {
-      return stops.distance_ahead(line, from.y);
-    } else {
-      return stops.distance_back(line, from.y);
-    }
-  }
-
   /// The jump points of all four directions, by rows. O(cells).
   BitLines jump_points() const;
 
  private:
   Sight sight_;
-  std::array<BitLines, 4> stops_;           // by quarter(); by columns or rows
-  std::array<BitLines, 4> diagonal_stops_;  // by quarter(); by diagonals
+  std::array<BitLines, kDirections> stops_;  // as distance_to_bit() takes them
   Grid<DirectionSet> moves_;
 };
 

@@ -79,7 +79,7 @@ void expect_same_diagonal(const JumpBoards& boards, const SlowBoards& slow, Cell
   const bool legal = slow.legal(cell, kDiagonal);
   EXPECT_EQ((boards.moves(cell) & set_of(kDiagonal)) != 0, legal);
   if (!legal) return;
-  EXPECT_EQ(boards.distance_to_diagonal_stop<kDiagonal>(cell),
+  EXPECT_EQ(boards.distance_to_stop<kDiagonal>(cell),
             slow.distance_to_diagonal_stop(cell, kDiagonal));
 }
 

@@ -130,7 +130,7 @@ bool JumpGraph::sweep(Cell from, Visit& visit) const {
   Cell at = from;
   DirectionSet moves = 0;
   do {
-    at = step(at, kDiagonal, boards_->distance_to_diagonal_stop<kDiagonal>(at));
+    at = step(at, kDiagonal, boards_->distance_to_stop<kDiagonal>(at));
     moves = boards_->moves(at);
     if ((moves & set_of(kOne)) != 0 && !visit(shoot<kOne>(at))) return false;
     if ((moves & set_of(kOther)) != 0 && !visit(shoot<kOther>(at))) return false;

@@ -1,4 +1,4 @@
-#include "wend/jump/sight.hpp"
+#include "wend/jump/jump_boards.hpp"
 
 #include <gtest/gtest.h>
 

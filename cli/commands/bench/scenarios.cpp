@@ -8,7 +8,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output/progress_bar.hpp"
-#include "wend/index/file/index_header.hpp"
+#include "wend/index/file/index_bytes.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/planner/planners.hpp"

@@ -12,6 +12,7 @@
 // are refused.
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "wend/base/expected.hpp"
@@ -19,6 +20,7 @@
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_engine.hpp"
+#include "wend/index/turns.hpp"
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
@@ -31,5 +33,9 @@ Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
 /// An engine on an index of these cells, or what is wrong with it.
 Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
                                                                           const BitGrid& passable);
+
+/// False if no shortest path on the map costs 2^32 - 1 or more. In each connected component it measures
+/// the paths from one cell: two of them are at least as long as any. O(turns and arcs, log turns).
+bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs);
 
 }  // namespace wend

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "wend/index/all_pairs_test.hpp"
-#include "wend/index/file/index_header.hpp"
+#include "wend/index/file/index_bytes.hpp"
 
 namespace wend {
 namespace {

@@ -1,5 +1,6 @@
 #include "wend/index/file/index_bytes.hpp"
 
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 
@@ -22,6 +23,32 @@ void ask_for_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
 #endif
 }
 
+/// Mixes words into 64 bits: a multiplication and a shift each, as splitmix64 ends with.
+class Hash {
+ public:
+  void add(std::uint64_t word) {
+    state_ = (state_ ^ word) * 0x9E3779B97F4A7C15U;
+    state_ ^= state_ >> 32U;
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0x243F6A8885A308D3U;
+};
+
+Unexpected<std::string> failure(std::string what) {
+  return Unexpected<std::string>(std::move(what));
+}
+
+bool lies_within(const IndexSection& section, std::uint64_t bytes) {
+  return section.offset % IndexBytes::kAlignment == 0 && section.offset >= sizeof(IndexHeader) &&
+         section.offset <= bytes && section.bytes <= bytes - section.offset;
+}
+
+std::string size_text(std::int64_t width, std::int64_t height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 }  // namespace
 
 IndexBytes IndexBytes::copy_of(std::span<const std::byte> bytes) {
@@ -35,6 +62,89 @@ IndexBytes IndexBytes::copy_of(std::span<const std::byte> bytes) {
   std::memcpy(memory.get(), bytes.data(), bytes.size());
   const std::span<const std::byte> copy(memory.get(), bytes.size());
   return {std::move(memory), copy};
+}
+
+static_assert(std::endian::native == std::endian::little,
+              "an index is mapped as it lies in its file");
+static_assert(sizeof(IndexHeader) % IndexBytes::kAlignment == 0);
+
+std::string_view IndexHeader::planner_name() const {
+  const std::string_view name(planner.data(), planner.size());
+  return name.substr(0, name.find('\0'));
+}
+
+std::uint64_t map_hash(const BitGrid& passable) {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(passable.width()));
+  hash.add(static_cast<std::uint64_t>(passable.height()));
+  for (int y = 0; y < passable.height(); ++y) {
+    for (const std::uint64_t word : passable.row_words(y)) hash.add(word);
+  }
+  return hash.value();
+}
+
+std::uint64_t index_file::checksum_of(std::span<const std::byte> file) {
+  const auto rest = file.subspan(offsetof(IndexHeader, checksum) + sizeof(std::uint64_t));
+  Hash hash;
+  std::size_t at = 0;
+  for (; at + 8 <= rest.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, rest.data() + at, 8);
+    hash.add(word);
+  }
+  std::uint64_t last = rest.size();
+  for (; at < rest.size(); ++at) last = last << 8U | std::to_integer<std::uint64_t>(rest[at]);
+  hash.add(last);
+  return hash.value();
+}
+
+Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes) {
+  IndexHeader header;
+  if (bytes.size() < header.magic.size() ||
+      std::memcmp(bytes.data(), IndexHeader::kMagic.data(), header.magic.size()) != 0) {
+    return failure("it is not an index of wend");
+  }
+  if (bytes.size() < sizeof header) return failure("it is truncated within its header");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.format != IndexHeader::kFormat) {
+    return failure("its format has number " + std::to_string(header.format) + ", this wend reads " +
+                   std::to_string(IndexHeader::kFormat) + ": build it again");
+  }
+  if (header.bytes != bytes.size()) {
+    return failure("it should have " + std::to_string(header.bytes) + " bytes and has " +
+                   std::to_string(bytes.size()));
+  }
+  if (header.checksum != index_file::checksum_of(bytes)) {
+    return failure("it is damaged: its checksum is wrong");
+  }
+  if (header.sections > IndexHeader::kMostSections) return failure("it has too many sections");
+  for (std::size_t i = 0; i < header.sections; ++i) {
+    if (!lies_within(header.table[i], header.bytes)) {
+      return failure("its section " + std::to_string(i) + " is outside the file");
+    }
+  }
+  return header;
+}
+
+std::string index_fault(const IndexHeader& header, std::string_view planner, std::uint32_t version,
+                        const BitGrid& passable) {
+  if (header.planner_name() != planner) {
+    return "it is an index for the planner " + std::string(header.planner_name()) + ", not for " +
+           std::string(planner);
+  }
+  if (header.version != version) {
+    return "it is of version " + std::to_string(header.version) + ", this wend reads version " +
+           std::to_string(version) + ": build it again";
+  }
+  if (header.width != passable.width() || header.height != passable.height()) {
+    return "it was built for a map of " + size_text(header.width, header.height) +
+           " cells, this one has " + size_text(passable.width(), passable.height());
+  }
+  if (header.map_hash != map_hash(passable)) {
+    return "it was built for another map, another robot radius, or another setting for unknown "
+           "cells or the outside of the map; build it again";
+  }
+  return {};
 }
 
 }  // namespace wend

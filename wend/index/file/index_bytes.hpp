@@ -3,10 +3,17 @@
 // IndexBytes: the bytes of an index as they stand in its file, in memory or mapped. Immutable and
 // cheap to copy: copies share them, also between threads.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+
+#include "wend/base/expected.hpp"
+#include "wend/map/bit_grid.hpp"
 
 namespace wend {
 
@@ -31,5 +38,56 @@ class IndexBytes {
   std::shared_ptr<const void> owner_;
   std::span<const std::byte> bytes_;
 };
+
+// IndexHeader: how the file of an index begins: what it is, for which map, and whether it is whole.
+//
+// The header is followed by sections, each an array of numbers (little-endian) that begins at a
+// multiple of IndexBytes::kAlignment; what an index keeps in which section is its own affair. The
+// checksum is over all that follows it.
+
+struct IndexSection {
+  std::uint64_t offset = 0;  // from the beginning of the file
+  std::uint64_t bytes = 0;
+};
+
+struct IndexHeader {
+  static constexpr std::array<char, 8> kMagic{'w', 'e', 'n', 'd', '-', 'i', 'd', 'x'};
+  static constexpr std::uint32_t kFormat = 1;  // of this header
+  static constexpr std::size_t kMostSections = 26;
+  static constexpr std::size_t kLongestName = 32;
+
+  std::array<char, 8> magic = kMagic;
+  std::uint64_t checksum = 0;
+  std::uint32_t format = kFormat;
+  std::uint32_t version = 0;                 // of the planner's sections
+  std::array<char, kLongestName> planner{};  // filled up with zeros
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  std::uint64_t passable_cells = 0;
+  std::uint64_t map_hash = 0;
+  std::uint64_t bytes = 0;  // of the whole file
+  std::uint64_t sections = 0;
+  std::array<IndexSection, kMostSections> table{};
+
+  std::string_view planner_name() const;
+};
+
+/// Of the passable cells: maps that differ in a cell differ in it, but for an accident in 2^64.
+std::uint64_t map_hash(const BitGrid& passable);
+
+/// A whole header of a whole file: sections lie within it, and the checksum is right. Else what is
+/// wrong. O(bytes).
+Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
+
+/// What is wrong with the index for a map; empty: nothing.
+std::string index_fault(const IndexHeader& header, std::string_view planner, std::uint32_t version,
+                        const BitGrid& passable);
+
+namespace index_file {
+
+/// Over all bytes behind the checksum itself.
+std::uint64_t checksum_of(std::span<const std::byte> file);
+
+}  // namespace index_file
 
 }  // namespace wend

@@ -7,18 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "wend/index/cell_components.hpp"
+#include "wend/index/corner_cost.hpp"
 #include "wend/index/corner_graph.hpp"
-#include "wend/index/file/index_writer.hpp"
+#include "wend/index/file/index_sections.hpp"
 #include "wend/index/first_corners.hpp"
-#include "wend/index/hub_labels/component_hubs.hpp"
-#include "wend/index/hub_labels/heavy_paths.hpp"
 #include "wend/index/hub_labels/hub_engine.hpp"
 #include "wend/index/hub_labels/hub_labelling.hpp"
-#include "wend/index/hub_labels/hub_record.hpp"
 #include "wend/index/hub_labels/hub_sections.hpp"
 #include "wend/index/hub_labels/label_order.hpp"
-#include "wend/index/octile_steps.hpp"
 
 namespace wend {
 namespace {
@@ -205,10 +201,7 @@ Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes in
   if (!reader) return Unexpected<std::string>(reader.error());
   const auto sections = HubSections::of(*reader, passable);
   if (!sections) return Unexpected<std::string>(sections.error());
-  if (sections->hub_count <= HubSections::kMostShortHubs) {
-    return std::make_unique<HubEngine<std::uint16_t>>(reader->index(), *sections, passable);
-  }
-  return std::make_unique<HubEngine<std::uint32_t>>(reader->index(), *sections, passable);
+  return make_hub_engine(reader->index(), *sections, passable);
 }
 
 }  // namespace wend

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "wend/index/brute_distances_test.hpp"
-#include "wend/index/hub_labels/heavy_paths.hpp"
+#include "wend/index/hub_labels/hub_sections.hpp"
 #include "wend/index/hub_labels/label_order.hpp"
 
 namespace wend {

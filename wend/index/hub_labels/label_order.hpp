@@ -9,19 +9,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/first_corners.hpp"
 #include "wend/index/hub_labels/hub_labelling.hpp"
-#include "wend/index/hub_labels/sampled_trees.hpp"
 
 namespace wend {
+
+class SampledTrees;
 
 class LabelOrder {
  public:
   /// All three must outlive it.
   LabelOrder(const CornerGraph& graph, const AllFirstCorners& first, const HubLabelling& labelling);
+  ~LabelOrder();
 
   /// A corner that is no hub yet; there must be one. It is to be made one before the next call.
   std::uint32_t next();
@@ -40,7 +43,7 @@ class LabelOrder {
   void push(std::uint32_t corner, std::uint64_t total);
 
   const HubLabelling& labelling_;
-  SampledTrees trees_;
+  std::unique_ptr<SampledTrees> trees_;
   std::size_t wanted_nodes_;
   std::size_t grown_ = 0;
   double nodes_of_late_;  // a tree, in the running mean

@@ -17,11 +17,10 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/jump/coarse_box.hpp"
+#include "wend/jump/jump_boards.hpp"
 #include "wend/jump/shortcut_graph.hpp"
-#include "wend/jump/sight.hpp"
 #include "wend/planner/goal_cells.hpp"
-#include "wend/space/grid/octile_way.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 

@@ -39,7 +39,7 @@
 #include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_outcome.hpp"
-#include "wend/space/grid/octile_way.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 

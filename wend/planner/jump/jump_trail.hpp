@@ -18,7 +18,7 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/jump/shortcut_graph.hpp"
-#include "wend/space/grid/octile_way.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 

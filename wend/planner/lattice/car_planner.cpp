@@ -10,7 +10,7 @@
 #include "wend/planner/lattice/car_priority.hpp"
 #include "wend/planner/lattice/car_reason.hpp"
 #include "wend/planner/widening_engine.hpp"
-#include "wend/space/lattice/car_path.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {

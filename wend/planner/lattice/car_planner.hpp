@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "wend/planner/search_planner.hpp"
-#include "wend/space/lattice/car_driving.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
 

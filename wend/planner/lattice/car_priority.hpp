@@ -18,7 +18,6 @@
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_space.hpp"
-#include "wend/space/lattice/corner_space.hpp"
 
 namespace wend {
 

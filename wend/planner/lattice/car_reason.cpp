@@ -4,7 +4,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
-#include "wend/space/lattice/car_path.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {

@@ -15,8 +15,7 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
-#include "wend/space/grid/move_table.hpp"
-#include "wend/space/grid/octile_units.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 

@@ -1,4 +1,4 @@
-#include "wend/space/grid/move_table.hpp"
+#include "wend/space/grid/grid_moves.hpp"
 
 #include <gtest/gtest.h>
 

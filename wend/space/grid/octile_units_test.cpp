@@ -1,4 +1,4 @@
-#include "wend/space/grid/octile_units.hpp"
+#include "wend/space/grid/octile.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

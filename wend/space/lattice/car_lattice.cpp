@@ -111,48 +111,32 @@ BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int uni
   return passable;
 }
 
-/// Sweeps the disc along every arc and line of the lattice.
-class Sweeping {
- public:
-  Sweeping(const FreeSpace& space, const BitGrid& passable, const Steps& steps, int unit)
-      : space_(space), passable_(passable), steps_(steps), unit_(unit) {}
-
-  Grid<std::uint8_t> fitting() const {
-    Grid<std::uint8_t> fitting(passable_.width(), passable_.height(), 0);
-    for (int y = 0; y < passable_.height(); ++y) {
-      for (int x = 0; x < passable_.width(); ++x) {
-        if (passable_[{x, y}]) sweep_from({x, y}, fitting);
-      }
-    }
-    return fitting;
-  }
-
- private:
-  void sweep_from(Cell corner, Grid<std::uint8_t>& fitting) const {
-    for (const Heading heading : kAllHeadings) {
-      for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
-        sweep(corner, heading, move, fitting);
-      }
-    }
-  }
-
-  void sweep(Cell corner, Heading heading, CarMove move, Grid<std::uint8_t>& fitting) const {
-    const CarStep& step =
-        steps_[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(move)];
+/// Sweeps the disc along every arc and line of the lattice: which of them fit, by their owner.
+Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable,
+                                 const Steps& steps, int unit) {
+  Grid<std::uint8_t> fitting(passable.width(), passable.height(), 0);
+  const auto sweep = [&](Cell corner, Heading heading, const CarStep& step) {
     const Cell to{corner.x + step.by.x, corner.y + step.by.y};
-    if (!passable_.contains(to) || !passable_[to]) return;
+    if (!passable.contains(to) || !passable[to]) return;
     std::uint8_t& bits = fitting[{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y}];
     if (((bits >> step.arc_bit) & 1U) != 0) return;  // seen from its other end
-    const Pose from = corner_point(corner, unit_, radians_of(heading));
-    if (!fits_along(space_, arc_to(from, corner_point(to, unit_).point()))) return;
+    const Pose from = corner_point(corner, unit, radians_of(heading));
+    if (!fits_along(space, arc_to(from, corner_point(to, unit).point()))) return;
     bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
+  };
+  for (int y = 0; y < passable.height(); ++y) {
+    for (int x = 0; x < passable.width(); ++x) {
+      if (!passable[{x, y}]) continue;
+      for (const Heading heading : kAllHeadings) {
+        for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
+          const auto number = static_cast<std::size_t>(heading) * kCarMoves;
+          sweep({x, y}, heading, steps[number + static_cast<std::size_t>(move)]);
+        }
+      }
+    }
   }
-
-  const FreeSpace& space_;
-  const BitGrid& passable_;
-  const Steps& steps_;
-  int unit_;
-};
+  return fitting;
+}
 
 }  // namespace
 
@@ -169,7 +153,7 @@ CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
   ConnectedComponents components(passable);
   Grid<double> terrain = mean_terrain(space, unit);
   Grid<std::uint8_t> fitting;
-  if (may_touch_obstacles(space, unit)) fitting = Sweeping(space, passable, steps, unit).fitting();
+  if (may_touch_obstacles(space, unit)) fitting = fitting_moves(space, passable, steps, unit);
   data_ = std::make_shared<const Data>(Data{std::move(space), driving, steps, std::move(blocked),
                                             std::move(passable), std::move(components),
                                             std::move(terrain), std::move(fitting)});
@@ -216,6 +200,26 @@ std::optional<CornerPose> CarLattice::nearest(const Pose& pose) const {
   auto place = nearest_corner_pose(pose, unit());
   if (place) place->corner = {place->corner.x / unit(), place->corner.y / unit()};
   return place;
+}
+
+std::optional<CarMove> move_between(const CornerPose& from, const CornerPose& to) {
+  for (int number = 0; number < kCarMoves; ++number) {
+    const auto move = static_cast<CarMove>(number);
+    if (moved(from, move) == to) return move;
+  }
+  return std::nullopt;
+}
+
+double car_path_cost(const CarLattice& lattice, std::span<const CornerPose> poses) {
+  double turns = 0;  // sums of ground
+  double straight = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto move = move_between(poses[i - 1], poses[i]);
+    if (!move) continue;
+    const double factor = is_reverse(*move) ? lattice.driving().reverse_factor : 1;
+    (is_turn(*move) ? turns : straight) += factor * lattice.ground(poses[i - 1], *move);
+  }
+  return straight * length_of(CarMove::fwd) + turns * length_of(CarMove::fwd_plus);
 }
 
 }  // namespace wend

@@ -18,15 +18,54 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
+#include "wend/base/choice.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
-#include "wend/space/lattice/car_driving.hpp"
 
 namespace wend {
+
+// CarDriving: how a car drives on the corners of a grid: how wide its lattice is, and what its
+// moves cost.
+
+/// What a straight move pays for the terrain of the two cells that it runs between.
+enum class StraightTerrain {
+  none,  // nothing: it costs 1
+  mean,  // the mean of their multipliers
+  max,   // the larger one
+};
+
+constexpr std::array<Choice<StraightTerrain>, 3> choice_names(StraightTerrain) {
+  return {{{"none", StraightTerrain::none},
+           {"mean", StraightTerrain::mean},
+           {"max", StraightTerrain::max}}};
+}
+
+struct CarDriving {
+  static constexpr double kLeastReverseFactor = 0.01;
+
+  std::int64_t unit = 1;  // map cells
+  StraightTerrain straight_terrain = StraightTerrain::none;
+  double reverse_factor = 1;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({.name = "lattice_resolution",
+           .help = "spacing of the car's lattice in map cells, which is also its turning radius",
+           .former = "unit"},
+          self.unit, OptionRange{1, 1e6});
+    field({"straight_terrain",
+           "what a straight move costs on terrain: 1, or the mean or the larger multiplier of the "
+           "two cells beside it"},
+          self.straight_terrain);
+    field({"reverse_factor", "factor on the cost of a move in reverse"}, self.reverse_factor,
+          OptionRange{kLeastReverseFactor, 1e6});
+  }
+};
 
 /// A move of a car with a heading, in lattice steps.
 struct CarStep {
@@ -122,5 +161,15 @@ class CarLattice {
 
 /// Is there at least one lattice cell on the map?
 bool has_room_for(const GridMap& map, const CarDriving& driving);
+
+// What a drive costs, recomputed from its poses alone, never from the sums of a search.
+
+/// The move between two poses of a lattice that follow one another; nothing if none joins them.
+std::optional<CarMove> move_between(const CornerPose& from, const CornerPose& to);
+
+/// The fuel of a drive in units: the sum over all moves of length times ground, times the factor for
+/// reversing. The poses are in lattice coordinates and joined by moves. Equal kinds of moves are
+/// counted, so that drives over whole multipliers cost the same to the last bit.
+double car_path_cost(const CarLattice& lattice, std::span<const CornerPose> poses);
 
 }  // namespace wend

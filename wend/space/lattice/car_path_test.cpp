@@ -1,4 +1,4 @@
-#include "wend/space/lattice/car_path.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
 
 #include <gtest/gtest.h>
 

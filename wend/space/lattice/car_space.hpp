@@ -8,14 +8,27 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 #include "wend/base/state_id.hpp"
+#include "wend/geometry/direction.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
-#include "wend/space/lattice/car_units.hpp"
 
 namespace wend {
+
+// Whole numbers for the two lengths of a car's moves, 1 and pi / 2.
+//
+// Half of kStraight and of kTurn are a convergent of pi / 2 (33215 and 52174): sums of moves
+// compare exactly as the true lengths do while their counts of turns differ by less than 33215, and
+// equal sums mean equal counts. Both are even, so that the mean of two multipliers is whole, too.
+
+/// In 32 bits: for paths of up to some 60,000 units.
+struct CarUnits {
+  static constexpr std::uint32_t kStraight = 2 * 33215;
+  static constexpr std::uint32_t kTurn = 2 * 52174;
+};
 
 /// A pose in lattice coordinates and its number, (y * columns + x) * 4 + heading.
 struct CarState {
@@ -173,5 +186,54 @@ using ExactCarCosts = WholeCarCosts<std::uint64_t>;
 extern template class CarSpace<CompactCarCosts>;
 extern template class CarSpace<ExactCarCosts>;
 extern template class CarSpace<RealCarCosts>;
+
+// CornerSpace: the corners of a car's lattice as states, as if the car could turn on the spot: it
+// goes straight to four neighbours and along arcs to four others, ahead. What that costs is never
+// more than what the car pays, where reversing costs at least as much as driving ahead.
+
+struct CornerState {
+  StateId number = 0;
+  Cell corner{};
+};
+
+template <class Costs>
+class CornerSpace {
+ public:
+  using Car = CarSpace<Costs>;
+  using State = CornerState;
+  using Cost = typename Costs::Cost;
+
+  explicit CornerSpace(Car car) : car_(std::move(car)) {}
+
+  StateId state_count() const { return car_.state_count() / kHeadings; }
+
+  State state(Cell corner) const {
+    return {car_.state({corner, Heading::minus_y}).number / kHeadings, corner};
+  }
+  State state(StateId id) const { return state(car_.state(id * kHeadings).place.corner); }
+  StateId id(const State& state) const { return state.number; }
+
+  State parent(const State& state, Move move) const {
+    return this->state(step(state.corner, opposite(static_cast<Direction>(move))));
+  }
+
+  template <class Sink>
+  void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
+    for (const Heading heading : kAllHeadings) {
+      const CarState start = car_.state({from.corner, heading});
+      // Facing along y the car turns to the same corners, on the other side of the cell.
+      const bool all = car_.lattice().sweeps() || is_along_x(heading);
+      const unsigned moves = all ? Car::kMovesAhead : Car::kStraightAhead;
+      car_.for_each_move(start, moves, [&](const CarState& to, Move, Cost cost) {
+        const Cell by{to.place.corner.x - from.corner.x, to.place.corner.y - from.corner.y};
+        sink(State{to.number / kHeadings, to.place.corner}, static_cast<Move>(direction_of(by)),
+             cost);
+      });
+    }
+  }
+
+ private:
+  Car car_;
+};
 
 }  // namespace wend

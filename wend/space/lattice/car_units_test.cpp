@@ -1,4 +1,4 @@
-#include "wend/space/lattice/car_units.hpp"
+#include "wend/space/lattice/car_space.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

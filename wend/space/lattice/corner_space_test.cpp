@@ -1,4 +1,4 @@
-#include "wend/space/lattice/corner_space.hpp"
+#include "wend/space/lattice/car_space.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
-#include "wend/index/leg_path.hpp"
+#include "wend/index/run_writer.hpp"
 
 #include <cassert>
 #include <cstdint>
 
-#include "wend/index/run_writer.hpp"
-#include "wend/space/grid/octile_way.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 
