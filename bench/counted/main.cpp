@@ -17,7 +17,7 @@
 namespace wend::bench {
 namespace {
 
-struct Course {
+struct CountedMap {
   const char* generator;
   OptionValues options;
 };
@@ -26,7 +26,7 @@ constexpr int kSize = 192;
 constexpr std::uint64_t kSeed = 7;
 constexpr std::uint64_t kQueries = 25;  // a map
 
-std::vector<Course> courses() {
+std::vector<CountedMap> counted_maps() {
   return {{"office", {}}, {"maze", {}}, {"random", {{"density", "0.35"}}}, {"rooms", {}}};
 }
 
@@ -66,8 +66,9 @@ namespace {
 
 int run(const std::string& name) {
   double cost = 0;
-  for (const Course& course : courses()) {
-    const auto map = generators().find(course.generator)->make(kSize, kSize, kSeed, course.options);
+  for (const CountedMap& counted : counted_maps()) {
+    const auto map =
+        generators().find(counted.generator)->make(kSize, kSize, kSeed, counted.options);
     if (!map) return std::fputs(map.error().message().c_str(), stderr), 2;
     const FreeSpace space(*map);
     const auto planner = make_planner(name, space);
