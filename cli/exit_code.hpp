@@ -23,7 +23,7 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Ends a subcommand with no_plan: a file that stands for a path says why there is none.
+/// Ends a subcommand with no_plan: the path file says why there is no path.
 class NoPathError : public std::runtime_error {
  public:
   NoPathError(const std::string& message, FailedPlan plan)

@@ -32,8 +32,8 @@ class DistributedBench : public testing::Test, protected BenchFolder {
     file_ = folder_.write("many.map.scen", queries);
   }
 
-  /// mpirun with so many ranks, on no network, each running a line of sh in which $WEND is the
-  /// program and $RANK its number.
+  /// mpirun with `count` ranks, without a network. Each rank runs a line of sh in which $WEND is
+  /// the program and $RANK its number.
   static std::vector<std::string> ranks(int count, const std::string& line) {
     return {"mpirun",
             "--allow-run-as-root",

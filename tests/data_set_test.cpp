@@ -109,7 +109,7 @@ void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, Pla
   EXPECT_TRUE(length_matches(query, plan.cost));
 }
 
-/// Plans at most so many queries of a file, evenly spread.
+/// Plans at most `most` queries of a file, evenly spread.
 void check_file(const std::string& file, std::size_t most) {
   const auto scenario = load_scenario(fs::path(WEND_DATA) / file);
   ASSERT_TRUE(scenario) << scenario.error().message();

@@ -1,4 +1,4 @@
-// The traces of a car's searches, likewise.
+// Posthoc traces of car searches.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -75,7 +75,7 @@ TEST(PosthocTraceOfACar, IsYaml) {
 )");
 }
 
-/// Where an event of a car is.
+/// The pose of a car's event.
 CornerPose place_in(const json& event, const FreeSpace& space) {
   const int y = event.at("y").get<int>();
   return {{event.at("x").get<int>(), space.map().frame().y_up ? space.height() - y : y},

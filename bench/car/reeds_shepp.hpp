@@ -29,7 +29,7 @@ void prepare_reeds_shepp(std::uint32_t seed);
 /// "RRTConnect", "RRT", "KPIECE1"
 std::vector<std::string> reeds_shepp_planners();
 
-/// Gives up on a drive after so many seconds.
+/// Gives up on a query after `seconds`.
 ReedsSheppTiming time_reeds_shepp(const Yard& yard, const std::string& planner, double seconds);
 
 }  // namespace wend::bench

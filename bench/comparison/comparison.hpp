@@ -21,12 +21,12 @@
 
 namespace wend {
 
-/// One planner on one query. What is said of the path means nothing where there is none.
+/// One planner on one query. Without a path, the values that describe it are meaningless.
 struct ComparisonRow {
   std::string planner;  // as it was typed: "astar:weight=2"
   Status status = Status::found;
   std::string reason = {};        // of a failure, for people
-  double cost = 0;                // as in Plan::cost; of a car its fuel
+  double cost = 0;                // as in Plan::cost; for a car, its fuel
   double length = 0;              // cells
   double turning = 0;             // degrees, all turns together
   double largest_curvature = 0;   // 1 / cells; corners rounded by kCornerRounding
@@ -70,9 +70,10 @@ std::string comparison_table(const Comparison& comparison);
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}; of clearances and the turning radius "p1" instead of "p99". A failure has a "reason", and
 /// null for what is not known of it, as for what is infinite.
-/// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y], of
-/// cars [x,y,"E"] in grid coordinates (radians where it is none of the four headings, "any" where
-/// any will do); cars have "steps" and "reversals" besides. One line with its line end.
+/// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y];
+/// for cars they are [x,y,"E"] in grid coordinates (a heading that is not one of the four is in
+/// radians; "any": any heading), and rows also have "steps" and "reversals". One line with its line
+/// end.
 std::string comparison_json(const Comparison& comparison);
 
 /// A line for each query and planner with the same columns, the names of the columns first. Fields of failures that mean

@@ -27,7 +27,7 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
   return json;
 }
 
-/// [x, y] of a cell; of a car with its heading.
+/// [x, y] of a cell; for a car, with the heading.
 Json json_of_end(const Comparison& comparison, const Goal& end) {
   if (comparison.motion == Motion::cells) return json_of(cell_at(end.point));
   Json json = json_of(end.point);

@@ -17,9 +17,9 @@ struct Measure {
   std::string_view key;     // as programs call it
   std::string_view title;   // as people do
   std::string_view unit{};  // empty for counts and ratios
-  int decimals = 0;         // that people want to see
-  bool of_path = false;     // has no meaning where there is none
-  bool of_cars = false;     // is of no interest where planners move from cell to cell
+  int decimals = 0;         // shown to people
+  bool of_path = false;     // meaningless without a path
+  bool of_cars = false;     // shown only for cars
   bool more_is_better = false;
   bool in_metres = false;  // what `value` gives is in cells and to be multiplied by the resolution
   bool per_metre = false;  // it is in 1 / cells and to be divided by it

@@ -22,7 +22,7 @@ std::vector<std::vector<Cell>> components_with_pairs(const BitGrid& cells,
   return lists;
 }
 
-/// Pairs of different cells of the same component; empty where there is none.
+/// Pairs of different cells of the same component; empty if there are no such pairs.
 std::vector<CellPair> connected_pairs(const BitGrid& cells, const ConnectedComponents& components,
                                       Adjacency adjacency, std::uint64_t count, Random& random) {
   const std::vector<std::vector<Cell>> lists = components_with_pairs(cells, components, adjacency);

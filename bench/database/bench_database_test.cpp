@@ -220,7 +220,7 @@ TEST_F(BenchDatabaseTest, MergesWhatIsMissing) {
 }
 
 TEST_F(BenchDatabaseTest, LeavesForeignFilesAlone) {
-  const std::string text = "a text that nobody wants to lose\n";
+  const std::string text = "a text that must not be lost\n";
   std::ofstream(file_) << text;
   EXPECT_THAT(error_of(file_), HasSubstr("bench.db: file is not a database"));
   EXPECT_EQ(bytes_of(file_), text);

@@ -15,7 +15,7 @@
 
 namespace wend::bench {
 
-/// Bytes that this process shares with nobody.
+/// The process's private memory in bytes.
 inline std::uint64_t private_bytes() {
   constexpr std::uint64_t kKilobyte = 1024;
   std::uint64_t kilobytes = 0;

@@ -47,7 +47,7 @@ PlannerInfo info_of(const std::string& planner) {
 /// A planner's planners on one map.
 class Team {
  public:
-  /// Builds the index, if it needs one. Ends the process if there is none.
+  /// Builds the index, if the planner needs one. Ends the process if the build fails.
   Team(const PlannerInfo& info, FreeSpace space) : info_(info), space_(std::move(space)) {
     if (!info_.index_support) return;
     const double begin = thread_cpu_seconds();

@@ -48,7 +48,7 @@ Limits LimitArguments::limits(ProgressBar& progress) const {
   Limits limits;
   limits.expansions = expansions;
   if (seconds) limits.seconds = *seconds;
-  // A search reads the clock at its start and then after every so many expansions.
+  // A search reads the clock at its start, then every kExpansionsBetweenClockReads expansions.
   limits.clock = [&progress, expanded = std::uint64_t{0}]() mutable {
     progress.update(expanded);
     expanded += Limits::kExpansionsBetweenClockReads;

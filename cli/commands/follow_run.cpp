@@ -64,7 +64,7 @@ bool FollowRun::find_path() {
   return true;
 }
 
-/// Where the path's file says that there is none, so do the files to be written.
+/// If the path's file says that there is no path, the written files say so too.
 Path FollowRun::loaded() const {
   try {
     return load_path_on(space_, arguments_.path, PathStage::smoothed);

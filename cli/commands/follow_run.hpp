@@ -46,7 +46,7 @@ class FollowRun {
   /// options out of range.
   FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space);
 
-  /// Finds the path; says so and returns false if there is none.
+  /// Finds the path. If there is no path, says so and returns false.
   bool find_path();
 
   void drive();

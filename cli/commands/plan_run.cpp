@@ -114,8 +114,8 @@ void PlanRun::search_to_the_end(const Query& query) {
                          [&] { return planner_->plan(query, result_.plan); });
 }
 
-/// The same search again, as far as it went: what an observer does takes time that is none of the
-/// search's. Ctrl-C ends the program meanwhile.
+/// Repeats the search, as far as it went, with an observer, so that the observer's time does not
+/// count as the search's. Ctrl-C ends the program.
 void PlanRun::search_for(SearchObserver& observer, Query query) {
   query.limits = {};
   query.limits.expansions = result_.plan.metrics.expanded;

@@ -125,7 +125,7 @@ void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, con
   arguments.output.write(writers, printed_extension(arguments.format));
 }
 
-/// The path to smooth. Where its file says that there is none, so do the files to be written.
+/// The path to smooth. If its file says that there is no path, the written files say so too.
 Path path_to_smooth(const SmoothArguments& arguments, const FreeSpace& space) {
   try {
     return load_path_on(space, arguments.path, PathStage::planned);

@@ -55,7 +55,7 @@ std::optional<Pair> nearest_ends(const FreeSpace& space, Cell start, Cell goal,
   return Pair{from_goal->second, from_goal->first};
 }
 
-/// Is there a cell to move away from? Outside the map there is none.
+/// Is it a cell of the map that the robot cannot stand on?
 bool is_blocked(const FreeSpace& space, Cell cell) {
   return space.contains(cell) && !space.passable(cell);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// TypedQuery: what was asked of `wend plan`, and what came of it, in the words of the one who typed
-// it: cells, or the poses of a car. The rest of `wend plan` does not know which.
+// TypedQuery: the query of `wend plan` and its answer in the user's coordinates: cells, or a car's
+// poses. The rest of `wend plan` does not know which.
 
 #include <cstdint>
 #include <memory>

@@ -62,7 +62,7 @@ std::string picture_above(const std::string& text, const Scene& scene, const Scr
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments);
 
-/// The same in at most so many rows, the legend's included.
+/// The same in at most `rows` rows, including the legend's.
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments, int rows);
 

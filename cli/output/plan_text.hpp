@@ -22,7 +22,7 @@ std::string goal_line(const std::string& goal, std::size_t goals);
 /// What was found and what it took, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);
 
-/// The same of a car's drive. The coordinates are those that people typed.
+/// The same for a car's path. The coordinates are the user's.
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
                           std::size_t goals);
 

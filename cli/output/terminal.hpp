@@ -14,7 +14,7 @@ struct Screen {
   bool is_terminal = false;
   int columns = 80;  // where it is no terminal, as wide as one mostly is
   int rows = 60;
-  Terminal terminal;  // ASCII without colours, if it is none
+  Terminal terminal;  // ASCII without colours if the output is not a terminal
 };
 
 /// Standard output. NO_COLOR is respected.

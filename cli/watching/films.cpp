@@ -63,7 +63,7 @@ std::vector<std::size_t> frames_of(const Drive& drive, std::optional<double> spe
   return frames;
 }
 
-/// The scene after so many samples.
+/// The scene after `sample` samples.
 Scene scene_at(Scene scene, const Drive& drive, std::size_t sample) {
   SceneLine driven{LineRole::driven, {}};
   for (std::size_t i = 0; i <= sample; ++i) driven.points.push_back(drive.samples[i].pose.point());

@@ -22,8 +22,9 @@ inline constexpr int kFramesPerSecond = 20;
 /// The scene with what was expanded, what was open and what was being expanded.
 Scene with_snapshot(Scene scene, const SearchSnapshot& snapshot);
 
-/// After how many expansions each frame shows a search of so many. `speed` is expansions a second;
-/// without one the film takes a few seconds. At most `most` frames (2 or more), at the cost of the speed.
+/// For each frame, the number of expansions that it shows, of a search of `expansions`. `speed` is
+/// expansions a second; without one the film takes a few seconds. At most `most` frames (2 or
+/// more), at the cost of the speed.
 std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<double> speed,
                                      std::size_t most);
 

@@ -5,7 +5,7 @@
 //   expand (3,4) f=9.24 g=4 h=5.24
 //     generate (4,4) from (3,4) f=9.24 g=5 h=4.24
 //
-// Of a car with the heading: (4,4,E).
+// A car's places have a heading: (4,4,E).
 
 #include <limits>
 #include <optional>

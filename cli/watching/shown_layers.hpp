@@ -45,7 +45,7 @@ std::optional<std::string> layer_grid(const Scene& scene, const Layer& layer, co
 std::string layer_text(const Scene& scene, const Layer& layer, const Screen& screen,
                        const PictureArguments& arguments);
 
-/// A panel for each layer, or one of the scene alone where there is none.
+/// A panel for each layer; without layers, one panel of the scene.
 std::vector<Panel> layer_panels(const Scene& scene, const std::vector<Layer>& layers);
 
 }  // namespace wend::cli

@@ -34,7 +34,7 @@ std::optional<std::uint64_t> Stepper::ask(const std::string& picture, std::uint6
   display_.show(picture);
   const auto pressed = keyboard_.read();
   if (Interruptible::cancelled()) return std::nullopt;
-  if (!pressed) return kTheEnd;  // at the end of the input there is nobody to ask
+  if (!pressed) return kTheEnd;  // the input has ended
   const auto back = [expansions](std::uint64_t steps) {
     return expansions - std::min(expansions, steps);
   };

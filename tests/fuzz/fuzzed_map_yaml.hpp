@@ -25,7 +25,7 @@ class FuzzedFolder {
     for (const std::string image : {"p5.pgm", "image.pgm"}) write(image, kGoodImage);
   }
   ~FuzzedFolder() {
-    std::error_code error;  // nobody to tell
+    std::error_code error;  // ignored: a destructor cannot report it
     std::filesystem::remove_all(path_, error);
   }
   FuzzedFolder(const FuzzedFolder&) = delete;

@@ -1,7 +1,7 @@
 #pragma once
 
-// CarReference: what the rules of a car say, by brute force, to check planners against. It shares no
-// code with what it checks: of wend it reads the states of a GridMap, and its terrain through
+// CarReference: the car's rules by brute force, as a reference for the planners. It shares no code
+// with what it checks: of wend it reads the states of a GridMap, and its terrain through
 // Reference.
 
 #include <algorithm>

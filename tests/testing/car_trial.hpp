@@ -111,7 +111,7 @@ inline std::vector<Stand> stands_of(const Goal& goal, const CarReference& refere
 
 /// What the reference says of a drive.
 struct CarTruth {
-  std::vector<Status> failures;  // if there is none: the reason, one for each goal
+  std::vector<Status> failures;  // without a path: the reason for each goal
   double fuel = kInfinite;
 };
 

@@ -17,7 +17,8 @@ inline double number_between(Random& random, double least, double greatest) {
   return least + (greatest - least) * random.uniform();
 }
 
-/// From a corner of a grid of so many cells, along its lines and around its corners.
+/// An arc from a corner of a grid of `width` x `height` cells, along its lines and around its
+/// corners.
 inline Arc random_lattice_arc(Random& random, int width, int height) {
   const Pose from{static_cast<double>(random.between(0, width)),
                   static_cast<double>(random.between(0, height)), random.between(-1, 2) * kPi / 2};
@@ -29,7 +30,7 @@ inline Arc random_lattice_arc(Random& random, int width, int height) {
   return {from, length, static_cast<double>(side) / radius};
 }
 
-/// That begins on a grid of so many cells or a little outside of it.
+/// An arc that begins on a grid of `width` x `height` cells or a little outside of it.
 inline Arc random_arc(Random& random, int width, int height) {
   constexpr std::array kNearlyNothing{0.0, 1e-12, 1e-9, 1e-5, 1e-2};
   constexpr double kLongest = 8;

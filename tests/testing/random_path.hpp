@@ -16,7 +16,7 @@
 
 namespace wend::test {
 
-/// On a grid of so many cells, in steps to neighbours and, now and then, longer ones.
+/// On a grid of `width` x `height` cells, in steps to neighbours and some longer steps.
 inline Path random_cell_path(Random& random, int width, int height) {
   Path path({random_cell(random, width, height)});
   for (int i = random.between(0, 12); i > 0; --i) {

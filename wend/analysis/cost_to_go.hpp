@@ -1,8 +1,8 @@
 #pragma once
 
-// CostToGo: one goal, many starts. Dijkstra's algorithm from the goal gives every cell's cost to
-// the goal; from it the best path from any cell comes without searching again, and so does the
-// policy, the direction to move in every cell. (Costs are the same both ways.)
+// CostToGo: one goal, many starts. Dijkstra's algorithm from the goal computes every cell's cost to
+// the goal. The costs give the best path from any cell without another search, and the policy, the
+// direction to move in every cell. (Costs are symmetric.)
 //
 //   const auto field = wend::CostToGo::make(space, std::array{goal});
 //   if (const auto path = field->path_from(start)) ...
@@ -24,23 +24,23 @@ namespace wend {
 
 class CostToGo {
  public:
-  /// To the nearest of `goals`. Fails with goal_outside, goal_blocked, unsupported_query (no goal)
-  /// or the limit that was reached.
+  /// The field to the nearest of `goals`. Fails with goal_outside, goal_blocked, unsupported_query
+  /// (no goal) or the limit that was reached.
   static Expected<CostToGo, PlanFailure> make(const FreeSpace& space, std::span<const Cell> goals,
                                               GridMoves moves = {}, const Limits& limits = {});
 
-  /// The cheapest cost from a cell to the nearest goal; infinite where no path leads there.
+  /// The cheapest cost from a cell to the nearest goal; infinite without a path.
   double cost(Cell cell) const { return costs_[cell]; }
   const Grid<double>& costs() const { return costs_; }
 
-  /// Which way to move from a cell; nothing in a goal and where there is no path.
+  /// The direction to move from a cell; nothing in a goal and without a path.
   std::optional<Direction> policy(Cell cell) const;
 
-  /// The best path from a cell, or the reason why there is none (start_outside, start_blocked,
+  /// The best path from a cell, or why there is no path (start_outside, start_blocked,
   /// unreachable).
   Expected<Plan, PlanFailure> path_from(Cell start) const;
 
-  /// The work of making it.
+  /// The work of computing the field.
   const SearchMetrics& metrics() const { return metrics_; }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-// Layer: one thing that is known of every cell of a map, for people to look at: what a search did
-// there, what it costs to go on from there, what the map is there. Numbers, or directions.
+// Layer: a value for every cell of a map, to be shown: of a search, of the cost to go, or of the
+// map. Numbers or directions.
 //
 //   const wend::Layer order = wend::search_layer(wend::LayerKind::expansion, planner, recorder);
 //   const double first = order.numbers[{1, 1}];  // 1: the start
@@ -23,22 +23,22 @@
 namespace wend {
 
 enum class LayerKind {
-  // Of a search; of a car's, of the corners of a cell.
+  // From a search; for a car, from the lattice vertices that the cell touches.
   expansion,   // the order in which cells were expanded, from 1
   generation,  // the order in which they were reached, from 1
-  g,           // what the path to a cell costs, as far as the search knows
-  heuristic,   // the planner's estimate of the rest, of every cell where the robot may be
+  g,           // the cost of the cheapest known path to a cell
+  heuristic,   // the planner's estimate of the remaining cost, for every passable cell
   f,           // the priority
-  closed,      // 1 where the search has been, else 0
-  frontier,    // 1 where it would have gone on, else 0
+  closed,      // 1 if the cell was expanded, else 0
+  frontier,    // 1 if the cell is open, else 0
   parent,      // towards the cell from which a cell was reached
   // Of a cost-to-go field.
-  cost,    // what the cheapest path to the goal costs
-  policy,  // which way to move
+  cost,    // the cost of the cheapest path to the goal
+  policy,  // the direction to move
   // Of the map and the robot.
   occupied,   // 1 occupied, 0 free
   clearance,  // distance to the nearest obstacle, in cells
-  terrain,    // what a unit of length costs this robot
+  terrain,    // the cost of a unit of length for this robot
 };
 
 constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
@@ -57,7 +57,7 @@ constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
            {"terrain", LayerKind::terrain}}};
 }
 
-/// Where a layer comes from.
+/// The source of a layer.
 enum class LayerSource { search, cost_to_go, map };
 
 LayerSource source_of(LayerKind kind);
@@ -70,17 +70,17 @@ bool is_length(LayerKind kind);
 
 struct Layer {
   LayerKind kind;
-  Grid<double> numbers;                   // NaN where nothing is known; empty for directions
+  Grid<double> numbers;                   // NaN if unknown; empty for directions
   Grid<std::optional<Direction>> arrows;  // empty for numbers
 };
 
-/// Of the search that `recorder` watched. The heuristic is that of `planner`'s last query.
+/// A layer of the search that `recorder` observed. The heuristic is that of `planner`'s last query.
 Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder& recorder);
 
-/// Of a cost-to-go field for the same space.
+/// A layer of a cost-to-go field for the same space.
 Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& field);
 
-/// Of the map and the robot. Obstacles have no clearance, and cells where the robot may not be no
+/// A layer of the map and the robot. Obstacles have no clearance, and impassable cells have no
 /// terrain.
 Layer map_layer(LayerKind kind, const FreeSpace& space);
 

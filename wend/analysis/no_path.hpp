@@ -1,12 +1,12 @@
 #pragma once
 
-// NoPath: why no path joins two cells, as data: how large the two components are, how wide a robot
-// would get through, and what would have to change.
+// NoPath: why no path joins two cells, as data: the sizes of the two components, the largest robot
+// that would fit, and the changes that would open a path.
 //
-// Three things can change without another map: unknown cells count as free, the robot squeezes
-// diagonally between two obstacles (8 neighbours, corner rule `both`), the robot is smaller. More
-// neighbours alone and the corner rule `one` never make a path where there is none: around a
-// diagonal step with a passable cell beside it lead two straight ones.
+// Three changes are possible on the same map: unknown cells count as free, the robot squeezes
+// diagonally between two obstacles (8 neighbours, corner rule `both`), or the robot is smaller.
+// More neighbours alone and the corner rule `one` never open a new path: two straight steps replace
+// a diagonal step with a passable cell beside it.
 //
 //   const wend::NoPath why = wend::explain_no_path(space, start, goal);
 //   for (const wend::Way& way : why.ways) suggest(way);
@@ -34,7 +34,7 @@ struct Changes {
   }
 };
 
-/// A set of changes under which there is a path, though there is none under a part of them.
+/// A minimal set of changes that opens a path: no proper subset of them does.
 struct Way : Changes {
   int changes() const { return int{unknown_free} + int{squeeze} + int{smaller_robot}; }
 
@@ -44,12 +44,12 @@ struct Way : Changes {
 };
 
 struct NoPath {
-  /// Cells that can be reached from each (see component_of), itself among them; 0 where the robot
-  /// cannot stand.
+  /// The number of cells that can be reached from each (see component_of), including itself; 0 if
+  /// the robot cannot stand there.
   std::size_t start_component = 0;
   std::size_t goal_component = 0;
 
-  /// For a robot of any size, and nothing else changed.
+  /// For a robot of any size, without other changes.
   std::optional<WidestPath> widest;
 
   /// Is there a path after all?
@@ -57,18 +57,18 @@ struct NoPath {
     return start_component > 0 && !ways.empty() && ways.front().changes() == 0;
   }
 
-  /// Fewest changes first. Empty if nothing of this helps: an obstacle is on the start or goal, or
+  /// Fewest changes first. Empty if no change helps: an obstacle is on the start or goal, or
   /// walls surround one of them. If there is a path after all: one way, without any change.
   std::vector<Way> ways;
 };
 
-/// The cells that the robot can reach from a cell of the map, itself among them; none where it
-/// cannot stand. Exact, as the planners are, where ConnectedComponents counts too much: a disc does not
+/// The cells that the robot can reach from a cell of the map, including itself; empty if it cannot
+/// stand there. Exact like the planners. ConnectedComponents can count too much: a disc does not
 /// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
 /// the corner rule `both`.
 BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
-/// How many cells component_of has. O(1) but for a disc under the corner rule `both`.
+/// The number of cells of component_of(). O(1) but for a disc under the corner rule `both`.
 std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
 /// Both cells are on the map and may be blocked. O(cells log cells).

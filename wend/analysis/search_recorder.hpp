@@ -16,7 +16,7 @@
 //
 //   wend::SearchRecorder driven(space, 1);
 //
-// 25 bytes a cell, and 12 an expansion; of a car an event takes O(unit^2). A recorder is for one
+// 25 bytes a cell, and 12 an expansion; an event of a car takes O(unit^2). A recorder is for one
 // search; clear() makes it ready for the next. One thread.
 
 #include <cstddef>
@@ -46,14 +46,14 @@ struct SearchLayers {
 struct SearchSnapshot {
   BitGrid expanded;
   BitGrid frontier;             // reached, not yet expanded
-  std::optional<Cell> current;  // the cell expanded last, of a car one that touches its corner;
-                                // none before the first expansion
+  std::optional<Cell> current;  // the cell expanded last (for a car, a cell that touches the
+                                // vertex); unset before the first expansion
 };
 
 class SearchRecorder final : public SearchObserver {
  public:
-  /// For searches on that space, from cell to cell or, with a unit of 1 or more, of a car on the
-  /// corners whose coordinates are multiples of it.
+  /// For searches on that space: from cell to cell, or, with a unit of 1 or more, for a car on the
+  /// lattice vertices whose coordinates are multiples of the unit.
   explicit SearchRecorder(const FreeSpace& space, int unit = 0);
 
   void on_generate(const SearchEvent& event) override;
@@ -65,13 +65,13 @@ class SearchRecorder final : public SearchObserver {
 
   const SearchLayers& layers() const { return layers_; }
 
-  /// The cells in their order of expansion, of a car its corners. A planner without duplicate
-  /// detection (random_walk) expands some more than once, a car a corner with each heading; the
-  /// layer keeps the first time.
+  /// The cells (for a car, the vertices) in their order of expansion. A planner without duplicate
+  /// detection (random_walk) expands some more than once, and a car expands a vertex with each
+  /// heading; the layer keeps the first time.
   const std::vector<Cell>& expansions() const { return expansions_; }
 
-  /// How it stood after so many expansions (at most expansions().size()), with everything that the
-  /// last of them generated. O(cells).
+  /// The state after `expansions` expansions (at most expansions().size()), including everything
+  /// that the last of them generated. O(cells).
   SearchSnapshot snapshot(std::size_t expansions) const;
 
   /// How it stood at the end.

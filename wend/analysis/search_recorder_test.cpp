@@ -1,5 +1,5 @@
-// What a recorder makes of a car's search, by hand and against the definition: a cell takes what
-// happens on the corners that it touches. Searches on cells are in tests/search_recorder_test.cpp.
+// The recorder on a car's search, by hand and against the definition: a cell takes the events of
+// the vertices that it touches. Searches on cells are in tests/search_recorder_test.cpp.
 
 #include "wend/analysis/search_recorder.hpp"
 
@@ -27,7 +27,7 @@ SearchEvent event_at(Cell corner, double g, std::optional<Cell> parent = std::nu
           .parent_heading = parent ? std::optional(Heading::plus_x) : std::nullopt};
 }
 
-/// The numbers of a layer, a line for each row; '.' where there is none.
+/// The numbers of a layer, a line for each row; '.' for an unset cell.
 template <class Value>
 std::string text_of(const Grid<Value>& grid) {
   std::string text;
@@ -145,7 +145,7 @@ bool touches(Cell cell, Cell corner, int unit) {
   return near(cell.x, corner.x) && near(cell.y, corner.y);
 }
 
-/// What the events say of one cell, the first so many of them.
+/// What the first events, up to a given number, say about one cell.
 struct Known {
   std::uint32_t generation = 0;
   std::uint32_t expansion = 0;

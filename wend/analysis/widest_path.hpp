@@ -1,7 +1,7 @@
 #pragma once
 
-// The widest path between two cells: the one that lets the largest robot through, and where it is
-// narrowest. For "does my robot fit, and if not, which door is too narrow, and by how much?"
+// The widest path between two cells: the path for the largest robot, and its narrowest place. It
+// answers "does my robot fit, and if not, which door is too narrow, and by how much?"
 //
 //   if (const auto widest = wend::widest_path(space, start, goal)) report_width(widest->radius);
 
@@ -16,30 +16,30 @@
 namespace wend {
 
 struct WidestPath {
-  /// In cells, the largest for which a FreeSpace has a path: it has one for this radius (in metres:
-  /// times the resolution) and for none that is larger. 0: only a point gets through, between two
-  /// obstacles that touch with their corners. Infinite where no obstacle is in the way of any disc.
+  /// The largest radius, in cells, for which a FreeSpace has a path (in metres: times the
+  /// resolution). 0: only a point fits, between two obstacles that touch at a corner. Infinite: no
+  /// obstacle limits the radius.
   double radius;
 
-  /// In grid coordinates, where a larger robot that comes from the start is stuck: a point as far from the nearest obstacle as
-  /// the radius. On the path, or in the centre of a cell beside one of its diagonal steps where
-  /// those must be passable.
+  /// The narrowest place, in grid coordinates: a larger robot from the start is stuck there. Its
+  /// distance from the nearest obstacle is the radius. It is on the path, or in the centre of a
+  /// cell beside one of its diagonal steps if those cells must be passable.
   Point narrowest;
 
-  /// A path for a robot of that radius which enters as few cells as possible where no larger one
-  /// can stand; of those a shortest. The terrain does not matter. Empty if there was no memory for
-  /// the search.
+  /// A path for a robot of that radius that enters as few cells as possible where no larger robot
+  /// can stand; of those, a shortest one. Terrain is ignored. Empty if the search ran out of
+  /// memory.
   Path path;
 };
 
-/// On the obstacles of a FreeSpace, for robots of any size: its own radius and keep-away do not
-/// matter. Both cells are on the map. Nothing if not even a point gets through. O(cells log cells).
+/// For the obstacles of a FreeSpace and robots of any size: ignores its radius and clearance cost.
+/// Both cells are on the map. Nothing if not even a point fits. O(cells log cells).
 std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
                                       GridMoves moves = {});
 
 /// The square of that radius alone, in half-cells and exact, like
 /// FreeSpace::squared_half_cell_clearance(). Connectivity and the corner rule `one` make no
-/// difference: around a diagonal step with a passable cell beside it lead two straight ones.
+/// difference: two straight steps replace a diagonal step with a passable cell beside it.
 std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
                                                      GridMoves moves = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Expected<T, E>: a value, or the reason why there is none. wend throws nothing on input.
+// Expected<T, E>: a value, or the error. wend does not throw on invalid input.
 //
 //   wend::Expected<int, std::string> parsed = ...;
 //   if (!parsed) report(parsed.error());

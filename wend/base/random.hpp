@@ -27,8 +27,8 @@ class Random {
   /// A number in [0, 1).
   double uniform();
 
-  /// Of the normal distribution with mean 0 and standard deviation 1. On every platform the same, but
-  /// for the last bit of its logarithm and square root.
+  /// A number of the normal distribution with mean 0 and standard deviation 1: the same on every
+  /// platform, except for the last bit of logarithm and square root.
   double gaussian();
 
   /// True with the given probability.

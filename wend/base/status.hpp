@@ -1,6 +1,6 @@
 #pragma once
 
-// The outcome of a query: found, or the one reason why there is no plan. Every front end maps this
+// The outcome of a query: found, or the reason for the failure. Every front end maps this
 // enum once (exit codes, ROS results, Python exceptions).
 
 #include <optional>
@@ -27,7 +27,7 @@ enum class Status {
   index_mismatch,     // the index is damaged or belongs to another map
 };
 
-/// The name as it stands in the enum: "found", "start_outside", ...
+/// The name in the enum: "found", "start_outside", ...
 std::string_view to_string(Status status);
 
 /// One sentence for people, without the details of a query: "the start lies outside the map".

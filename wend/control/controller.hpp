@@ -1,15 +1,15 @@
 #pragma once
 
-// Controllers: what tells a robot how fast to drive and to turn, so that it follows a path. By name
-// and with options; `wend/control/controllers.def` lists them, one file each.
+// Controllers: compute the velocities with which a robot follows a path. They have names and
+// options; `wend/control/controllers.def` lists them, one file each.
 //
 //   const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
 //   const auto controller = info->make({{"lookahead", "0.5"}});
 //   if (!controller) report(controller.error().message());
 //
-// Metres, radians, seconds, in the map's frame. A controller remembers (integrals, filters), is for
-// one robot and one thread. It may allocate memory in begin(), for a line longer
-// than all before, and does not in command().
+// Metres, radians, seconds, in the map's frame. A controller has state (integrals, filters); use
+// one per robot and thread. It may allocate memory in begin(), for a line longer than all before,
+// but not in command().
 
 #include <cstddef>
 #include <functional>
@@ -27,16 +27,15 @@
 
 namespace wend {
 
-/// What a controller sees; all numbers are finite. To drive in reverse it is shown the robot as if
-/// it faced backwards, so that it need not know.
+/// What a controller sees; all numbers are finite. On a reverse leg the robot's pose is turned
+/// round, so a controller does not need to know about reversing.
 struct ControllerInput {
-  Pose pose;          // as measured
-  Velocity velocity;  // as last commanded and limited
-  const Polyline* route =
-      nullptr;               // what to follow, in metres: the line that has begun; never null
-  double along = 0;          // how far along it the robot is; never goes back
-  std::size_t waypoint = 0;  // of route->points(): the next one to reach
-  double seconds = 0;        // since the last command, > 0
+  Pose pose;                        // as measured
+  Velocity velocity;                // as last commanded and limited
+  const Polyline* route = nullptr;  // the line to follow, in metres; never null
+  double along = 0;                 // how far along it the robot is; never goes back
+  std::size_t waypoint = 0;         // of route->points(): the next one to reach
+  double seconds = 0;               // since the last command, > 0
   VelocityLimits limits{};
 };
 
@@ -46,11 +45,11 @@ class Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// A new line begins: it forgets what it remembers, and prepares itself. The line outlives the
+  /// Begins a new line: resets the controller's state and prepares it. The line must outlive the
   /// commands that follow.
   virtual void begin(const Polyline& line, const VelocityLimits& limits) = 0;
 
-  /// What it wants, on the line that has begun; whoever drives limits it.
+  /// The wanted velocity on the current line. The caller applies the limits.
   virtual Velocity command(const ControllerInput& input) = 0;
 
  protected:
@@ -63,8 +62,8 @@ struct ControllerInfo {
   std::string name;
   std::string summary;   // one line
   std::string idea;      // how it works, in two or three sentences
-  std::string citation;  // the paper or textbook it comes from
-  bool turns_in_place;   // so it is no controller for a bicycle
+  std::string citation;  // the paper or book it comes from
+  bool turns_in_place;   // so it does not fit a bicycle
   std::vector<OptionInfo> options;
   std::function<ControllerResult(const OptionValues&)> make;
 };
@@ -80,26 +79,26 @@ ControllerResult make_controller(const OptionValues& values) {
   return std::make_unique<Made>(*options);
 }
 
-/// Why a controller is none for a robot: it turns in place, and the robot cannot. Nothing if it is;
-/// whoever puts the two together asks.
+/// Why a controller does not fit a robot: it turns in place, and the robot cannot. Nothing if it
+/// fits. The caller that combines the two must ask.
 std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
 
-/// How far the robot must turn to face a point, in (-pi, pi]; 0 where it stands on it.
+/// The turn that makes the robot face a point, in (-pi, pi]; 0 if the robot is at the point.
 double turn_to(const Pose& pose, Point point);
 
-/// What is left of a route: along it and, where that has come to its end, straight to the end.
+/// The remaining length of a route; past its end, the straight distance to the end.
 double way_left(const Polyline& route, double along, Point point);
 
 /// The errors that P and PID controllers feed back.
 struct TrackingError {
   double heading = 0;   // rad, to face the next waypoint
-  double distance = 0;  // m, what is left
+  double distance = 0;  // m, the remaining length
 };
 
 TrackingError tracking_error_of(const ControllerInput& input);
 
-/// Drives so fast, but slower the larger the heading error is, and not at all from `standing_angle`
-/// on; and turns so fast.
+/// Drives at `linear`, slower with a larger heading error, and stands still from `standing_angle`
+/// on; turns at `angular`.
 Velocity while_turning(double linear, double angular, const TrackingError& aim,
                        double standing_angle, const VelocityLimits& limits);
 

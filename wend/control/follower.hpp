@@ -1,8 +1,8 @@
 #pragma once
 
-// Follower: drives a robot along a route with a controller, command by command. It keeps track of how
-// far the robot has come, and says when it has arrived, is stuck, or has left the path. The simulator
-// and a real robot's node use the same one.
+// Follower: drives a robot along a route with a controller, command by command. It tracks the
+// robot's progress and reports when the robot has arrived, is stuck, or has left the path. The
+// simulator and the ROS node use the same class.
 //
 //   wend::Follower follower(*controller);  // the controller outlives it
 //   follower.follow(wend::Route(path, frame));
@@ -24,8 +24,8 @@ struct FollowerOptions {
   double heading_tolerance = 0;     // rad: turns on the spot at the goal until within; 0 = any
   double off_path = 1;              // m: farther from the route than this is lost
   double stuck_time = 10;           // s
-  double heading_window = 0.3;  // m: the route's heading is the mean from so far before to behind
-  bool turns_in_place = true;   // can the robot? No option: simulate() knows the robot
+  double heading_window = 0.3;      // m: the route's heading is a mean over this length either way
+  bool turns_in_place = true;  // can the robot turn in place? Not an option: simulate() sets it
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -55,33 +55,33 @@ enum class FollowerState {
 struct FollowerStep {
   Velocity command{};
   FollowerState state = FollowerState::driving;
-  double heading_error = 0;  // rad, in (-pi, pi]: to face as the route leads where the robot is,
-                             // in the mean over the heading window (Polyline::heading_at)
+  double heading_error = 0;  // rad, in (-pi, pi]: to the route's heading at the robot, averaged
+                             // over the heading window (Polyline::heading_at)
   double cross_track = 0;    // m, to the route, unsigned
 };
 
-/// Progress is 0.05 m along the route or towards it, or facing it 0.1 rad better than since the last
-/// progress; of robots that are too slow for that, a tenth of what they can do in stuck_time. So every
-/// drive ends, whatever the controller does.
+/// Progress is 0.05 m along the route or towards it, or a heading error 0.1 rad smaller than at the
+/// last progress. For robots that are too slow for that, it is a tenth of what they can do in
+/// stuck_time. So every run ends, whatever the controller does.
 class Follower {
  public:
   explicit Follower(Controller& controller, VelocityLimits limits = {},
                     FollowerOptions options = {});
 
-  /// Begins a new route; also while driving, where the robot goes on from the nearest point of the
-  /// route's beginning: as far as the robot drives in a second, and off_path.
+  /// Begins a new route, also while driving. The robot continues from the nearest point of the
+  /// route's beginning: its first off_path metres and as far as the robot drives in a second.
   void follow(Route route);
 
-  /// The next command, from the pose that was measured, `seconds` (> 0) after the last one. It is
-  /// within the limits. Before follow() there is nothing to do: reached. A pose that is not finite is none: the robot brakes. In
-  /// every state but driving it brakes, too, and the state stays. O(lines of the route that it can
-  /// come to within a second); allocates nothing but what a controller needs for a new route.
+  /// The next command, from the measured pose, `seconds` (> 0) after the last one. It is within the
+  /// limits. Before follow() the state is reached. If the pose is not finite, the robot brakes. In
+  /// every state other than driving it also brakes, and the state stays. O(lines of the route that
+  /// the robot can reach within a second); allocates only what a controller needs for a new route.
   FollowerStep step(const Pose& pose, double seconds);
 
-  /// How far along the route the robot has come, m.
+  /// The robot's progress along the route, m.
   double along() const { return behind_ + along_; }
 
-  /// Which of the route's legs it drives, and how far along that it has come, m.
+  /// The current leg of the route, and the progress along it, m.
   std::size_t leg() const { return leg_; }
   double along_leg() const { return along_; }
 

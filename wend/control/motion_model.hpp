@@ -1,6 +1,6 @@
 #pragma once
 
-// Motion models: how a robot moves when it is told a velocity. Integrated exactly: with constant
+// Motion models: the motion of a robot at a commanded velocity, integrated exactly: at constant
 // velocities a robot drives an arc. Metres, radians, seconds, in the map's frame.
 //
 //   wend::RobotState robot{{0, 0, 0}};
@@ -14,7 +14,7 @@
 
 namespace wend {
 
-/// What a controller asks for and a robot does.
+/// A commanded or actual velocity.
 struct Velocity {
   double linear = 0;   // m/s along the heading, negative in reverse
   double angular = 0;  // rad/s, positive where the heading grows
@@ -22,11 +22,11 @@ struct Velocity {
   friend bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-/// What a robot can do, and so what is asked of it at most.
+/// The limits of a robot's velocity and acceleration.
 struct VelocityLimits {
   double speed = 0.5;            // m/s
   double turn_rate = 1.5;        // rad/s
-  double acceleration = 1;       // m/s^2, braking too
+  double acceleration = 1;       // m/s^2, also for braking
   double turn_acceleration = 5;  // rad/s^2
 
   template <class Self, class Field>
@@ -40,8 +40,8 @@ struct VelocityLimits {
   }
 };
 
-/// The nearest to `wanted` that the limits allow `seconds` after `now`; if `now` is beyond them, as
-/// near to them as the accelerations allow.
+/// The velocity nearest to `wanted` that the limits allow `seconds` after `now`. If `now` exceeds
+/// the limits, the one nearest to them that the accelerations allow.
 Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
                  double seconds);
 
@@ -71,7 +71,7 @@ struct MotionModel {
     VelocityLimits::fields(self.limits, field);
   }
 
-  /// The tightest circle it can drive, in metres; 0 of what turns in place.
+  /// The radius of the tightest circle that it can drive, in metres; 0 if it turns in place.
   double turning_radius() const;
 };
 
@@ -80,19 +80,18 @@ struct RobotState {
   Velocity velocity{};
 };
 
-/// What a robot does in a moment: an arc (of a robot that turns in place: of no length) and where it
-/// is then.
+/// A short motion: an arc (of length 0 for a turn in place) and the state at its end.
 struct Step {
   Arc arc;
   RobotState to;
 };
 
-/// Holds a velocity. One that is slower than a nanometre a second turns on the spot.
+/// Holds a velocity. Below a nanometre a second the robot turns in place.
 Step hold(const Pose& from, const Velocity& velocity, double seconds);
 
-/// Drives for so long as it is told, within its limits: the velocity is first limited, then held. A
-/// bicycle's turn rate is at most |linear| / turning_radius(); where that would change it too fast,
-/// it brakes less.
+/// Drives for `seconds` within the limits: the velocity is first limited, then held. A bicycle's
+/// turn rate is at most |linear| / turning_radius(); where that would change it too fast, it brakes
+/// less.
 Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,
            double seconds);
 

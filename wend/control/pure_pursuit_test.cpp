@@ -1,5 +1,5 @@
-// Pure pursuit on tracks that nobody tuned it to, with the default gains: it brakes in time for its
-// limits, so that it stays near the line however fast it may drive.
+// Pure pursuit with the default gains on tracks that it was not tuned for: it brakes in time for
+// its limits and stays near the line at any speed limit.
 
 #include <gtest/gtest.h>
 

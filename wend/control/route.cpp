@@ -14,7 +14,7 @@ Polyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
   return Polyline(points, closed);
 }
 
-/// Of a car's path: a leg for each stretch of arcs that are all ahead or all in reverse.
+/// The legs of a car's path: one for each stretch of arcs in one direction.
 std::vector<RouteLeg> legs_of(const Path& path, const Frame& frame) {
   const std::span<const Pose> poses = path.driven_poses();
   const std::vector<Arc> arcs = path.arcs();

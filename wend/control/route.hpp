@@ -14,8 +14,8 @@
 
 namespace wend {
 
-/// A pose, or the same facing backwards: how the robot stands, and how its controller sees it, on a leg
-/// that is driven in reverse.
+/// The pose, or, if `reverse`, the pose turned by pi: on a reverse leg the controller sees the
+/// robot turned round.
 Pose turned_round(const Pose& pose, bool reverse);
 
 struct RouteLeg {
@@ -25,20 +25,20 @@ struct RouteLeg {
 
 class Route {
  public:
-  /// Of a path (not empty) in grid coordinates. A car's path has a leg for each stretch between
-  /// reversals, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps: a straight
-  /// line, driven ahead, joins the end to the start.
+  /// The route of a path (not empty) in grid coordinates. A car's path has a leg for each stretch
+  /// between reversals, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps:
+  /// a straight line, driven forwards, joins the end to the start.
   Route(const Path& path, const Frame& frame, bool closed = false);
 
   const std::vector<RouteLeg>& legs() const { return legs_; }
   double length() const;
 
-  /// How the robot stands where the route begins and where it ends: along its first and last line;
-  /// of a car's path as its poses say.
+  /// The robot's pose at the route's start and end: along its first and last line; for a car, the
+  /// first and last pose of its path.
   const Pose& start() const { return start_; }
   const Pose& end() const { return end_; }
 
-  /// The heading in which to end, if the path says so: that of the last pose of a car's path.
+  /// The heading at the end, if the path has one: that of the last pose of a car's path.
   std::optional<double> final_heading() const { return final_heading_; }
 
  private:

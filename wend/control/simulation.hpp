@@ -1,14 +1,15 @@
 #pragma once
 
-// Simulation: a robot that follows a path on a map, with noise and latency, and how well it did.
+// Simulation: a robot follows a path on a map, with noise and latency; the result has measures of
+// it.
 //
 //   auto controller = wend::controllers().find("pid")->make({});
 //   const wend::Drive drive = wend::simulate(space, plan->path, **controller, {}, {.seed = 7});
 //   if (drive.outcome != wend::DriveOutcome::reached) report(wend::describe(drive.outcome));
 //
 // Every command is held for 1 / rate seconds; the robot drives exact arcs, and its disc is swept along
-// each of them over the map. Noise is Gaussian and from a seed: the same on every platform but for the
-// last bits of its mathematical functions. Thread-safe, with a controller for each thread.
+// each of them over the map. Noise is Gaussian and comes from a seed: the same on every platform,
+// except for the last bits of mathematical functions. Thread-safe with one controller per thread.
 
 #include <array>
 #include <cstdint>
@@ -30,10 +31,10 @@ struct SimulationOptions {
   double actuation_noise = 0;  // standard deviation of each velocity's relative error
   double position_noise = 0;   // of each measured coordinate, m
   double heading_noise = 0;    // of the measured heading, rad
-  double latency = 0;          // s from a measurement to its command's taking effect
+  double latency = 0;          // s from a measurement to the effect of its command
   std::int64_t seed = 1;
   bool closed = false;            // one lap, back to the start
-  bool stop_at_collision = true;  // else it drives on through, and collisions are counted
+  bool stop_at_collision = true;  // else the robot drives on, and collisions are counted
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -87,18 +88,19 @@ struct Drive {
   double cross_track_largest = 0;  // m
   double final_error = 0;          // m, from the goal
   double final_heading_error = 0;  // rad; of a route's last heading, or its last line's
-  std::uint64_t collisions = 0;    // how often the disc, swept, ran into obstacles from free space
-  std::optional<Point> first_collision;  // where its centre was then, grid coordinates
+  std::uint64_t collisions = 0;    // how often the swept disc entered an obstacle from free space
+  std::optional<Point> first_collision;  // the disc's centre at that moment, grid coordinates
   std::vector<DriveSample> samples;      // one a command, and the last pose
 
   /// Does the robot swing to and fro more than once a second? Then the controller's gains are too
-  /// high for its rate, its latency or the noise. Fast is a fifth of the greatest turn rate.
+  /// high for its rate, its latency or the noise. Fast means a fifth of the greatest turn rate.
   bool oscillates() const;
 };
 
-/// Drives from the path's start, heading along it (of a car's path: as its first pose does). The path
-/// (not empty) is in grid coordinates of the space's map. The controller is reset first; one that
-/// why_unfit() refuses gets a bicycle stuck. O(commands); every drive ends: see Follower.
+/// Drives from the path's start, heading along it (for a car's path, as its first pose). The path
+/// (not empty) is in grid coordinates of the space's map. The controller is reset first. With a
+/// controller that why_unfit() rejects, a bicycle gets stuck. O(commands); every run ends: see
+/// Follower.
 Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
                const MotionModel& model = {}, const SimulationOptions& options = {},
                const FollowerOptions& follower = {});

@@ -1,7 +1,6 @@
 #pragma once
 
-// SpeedProfile: how fast a robot may be at each place of a line, so that it brakes in time for what
-// comes.
+// SpeedProfile: the speed limit of a robot at each place of a line, so that it brakes in time.
 //
 //   const wend::SpeedProfile profile(line, {.lateral_acceleration = 1, .window = 0.2});
 //   const double fastest = profile.at(along);
@@ -27,21 +26,21 @@ struct SpeedProfileOptions {
   double lateral_acceleration = 1;  // m/s^2
   double min_speed = 0.05;          // m/s
   double window = 0.2;              // m, > 0: half of what headings are averaged over
-  double lookahead = 0;             // m: so long before a bend the robot is as slow as in it,
-  double lookahead_time = 0;        // s: and longer by what it drives in this time
+  double lookahead = 0;             // m: the bend's speed limit begins this length before it,
+  double lookahead_time = 0;        // s: plus the length driven in this time
 };
 
 class SpeedProfile {
  public:
-  /// Of no line yet.
+  /// A profile without a line.
   SpeedProfile() = default;
 
   SpeedProfile(const Polyline& line, const SpeedProfileOptions& options) { begin(line, options); }
 
-  /// Of another line. Allocates memory only for a line longer than all before.
+  /// Begins another line. Allocates memory only for a line longer than all before.
   void begin(const Polyline& line, const SpeedProfileOptions& options);
 
-  /// The greatest speed there, at least the least speed. A line has begun. O(1).
+  /// The speed limit there, at least min_speed. A line must have begun. O(1).
   double at(double along) const;
 
  private:

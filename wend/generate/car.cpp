@@ -1,4 +1,4 @@
-// A test yard for a car: so many obstacles and so many cells of rough road, strewn at random.
+// A test map for a car: a number of obstacles and of rough cells, placed at random.
 
 #include <algorithm>
 #include <cstdint>
@@ -36,8 +36,8 @@ struct CarOptions {
   }
 };
 
-/// Draws every choice of cells with the same probability: with so many of a kind left for so many
-/// cells left, the next one is of that kind with the probability of their ratio.
+/// Draws every choice of cells with the same probability: the next cell is of a kind with the
+/// probability (cells of that kind left) / (cells left).
 GridMap generate(MapSize size, const CarOptions& options, Random& random) {
   Grid<CellState> cells(size.width, size.height, CellState::free);
   Grid<double> terrain;

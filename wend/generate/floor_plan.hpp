@@ -21,7 +21,7 @@ class FloorPlan {
   /// outer wall.
   static constexpr int kMargin = 3 + kOuterWall;
 
-  /// A start and a goal lie so far from the map's edge, with floor free around them.
+  /// The distance of start and goal from the map's edge; the floor around them is free.
   static constexpr int kFreeCorner = 10;
 
   FloorPlan(int width, int height);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Generators: maps made from a seed, for demos, tests and lessons. The same kind, size, options and
-// seed give the same map on every platform.
+// Generators: maps made from a seed, for demos, tests and teaching. The same kind, size, options
+// and seed give the same map on every platform.
 //
 //   const wend::GeneratorInfo* maze = wend::generators().find("maze");
 //   const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});

@@ -57,7 +57,7 @@ struct ParkingOptions {
   }
 };
 
-/// The i-th of so many parts of `total`, all of about the same size.
+/// The size of the i-th of `parts` parts of `total`, all about equal.
 int part(int i, int parts, int total) { return (i + 1) * total / parts - i * total / parts; }
 
 /// The first cells of rows of bays, from the upper edge down. Even rows have their aisle below, odd

@@ -1,7 +1,7 @@
 #pragma once
 
-// Arc: a way of constant curvature, as a car drives with its steering held still: a piece of a
-// circle, or of a line where the curvature is 0. Driven ahead or in reverse.
+// Arc: a curve of constant curvature, as a car drives with constant steering: a piece of a circle,
+// or of a line if the curvature is 0. Driven forwards or in reverse.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
 //   const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
@@ -16,15 +16,15 @@ struct Arc {
   double length = 0;     // negative in reverse
   double curvature = 0;  // 1 / radius; positive where the heading grows while driving ahead
 
-  /// How much the heading changes, in radians.
+  /// The change of heading, in radians.
   double turn() const { return length * curvature; }
 };
 
-/// The arc that leaves a pose along its heading, or against it, and ends in a point. The point is
-/// ahead if it is not behind. Of a point that is beside the pose: a half circle.
+/// The arc that leaves a pose along its heading, or in reverse if the point is behind, and ends in
+/// the point. For a point beside the pose: a half circle.
 Arc arc_to(const Pose& from, Point to);
 
-/// Where one is after driving `length` of an arc, from 0 to arc.length; the heading is in (-pi, pi].
+/// The pose after driving `length` of an arc, from 0 to arc.length; the heading is in (-pi, pi].
 Point point_on(const Arc& arc, double length);
 Pose pose_on(const Arc& arc, double length);
 

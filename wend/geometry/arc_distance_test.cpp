@@ -17,7 +17,7 @@ namespace {
 using test::random_arc;
 using test::text_of;
 
-// The arcs begin on so many cells; points and squares lie a few cells farther out, too.
+// The arcs begin on a grid of this size; points and squares also lie a few cells outside of it.
 constexpr int kSize = 5;
 
 Cell random_square(Random& random, const Arc& arc) {

@@ -29,7 +29,7 @@ double in(double least, double greatest) {
   return least + (greatest - least) * *rc::gen::inRange(0, kSteps + 1) / kSteps;
 }
 
-/// Integrates the motion of a car in small steps, by the midpoint rule.
+/// Integrates the car's motion in small steps, by the midpoint rule.
 Pose driven(const Arc& arc, int steps) {
   Pose pose = arc.from;
   const double step = arc.length / steps;

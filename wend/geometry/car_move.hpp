@@ -1,7 +1,7 @@
 #pragma once
 
-// The six moves of a car that stands on the corners of a grid: the one table that space, command
-// lists and tests read.
+// The car's six motion primitives between lattice vertices: the only table of them, which the
+// space, command lists and tests read.
 //
 // A straight move is one unit long. A turn is a quarter circle of radius one: it ends one unit
 // ahead (or behind) and one unit to its side, and turns the heading by 90 degrees: ahead to that
@@ -59,7 +59,7 @@ struct CornerPose {
   friend constexpr bool operator==(const CornerPose&, const CornerPose&) = default;
 };
 
-/// After a move on a lattice whose unit is so many cells.
+/// The pose after a move on a lattice with a resolution of `unit` cells.
 constexpr CornerPose moved(const CornerPose& from, CarMove move, int unit = 1) {
   const int gear = gear_of(move);
   const int side = side_of(move);

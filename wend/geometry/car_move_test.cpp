@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-TEST(CarMove, MovesAsInTheTextbook) {
+TEST(CarMove, MovesAsTheReferenceTableSays) {
   const CornerPose from{{1, 0}, Heading::plus_x};
   EXPECT_EQ(moved(from, CarMove::fwd), (CornerPose{{2, 0}, Heading::plus_x}));
   EXPECT_EQ(moved(from, CarMove::fwd_plus), (CornerPose{{2, 1}, Heading::plus_y}));

@@ -1,7 +1,7 @@
 #pragma once
 
-// What people call directions, headings and moves of a car: up and down, N and S, right and left
-// are those of the map on a page. Row 0 is the page's bottom row where the frame has y up, its top
+// Names of directions, headings and car moves: up and down, N and S, right and left are those of
+// the map on a page. Row 0 is the page's bottom row where the frame has y up, its top
 // row elsewhere. Everything that people read or type goes through here; all else is in grid
 // coordinates.
 //

@@ -62,7 +62,7 @@ constexpr bool is_diagonal(Direction direction) {
   return (static_cast<unsigned>(direction) & 1U) != 0;
 }
 
-/// The direction so many eighths of a turn on, from +y towards +x.
+/// The direction turned by `eighths` eighths of a turn, from +y towards +x.
 constexpr Direction turned(Direction direction, int eighths) {
   return static_cast<Direction>(
       (static_cast<unsigned>(direction) + kDirections + static_cast<unsigned>(eighths)) %
@@ -76,7 +76,7 @@ constexpr std::array<Direction, 2> beside(Direction direction) {
   return {turned(direction, -1), turned(direction, 1)};
 }
 
-/// The cell so many steps away.
+/// The cell `steps` steps away.
 constexpr Cell step(Cell cell, Direction direction, int steps = 1) {
   const Cell step = kDirectionSteps[static_cast<std::size_t>(direction)];
   return {cell.x + steps * step.x, cell.y + steps * step.y};
@@ -105,7 +105,7 @@ inline Direction nearest_direction(double heading) {
   return turned(Direction::plus_x, -eighths);
 }
 
-/// The numbers are those of the states of a car's lattice.
+/// The numbers are part of the state numbers of the car's lattice.
 enum class Heading : std::uint8_t { minus_y = 0, minus_x = 1, plus_x = 2, plus_y = 3 };
 
 inline constexpr int kHeadings = 4;

@@ -1,7 +1,7 @@
 #pragma once
 
-// IndexBuilding: with whom an index is built, who is told how far it is, and how it is told to stop.
-// IndexError: why there is none.
+// IndexBuilding: the workers, progress callback and cancel flag of an index build.
+// IndexError: why an index could not be built or used.
 
 #include <atomic>
 #include <functional>
@@ -13,8 +13,8 @@
 namespace wend {
 
 struct IndexBuilding {
-  Workers* workers = nullptr;  // not owned; none: one
-  /// Told the share that is done, from 0 to 1, never less than before; on the thread that builds.
+  Workers* workers = nullptr;  // not owned; null: one thread
+  /// Called with the share that is done, from 0 to 1, never decreasing; on the building thread.
   std::function<void(double share)> progress;
   const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop
 

@@ -11,9 +11,9 @@
 
 namespace wend {
 
-/// What a file that stands for a path says where there is none.
+/// The content of a path file for a query without a path.
 struct FailedPlan {
-  std::string status;  // a name of the enum Status, or "not_free" of a path that collides
+  std::string status;  // a name of the enum Status, or "not_free" for a path that collides
   std::string reason;  // one line for people
 
   friend bool operator==(const FailedPlan&, const FailedPlan&) = default;

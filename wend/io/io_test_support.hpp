@@ -49,7 +49,7 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The folder with the shared data; empty where there is none.
+/// The folder with the shared data; empty if it is not configured.
 inline std::filesystem::path data_folder() { return WEND_DATA; }
 
 /// The cells, row 0 first: '.' free, '#' occupied, '?' unknown.

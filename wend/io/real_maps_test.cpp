@@ -26,7 +26,7 @@ struct Described {
   std::string unknown;
 };
 
-/// The cells of a Markdown table's row; empty if the line is none.
+/// The cells of a Markdown table's row; empty if the line is not a row.
 std::vector<std::string> columns_of(const std::string& line) {
   std::vector<std::string> columns;
   std::istringstream stream(line);

@@ -134,7 +134,7 @@ class BitLines {
   std::vector<std::uint64_t> words_;
 };
 
-/// The line of diagonals() that a cell lies on, of a grid with so many rows. Diagonals may begin
+/// The line of diagonals() that a cell lies on, in a grid with `rows` rows. Diagonals may begin
 /// outside.
 constexpr int diagonal_line(BitLines::Diagonals which, Cell cell, int rows) {
   return which == BitLines::Diagonals::falling_right ? cell.x - cell.y + rows - 1 : cell.x + cell.y;

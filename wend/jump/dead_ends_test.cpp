@@ -42,7 +42,7 @@ BitGrid random_maze(Random& random) {
   return cells;
 }
 
-/// By Dijkstra: the lengths of shortest paths from a cell, negative where there is none.
+/// By Dijkstra: the lengths of shortest paths from a cell, negative where no path exists.
 std::vector<double> lengths_from(const BitGrid& cells, Cell start) {
   const auto number = [&](Cell cell) {
     return static_cast<std::size_t>(cell.y * cells.width() + cell.x);

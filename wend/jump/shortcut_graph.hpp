@@ -36,7 +36,7 @@ namespace wend {
 //   if (box.may_hold(raster.place(cell))) ...
 //
 // Places are counted in pieces of the map, 127 at most either way, so a box may hold cells that
-// nobody put in, and never misses one.
+// were not added, but never misses one.
 
 /// Where a cell lies: x, y, and both from the other end, 7 bits in each byte.
 class CoarsePlace {

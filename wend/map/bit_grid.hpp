@@ -69,7 +69,7 @@ class BitGrid {
   /// One row more at the end, all false, whose words are returned. O(width) amortized.
   std::span<std::uint64_t> append_row();
 
-  /// Makes room for so many rows.
+  /// Makes room for `height` rows.
   void reserve_rows(int height);
 
   std::size_t count() const;

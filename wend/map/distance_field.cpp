@@ -56,7 +56,7 @@ std::int64_t floor_quotient(std::int64_t dividend, std::int64_t divisor) {
   return quotient - static_cast<std::int64_t>(dividend % divisor < 0);
 }
 
-/// From a cell's centre to a closed square so many columns or rows away, in half-cells.
+/// From a cell's centre to a closed square `cells` columns or rows away, in half-cells.
 std::int64_t squared_axis_distance(std::int64_t cells) {
   const std::int64_t half_cells = cells == 0 ? 0 : 2 * std::abs(cells) - 1;
   return half_cells * half_cells;

@@ -1,17 +1,17 @@
 #pragma once
 
-// FreeSpace: where one robot may be on a map. Map + radius + what to make of unknown cells and of
-// what lies outside the map give passable cells, exact clearance, connected components, and the reason
-// why a cell is blocked.
+// FreeSpace: a map for one robot. From the map, the robot's radius and the policies for unknown
+// cells and for the outside of the map it computes passable cells, exact clearance, connected
+// components, and the reason why a cell is blocked.
 //
-// The robot is a disc of radius r that stands on cell centres; it may stand where its centre is at
+// The robot is a disc of radius r that stands on cell centres. It may stand where its centre is at
 // least r away from every closed blocked square (touching is allowed; r = 0 is a point). Its centre
-// stays on the map. Its disc may hang over the map's edge or not, as OutsidePolicy says; if not, the
-// map's edge counts in clearance like an obstacle's.
+// stays on the map. OutsidePolicy says whether its disc may leave the map; if not, the map's edge
+// counts in clearance like an obstacle.
 //
-// A robot can be told to keep away from obstacles: cells near them then cost more, smoothly, out to
-// a distance, so that paths swing wide where there is room and still pass where there is none. With
-// d = clearance - r, the free width at the disc's edge, a passable cell's terrain is the map's times
+// A clearance cost makes cells near obstacles cost more, smoothly, up to a distance. Paths then
+// keep their distance where there is room, and still use narrow passages. With d = clearance - r,
+// the free width at the disc's edge, a passable cell's terrain is the map's times
 //
 //   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
@@ -19,7 +19,7 @@
 // map's with slope 0. Clearance is that of the cell's centre.
 //
 // Immutable and cheap to copy: copies share everything, also between threads. Made in O(cells); 9
-// bytes a cell, and eight more where keep-away makes any cell cost more.
+// bytes a cell, and eight more where the clearance cost makes any cell cost more.
 //
 //   const wend::FreeSpace space(map, {.robot_radius = 0.2});
 //   if (const auto reason = space.why_blocked({3, 4})) ...
@@ -37,14 +37,14 @@
 
 namespace wend {
 
-/// What unknown cells are to a robot.
+/// Whether unknown cells are obstacles.
 enum class UnknownPolicy { blocked, free };
 
-/// What the outside of the map is to a robot's disc. The centre never goes there.
+/// Whether the robot's disc may leave the map. Its centre never does.
 enum class OutsidePolicy { blocked, free };
 
-/// What maps are taken for where nobody says: a map in metres (Frame::metric) shows a part of the
-/// world, a map in cells all of it.
+/// The default policy: a map in metres (Frame::metric) shows a part of the world (free), a map in
+/// cells all of it (blocked).
 OutsidePolicy default_outside_policy(const Frame& frame);
 
 struct FreeSpaceOptions {
@@ -69,7 +69,7 @@ enum class BlockReason {
 /// close to the map's edge that the robot would leave the map".
 std::string_view describe(BlockReason reason);
 
-/// What a FreeSpace takes beside its map.
+/// The memory of a FreeSpace without its map.
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options);
 
 class FreeSpace {
@@ -117,13 +117,13 @@ class FreeSpace {
     return squared_half_cells >= data_->least_squared_half_cells;
   }
 
-  /// What a unit of length costs this robot in a cell, at least 1: the map's terrain, and more near
-  /// obstacles if it keeps away.
+  /// The cost of a unit of length in a cell, at least 1: the map's terrain, and more near obstacles
+  /// if there is a clearance cost.
   double terrain(Cell cell) const { return uniform_terrain() ? 1 : terrain()[cell]; }
   bool uniform_terrain() const { return terrain().empty(); }
 
-  /// The multipliers, or an empty grid on uniform terrain. The map's own grid where keep-away makes
-  /// no passable cell cost more.
+  /// The multipliers, or an empty grid on uniform terrain. The map's own grid if the clearance cost
+  /// is off or changes no passable cell.
   const Grid<double>& terrain() const {
     return data_->terrain.empty() ? data_->map.terrain() : data_->terrain;
   }

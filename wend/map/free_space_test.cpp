@@ -248,7 +248,7 @@ TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
   EXPECT_EQ(space.passable().count(), 0U);
   EXPECT_EQ(space.components().count(Adjacency::edges), 0U);
   EXPECT_FALSE(space.far_enough(kNoObstacle - 1.0));
-  EXPECT_TRUE(space.far_enough(kNoObstacle)) << "where there is none it may stand";
+  EXPECT_TRUE(space.far_enough(kNoObstacle)) << "without an obstacle every cell is far enough";
 }
 
 TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {

@@ -1,8 +1,7 @@
 #pragma once
 
-// GridMap: what a map file says. Every cell is free, occupied or unknown and has a terrain
-// multiplier; a frame says how the grid lies in the world. What that means for one robot is a
-// FreeSpace.
+// GridMap: the content of a map file. Every cell is free, occupied or unknown and has a terrain
+// multiplier; the frame is the grid's position and resolution in the world. FreeSpace adds a robot.
 //
 // Immutable and cheap to copy: copies share the cells, also between threads. Two bits a cell, and
 // eight bytes more where the map has terrain.
@@ -28,14 +27,14 @@ enum class CellState : unsigned char { free, occupied, unknown };
 
 class GridMap {
  public:
-  /// The most cells a map can have; loaders refuse larger ones.
+  /// The most cells a map can have; loaders reject larger ones.
   static constexpr std::size_t kMaxCells = std::size_t{1} << 30;
 
   /// `terrain` is empty for a map that costs the same everywhere, else as large as `cells`, every
   /// multiplier finite and at least 1. The map has at least one cell.
   explicit GridMap(const Grid<CellState>& cells, Frame frame = {}, Grid<double> terrain = {});
 
-  /// The same of two bit planes of one size that have no set cell in common.
+  /// The same from two bit planes of one size that have no set cell in common.
   GridMap(BitGrid occupied, BitGrid unknown, Frame frame = {}, Grid<double> terrain = {});
 
   int width() const { return data_->occupied.width(); }
@@ -56,7 +55,7 @@ class GridMap {
   const BitGrid& occupied() const { return data_->occupied; }
   const BitGrid& unknown() const { return data_->unknown; }
 
-  /// What a unit of length costs in a cell, at least 1.
+  /// The cost of a unit of length in a cell, at least 1.
   double terrain(Cell cell) const { return data_->terrain.empty() ? 1 : data_->terrain[cell]; }
   bool uniform_terrain() const { return data_->terrain.empty(); }
 
@@ -79,20 +78,20 @@ class GridMap {
   std::shared_ptr<const Data> data_;
 };
 
-/// A GridMap row by row, as loaders read files, in no more memory than the map takes.
+/// Builds a GridMap row by row, as loaders read files, without more memory than the map needs.
 ///
 ///   wend::GridMapBuilder rows(2);
 ///   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
 ///   const wend::GridMap map = std::move(rows).finish();
 class GridMapBuilder {
  public:
-  /// Rows of so many cells, at least 1.
+  /// Rows have `width` cells, at least 1.
   explicit GridMapBuilder(int width);
 
-  /// Makes room for so many rows at once. Without it memory grows with the rows.
+  /// Reserves memory for `height` rows. Without it, memory grows with the rows.
   void reserve(int height);
 
-  /// The next row. `terrain` has a multiplier for each cell, finite and at least 1; empty: they
+  /// Appends a row. `terrain` has a multiplier for each cell, finite and at least 1; empty: they
   /// are all 1.
   void append(std::span<const CellState> states, std::span<const double> terrain = {});
 

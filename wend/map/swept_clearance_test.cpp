@@ -25,7 +25,7 @@ double brute_force(const FreeSpace& space, const Arc& arc) {
                                          [&](Cell cell) { return distance(arc, cell); });
 }
 
-/// From the nearest of so many points to the nearest obstacle; shares no code with what it checks.
+/// The least clearance of `samples` points of the arc; shares no code with what it checks.
 double sampled(const FreeSpace& space, const Arc& arc, int samples) {
   double least = test::kInfinite;
   for (int i = 0; i <= samples; ++i) {

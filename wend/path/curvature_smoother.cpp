@@ -156,7 +156,7 @@ class CurvatureSweeps {
     squared_change_ += change.x * change.x + change.y * change.y;
   }
 
-  /// The step of the textbook, in place.
+  /// The gradient-descent step, in place.
   void descend(std::size_t i) {
     const Point b = at(i);
     const double alpha = options_.alpha;

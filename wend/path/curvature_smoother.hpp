@@ -5,7 +5,7 @@
 //   const auto drivable = wend::smooth_by_curvature(plan->path, space, {.radius = 4});
 //   if (drivable && !drivable->within_bound) report("too tight");
 //
-// First the textbook's gradient descent, in place (gradient_smoother.hpp); then sweeps in which every
+// First gradient descent, in place (gradient_smoother.hpp); then sweeps in which every
 // three successive points that bend more than they may are moved by the least that puts them right,
 // and somewhat more (S. Kaczmarz 1937, with over-relaxation; as M. Müller and others do it in
 // position-based dynamics, 2007), and in which points keep even distances. A bend is wide enough if an

@@ -42,7 +42,7 @@ GradientOptions any_options() {
   return options;
 }
 
-RC_GTEST_PROP(GradientSmoother, DoesTheTextbooksSweep, ()) {
+RC_GTEST_PROP(GradientSmoother, DoesTheReferenceSweep, ()) {
   const Path path = random_waypoints();
   GradientOptions options = any_options();
   options.max_sweeps = 1;

@@ -1,14 +1,13 @@
 #pragma once
 
-// Path: the way from a start to a goal, both included, as its maker left it: a list of neighbouring
-// cells, the poses of a car, or waypoints. Poses, and metres, are made from it on demand.
+// Path: the path from a start to a goal, both included: a list of neighbouring cells, a car's
+// poses, or waypoints. Poses and points in metres are computed from it on demand.
 //
 //   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
 //
-// Two poses of a car are joined by the arc that leaves the first one along its heading and ends in
-// the second (a line where the heading stays); in reverse, if the second lies behind. Cells are
-// joined by lines from centre to centre, and waypoints, which a simplified or smoothed path has, by
-// lines too.
+// An arc joins two poses of a car: it leaves the first one along its heading and ends in the second
+// (a line if the heading stays), in reverse if the second lies behind. Lines join cells, from
+// centre to centre, and the waypoints of a simplified or smoothed path.
 //
 //   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   for (const wend::Arc& arc : path.arcs()) length += arc.length;
@@ -26,8 +25,8 @@
 
 namespace wend {
 
-/// A list of cells that is written anew again and again, and pays for its memory once: making room for
-/// cells that are to be written costs nothing where there were as many before.
+/// A reusable list of cells that keeps its memory: resizing it costs nothing if it had as many
+/// cells before.
 class CellBuffer {
  public:
   CellBuffer() = default;
@@ -48,7 +47,7 @@ class CellBuffer {
     ++size_;
   }
 
-  /// So many cells, whatever stood there before.
+  /// Resizes to `size` cells with unspecified values.
   void resize_unset(std::size_t size) {
     if (size > memory_.size()) memory_.resize(size);
     size_ = size;
@@ -80,39 +79,39 @@ class Path {
   /// Is it made of poses, not of cells or waypoints?
   bool driven() const { return !poses_.empty(); }
 
-  /// Of a path of cells; else empty.
+  /// The cells of a path of cells; else empty.
   std::span<const Cell> cells() const { return cells_.cells(); }
 
-  /// Of a driven path, in grid coordinates; else empty.
+  /// The poses of a car's path, in grid coordinates; else empty.
   std::span<const Pose> driven_poses() const { return poses_; }
 
-  /// Of a path of waypoints, in grid coordinates; else empty.
+  /// The waypoints of a path of waypoints, in grid coordinates; else empty.
   std::span<const Point> waypoints() const { return waypoints_; }
 
-  /// Where it begins, where its pieces meet and where it ends, in grid coordinates: the centres of
-  /// cells, the points of poses, the waypoints.
+  /// The start, the joints and the end, in grid coordinates: the centres of cells, the points of
+  /// poses, the waypoints.
   std::vector<Point> points() const;
 
-  /// In cells. Of cells: straight steps plus sqrt(2) times diagonal ones, counted exactly (for
-  /// cells farther apart: the Euclidean distance of their centres). Of waypoints: their distances.
-  /// Of poses: the lengths of the arcs, in reverse too.
+  /// The length in cells. For cells: straight steps plus sqrt(2) times diagonal ones, counted
+  /// exactly (for cells farther apart, the Euclidean distance of their centres). For waypoints: the
+  /// sum of their distances. For poses: the lengths of the arcs, also in reverse.
   double length() const;
 
-  /// In grid coordinates. Of cells and waypoints: their points, each heading towards the next one
-  /// (the last as the one before it; a single one heads along +x).
+  /// The poses, in grid coordinates. For cells and waypoints: their points, each heading towards
+  /// the next one (the last like the one before it; a single one along +x).
   std::vector<Pose> poses() const;
 
-  /// What joins these poses, one fewer than poses: lines, or a car's arcs. Empty of an empty path.
+  /// The lines or car's arcs between these poses, one fewer than poses. Empty for an empty path.
   std::vector<Arc> arcs() const;
 
   /// Its points in the map's frame, in metres.
   std::vector<Point> points_in_metres(const Frame& frame) const;
 
-  /// For planners that write into a path they are given: memory is kept. A path has either cells or
-  /// poses or waypoints.
+  /// For planners that write into an existing path, whose memory is kept. A path has either cells
+  /// or poses or waypoints.
   void clear();
   void append(Cell cell) { cells_.append(cell); }
-  /// So many cells, in place of all that there were, to be written.
+  /// Replaces the cells by `count` cells for the caller to write.
   std::span<Cell> make_cells(std::size_t count) {
     cells_.resize_unset(count);
     return cells_.cells();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Where a path first collides: for the disc of the space's robot, swept exactly along lines and
-// arcs, or for a point.
+// The first collision of a path: of the robot's disc, swept exactly along lines and arcs, or of a
+// point.
 //
 //   if (const auto collision = wend::first_collision(path, space)) {
 //     report(wend::describe(collision->kind));
@@ -23,7 +23,7 @@
 namespace wend {
 
 enum class CollisionKind {
-  outside,    // the robot's centre leaves the map; its disc does, and the outside is blocked
+  outside,    // the robot's centre leaves the map, or its disc does and the outside is blocked
   obstacle,   // its centre enters an obstacle
   too_close,  // its disc does
   squeezed,   // a point passes between two obstacles that touch at a corner
@@ -35,10 +35,10 @@ std::string_view describe(CollisionKind kind);
 
 struct PathCollision {
   CollisionKind kind = CollisionKind::obstacle;
-  std::size_t piece = 0;         // of Path::arcs(); 0 where a path of one point stands
+  std::size_t piece = 0;         // index in Path::arcs(); 0 for a path of one point
   double along = 0;              // cells, from the path's start; within 1e-6 of the first contact
-  Point point;                   // grid coordinates, where the robot's centre is then
-  std::optional<Cell> obstacle;  // the one that it collides with; nothing outside the map
+  Point point;                   // grid coordinates: the robot's centre
+  std::optional<Cell> obstacle;  // unset for a collision with the map's edge
 };
 
 /// Nothing if the whole path (not empty) is free. O(length) far from obstacles.

@@ -1,7 +1,7 @@
 #pragma once
 
-// PathMetrics: how long a path is, how much and how tightly it turns, and how near to obstacles it
-// comes. Corner: how wide an arc rounds a corner of it.
+// PathMetrics: the length, turning, turning radius and clearance of a path. Corner: the widest arc
+// that rounds a corner of it.
 
 #include "wend/geometry/pose.hpp"
 #include "wend/map/free_space.hpp"
@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// The window unless somebody says otherwise, in cells: far less than a map knows of its obstacles, and
-/// enough for points a cell apart on every circle of more than 1.25 cells.
+/// The default window, in cells: far below the accuracy of obstacles in a map, and enough for
+/// points a cell apart on every circle of more than 1.25 cells.
 inline constexpr double kCornerRounding = 0.1;
 
 /// The corner of two lines, rounded: the widest arc that joins them and keeps within a window of the
@@ -34,8 +34,8 @@ class Corner {
   /// The tangent of half the change of heading: 0 straight on, infinite straight back.
   double half_turn_tangent() const { return half_turn_; }
 
-  /// Of the widest arc, in the unit of the points: infinite where the lines go straight on, 0 where
-  /// they turn back and with a window of 0.
+  /// The radius of the widest arc, in the unit of the points: infinite for a straight line, 0 for a
+  /// turn back and for a window of 0.
   double radius(double window) const;
 
   /// The largest half_turn_tangent() that an arc of that radius (>= 0) rounds within the window.
@@ -49,12 +49,12 @@ class Corner {
 struct PathMetrics {
   double length = 0;  // cells, as Path::length()
 
-  /// Sum of the absolute changes of heading, radians; of a driven path what its arcs turn. Where a
-  /// path of cells or waypoints turns back, that is pi; a car that changes gear keeps its heading.
+  /// Sum of the absolute changes of heading, radians; for a car's path, of its arcs. A path of
+  /// cells or waypoints that turns back counts pi; a car that changes gear keeps its heading.
   double turning = 0;
 
-  /// The least radius of a driven path's arcs; of cells and waypoints 0 if there is a corner, for
-  /// nothing that steers can follow one. Infinite of a straight path. Cells.
+  /// The least radius of a car's arcs, in cells. For cells and waypoints it is 0 if there is a
+  /// corner, because a steered robot cannot follow one. Infinite for a straight path.
   double smallest_turning_radius = 0;
 
   /// The same with every corner rounded by an arc that keeps within `corner_rounding` of it
@@ -64,7 +64,7 @@ struct PathMetrics {
   double rounded_turning_radius = 0;
   double corner_rounding = 0;  // cells
 
-  int reversals = 0;  // changes between ahead and reverse; 0 unless it is driven
+  int reversals = 0;  // changes between forwards and reverse; 0 except for a car's path
 
   /// From the path to the nearest closed obstacle square, in cells; infinite without obstacles.
   /// The smallest one is exact over all points of the way, 0 where it touches an obstacle: of the

@@ -26,7 +26,8 @@ class Sight {
  public:
   Sight(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
 
-  /// Points in gaps see nobody: whether a way through a gap is free depends on where it comes from.
+  /// Points in gaps have no line of sight: whether a gap is free depends on where the path comes
+  /// from.
   bool operator()(Point a, Point b) const {
     const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
     if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
@@ -93,7 +94,7 @@ std::vector<std::size_t> pulled_backwards(std::vector<Point> points, const Sight
 }
 
 /// The shortest way through some of the candidates, from the first to the last, that joins those in
-/// sight of each other and no more than so many apart.
+/// sight of each other and no more than a limit apart.
 std::vector<Point> shortest_through(const std::vector<std::size_t>& candidates,
                                     std::span<const Point> points, const Sight& sight) {
   constexpr std::size_t kReach = 16;

@@ -6,7 +6,7 @@
 //   const wend::Path fewer = wend::without_collinear(plan->path);
 //   const wend::Path taut = wend::string_pulled(plan->path, space);
 //
-// Paths are not empty, and of cells or waypoints; of a car's drive, only resampling makes sense.
+// Paths must not be empty, and have cells or waypoints; a car's path can only be resampled.
 // Lengths are in cells.
 
 #include "wend/map/connected_components.hpp"

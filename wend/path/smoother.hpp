@@ -49,7 +49,7 @@ using SmoothingResult = Expected<Smoothed, SmoothingError>;
 struct SmootherInfo {
   std::string name;
   std::string summary;   // one line
-  std::string citation;  // the paper or textbook it comes from
+  std::string citation;  // the paper or book it comes from
   std::vector<OptionInfo> options;
   std::function<SmoothingResult(const Path&, const FreeSpace&, const OptionValues&)> smooth;
 };

@@ -26,7 +26,8 @@ FreeSpace walled_yard() {
   return FreeSpace(GridMap(states));
 }
 
-/// With each heuristic: some search while they estimate, and learn late that the near gate is none.
+/// With each heuristic: some search while they estimate, and find late that the near gate is
+/// closed.
 class CarLimits : public ::testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<Planner> planner_ =

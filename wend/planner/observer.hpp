@@ -1,7 +1,7 @@
 #pragma once
 
-// What can be seen of a search without changing it: SearchObserver is told what it does, as it does it;
-// OpenList says what it would do next.
+// SearchObserver receives the events of a search without changing it. OpenList lists the states
+// that the search would expand next.
 
 #include <cstdint>
 #include <optional>
@@ -14,13 +14,13 @@ namespace wend {
 
 /// One event. Costs are as in Plan::cost; h is 0 where the planner has no heuristic.
 struct SearchEvent {
-  Cell cell;                   // of a car: its corner
-  std::optional<Cell> parent;  // none for the start
+  Cell cell;                   // for a car: its vertex
+  std::optional<Cell> parent;  // unset for the start
   double g;
   double h;
   double f;                                 // the priority, as the planner orders its frontier
-  std::optional<Heading> heading{};         // of a car
-  std::optional<Heading> parent_heading{};  // of a car, where there is a parent
+  std::optional<Heading> heading{};         // for a car
+  std::optional<Heading> parent_heading{};  // for a car, if it has a parent
 };
 
 class SearchObserver {
@@ -34,9 +34,9 @@ class SearchObserver {
 
 /// What decides between an entry and the one before it.
 enum class OpenTie : unsigned char {
-  none,   // the smaller f, or the order of arrival of a frontier that has no other
+  none,   // the smaller f; in a frontier without f, the order of arrival
   g,      // f is the same: the larger g comes first
-  newest  // f and g are the same: what was opened last comes first
+  newest  // f and g are the same: the newest comes first
 };
 
 struct OpenEntry {
@@ -45,7 +45,7 @@ struct OpenEntry {
 };
 
 /// The open states of a search that is stepped, in the order in which it would expand them.
-/// For lessons: which cell comes next, and why that one.
+/// For teaching: which cell is expanded next, and why.
 ///
 ///   auto outcome = planner.begin(query, plan);
 ///   while (!outcome) {

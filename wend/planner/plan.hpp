@@ -1,7 +1,7 @@
 #pragma once
 
-// Query: from where, to where, with what limits, and who watches. Plan: what a planner found.
-// PlanFailure: why it found nothing.
+// Query: start, goals, limits and observer. Plan: the path that a planner found. PlanFailure: why
+// it found no path.
 
 #include <limits>
 #include <optional>
@@ -20,46 +20,46 @@ namespace wend {
 
 class SearchObserver;
 
-/// Where a path may end, in grid coordinates. A pose is a goal; a point is one with any heading.
+/// Where a path may end, in grid coordinates: a pose, or a point with any heading.
 struct Goal {
   Point point;
-  std::optional<double> heading;  // radians; nothing: any will do
+  std::optional<double> heading;  // radians; unset: any heading
 
   // NOLINTNEXTLINE(google-explicit-constructor): a pose is a goal
   Goal(const Pose& pose) : point(pose.point()), heading(pose.heading) {}
   explicit Goal(Point where) : point(where) {}
 };
 
-/// In grid coordinates. A grid planner takes the cells that start and goal lie in, whatever the
-/// headings; a car the nearest corners and headings of its lattice (Plan says how near). With
-/// several goals the cheapest one is found.
+/// A query in grid coordinates. A grid planner uses the cells of start and goal and ignores
+/// headings. A car uses the nearest vertices and headings of its lattice (Plan has the snapping
+/// errors). With several goals, the planner finds the path to the cheapest one.
 struct Query {
   Pose start;
   std::vector<Goal> goals;
   Limits limits = {};
-  SearchObserver* observer = nullptr;  // told every event of the search; not owned
+  SearchObserver* observer = nullptr;  // receives every event of the search; not owned
 
   static Query between(Cell start, Cell goal) { return {pose_at(start), {pose_at(goal)}}; }
 };
 
-/// How far from what a query asked for a path begins or ends: grid planners take whole cells, a car
-/// the nearest corner and heading.
+/// The error of a path's start or end against the query: a car snaps to the nearest vertex and
+/// heading.
 struct SnappingError {
-  double distance = 0;  // cells; of a grid planner 0: any point of a cell is in it
+  double distance = 0;  // cells; 0 for grid planners
   double turn = 0;      // radians, not negative
 
   friend bool operator==(const SnappingError&, const SnappingError&) = default;
 };
 
 struct Plan {
-  /// What `bound` says where nothing is guaranteed about the cost.
+  /// The `bound` of a plan without a guarantee about the cost.
   static constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
   Path path;
-  /// Recomputed from the path by its space. In cells, times terrain; of a car its fuel, in units.
+  /// Recomputed from the path by its space. In cells, times terrain; for a car, its fuel in units.
   double cost = 0;
   double bound = kNoBound;              // cost <= bound * the cheapest cost; 1: optimal
-  std::vector<std::string_view> moves;  // one fewer than poses, where moves have names
+  std::vector<std::string_view> moves;  // one fewer than poses, if moves have names
   SnappingError start_snapping_error;
   SnappingError goal_snapping_error;  // from the goal that was reached
   SearchMetrics metrics;
@@ -70,7 +70,7 @@ struct Plan {
 struct PlanFailure {
   Status status;          // never Status::found
   SearchMetrics metrics;  // of the search until then
-  std::string reason{};   // where and why, for people: Planner::reason()
+  std::string reason{};   // where and why, in words: Planner::reason()
 };
 
 }  // namespace wend

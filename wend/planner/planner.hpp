@@ -1,10 +1,10 @@
 #pragma once
 
-// Planner: the one door to every planner.
+// Planner: the interface of every planner.
 //
-// A planner is made for one FreeSpace, owns its scratch memory and reuses it from query to query:
-// a short query on a large map does not pay for the map's size. One planner per thread; the
-// FreeSpace may be shared.
+// A planner is made for one FreeSpace. It owns its scratch memory and reuses it for later queries,
+// so the time of a short query does not depend on the map's size. Use one planner per thread;
+// threads may share the FreeSpace.
 //
 //   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
 //   if (!planner) return report(planner.error().message());
@@ -37,38 +37,38 @@ class Planner {
   /// Answers a query.
   Expected<Plan, PlanFailure> plan(const Query& query);
 
-  /// The same into buffers that the caller keeps: allocates nothing once planner and plan are warm.
-  /// On failure the path is empty, the cost infinite and the metrics tell the work until then.
+  /// The same into the caller's buffers: allocates nothing once planner and plan are warm. On
+  /// failure the path is empty, the cost is infinite, and the metrics are those of the search until
+  /// then.
   Status plan(const Query& query, Plan& out);
 
   /// The same one expansion at a time, for planners that can be stepped (PlannerInfo::can_step):
-  /// begin a query, then step until an outcome comes. Limits hold, and the observer is told.
+  /// begin a query, then step until there is an outcome. Limits and the observer work as in plan().
   ///   auto outcome = planner.begin(query, plan);
   ///   while (!outcome) outcome = planner.step(plan);
   std::optional<Status> begin(const Query& query, Plan& out);
   std::optional<Status> step(Plan& out) { return do_step(out); }
 
-  /// Of a search that is stepped: the states that it would expand next, the next one first, at most
-  /// `most` of them, and how many are open. The search goes on as if nobody had asked. O(entries of
-  /// the frontier).
+  /// For a stepped search: the next states to expand, at most `most`, in order, and the number of
+  /// open states. Does not change the search. O(entries of the frontier).
   OpenList open_list(std::size_t most) const { return do_open_list(most); }
 
-  /// Why a query of this planner ends with a status: in words, with where and what is there.
+  /// Why a query ends with this status, in words: where, and what is there.
   std::string reason(const Query& query, Status status) const;
 
-  /// The estimate of the cost from a pose on the map, in grid coordinates, to the goals of the
-  /// search begun last, as that search used it; 0 where the planner estimates nothing.
+  /// The heuristic of the last search, from a pose on the map, in grid coordinates, to its goals; 0
+  /// for a planner without a heuristic.
   double heuristic(const Pose& pose) const { return do_heuristic(pose); }
   double heuristic(Cell cell) const { return do_heuristic(pose_at(cell)); }
 
-  /// How many states there are in which the robot may be.
+  /// The number of valid states.
   std::uint64_t state_count() const { return do_state_count(); }
 
-  /// Of a car: how many cells the corners that it stands on lie apart. 0: it stands in cells.
+  /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
-  /// Plans on another FreeSpace from now on. `changed` names the cells in which it may differ, for
-  /// planners that keep what the others do not touch; the size may only change if it is empty.
+  /// Replaces the FreeSpace. `changed` lists the cells that may differ, for planners that keep data
+  /// of the others. If the size changes, `changed` must be empty.
   void update(FreeSpace free_space, std::span<const Cell> changed = {});
 
  protected:
@@ -84,7 +84,7 @@ class Planner {
   }
   virtual std::optional<Status> do_step(Plan& /*out*/) { return Status::unsupported_query; }
   virtual OpenList do_open_list(std::size_t /*most*/) const { return {}; }
-  /// Where and why; empty where there is no more to say than what the status does.
+  /// Where and why; empty if the status says it all.
   virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }

@@ -1,7 +1,7 @@
 #pragma once
 
-// PlannerInfo: what a planner is and what it guarantees. Front ends list it; the conformance test
-// holds every planner to it.
+// PlannerInfo: description and guarantees of a planner. Front ends show it; the conformance test
+// checks every planner against it.
 
 #include <array>
 #include <functional>
@@ -22,11 +22,11 @@ namespace wend {
 class IndexSupport;  // index_support.hpp
 class Planner;
 
-/// What is true of every answer, whatever the options (where they matter, Plan::bound says what a
-/// single answer is worth).
+/// The guarantee for every answer with any options. Where options matter, Plan::bound is the
+/// guarantee of a single answer.
 enum class Guarantee {
-  none,          // a valid path, if any; may miss one that exists within its limits
-  complete,      // a path whenever one exists
+  none,          // the path is valid; may fail although a path exists
+  complete,      // finds a path if one exists
   fewest_steps,  // complete, and no path has fewer steps
   bounded,       // complete, and with consistent options the cost is within a known factor
   optimal,       // complete, and no path is cheaper
@@ -40,17 +40,17 @@ constexpr std::array<Choice<Guarantee>, 5> choice_names(Guarantee) {
            {"optimal", Guarantee::optimal}}};
 }
 
-/// What a planner moves.
+/// What moves.
 enum class Motion {
   cells,  // a disc, from cell to neighbouring cell; headings do not matter
-  car,    // a car, from corner to corner, by the moves of car_move.hpp
+  car,    // a car, between lattice vertices, by the motion primitives of car_move.hpp
 };
 
 constexpr std::array<Choice<Motion>, 2> choice_names(Motion) {
   return {{{"cells", Motion::cells}, {"car", Motion::car}}};
 }
 
-/// Work that is done for a map before the first query, beyond reading it.
+/// Work for a map before the first query, besides loading it.
 enum class Preprocessing {
   none,
   quick,  // seconds
@@ -63,7 +63,7 @@ constexpr std::array<Choice<Preprocessing>, 3> choice_names(Preprocessing) {
            {"slow", Preprocessing::slow}}};
 }
 
-/// Why a planner could not be made, or its index not be built.
+/// Why a planner could not be made, or its index could not be built.
 struct PlannerError {
   Status status;  // invalid_option, unsupported_map, memory_limit, index_missing, index_mismatch
   std::string what;
@@ -71,10 +71,10 @@ struct PlannerError {
   const std::string& message() const { return what; }
 };
 
-/// For planners that know no terrain: why they cannot plan there, if they cannot.
+/// For planners that do not support terrain: an error if the space has terrain.
 std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space);
 
-/// For planners without options: why options cannot be taken, if there are any.
+/// For planners without options: an error if there are options.
 std::optional<PlannerError> refused_options(const OptionValues& values);
 
 using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
@@ -83,11 +83,11 @@ struct PlannerInfo {
   std::string name;
   std::string summary;         // one line
   std::string idea;            // how it works, in two or three sentences
-  std::string citation;        // the paper or textbook it comes from
+  std::string citation;        // the paper or book it comes from
   std::string guarantee_text;  // the guarantee in words, with its conditions
   std::string time;            // of one query: "O(n) in the n cells expanded"
   std::string memory;          // "8 bytes a cell", and what grows with a search
-  double bytes_per_cell = 0;   // of the map, that a search may come to use; 0: says nothing
+  double bytes_per_cell = 0;   // of the map, at most, for one search; 0: unknown
   std::string when;            // when to choose it and when not, in one to three sentences
   Guarantee guarantee = Guarantee::none;
   bool plans_on_terrain = false;  // takes terrain costs into account
@@ -96,7 +96,7 @@ struct PlannerInfo {
   bool jumps = false;     // expands only some cells of its paths, if any
   Motion motion = Motion::cells;
   std::vector<OptionInfo> options = {};
-  /// Where there is preprocessing, this does it too, and alone.
+  /// Makes the planner, including its preprocessing.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 
   /// Builds and opens the planner's index; null for planners without an index.

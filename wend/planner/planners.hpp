@@ -1,6 +1,6 @@
 #pragma once
 
-// The planners there are. A new one is one file and one line in planners.def.
+// The registry of planners. A new one is one file and one line in planners.def.
 
 #include <string>
 #include <string_view>
@@ -19,31 +19,31 @@ class IndexBytes;  // wend/index/file/index_bytes.hpp
 
 const Registry<PlannerInfo>& planners();
 
-/// The names of those that move so.
+/// The names of the planners with that motion.
 std::vector<std::string> planner_names(Motion motion);
 
 /// Makes a planner by name; an unknown name or option is Status::invalid_option.
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options = {});
 
-/// The same on an index that was built before; index_mismatch if it is no index for this planner on
-/// this map, invalid_option if the planner needs none.
+/// The same on an existing index; index_mismatch if the index does not match this planner and map,
+/// invalid_option if the planner does not use an index.
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options, IndexBytes index);
 
 /// "costs count", "ignored" or "refused".
 std::string_view terrain_in_words(const PlannerInfo& planner);
 
-/// A planner and its options in one word, as people type them in lists:
+/// A planner and its options in one word, as in lists on the command line:
 ///
 ///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 using PlannerSpec = OptionSpec;
 
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
-/// name=value, and an empty list; whether the options fit is for PlannerInfo::make to say.
+/// name=value, and an empty list; PlannerInfo::make checks the options.
 Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list);
 
-/// How a planner moves on a grid, as far as its options say; values that are none count as not given.
+/// The grid moves of a planner with these options; invalid values count as unset.
 GridMoves moves_of(const PlannerSpec& planner);
 
 }  // namespace wend

@@ -1,10 +1,10 @@
 #pragma once
 
-// SearchEngine: a search behind a small virtual face, so that a planner can choose its parts
+// SearchEngine: a search behind a small virtual interface, so that a planner can choose its parts
 // (space, frontier, priority, duplicate rule) when it is made.
 //
-// Place is how a planner names a state, Goal how it names where a path may end. Names<Space> says
-// which place a state is, what an observer is told of it, and what it adds to a path.
+// Place is a planner's name of a state, Goal its name of the end of a path. Names<Space> maps a
+// state to its place, to the events for an observer, and to its part of a path.
 
 #include <cstddef>
 #include <optional>

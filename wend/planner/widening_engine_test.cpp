@@ -20,7 +20,7 @@ struct Record {
   SearchObserver* observer = nullptr;
 };
 
-/// Takes so many steps before it ends.
+/// Ends after a given number of steps.
 class ScriptedEngine final : public Engine {
  public:
   ScriptedEngine(Record& record, int steps, SearchOutcome end)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Scenes of a car for tests.
+// Scenes with a car for tests.
 
 #include <utility>
 #include <vector>

@@ -9,13 +9,13 @@
 
 namespace wend {
 
-/// The numbers between which the colours of a heatmap lie.
+/// The range of numbers that the colours of a heatmap span.
 struct HeatRange {
   double least = 0;
   double greatest = 0;
 
-  /// How far a number lies from the least (0) to the greatest (1); ones outside take the nearer
-  /// end. 0 for all if there is but one number.
+  /// The share of a number from the least (0) to the greatest (1), clamped. 0 if least and greatest
+  /// are equal.
   double share(double value) const;
 
   friend bool operator==(const HeatRange&, const HeatRange&) = default;
@@ -23,14 +23,14 @@ struct HeatRange {
 
 /// A number for every cell, drawn as a colour between those of the least and the greatest.
 struct Heatmap {
-  std::string title;    // what the numbers are: "order of expansion"
+  std::string title;    // "order of expansion"
   Grid<double> values;  // as large as the map; no colour where a value is not finite
-  /// What the colours span, to compare pictures; values outside take the colour of the nearer end.
-  /// Without one: from the least to the greatest finite value.
+  /// The range of the colours, to compare pictures; values outside take the colour of the nearer
+  /// end. Unset: from the least to the greatest finite value.
   std::optional<HeatRange> range{};
 };
 
-/// The range that a heatmap asks for, or else that of its values; nothing if no value is finite.
+/// The heatmap's range, or that of its values if unset; nothing if no value is finite.
 /// O(cells).
 std::optional<HeatRange> range_of(const Heatmap& heatmap);
 
@@ -44,7 +44,7 @@ class NumberText {
 
   std::string operator()(double number) const;
 
-  /// How many characters the longest one takes; 0 if none is finite.
+  /// The characters of the longest number; 0 if no value is finite.
   int columns() const { return columns_; }
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-// Scene: what a picture shows: a map as one robot sees it, and what lies on it. Every kind of
-// picture (text, terminal, PNG, SVG) is made from a Scene.
+// Scene: the content of a picture: a map for one robot, and the things on it. Every kind of picture
+// (text, terminal, PNG, SVG) is made from a Scene.
 //
 //   wend::Scene scene{.space = space};
 //   scene.path = plan->path;
@@ -9,28 +9,28 @@
 //   scene.goals = {wend::centre_of({8, 5})};
 //   std::cout << wend::text_picture(scene);
 //
-// What a search did comes as layers, each as large as the map:
+// Results of a search are layers, each as large as the map:
 //
 //   wend::BitGrid cells(space.width(), space.height());
 //   cells.set({1, 1}, true);
 //   scene.marked = {{wend::CellRole::expanded, cells}};
 //   scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
 //
-// A car stands on corners, with a heading:
+// A car stands on lattice vertices, with a heading:
 //
 //   wend::Scene yard{.space = space};
 //   yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   yard.start = yard.path.poses().front();
 //   yard.unit = 1;
 //
-// What becomes of a path on its way to the wheels comes as lines, each in its own colour:
+// The planned, smoothed and driven path are lines, each in its own colour:
 //
 //   scene.lines = {{wend::LineRole::planned, plan->path.points()},
 //                  {wend::LineRole::smoothed, smoothed.points()}};
 //
-// In a cell, an obstacle stays an obstacle; else a role is drawn over heat, and heat over all that
-// the map says; beside heat, rough ground looks like any other. Nothing outside the map is drawn. A
-// plain value; copies share the map, not the layers.
+// In a cell, an obstacle covers roles, a role covers the heatmap, and the heatmap covers the map's
+// other content. With a heatmap, rough ground looks like any other ground. Nothing outside the map
+// is drawn. A Scene is a plain value; copies share the map, not the layers.
 
 #include <cstddef>
 #include <optional>
@@ -56,17 +56,17 @@ struct RenderError {
   const std::string& message() const { return what; }
 };
 
-/// What a cell is in a search, or in the reason why it found nothing.
+/// The role of a cell in a search, or in the explanation of its failure.
 enum class CellRole : unsigned char {
-  expanded,         // visited: closed, or walked on
+  expanded,         // visited: closed, or on the walk
   frontier,         // generated and still open
   current,          // being expanded now
-  start_component,  // what can be reached from the start,
-  goal_component,   // and from where the goal can be: no path joins the two
+  start_component,  // can be reached from the start
+  goal_component,   // the goal can be reached from it; no path joins the two components
 };
 inline constexpr std::size_t kCellRoles = 5;
 
-/// As a legend calls it: "frontier", "start's region".
+/// The name in a legend: "frontier", "start's component".
 std::string_view describe(CellRole role);
 
 struct MarkedCells {
@@ -74,25 +74,25 @@ struct MarkedCells {
   BitGrid cells;  // as large as the map
 };
 
-/// What a line is: a path as planned, as smoothed, the way that a robot drove, or a path that there
-/// would be if something changed (a smaller robot).
+/// The role of a line: the planned path, the smoothed path, the driven path, or a path that would
+/// exist after a change (a smaller robot).
 enum class LineRole : unsigned char { planned, smoothed, driven, possible };
 inline constexpr std::size_t kLineRoles = 4;
 
-/// As a legend calls it: "planned".
+/// The name in a legend: "planned".
 std::string_view describe(LineRole role);
 
 /// Straight lines through points in grid coordinates.
 struct SceneLine {
   LineRole role;
   std::vector<Point> points;
-  std::string label{};  // as the legend calls it; empty: as describe() does
+  std::string label{};  // the name in the legend; empty: describe(role)
 };
 
-/// Which way to move from a cell. As large as the map.
+/// The direction to move from each cell. As large as the map.
 using ArrowField = Grid<std::optional<Direction>>;
 
-/// A start or a goal, in grid coordinates; of some, a heading matters too.
+/// A start or a goal, in grid coordinates, some with a heading.
 struct ScenePlace {
   Point point;
   std::optional<double> heading{};  // radians, from +x towards +y
@@ -107,29 +107,29 @@ struct ScenePlace {
 
 struct Scene {
   FreeSpace space;
-  Path path{};                     // empty: none is drawn
+  Path path{};                     // empty: not drawn
   std::vector<SceneLine> lines{};  // over the path, later ones over earlier ones
   std::optional<ScenePlace> start{};
   std::vector<ScenePlace> goals{};
   std::vector<MarkedCells> marked{};   // later ones over earlier ones
   std::optional<Heatmap> heatmap{};    // under the marked cells
   std::optional<ArrowField> arrows{};  // under path and marks
-  std::optional<Point> narrowest{};    // grid coordinates: where a passage is narrowest
-  std::vector<Cell> nearest_free{};    // where the robot could stand instead of a blocked end
-  std::optional<Point> collision{};    // grid coordinates: where the robot runs into something
+  std::optional<Point> narrowest{};    // grid coordinates: the narrowest place of a passage
+  std::vector<Cell> nearest_free{};    // free cells nearest to a blocked start or goal
+  std::optional<Point> collision{};    // grid coordinates: where the robot collides
   std::optional<Pose> robot{};         // grid coordinates: where the robot is, drawn to scale
-  std::optional<int> unit{};  // of a car on corners: they lie so many cells apart, 1 or more
+  std::optional<int> unit{};           // for a car: its lattice resolution in cells, 1 or more
 };
 
-/// How the rows of a map are drawn: row 0 at the top, or at the bottom where the map's file has y up.
+/// The order of the drawn rows of a map: row 0 at the top, or at the bottom if the map has y up.
 struct RowOrder {
   int rows = 1;
   bool y_up = false;
 
-  /// The row that is drawn as the n-th from the top; also how far from the top row n is drawn.
+  /// The row that is drawn as the n-th from the top; also the drawn place of row n from the top.
   int row(int n) const { return y_up ? rows - 1 - n : n; }
 
-  /// How far below the top edge a grid coordinate lies.
+  /// The distance of a grid coordinate from the top edge.
   double down(double y) const { return y_up ? rows - y : y; }
 
   /// A direction, or the one nearest to a heading, as drawn: where y grows downwards.
@@ -144,14 +144,14 @@ inline RowOrder row_order(const FreeSpace& space) {
 /// The map with a start and a goal, at the centres of cells.
 Scene scene_between(FreeSpace space, Cell start, Cell goal);
 
-/// The map with a path (not empty), its ends marked: of a car's, with their headings, on corners a
-/// cell apart.
+/// The map with a path (not empty) and marks at its ends; for a car's path, with headings and a
+/// lattice resolution of one cell.
 Scene scene_of(FreeSpace space, Path path);
 
 /// The map with lines, the ends of the last one (not empty) marked.
 Scene scene_of(FreeSpace space, std::vector<SceneLine> lines);
 
-/// The role of a cell: that of the last layer which marks it.
+/// The role of a cell: that of the last layer that marks it.
 std::optional<CellRole> role_of(const Scene& scene, Cell cell);
 
 /// The roles of its layers, each once, in the enum's order.

@@ -86,7 +86,7 @@ std::vector<Named> roles(const Style& style, std::initializer_list<CellRole> wan
   return named;
 }
 
-/// The kinds of cells that one picture may show: those of a search, or of two separate regions.
+/// The kinds of cells that one picture may show: those of a search, or of two components.
 std::vector<std::vector<Named>> pictures(const Style& style) {
   const std::vector<Named> map{{"free", style.free},
                                {"obstacle", style.occupied},
@@ -212,7 +212,7 @@ TEST(Style, TellsApartAllCellsOfAYard) {
   }
 }
 
-/// A search has so many greys of its own that rough roads share some.
+/// A search uses many greys, so rough roads share some of them.
 TEST(Style, PrintsObstaclesRoughRoadsAndThePathOfAYardApart) {
   const Style style = yard_style(StyleName::print);
   for (const Named& road : rough_roads(style)) {

@@ -28,7 +28,7 @@ enum class DriveSamples { none, all };
 /// "cross_track_rms_m", "cross_track_largest_m", "final_error_m", "final_heading_error_degrees",
 /// "swings", "collisions", "first_collision", "first_collision_m", "samples": {"time_s", "x_m", "y_m", "yaw",
 /// "linear_m_s", "angular_rad_s", "heading_error_degrees", "cross_track_m"}}]}. Collisions are
-/// points in grid coordinates and in metres, null where there is none; of the samples, each a list,
+/// points in grid coordinates and in metres, null if unset; of the samples, each a list,
 /// the poses are in the map's frame. What smoothing_json() says of the path comes first. One line
 /// with its line end.
 std::string drive_json(const RefinedPath& path, std::span<const ControlledDrive> drives,

@@ -43,7 +43,7 @@ Json json_of(std::span<const Cell> cells);
 /// A list of rows, row 0 first. Numbers that are not finite are null.
 Json json_of(const Grid<double>& numbers);
 
-/// The same of directions, by name; null where there is none.
+/// The same of directions, by name; null for a cell without one.
 Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame);
 
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
@@ -58,8 +58,8 @@ Json in_microseconds(double seconds);
 /// {"load_us", "free_space_us", "planner_us", "index_us", "search_us"}; null of what there was not.
 Json json_of(const WorkTimes& times);
 
-/// "cost", "length_cells", "length_m", "path", "path_m" of a plan; of none: null and empty. Of a car
-/// "steps", "headings", "moves" and "yaw" too, as plan_json() has them.
+/// "cost", "length_cells", "length_m", "path", "path_m" of a plan; without a path, null and empty.
+/// For a car also "steps", "headings", "moves" and "yaw", as in plan_json().
 void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion = Motion::cells);
 
 // What path_report.hpp describes: the lengths of a path, what smoothing_json() has besides the path as it

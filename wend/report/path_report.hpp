@@ -61,7 +61,7 @@ std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit&
 std::string_view to_string(CollisionKind kind);
 
 /// {"schema": 1, "free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
-/// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null where there is none. One line with
+/// "point_m": [x,y], "obstacle": [i,j]}, "metrics": {...}}; null without a collision. One line with
 /// its line end.
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
                        const Frame& frame);

@@ -1,6 +1,6 @@
 #pragma once
 
-// One query's outcome, found or not, with all that a report says about it. In JSON:
+// The outcome of one query, with everything that a report shows. In JSON:
 //
 //   {"schema": 1, "planner": "astar", "status": "found", "cost": 2.41, "bound": 1,
 //    "length_cells": 2.41, "length_m": 0.12, "path": [[1,1],[2,2],[3,2]], "path_m":
@@ -8,18 +8,18 @@
 //    "times": {"load_us": 310.5, "free_space_us": 92.1, "planner_us": 3.6, "index_us": null,
 //    "search_us": 4.2}}
 //
-// `times` are CPU time, see WorkTimes; null is what there was not.
-// `path` counts in cells, `path_m` are their centres in the map's frame. `bound` is the factor by
-// which the cost may exceed the cheapest one, null where nothing is guaranteed. On failure `status`
-// is the reason by name and `reason` says it in words; `path` and `path_m` are empty, `cost` and
+// `times` are CPU time, see WorkTimes; null for steps that were not needed.
+// `path` is a list of cells, `path_m` their centres in the map's frame. `bound` is the guaranteed
+// factor between the cost and the cheapest cost, null without a guarantee. On failure `status` is
+// the name of the reason and `reason` says it in words; `path` and `path_m` are empty, `cost` and
 // the lengths null.
 //
-// Of a path that was simplified, smoothed or resampled, "path_smoothed", "path_smoothed_m",
-// "smoothing", "path_metrics" and "path_smoothed_metrics" follow: see path_report.hpp. `path` and the
-// cost stay those of the plan. `path_smoothed` are waypoints in grid coordinates, in which the centre
-// of cell (i,j) is (i+0.5, j+0.5).
+// If the path was simplified, smoothed or resampled, "path_smoothed", "path_smoothed_m",
+// "smoothing", "path_metrics" and "path_smoothed_metrics" follow: see path_report.hpp. `path` and
+// the cost remain those of the plan. `path_smoothed` is a list of waypoints in grid coordinates, in
+// which the centre of cell (i,j) is (i+0.5, j+0.5).
 //
-// Of a car:
+// For a car:
 //
 //   {"schema": 1, "planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
 //    "steps": 2, "path": [[1,0],[2,1],[2,2]], "headings": ["E","S","S"], "moves":
@@ -28,19 +28,18 @@
 //    "steps_in_reverse": 0, "turning_radius_cells": 1, "turning_radius_m": 0.05, "states": 1600,
 //    "metrics": {...}, "times": {...}}
 //
-// `path` are then corners of the map, `headings` N, W, E or S on a page (a pose that faces elsewhere
-// has its angle instead, in radians from +x towards +y of the grid), `moves` and `steps` what joins
-// them, one fewer. `path_m` are the same points in the map's frame and `yaw` the headings there,
-// radians counter-clockwise from its +x. The shifts say how far the corners and headings are from
-// what was asked, `states` in how many the car may be. On failure the lists are empty, `steps` and
-// the shifts null.
+// `path` is then a list of lattice vertices, and `headings` are N, W, E or S on a page (or, for
+// other headings, the angle in radians from +x towards +y of the grid). `moves` are the motion
+// primitives between them, one fewer, and `steps` is their number. `path_m` are the same points in
+// the map's frame and `yaw` the headings there, radians counter-clockwise from its +x. The shifts
+// are the snapping errors of start and goal, and `states` is the number of valid states. On failure
+// the lists are empty, `steps` and the shifts null.
 //
-// Layers, where they are given, follow as "layers": {"g": [[0,1,...],...]}, a
-// list for every row, row 0 first: numbers, or names of directions on a page ("up_left"); null where
-// there is nothing.
+// Layers, if given, follow as "layers": {"g": [[0,1,...],...]}, a list for every row, row 0 first:
+// numbers, or names of directions on a page ("up_left"); null for unset cells.
 
-// As text, a car's plan is what a driver is told to do: a line for the start, then one for each move with
-// the corner and the heading where it ends.
+// As text, a car's plan is a command list: a line for the start, then one for each move with the
+// vertex and the heading at its end.
 //
 //   Start (1,0,E)
 //   Go FWD_RIGHT -> (2,1,S)
@@ -62,11 +61,12 @@
 
 namespace wend {
 
-/// What answering one query took from the map's file on, not the search alone: CPU seconds of the thread (thread_time.hpp), of an index that of all threads that built it.
+/// The time of one query, including loading the map: CPU seconds of the thread (thread_time.hpp);
+/// for an index, of all threads that built it.
 struct WorkTimes {
   double load = 0;                  // reading the map
-  double free_space = 0;            // finding where the robot fits
-  std::optional<double> planner{};  // making the planner, with all that it prepares for the map
+  double free_space = 0;            // computing the FreeSpace
+  std::optional<double> planner{};  // making the planner, including its preprocessing
   std::optional<double> index{};    // building an index, or opening one
   double search = 0;                // one run of the query
 
@@ -76,12 +76,12 @@ struct WorkTimes {
 struct PlanResult {
   std::string planner;
   Status status = Status::found;
-  Plan plan;  // of a failure: its metrics
+  Plan plan;  // on failure only its metrics
   WorkTimes times{};
-  std::string reason;  // of a failure, for people
+  std::string reason;  // of a failure, in words
   Motion motion = Motion::cells;
   std::uint64_t states = 0;  // Planner::state_count()
-  // What became of the path, where it was smoothed or the like.
+  // The refined path, if it was smoothed or the like.
   std::optional<RefinedPath> refined{};
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
 };
@@ -93,11 +93,11 @@ std::string plan_json(const PlanResult& result, const Frame& frame,
 /// "(2,1,S)": grid coordinates, and the nearest of the four headings.
 std::string corner_pose_text(const Pose& pose, const Frame& frame);
 
-/// Of a driven plan, whose moves have names, in grid coordinates; empty if there is no path. Each
-/// line has its line end.
+/// The command list of a car's plan, in grid coordinates; empty without a path. Each line has its
+/// line end.
 std::string drive_commands(const Plan& plan, const Frame& frame);
 
-/// How many of a driven plan's moves go backwards.
+/// The number of a car's moves in reverse.
 std::size_t steps_in_reverse(const Plan& plan);
 
 }  // namespace wend

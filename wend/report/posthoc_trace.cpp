@@ -58,7 +58,7 @@ constexpr std::string_view kViewOfCells =
 constexpr double kDotDistance = 0.22;
 constexpr double kDotRadius = 0.14;
 
-/// Of a car: {0} is how far dots lie from corners, {1} their radius.
+/// For a car: {0} is the distance of dots from vertices, {1} their radius.
 constexpr std::string_view kViewOfCorners =
     R"(  {{"$": "circle", "$if": "${{{{ $.type != 'map' }}}}",
    "x": "${{{{ $.x + {0} * (($.heading == 'E') - ($.heading == 'W')) }}}}",

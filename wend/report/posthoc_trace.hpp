@@ -8,12 +8,12 @@
 //   planner.plan(query, plan);
 //   const std::string text = trace.finish(plan.path);
 //
-// The events: the map, if few rectangles show where the robot cannot be (of a car: obstacles); source and destination;
-// then, as the search does it, generating, expanding, updating (reached again, more cheaply) and
-// closing (when its successors have been generated); and end, if there is a path. Each has the
-// number of its cell as `id` and that of its parent as `pId`: from the end the parents lead back to
-// the source. A walk that comes back to a cell gets a new id there at each visit, the last one plus
-// the number of cells of the map.
+// The events: the map, if few rectangles show where the robot cannot be (for a car: obstacles);
+// source and destination; then, as the search does it, generating, expanding, updating (reached
+// again, more cheaply) and closing (when its successors have been generated); and end, if there is
+// a path. Each has the number of its cell as `id` and that of its parent as `pId`: from the end the
+// parents lead back to the source. A walk that comes back to a cell gets a new id there at each
+// visit, the last one plus the number of cells of the map.
 //
 // A car is traced on its corners: a state is a corner with a heading, and has an id of its own and a
 // `heading`, "N", "W", "E" or "S". A goal with any heading is four destinations.
@@ -46,10 +46,10 @@ enum class TraceForm { yaml, json };
 
 /// The text of a trace, event by event. The views are fixed: dark rectangles for the event of type "map",
 /// whose `blocked` lists [x, y, width, height], and for every other event a mark in its type's colour: the
-/// square of a cell, or of a car a dot beside its corner, on the side that its `heading` faces.
+/// square of a cell, or for a car a dot beside its vertex, on the side that its `heading` faces.
 class PosthocText {
  public:
-  /// The corners of a car lie `unit` cells apart; 0: cells.
+  /// `unit` is the lattice resolution of a car in cells; 0: cells.
   explicit PosthocText(TraceForm form, int unit = 0);
 
   /// An event, `id` being JSON. Everything that is put until the next one belongs to it.
@@ -78,8 +78,8 @@ class PosthocTrace final : public SearchObserver {
   PosthocTrace(const FreeSpace& space, Cell start, std::span<const Cell> goals, TraceForm form,
                std::uint64_t most_events);
 
-  /// The same of a car on the corners whose coordinates are multiples of `unit`: it begins and ends
-  /// where those nearest to the query's start and goals are.
+  /// The same for a car on the lattice vertices whose coordinates are multiples of `unit`. It
+  /// begins and ends at the vertices nearest to the query's start and goals.
   PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
                std::uint64_t most_events);
 
@@ -95,7 +95,7 @@ class PosthocTrace final : public SearchObserver {
   std::string finish(const Path& path);
 
  private:
-  /// A cell; of a car, a corner with a heading.
+  /// A cell; for a car, a vertex with a heading.
   struct Place {
     Cell cell;
     std::optional<Heading> heading{};

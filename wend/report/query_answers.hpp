@@ -13,7 +13,7 @@
 //    [[x,y],...], "path_m": [[x,y],...], "metrics": {"expanded", "generated",
 //    "max_frontier"}, "search_us": 35.2}, ...]}
 //
-// with "steps", "headings", "moves" and "yaw" of a car, as plan_json() has them.
+// with "steps", "headings", "moves" and "yaw" for a car, as in plan_json().
 
 #include <cstddef>
 #include <span>

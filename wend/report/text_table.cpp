@@ -37,7 +37,7 @@ std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::C
   return lines;
 }
 
-/// Broken after commas where that makes lines of at most so many characters.
+/// Broken after commas into lines of at most `longest` characters, where possible.
 std::vector<std::string> broken(const std::string& field, std::size_t longest) {
   constexpr std::string_view kIndent = "  ";
   std::vector<std::string> lines{""};

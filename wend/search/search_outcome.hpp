@@ -1,6 +1,6 @@
 #pragma once
 
-// How a search stands, the work that it took, and how its end is told to users.
+// The state of a search, its work, and the Status of its end.
 
 #include <cstdint>
 
@@ -16,7 +16,7 @@ enum class SearchOutcome {
   time_limit,
   cancelled,
   cost_overflow,  // costs outgrew their type: search again with a larger one
-  out_of_memory,  // there was none for the nodes
+  out_of_memory,  // for the nodes
   step_limit,     // a walk used up its steps
 };
 
@@ -29,7 +29,7 @@ struct SearchMetrics {
   friend bool operator==(const SearchMetrics&, const SearchMetrics&) = default;
 };
 
-/// Of a search that has ended. An exhausted one has found that there is no way.
+/// The status of a search that has ended. An exhausted one is unreachable.
 constexpr Status status_of(SearchOutcome outcome) {
   switch (outcome) {
     case SearchOutcome::found:

@@ -199,7 +199,7 @@ wend::OptionValues Parameters::options_of(std::string_view planner) const {
   if (info == nullptr) return values;
   for (const OptionInfo& option : info->options) {
     const std::string& value = text(option.name);
-    // What nobody has set is for the planner to choose.
+    // The planner chooses the values of unset options.
     if (value == find(option.name)->default_value || !fault_of(option, value).empty()) continue;
     values.emplace_back(option.name, value);
   }

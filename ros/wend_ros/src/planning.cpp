@@ -20,7 +20,7 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The planner of an ask with all its options, or why there is none.
+/// The planner of a request with all its options, or why it cannot be made.
 wend::Expected<wend::PlannerSpec, wend::PlannerError> spec_of(const Parameters& parameters,
                                                               const Ask& ask) {
   std::string text = ask.planner.empty() ? parameters.text("planner") : ask.planner;

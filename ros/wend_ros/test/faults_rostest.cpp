@@ -48,7 +48,7 @@ class Faults : public testing::Test {
     ASSERT_TRUE(wait_until([] { return maps_->getNumSubscribers() > 0; }));
   }
 
-  /// The status, or -1 if nobody answers.
+  /// The status, or -1 without an answer.
   int status_of(const PlanRequest& request) {
     PlanPath call;
     call.request.request = request;

@@ -25,7 +25,7 @@ PATIENCE = 60  # s
 
 
 class Screen:
-    """An X server that nobody sees, with a window manager and rviz."""
+    """A virtual X server with a window manager and rviz."""
 
     def __init__(self, config):
         read, write = os.pipe()

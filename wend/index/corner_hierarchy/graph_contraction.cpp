@@ -22,7 +22,7 @@ class WitnessSearch {
   explicit WitnessSearch(std::uint32_t nodes) : labels_(nodes) {}
 
   /// Replaces `shortcuts` by what is needed without the node. From each neighbour, a search settles
-  /// at most so many nodes.
+  /// at most `most_settled` nodes.
   void find_shortcuts(const ShrinkingGraph& graph, std::uint32_t node, std::uint32_t most_settled,
                       std::vector<GraphArc>& shortcuts) {
     shortcuts.clear();

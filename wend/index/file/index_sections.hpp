@@ -28,8 +28,8 @@ class IndexReader {
 
   std::size_t sections() const { return static_cast<std::size_t>(header_.sections); }
 
-  /// A section by its number, in the order in which they were added; nothing if there is none or if
-  /// it is no array of T. It lives as long as the index does.
+  /// The section with that number, in the order in which they were added; nothing if it does not
+  /// exist or is not an array of T. It lives as long as the index.
   template <class T>
   std::optional<std::span<const T>> section(std::size_t number) const {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= IndexBytes::kAlignment);

@@ -60,7 +60,7 @@ class HubLabelling {
   /// The largest cost that was met: costs are right if it is below kUnreachedCost.
   CornerCost greatest_cost() const { return greatest_cost_; }
 
-  /// Makes a corner, which is none yet, the next hub.
+  /// Makes a corner the next hub; it must not be a hub yet.
   void add_hub(std::uint32_t corner);
 
  private:

@@ -135,7 +135,7 @@ HeavyPaths::HeavyPaths(const Corners& corners, const HubLabelling& labelling)
   places_.resize(begins_.back());
   next_ = begins_;
   for (std::uint32_t hub = 0; hub < labelling.hubs(); ++hub) add_tree(labelling.tree(hub));
-  add_joint(0);  // the end, behind which nobody reads
+  add_joint(0);  // the end
 }
 
 void HeavyPaths::add_tree(std::span<const HubTreeNode> tree) {

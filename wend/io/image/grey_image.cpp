@@ -22,7 +22,7 @@ constexpr std::array kUnsupported = {
     Signature{"<svg"sv, "SVG"},          Signature{"\x1F\x8B"sv, "gzip"},
 };
 
-/// The name of a format that we do not read; empty for what is none.
+/// The name of an image format that wend does not read; empty for other bytes.
 std::string_view unsupported_format(std::string_view bytes) {
   for (const Signature& signature : kUnsupported) {
     if (bytes.starts_with(signature.begin)) return signature.name;

@@ -95,7 +95,7 @@ inline std::string_view to_string(MapFormat format) { return info_of(format).nam
 
 enum class MapUse { load, save };
 
-/// The format of a file of this name, by its extension in any case; null if there is none.
+/// The format of a file of this name, by its extension in any case; null if no format has it.
 const MapFormatInfo* map_format_of(const std::filesystem::path& file, MapUse use);
 
 /// All extensions: ".yaml", ".yml", ".map", ...

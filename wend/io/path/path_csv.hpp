@@ -43,7 +43,7 @@ namespace wend {
 
 std::string path_csv(const Path& path, const Frame& frame);
 
-/// The file of a plan that failed: it replaces an older path, so that nobody drives that one.
+/// The file of a failed plan. It replaces an older path, so that no robot executes an outdated one.
 std::string no_path_csv(const FailedPlan& plan);
 
 }  // namespace wend

@@ -119,7 +119,7 @@ class QueryHeader {
     return {};
   }
 
-  /// "1,1,E"; a heading that is left out is none.
+  /// "1,1,E"; "1,1" without a heading.
   static std::string end_of(const EndColumns& columns, const std::vector<std::string>& fields) {
     std::string text;
     for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -7,7 +7,7 @@
 //   1,1,15,9                             "1,1","15,9"
 //   2.5,1,3,8.25                         "2.5,1","3,8.25"
 //
-// Of a car start_heading and goal_heading too, or a third part of start and goal: "1,1,E". Other
+// For a car also start_heading and goal_heading, or a third part of start and goal: "1,1,E". Other
 // columns are not used. ';' separates where the header has one; blanks around a field do not count.
 // A field with a separator in it stands in double quotes, and a quote in it is doubled (RFC 4180); a
 // row is one line. LF or CRLF, blank lines are skipped.
@@ -27,9 +27,9 @@ namespace wend {
 
 struct QueryRow {
   std::size_t line = 0;  // in the file, from 1
-  std::string start;     // "1,1", of a car "1,1,E"
+  std::string start;     // "1,1"; for a car "1,1,E"
   std::string goal;
-  std::string wrong;  // with this row; empty if nothing is
+  std::string wrong;  // the error in this row; empty if the row is valid
 
   friend bool operator==(const QueryRow&, const QueryRow&) = default;
 };

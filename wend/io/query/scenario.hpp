@@ -53,7 +53,7 @@ Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::str
 /// The file for queries; lengths get as many decimals as `decimals` says.
 std::string format_scenario(const std::vector<ScenarioQuery>& queries);
 
-/// The `.scen` files that lie in a folder itself, by name. An error if there is none.
+/// The `.scen` files that lie in a folder itself, by name. An error if the folder has no such file.
 Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
     const std::filesystem::path& folder);
 

@@ -76,7 +76,7 @@ class Serpentine {
 
   const FreeSpace& space() const { return space_; }
 
-  /// The cell so many steps from (0, 0). A corridor takes kWidth cells, the way to the next one 2
+  /// The cell `steps` steps from (0, 0). A corridor takes kWidth cells, the way to the next one 2
   /// steps.
   static Cell cell_at(int steps) {
     const int corridor = steps / (kWidth + 1);

@@ -56,8 +56,8 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   std::vector<CornerPose> drive_;
 };
 
-/// How many cells wide the lattice of a car is that turns on circles of that radius, in metres: rounded
-/// up, so that no circle is tighter, and at least 1.
+/// The lattice resolution, in cells, for a turning radius in metres: rounded up, so that no turn is
+/// tighter, and at least 1.
 std::int64_t unit_for(double turning_radius, const Frame& frame);
 
 /// Why a car cannot drive on a map at all; empty if it can.

@@ -112,8 +112,8 @@ class CornerCosts {
   Cost farthest_ = 0;  // g of the corner expanded last
 };
 
-/// f = g + w h of a car, with any of its heuristics. In whole numbers w is 1 (or h is zero). h and f
-/// are for those who watch, in units.
+/// f = g + w h for a car, with any of its heuristics. In whole numbers w is 1 (or h is zero). h and
+/// f are for observers, in units.
 template <class Costs>
 class CarPriority {
  public:

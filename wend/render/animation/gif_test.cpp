@@ -109,7 +109,7 @@ TEST(GifPalette, LeavesOutTheRarestColoursOfTooMany) {
   EXPECT_EQ(palette, expected);
 }
 
-/// Frames that change here and there, in so many colours.
+/// Frames with changes at random places, in `colours` colours.
 std::vector<Shown> random_film(Random& random, int width, int height, int colours) {
   std::vector<Shown> frames;
   Image canvas(width, height, 0x123456);

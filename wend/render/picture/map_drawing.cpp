@@ -55,7 +55,7 @@ void for_pixels_of(int index, int cells, int pixels, Visit&& visit) {
   }
 }
 
-/// The cells of a row as so many sums side by side.
+/// Squeezes the cells of a row into the sums, from left to right.
 void squeeze_row(const CellPaints& paints, int y, std::vector<Sum>& sums) {
   std::fill(sums.begin(), sums.end(), Sum{});
   const int pixels = static_cast<int>(sums.size());
@@ -67,7 +67,7 @@ void squeeze_row(const CellPaints& paints, int y, std::vector<Sum>& sums) {
   }
 }
 
-/// Calls visit(x, length, value) for the runs of equal values in a row of so many cells.
+/// Calls visit(x, length, value) for the runs of equal values in a row of `width` cells.
 template <class ValueAt, class Visit>
 void for_runs(int width, const ValueAt& value_at, const Visit& visit) {
   for (int x = 0; x < width;) {

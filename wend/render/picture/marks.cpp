@@ -20,7 +20,7 @@ void fill_square(cairo_t* context, Point centre, double radius, const Colour& co
   fill(context, colour);
 }
 
-/// A frame one pixel wide, so far from the pixel that holds the centre that this one is seen.
+/// A frame one pixel wide, far enough from the centre's pixel to leave it visible.
 void frame_square(cairo_t* context, Point centre, double radius, const Colour& colour) {
   const double reach = std::floor(radius) + 1;
   cairo_rectangle(context, std::floor(centre.x) - reach + 0.5, std::floor(centre.y) - reach + 0.5,

@@ -97,7 +97,7 @@ void draw_bent_path(const SceneDrawing& drawing) {
   stroke_with_halo(drawing, drawing.sizes.line, drawing.style.path);
 }
 
-// Paths of a car.
+// Car paths.
 
 bool in_reverse(const Arc& arc) { return arc.length < 0; }
 

@@ -44,7 +44,8 @@ void draw_map(const SceneDrawing& drawing, PictureKind kind);
 /// Over the cells that need them. None where cells are too small to see a stripe.
 void draw_stripes(const SceneDrawing& drawing);
 
-/// Between all cells, or those of a car's lattice, where there is room; and a frame around the map.
+/// Grid lines between all cells, or of a car's lattice, if there is room; and a frame around the
+/// map.
 void draw_grid_lines(const SceneDrawing& drawing);
 
 /// The numbers of a lattice's corners at the sides of the map, in the room that axis_room() asks
@@ -92,10 +93,9 @@ void draw_sparse_cells(const SceneDrawing& drawing);
 
 /// The path, the lines exactly through their points, and the robot: where it is, or at the start.
 ///
-/// The path of a car is every arc as it is, solid where the car drives ahead and dashed in reverse,
-/// with small arrows along the headings of poses that are far enough apart. Of lines, planned and
-/// possible ones are dashed, smoothed ones wide, driven ones thin, so that each is seen where they
-/// lie on top of each other.
+/// A car's path is drawn as its arcs, solid forwards and dashed in reverse, with small arrows along
+/// the headings of poses that are far enough apart. Planned and possible lines are dashed, smoothed
+/// ones wide, driven ones thin, so that each stays visible where they overlap.
 void draw_path(const SceneDrawing& drawing);
 
 /// Horizontal pieces that long, as legends show them.

@@ -20,7 +20,7 @@ enum class Meaning : unsigned char {
   start,
   goal,
   path,
-  pose,     // of a car
+  pose,     // a car's
   ahead,    // driven
   reverse,  // driven
   planned_line,
@@ -94,7 +94,7 @@ std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 /// The picture of a scene with a unit (see text_picture.hpp), row by row from the top.
 Grid<Glyph> lattice_glyphs(const Scene& scene, const TextStyle& style);
 
-/// Does that fit into so many columns and rows with the narrowest cells?
+/// Does the lattice fit into these columns and rows with the narrowest cells?
 bool lattice_fits(const Scene& scene, int columns, int rows);
 
 /// Lines through characters: a car's arcs, drawn with ─ ╮ │ and the like (═ ╗ ║ in reverse), or in

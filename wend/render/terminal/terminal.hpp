@@ -39,7 +39,7 @@ inline constexpr const char* kAnsiReset = "\x1b[0m";
 /// How many columns UTF-8 takes: characters, without ANSI sequences.
 std::size_t columns_of(std::string_view text);
 
-/// Entries with gaps between them, on as many lines of at most so many columns as it takes.
+/// Entries with gaps between them, on lines of at most `columns` columns.
 std::string in_lines(const std::vector<std::string>& entries, int columns);
 
 /// Sets the background; empty for terminals without colours.

@@ -41,8 +41,8 @@ TYPED_TEST(Units, AreAPellPair) {
   EXPECT_EQ(defect * defect, 1);
 }
 
-/// Two sums of steps differ by so many straight and diagonal steps; the ones that are hardest to
-/// tell apart differ by nearly nothing.
+/// Two sums of steps differ by some straight and diagonal steps; the hardest cases differ by almost
+/// nothing.
 TYPED_TEST(Units, CompareSumsOfStepsAsTheirTrueLengths) {
   const bool holds = rc::check([&] {
     const auto diagonal = *rc::gen::inRange<std::int64_t>(-this->kStraight + 1, this->kStraight);
@@ -65,7 +65,8 @@ TYPED_TEST(Units, CompareAnySmallSums) {
   }
 }
 
-/// Where the guarantee ends: so many diagonal steps weigh exactly as much as straight ones.
+/// Where the guarantee ends: kStraight diagonal steps weigh exactly as much as kDiagonal straight
+/// ones.
 TYPED_TEST(Units, MeanOneLengthByOneSumUpToTheirOwnSize) {
   EXPECT_EQ(units<TypeParam>(this->kDiagonal, -this->kStraight), 0);
   EXPECT_NE(sign_of_octile_length(this->kDiagonal, -this->kStraight), 0);

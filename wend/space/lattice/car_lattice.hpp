@@ -67,7 +67,7 @@ struct CarDriving {
   }
 };
 
-/// A move of a car with a heading, in lattice steps.
+/// A car's move from one heading, in lattice steps.
 struct CarStep {
   Cell by;            // from corner to corner
   Heading heading;    // afterwards

@@ -1,6 +1,6 @@
 #pragma once
 
-// CarSpace: the poses of a car on a lattice as states, its six moves as steps.
+// CarSpace: the car's lattice poses are states, its six motion primitives are steps.
 //
 // Successors come in the order of CarMove. Costs are counted in the whole numbers of CarUnits where
 // the ground allows it, which is exact, and are real numbers elsewhere.
@@ -18,7 +18,7 @@
 
 namespace wend {
 
-// Whole numbers for the two lengths of a car's moves, 1 and pi / 2.
+// Whole numbers for the two lengths of the car's moves, 1 and pi / 2.
 //
 // Half of kStraight and of kTurn are a convergent of pi / 2 (33215 and 52174): sums of moves
 // compare exactly as the true lengths do while their counts of turns differ by less than 33215, and
@@ -187,9 +187,9 @@ extern template class CarSpace<CompactCarCosts>;
 extern template class CarSpace<ExactCarCosts>;
 extern template class CarSpace<RealCarCosts>;
 
-// CornerSpace: the corners of a car's lattice as states, as if the car could turn on the spot: it
-// goes straight to four neighbours and along arcs to four others, ahead. What that costs is never
-// more than what the car pays, where reversing costs at least as much as driving ahead.
+// CornerSpace: the vertices of the car's lattice are states, as if the car could turn in place: it
+// goes straight to four neighbours and along arcs to four others, forwards. What that costs is
+// never more than what the car pays, where reversing costs at least as much as driving ahead.
 
 struct CornerState {
   StateId number = 0;

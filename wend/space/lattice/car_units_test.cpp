@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kStraight = CarUnits::kStraight;
 constexpr std::int64_t kTurn = CarUnits::kTurn;
-constexpr std::int64_t kEqualTurns = kStraight / 2;  // so many turns weigh a whole number of units
+constexpr std::int64_t kEqualTurns = kStraight / 2;  // these turns weigh a whole number of units
 
 int sign(long double number) { return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 0); }
 

@@ -17,7 +17,8 @@
 
 namespace wend_ros {
 
-/// The yard of a request, or why there is none: "obstacles[3]: the cell (20,4) is outside the map".
+/// The map of a request, or what is wrong with it: "obstacles[3]: the cell (20,4) is outside the
+/// map".
 wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request);
 
 CarResult plan_car(const CarRequest& request, const Watch& watch = {});

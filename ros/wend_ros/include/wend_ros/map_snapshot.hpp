@@ -28,7 +28,7 @@ class MapHolder {
   /// Null before the first map. O(cells) for the first caller after a change, then O(1).
   std::shared_ptr<const MapSnapshot> snapshot();
 
-  /// Why there is none.
+  /// Why there is no map.
   std::string why_none() const;
 
  private:

@@ -1,8 +1,7 @@
 #pragma once
 
-// MasterWatch: ends a node that the master has forgotten. A master that was restarted knows nobody;
-// nodes do not tell it again who they are, so that they would run on unheard. Launch files start the
-// node anew.
+// MasterWatch: ends a node that the master no longer knows. A restarted master knows no nodes, and
+// nodes do not register again: they would run without connections. Launch files respawn the node.
 
 #include <ros/ros.h>
 

@@ -22,7 +22,7 @@ class RobotPose {
  public:
   RobotPose(ros::NodeHandle& node, ros::NodeHandle& own);
 
-  /// Or why nobody knows.
+  /// The robot's pose, or why it is unknown.
   wend::Expected<wend::Pose, std::string> in(const std::string& frame_id) const;
 
   /// A pose in that frame; an empty frame_id is that one. Or why tf2 cannot take it there.
