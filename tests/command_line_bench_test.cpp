@@ -146,8 +146,8 @@ TEST_F(BenchCommand, CountsWhatIsWrong) {
       {"0 ok.map 5 4 0 0 4 3 7", 1, 1},        // another length
       {"0 ok.map 5 4 0 0 4 3 6.41427", 1, 0},  // within 1e-5 of it
       {"0 ok.map 5 4 0 0 4 3 6.41", 1, 0},     // two decimals: half a unit
-      {"0 ok.map 5 4 0 0 4 3 6.414", 1, 1},    // three decimals: not so
-      {"0 ok.map 5 4 0 0 4 3 0", 1, 1},        // the file says that there is none
+      {"0 ok.map 5 4 0 0 4 3 6.414", 1, 1},    // wrong in the third decimal
+      {"0 ok.map 5 4 0 0 4 3 0", 1, 1},        // the file says that there is no path
       {"0 ok.map 5 4 1 1 4 0 4", 0, 1},        // the start is blocked
       {"0 ok.map 5 4 1 1 4 0 0", 0, 0},        // and the file says so
       {"0 ok.map 5 4 2 2 2 2 0", 1, 0},        // nowhere to go
@@ -187,7 +187,7 @@ TEST_F(BenchCommand, RunsBoostBesideOurs) {
     EXPECT_EQ(row.at("wrong"), 0);
   }
   EXPECT_THAT(wend({"bench", file, "--planner", "boost-astar:weight=2"}).err,
-              HasSubstr("it has no options"));
+              HasSubstr("unknown option 'weight': this planner has no options"));
 }
 
 TEST_F(BenchCommand, Plots) {

@@ -42,11 +42,12 @@ class BoostPlanner final : public Planner {
 };
 
 PlannerResult make_boost(const FreeSpace& space, const OptionValues& options) {
-  if (!options.empty()) {
-    return Unexpected<PlannerError>({Status::invalid_option, "it has no options"});
+  if (auto refused = refused_options(options)) {
+    return Unexpected<PlannerError>(*std::move(refused));
   }
-  auto refused = refused_terrain("boost-astar", space);
-  if (refused) return Unexpected<PlannerError>(*std::move(refused));
+  if (auto refused = refused_terrain("boost-astar", space)) {
+    return Unexpected<PlannerError>(*std::move(refused));
+  }
   return std::make_unique<BoostPlanner>(space);
 }
 

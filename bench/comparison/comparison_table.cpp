@@ -231,7 +231,7 @@ std::string table_of_many(const Comparison& comparison) {
   text += solved_table(comparison, solvers) + "\n";
   const std::size_t common = solved_by_all(comparison);
   if (common == 0) {
-    text += "There is none that every planner solved: nothing to compare.\n";
+    text += "No query was solved by every planner: nothing to compare.\n";
     return marked ? text.append("\n").append(kBest) : text;
   }
   std::vector<std::vector<Column>> blocks;

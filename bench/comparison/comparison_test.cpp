@@ -216,7 +216,7 @@ planner      solved
 astar            2*
 random_walk      0
 
-There is none that every planner solved: nothing to compare.
+No query was solved by every planner: nothing to compare.
 
 * best of the planners
 )");

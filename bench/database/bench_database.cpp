@@ -38,7 +38,7 @@ IoError error_of(const std::filesystem::path& file, std::string what) {
   return {file.string(), 0, std::move(what)};
 }
 
-/// Leaves out what is known with as many passes. Both are in the order of their lines.
+/// Leaves out what is known with as many repetitions. Both are in the order of their lines.
 void forget_known(std::vector<BenchAnswer>& answers, std::span<const BenchAnswer> known) {
   auto at = known.begin();
   std::erase_if(answers, [&](const BenchAnswer& answer) {

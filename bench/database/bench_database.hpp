@@ -12,8 +12,8 @@
 //   bestPlannerConfigsPerExperiment, bestPlannerConfigs
 //                   views: how much planners solve and how fast, by name, as OMPL defines it
 //
-// Besides, `passes` has the seconds of every pass of a run, and columns of ours come after theirs.
-// (M. Moll, I. Sucan and L. Kavraki, "Benchmarking Motion Planning Algorithms", 2015.)
+// Besides, `passes` has the seconds of every repetition of a run, and columns of ours come after
+// theirs. (M. Moll, I. Sucan and L. Kavraki, "Benchmarking Motion Planning Algorithms", 2015.)
 //
 // What was stored is on the disk, whatever happens to the program; an answer that is stored again
 // takes the place of the older one. One thread; several programs may have the file open.
@@ -98,8 +98,8 @@ class BenchDatabase {
   Expected<void, IoError> store(std::int64_t experiment, std::int64_t planner,
                                 std::span<const BenchAnswer> answers, const BenchIndex& index = {});
 
-  /// Adds all that another one has and this one has not, or has with fewer passes. Doing it again
-  /// changes nothing.
+  /// Adds all that another one has and this one has not, or has with fewer repetitions. Doing it
+  /// again changes nothing.
   Expected<void, IoError> merge(const BenchDatabase& other);
 
  private:

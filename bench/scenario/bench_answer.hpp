@@ -26,12 +26,12 @@ struct BenchAnswer {
   double length = 0;  // of the path, in cells, or its cost on terrain; 0 without one
   std::uint64_t expanded = 0;
   bool wrong = false;
-  std::vector<double> seconds{};      // of every pass; planners answer the same again
+  std::vector<double> seconds{};      // of every repetition; planners repeat their answers
   std::optional<FirstQuery> first{};  // where it was measured
 
   bool found() const { return status == Status::found; }
 
-  /// Of an answer with a pass at least.
+  /// For an answer with at least one repetition.
   double fastest() const { return *std::min_element(seconds.begin(), seconds.end()); }
 };
 
@@ -39,7 +39,7 @@ struct BenchAnswer {
 struct BenchedMap {
   std::string planner;
   std::uint64_t free_cells = 0;
-  std::vector<BenchAnswer> answers{};  // each with a pass at least
+  std::vector<BenchAnswer> answers{};  // each with at least one repetition
   std::string scen{};
 };
 

@@ -11,8 +11,8 @@ namespace wend {
 
 /// A line an answer, below a line of names: scen, line (of the query in the scenario), planner, status,
 /// length, expanded, wrong (0 or 1), prepare_us and first_us (empty where no new planner was asked),
-/// later_us (of the fastest pass; empty where every query had a new planner), passes. Quotes as in
-/// RFC 4180. Times are microseconds.
+/// later_us (of the fastest repetition; empty where every query had a new planner), passes. Quotes
+/// as in RFC 4180. Times are microseconds.
 std::string bench_queries_csv(std::span<const BenchedMap> maps, bool fresh);
 
 }  // namespace wend

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;  // in a second
 
-/// Microseconds a query, of every pass that all queries have.
+/// Microseconds a query, of every repetition that all queries have.
 std::vector<double> pass_means(std::span<const BenchAnswer> answers, std::size_t passes) {
   std::vector<double> means(passes);
   for (const BenchAnswer& answer : answers) {

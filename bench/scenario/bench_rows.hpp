@@ -35,19 +35,19 @@ struct BenchRow {
   std::uint64_t first_queries = 0;  // that new planners were asked
   double prepare_us = 0;            // microseconds to make a planner, without its index; mean
   double first_us = 0;              // microseconds of its first query; mean
-  double mean_us = 0;               // microseconds a query, solved or not, in its fastest pass
+  double mean_us = 0;  // microseconds a query, solved or not, in its fastest repetition
   double median_us = 0;
   double p99_us = 0;  // 99 of 100 queries took no longer
   double expanded_per_query = 0;
   double expansions_per_second = 0;
-  std::uint64_t passes = 0;    // that every query has
-  double fastest_pass_us = 0;  // microseconds a query in the pass that was fastest in all
+  std::uint64_t passes = 0;    // repetitions that every query has
+  double fastest_pass_us = 0;  // microseconds a query in the fastest repetition of all queries
   double slowest_pass_us = 0;
 
-  /// Sets what follows from the answers, each of which has a pass at least; 0 without answers.
+  /// Sets what follows from the answers, which have at least one repetition; 0 without answers.
   void set_answers(std::span<const BenchAnswer> answers);
 
-  /// How much slower the slowest pass was than the fastest: 0.03 are 3 %.
+  /// How much slower the slowest repetition was than the fastest: 0.03 is 3 %.
   double spread() const;
 
   /// Milliseconds before the first query: of the index, if there is one, and of the planner.

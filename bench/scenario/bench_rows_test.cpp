@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Answers that took so many microseconds, one pass each.
+/// Answers that took these times, one repetition each.
 std::vector<BenchAnswer> answers_in(const std::vector<double>& microseconds) {
   std::vector<BenchAnswer> answers;
   for (const double time : microseconds) {
@@ -59,7 +59,7 @@ TEST(BenchRow, NoAnswersAndNoTimeDivideByNothing) {
 TEST(BenchRow, TakesTheFastestPassOfEveryQueryAndShowsTheSpreadOfThePasses) {
   std::vector<BenchAnswer> answers(2);
   answers[0].seconds = {4e-6, 2e-6};
-  answers[1].seconds = {6e-6, 10e-6, 1e-6};  // the third pass was cut short
+  answers[1].seconds = {6e-6, 10e-6, 1e-6};  // the third repetition was cut short
   BenchRow row;
   row.set_answers(answers);
   EXPECT_DOUBLE_EQ(row.mean_us, 1.5);
@@ -174,7 +174,7 @@ TEST(BenchTable, FitsEightyColumns) {
     EXPECT_LE(end - begin, 80U) << table.substr(begin, end - begin);
     begin = end + 1;
   }
-  EXPECT_THAT(table, HasSubstr("\n    12 wrong, 3 timed out, 3 passes, spread 25.0 %\n"));
+  EXPECT_THAT(table, HasSubstr("\n    12 wrong, 3 timed out, 3 repetitions, spread 25.0 %\n"));
   EXPECT_THAT(table, HasSubstr("\n  astar:weight=2,heuristic=euclidean\n"));
   EXPECT_THAT(table, HasSubstr("\n    10 without a path\n"));
 }

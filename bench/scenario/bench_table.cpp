@@ -37,7 +37,7 @@ std::size_t common_folder(std::span<const BenchRow> rows) {
   return common;
 }
 
-/// What is not as it should be, or not as one expects: "12 wrong, 3 without a path".
+/// Faults and unusual results: "12 wrong, 3 without a path".
 std::string remarks_on(const BenchRow& row) {
   std::string remarks;
   const auto remark = [&](std::uint64_t count, const char* what) {
@@ -47,8 +47,8 @@ std::string remarks_on(const BenchRow& row) {
   remark(row.timed_out, "timed out");
   remark(row.queries - row.solved - row.timed_out, "without a path");
   if (row.passes > 1) {
-    remarks += fmt::format("{}{} passes, spread {:.1f} %", remarks.empty() ? "" : ", ", row.passes,
-                           100 * row.spread());
+    remarks += fmt::format("{}{} repetitions, spread {:.1f} %", remarks.empty() ? "" : ", ",
+                           row.passes, 100 * row.spread());
   }
   return remarks;
 }

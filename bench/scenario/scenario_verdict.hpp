@@ -12,10 +12,10 @@
 
 namespace wend {
 
-/// What is wrong with an answer, empty if nothing is: none where the query has a length, one where it
-/// says that there is none, a path that does not join start and goal or is not valid cell by cell, or
-/// one of another length. On terrain the length is a cost. An answer that ran out of time is not
-/// wrong. O(length).
+/// What is wrong with an answer, or empty. Wrong are: no path although the query has a length, a
+/// path although the query says that there is no path, a path that does not join start and goal or
+/// is not valid cell by cell, and a path of another length. On terrain the length is a cost. An
+/// answer that ran out of time is not wrong. O(length).
 std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
                          Status status, const Plan& plan);
 

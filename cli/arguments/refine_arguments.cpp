@@ -68,7 +68,7 @@ void RefineArguments::add_to(Parser& app) {
   add_number(app, "--turning-radius", turning_radius, kRadii,
              "Lower limit on the turning radius (units as --robot-radius), for --planner car, "
              "where it is rounded up to whole cells, or --smoother curvature");
-  app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check, as in the textbook"));
+  app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
 }
 
 void RefineArguments::add_points_to(Parser& app) {

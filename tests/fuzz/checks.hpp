@@ -67,7 +67,9 @@ inline std::string check_saved_image(const GridMap& map, const GreyImage& image,
 /// What nearest_map() makes of a map comes back from that format's file.
 inline std::string check_saved_map(const GridMap& map, const MapFormatInfo& info) {
   const GridMap nearest = nearest_map(map, info.format);
-  if (losses(map, info.format).empty() != same_map(map, nearest)) return "a loss that is none";
+  if (losses(map, info.format).empty() != same_map(map, nearest)) {
+    return "losses() and nearest_map() disagree";
+  }
   const auto files = encode_map(nearest, info.format, "m" + std::string(info.saved_extensions[0]));
   if (!files) return "a map that cannot be saved: " + files.error();
   if (info.load_lines == nullptr) {

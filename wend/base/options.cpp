@@ -65,8 +65,8 @@ std::string unknown_choice(std::string_view text, const std::vector<std::string>
 }
 
 OptionError unknown_option(std::string_view name, const std::vector<std::string>& known) {
-  if (known.empty()) return {std::string(name), "there are no options here"};
-  return {std::string(name), "there is no such option: " + suggestion(name, known)};
+  if (known.empty()) return {std::string(name), "there are no options", true};
+  return {std::string(name), suggestion(name, known), true};
 }
 
 std::string format(bool value) { return value ? "true" : "false"; }

@@ -39,7 +39,7 @@ namespace wend {
 struct OptionText {
   std::string_view name;
   std::string_view help;
-  std::array<std::string_view, 2> aliases = {};  // other names, from a textbook say
+  std::array<std::string_view, 2> aliases = {};  // other names, as in the literature
   std::string_view former = {};                  // an old name: parsed, but not shown
 };
 
@@ -66,8 +66,11 @@ using OptionValues = std::vector<std::pair<std::string, std::string>>;
 struct OptionError {
   std::string option;
   std::string what;
+  bool unknown = false;  // no option has this name
 
-  std::string message() const { return "option '" + option + "': " + what; }
+  std::string message() const {
+    return (unknown ? "unknown option '" : "option '") + option + "': " + what;
+  }
 };
 
 /// Checks and converts the text of one option; each returns what is wrong, empty if nothing is.

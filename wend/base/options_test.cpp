@@ -60,7 +60,7 @@ TEST(OptionParser, TakesAFormerNameThatIsNotShown) {
   EXPECT_EQ(crew_of({{"hands", "5"}, {"crew", "6"}}), "6") << "the last one counts";
   EXPECT_EQ(crew_of({{"crew", "6"}, {"hands", "5"}}), "5") << "the last one counts";
   EXPECT_EQ(crew_of({{"hands", "x"}}), "option 'hands': 'x' is not a whole number");
-  EXPECT_EQ(crew_of({{"hand", "5"}}), "option 'hand': there is no such option: choose from crew");
+  EXPECT_EQ(crew_of({{"hand", "5"}}), "unknown option 'hand': choose from crew");
   EXPECT_NE(crew_of({{"", "5"}}), "5");
   const auto schema = option_schema<RenamedOptions>();
   EXPECT_TRUE(schema[0].aliases.empty());
@@ -192,19 +192,16 @@ TEST(ParseOptions, ReportsABadValueEvenIfAGoodOneFollows) {
 }
 
 TEST(ParseOptions, SuggestsTheNameThatWasMeant) {
-  EXPECT_EQ(error_of({{"lenght", "6"}}),
-            "option 'lenght': there is no such option: did you mean 'length'?");
+  EXPECT_EQ(error_of({{"lenght", "6"}}), "unknown option 'lenght': did you mean 'length'?");
   EXPECT_EQ(error_of({{"colour", "blue"}, {"oar", "6"}}),
-            "option 'oar': there is no such option: did you mean 'oars'?");
+            "unknown option 'oar': did you mean 'oars'?");
 }
 
 TEST(ParseOptions, ListsTheNamesWhereNoneIsNear) {
   const std::string error = error_of({{"engine", "6"}});
-  EXPECT_EQ(error.find("option 'engine': there is no such option: choose from sail, oars, length"),
-            0U)
-      << error;
+  EXPECT_EQ(error.find("unknown option 'engine': choose from sail, oars, length"), 0U) << error;
   EXPECT_EQ(parse_options<NoOptions>({{"engine", "6"}}).error().message(),
-            "option 'engine': there are no options here");
+            "unknown option 'engine': there are no options");
 }
 
 TEST(ChoiceName, IsTheInverseOfParsing) {

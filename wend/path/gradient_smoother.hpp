@@ -1,6 +1,6 @@
 #pragma once
 
-// The textbook's smoother: gradient descent on
+// The gradient smoother: gradient descent on
 //
 //   sum over the inner points of  alpha (s_i - p_i)^2  +  sum of  beta (s_i - s_i+1)^2
 //
@@ -45,7 +45,7 @@ struct GradientOptions {
           self.epsilon, {0, 1e6});
     field({"max_sweeps", "limit on the number of sweeps"}, self.max_sweeps, {1, 1e9});
     field({"in_place", "use the new position of a point within the same sweep"}, self.in_place);
-    field({"unsafe", "the textbook's result, even through obstacles"}, self.unsafe);
+    field({"unsafe", "skip the collision check; the path may collide with obstacles"}, self.unsafe);
     field({"squeeze", "a point may pass between two obstacles that touch at a corner"},
           self.squeeze);
   }

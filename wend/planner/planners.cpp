@@ -68,7 +68,7 @@ std::optional<PlannerError> refused_terrain(std::string_view planner, const Free
 std::optional<PlannerError> refused_options(const OptionValues& values) {
   if (values.empty()) return std::nullopt;
   return PlannerError{Status::invalid_option,
-                      option_text::unknown_option(values.front().first, {}).message()};
+                      "unknown option '" + values.front().first + "': this planner has no options"};
 }
 
 Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// BenchRun: runs all entries on one scenario, one after another, pass after pass.
+// BenchRun: runs all entries on one scenario, one after another, repetition after repetition.
 
 #include <cstdint>
 #include <mutex>
@@ -35,7 +35,7 @@ struct BenchShare {
 /// Progress of all runs.
 struct BenchProgress {
   ProgressBar bar;
-  std::uint64_t done = 0;   // queries, of every entry and pass
+  std::uint64_t done = 0;   // queries, of every entry and repetition
   std::uint64_t known = 0;  // those of them that the store had
 };
 
@@ -45,9 +45,9 @@ class BenchRun {
   BenchRun(const BenchScenario& scenario, const std::vector<BenchEntry>& entries,
            const BenchSettings& settings, BenchStore& store, BenchShare share = {});
 
-  /// Asks every entry every query of the share until it has all passes. Throws Cancelled if Ctrl-C
-  /// came: what was answered until then is stored. Throws InputError if an entry does not take
-  /// its options or the map.
+  /// Asks every entry every query of the share until it has all repetitions. Throws Cancelled if
+  /// Ctrl-C came: what was answered until then is stored. Throws InputError if an entry does not
+  /// take its options or the map.
   void run(const std::vector<GivenIndex>& indexes, BenchProgress& progress);
 
   /// What came of it, one row per entry: of the whole scenario only.

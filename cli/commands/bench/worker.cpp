@@ -99,8 +99,8 @@ void BenchWorker::compare(const ScenarioQuery& query, BenchAnswer& answer, Statu
                                                   kRounding * std::max(1.0, answer.length);
   if (status == answer.status && same_length) return;
   judge(query, answer,
-        fmt::format("the answer differs from an earlier pass ({}, cost {:.8f})", describe(status),
-                    plan.cost));
+        fmt::format("the answer differs from an earlier repetition ({}, cost {:.8f})",
+                    describe(status), plan.cost));
 }
 
 void BenchWorker::judge(const ScenarioQuery& query, BenchAnswer& answer, const std::string& wrong) {

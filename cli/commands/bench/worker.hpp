@@ -36,10 +36,10 @@ class BenchWorker {
   /// Asks a new planner, one run. False, and nothing was done, if Ctrl-C came; as all that follow.
   bool time_first(const ScenarioQuery& query, BenchAnswer& answer);
 
-  /// One more pass of a query that the kept planner is asked: the least of as many runs as fill 5 ms.
+  /// Repeats a query with the kept planner: the least of as many runs as fill 5 ms.
   bool time_later(const ScenarioQuery& query, BenchAnswer& answer);
 
-  /// One more pass of a query that a new planner is asked.
+  /// Repeats a query with a new planner.
   bool time_fresh(const ScenarioQuery& query, BenchAnswer& answer);
 
  private:

@@ -63,7 +63,7 @@ wend::Expected<CarRequest, std::string> random_request(
     request.goal = ends.goal;
     return request;
   }
-  return wrong("so many obstacles leave the start's or the goal's corner free too seldom");
+  return wrong("too many obstacles: the start's or the goal's corner is rarely free");
 }
 
 /// From the first corner to the last but one, facing east, as the defaults have it.

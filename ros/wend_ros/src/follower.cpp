@@ -76,7 +76,7 @@ class FollowerNode {
     std::vector<wend::Point> points;
     for (const auto& stamped : path.poses) {
       if (!wend_ros::is_finite(stamped.pose)) {
-        ROS_ERROR("a path with a number that is none is not driven");
+        ROS_ERROR("path rejected: a pose contains NaN or infinity");
         return stop("idle");
       }
       points.push_back({stamped.pose.position.x, stamped.pose.position.y});

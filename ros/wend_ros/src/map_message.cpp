@@ -57,7 +57,7 @@ double as_written(float value) {
   return written;
 }
 
-/// Of an orientation of all zeros, which messages have that nobody filled in: 0.
+/// The yaw of an orientation. All zeros (an unset message): 0.
 double yaw_of(const geometry_msgs::Quaternion& turn) {
   const bool empty = turn.x == 0 && turn.y == 0 && turn.z == 0 && turn.w == 0;
   return empty ? 0 : tf2::getYaw(turn);
@@ -109,7 +109,7 @@ wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGri
     return wrong("the map's resolution is " + std::to_string(info.resolution) +
                  ": a positive number of metres a cell expected");
   }
-  if (!is_finite(info.origin)) return wrong("the map's origin has a number that is none");
+  if (!is_finite(info.origin)) return wrong("the map's origin contains NaN or infinity");
 
   wend::Grid<wend::CellState> cells(static_cast<int>(width), static_cast<int>(height),
                                     wend::CellState::free);

@@ -47,7 +47,7 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
       return false;
     }
     if (!is_finite(start.pose) || !is_finite(goal.pose)) {
-      ROS_ERROR("a pose has a number that is none");
+      ROS_ERROR("the start or the goal pose contains NaN or infinity");
       return false;
     }
     const MapSnapshot map = snapshot();

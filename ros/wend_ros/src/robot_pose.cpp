@@ -31,7 +31,7 @@ RobotPose::RobotPose(ros::NodeHandle& node, ros::NodeHandle& own)
 
 void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
   if (!is_finite(message.pose.pose)) {
-    ROS_WARN("initialpose: a number that is none; the pose is not used");
+    ROS_WARN("initialpose ignored: the pose contains NaN or infinity");
     return;
   }
   const std::lock_guard lock(mutex_);
@@ -42,7 +42,7 @@ void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
 
 wend::Expected<wend::Pose, std::string> RobotPose::in(
     const std::string& frame_id, const geometry_msgs::PoseStamped& pose) const {
-  if (!is_finite(pose.pose)) return wrong("a pose has a number that is none");
+  if (!is_finite(pose.pose)) return wrong("the pose contains NaN or infinity");
   if (pose.header.frame_id.empty() || pose.header.frame_id == frame_id) {
     return pose_from(pose.pose);
   }
@@ -79,8 +79,8 @@ wend::Expected<wend::Pose, std::string> RobotPose::in(const std::string& frame_i
   }
   if (initial) return in(frame_id, *initial);
   if (parameter_) return *parameter_;
-  return wrong("nobody knows where the robot is: no tf from '" + frame_id + "' to '" +
-               robot_frame_ + "', no /initialpose, no parameters ~startx and ~starty");
+  return wrong("robot pose unknown: no transform from '" + frame_id + "' to '" + robot_frame_ +
+               "', no /initialpose, no parameters ~startx and ~starty");
 }
 
 }  // namespace wend_ros

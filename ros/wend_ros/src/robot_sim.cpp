@@ -59,7 +59,7 @@ class RobotSim {
  private:
   void take_command(const geometry_msgs::Twist& twist) {
     if (!std::isfinite(twist.linear.x + twist.angular.z)) {
-      ROS_WARN_THROTTLE(1, "cmd_vel: a number that is none; the robot does as before");
+      ROS_WARN_THROTTLE(1, "cmd_vel ignored: the velocity contains NaN or infinity");
       return;
     }
     wanted_ = {twist.linear.x, twist.angular.z};
@@ -68,7 +68,7 @@ class RobotSim {
 
   void place(const geometry_msgs::PoseWithCovarianceStamped& message) {
     if (!wend_ros::is_finite(message.pose.pose)) {
-      ROS_WARN("initialpose: a number that is none; the robot stays where it is");
+      ROS_WARN("initialpose ignored: the pose contains NaN or infinity");
       return;
     }
     if (!message.header.frame_id.empty() && message.header.frame_id != "map") {

@@ -122,19 +122,23 @@ class MovingAiReader {
     return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   }
 
+  std::string declared_rows() const {
+    return fmt::format("the {} row{} that the header declares", height_, height_ == 1 ? "" : "s");
+  }
+
   std::string read_rows() {
     GridMapBuilder& rows = rows_.emplace(width_);
     if (cells() <= lines_.size()) rows.reserve(height_);
     std::vector<CellState> states(static_cast<std::size_t>(width_));
     for (int y = 0; y < height_; ++y) {
       const auto row = lines_.next();
-      if (!row) return fmt::format("only {} of the {} rows that the header declares", y, height_);
+      if (!row) return fmt::format("only {} of {}", y, declared_rows());
       if (std::string wrong = read_row(*row, y, states); !wrong.empty()) return wrong;
       rows.append(states);
     }
     while (const auto line = lines_.next()) {
       if (is_blank(*line)) continue;
-      return fmt::format("extra row after the {} rows that the header declares", height_);
+      return fmt::format("extra row after {}", declared_rows());
     }
     return {};
   }

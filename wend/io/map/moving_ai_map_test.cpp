@@ -108,6 +108,10 @@ TEST(MovingAiMap, RowsAreAsManyAndAsLongAsTheHeaderSays) {
             "m:6: row 1 has 4 columns, the header declares 3");
   EXPECT_EQ(moving_ai_error(kHeader + "...\n...\n...\n"),
             "m:7: extra row after the 2 rows that the header declares");
+  const std::string one_row = "type octile\nheight 1\nwidth 3\nmap\n";
+  EXPECT_EQ(moving_ai_error(one_row), "m:4: only 0 of the 1 row that the header declares");
+  EXPECT_EQ(moving_ai_error(one_row + "...\n...\n"),
+            "m:6: extra row after the 1 row that the header declares");
 }
 
 TEST(MovingAiMap, LargeSizesWithoutRowsTakeNoMemory) {
