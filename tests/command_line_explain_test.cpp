@@ -151,7 +151,7 @@ TEST_F(ExplainCommand, DashesThePathOfASmallerRobotAndSaysForWhich) {
   const std::vector<std::string> query{"--start", "1,2", "--goal", "9,2", "--robot-radius", "0.6"};
   const std::string out = explain(door_, query).out;
   EXPECT_THAT(out, AllOf(HasSubstr("◇ path for a robot of 0.5 cells"), HasSubstr("! narrowest"),
-                         HasSubstr("s start's region"), HasSubstr("g goal's region"),
+                         HasSubstr("s start's component"), HasSubstr("g goal's component"),
                          Not(HasSubstr("→ path"))));
   std::vector<std::string> drawn = query;
   const std::string svg = folder_ / "why.svg";

@@ -10,7 +10,7 @@ namespace wend {
 
 std::string_view describe(CellRole role) {
   static constexpr std::array<std::string_view, kCellRoles> kNames{
-      "expanded", "frontier", "being expanded", "start's region", "goal's region"};
+      "expanded", "frontier", "being expanded", "start's component", "goal's component"};
   return kNames[static_cast<std::size_t>(role)];
 }
 

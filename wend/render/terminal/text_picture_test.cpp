@@ -155,7 +155,7 @@ TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
   EXPECT_EQ(text_picture(scene, {.legend = true}),
             lines_of({"**+@#", "s.g!.",
                       "! narrowest   @ being expanded   + frontier   * expanded   "
-                      "s start's region   g goal's region   # obstacle   . free"}));
+                      "s start's component   g goal's component   # obstacle   . free"}));
 }
 
 TEST(TextPicture, CanDoWithAscii) {
