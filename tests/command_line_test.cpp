@@ -116,7 +116,7 @@ TEST(Planners, AreListedForPeople) {
   }
   EXPECT_THAT(listing.out, AllOf(HasSubstr("Hart, Nilsson, Raphael 1968"),
                                  HasSubstr("weight (or lambda, w) = 1: 0 to 1e+06"),
-                                 HasSubstr("\n  memory         16 bytes per cell and 4"),
+                                 HasSubstr("\n  memory         16 bytes per cell, 4"),
                                  HasSubstr("\n  when           The default")));
   std::istringstream lines(listing.out);
   for (std::string line; std::getline(lines, line);) {

@@ -19,13 +19,11 @@ constexpr std::string_view kRegistryEnds = "<!-- measured -->";
 constexpr std::string_view kIntroduction =
     "# Planners\n"
     "\n"
-    "What each planner does, what it guarantees and costs, when to choose it, and how the planners "
-    "compare. `./run docs` writes this page from the registry of planners and from measurements "
-    "(`./run docs --registry-only`: without measuring); do not edit it by hand.\n";
+    "What each planner does, guarantees and costs, and when to choose it. `./run docs` writes this "
+    "page (`--registry-only`: without measuring); do not edit it by hand.\n";
 
 constexpr std::string_view kAboutOverview =
-    "n is the number of cells that a search expands, at most all that can be reached. Memory is "
-    "reserved for the whole map and touched only where a search goes; starting a search takes "
+    "Memory is reserved for the whole map but touched only where a search goes; a search starts in "
     "constant time.";
 
 std::string overview_table() {
@@ -63,8 +61,8 @@ std::string option_table() {
 
 std::string planner_section(const PlannerInfo& planner, const Picture& picture) {
   return fmt::format(
-      "### {0}\n\n{1}. {2}\n\n![Cells that {0} expands]({3}/{0}.png)\\\n*{4}*\n\n"
-      "- **Guarantee**: {5}\n- **When to choose it**: {6}\n- **Paper**: {7}\n\n",
+      "### {0}\n\n{1}. {2} **Guarantee**: {5}. **Use**: {6} **Paper**: {7}.\\\n"
+      "![{0}'s expansions]({3}/{0}.png)\\\n*{4}*\n\n",
       planner.name, planner.summary, planner.idea, kImages, picture.caption, planner.guarantee_text,
       planner.when, planner.citation);
 }
@@ -75,7 +73,7 @@ std::string registry_part(std::span<const Picture> pictures) {
   for (const PlannerInfo& planner : planners()) {
     sections += planner_section(planner, pictures[number++]);
   }
-  return fmt::format("{}\n\n## Overview\n\n{}\n{}\n\n## Planners\n\n{}\n\n{}## Options\n\n{}\n",
+  return fmt::format("{}\n\n## Overview\n\n{}\n{} {}\n\n## Planners\n\n{}## Options\n\n{}\n",
                      kRegistryBegins, overview_table(), kAboutOverview, about_pictures(), sections,
                      option_table());
 }
@@ -83,15 +81,14 @@ std::string registry_part(std::span<const Picture> pictures) {
 std::string how_it_was_measured(bool with_movingai_maps) {
   return fmt::format(
       "Times are {} of one thread on one machine ({}): compare ratios, not times. The planners "
-      "take "
-      "turns query by query, and each query is repeated for 5 ms; the fastest answer counts, with "
-      "warm caches (`jps` caches results across queries). Numbers are medians over the queries "
-      "that "
-      "every planner solved, and the best of a row is **bold**. Maps come from `wend generate`, "
-      "seed 7{}. [performance.md](performance.md) has planners with an index and larger maps.",
+      "take turns query by query, and each query is repeated for 5 ms; the fastest answer counts, "
+      "with warm caches (`jps` caches results across queries). Numbers are medians over the "
+      "queries "
+      "that every planner solved; the best of a row is **bold**. Maps come from `wend generate`, "
+      "seed 7{}. [performance.md](performance.md) has indexes and larger maps.",
       thread_time_name(), describe_machine(),
-      with_movingai_maps ? ", and from the benchmark sets of movingai.com (N. Sturtevant, "
-                           "\"Benchmarks for Grid-Based Pathfinding\", 2012), named in brackets"
+      with_movingai_maps ? ", and from movingai.com (N. Sturtevant, \"Benchmarks for Grid-Based "
+                           "Pathfinding\", 2012), named in brackets"
                          : "");
 }
 

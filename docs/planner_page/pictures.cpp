@@ -47,7 +47,7 @@ struct PictureQuery {
   FreeSpace space;
   Query query;
   Scene scene;
-  int unit = 0;  // of a car
+  int unit = 0;  // lattice resolution of a car; 0: cells
 };
 
 PictureQuery between_rooms() {
@@ -99,9 +99,9 @@ Expected<std::vector<Picture>, RenderError> pictures_of_planners() {
 
 std::string about_pictures() {
   return fmt::format(
-      "The pictures show the same query on the same map: rooms, {} x {} cells, from left to right; "
-      "the car crosses a parking lot of {} x {} cells. The colours show the order of expansion, "
-      "from light (first) to dark (last); white cells were not expanded.",
+      "The pictures show one query from left to right, on rooms of {} x {} cells, and for the car "
+      "on a parking lot of {} x {} cells. Colours show the order of expansion, from light to dark; "
+      "white cells were not expanded.",
       kWidth, kHeight, kLotWidth, kLotHeight);
 }
 

@@ -37,23 +37,19 @@ PlannerInfo astar_planner() {
       {.name = "astar",
        .summary =
            "A*: expands the cell with the lowest cost from the start plus estimate to the goal",
-       .idea = "Every open cell has a key: the cost of the cheapest known path to it, plus w times "
-               "an estimate of the cost to the goal. The cell with the smallest key is expanded "
-               "next, so the search is directed towards the goal. If the estimate never "
-               "overestimates, the path is optimal.",
+       .idea = "A weight w multiplies the estimate.",
        .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
        .guarantee_text = "optimal with a weight up to 1 and a heuristic that never overestimates; "
                          "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the "
-               "size of a small bucket",
-       .memory = "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain, with "
-                 "euclidean, with manhattan on 8 neighbours, with a weight other than 0 and 1, and "
-                 "when the search is observed",
+       .time = "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket",
+       .memory =
+           "8 bytes per cell, 16 per frontier entry; 16 and 24 on terrain, with euclidean, with "
+           "manhattan on 8 neighbours, with a weight other than 0 and 1, or with an observer",
        .bytes_per_cell = 8,
-       .when = "The default, on terrain too: optimal paths with few expansions where the direction "
-               "of the goal is a good guide. In mazes the estimate helps little, and astar expands "
-               "almost as many cells as dijkstra. A weight above 1 often expands far fewer cells, "
-               "but each expansion then takes several times as long: measure it on your maps.",
+       .when =
+           "The default, also on terrain. In mazes it expands almost as many cells as dijkstra. "
+           "A weight above 1 often expands far fewer cells, but each expansion takes several "
+           "times as long.",
        .guarantee = Guarantee::bounded,
        .plans_on_terrain = true},
       choose_parts);

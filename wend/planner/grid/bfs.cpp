@@ -30,19 +30,15 @@ PlannerInfo bfs_planner() {
   return grid_planner<GridMoves>(
       {.name = "bfs",
        .summary = "Breadth-first search: expands cells in the order in which they are reached",
-       .idea = "Open cells are kept in a queue and expanded in the order in which they were "
-               "reached: all cells one step away, then all cells two steps away. The first path to "
-               "the goal therefore has the fewest steps.",
+       .idea = "Its frontier is a queue, so the first path to the goal has the fewest steps.",
        .citation = "Moore 1959",
        .guarantee_text = "fewest steps; on uniform terrain optimal on 4 neighbours, and at most "
                          "sqrt(2) times the optimum on 8",
        .time = "O(n) in the n cells expanded",
-       .memory = "16 bytes per cell and 4 per open cell",
+       .memory = "16 bytes per cell, 4 per open cell",
        .bytes_per_cell = 16,
-       .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain, where "
-               "the path with the fewest moves is also the cheapest and a queue is the simplest "
-               "frontier. On 8 neighbours it counts a diagonal step as one step, like a straight "
-               "one. It ignores terrain.",
+       .when = "Where the number of moves matters, or on 4 neighbours and uniform terrain. On 8 "
+               "neighbours a diagonal step counts as one step.",
        .guarantee = Guarantee::fewest_steps},
       choose_parts);
 }

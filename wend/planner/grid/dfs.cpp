@@ -20,17 +20,16 @@ PlannerInfo dfs_planner() {
   return grid_planner<GridMoves>(
       {.name = "dfs",
        .summary = "Depth-first search: expands the cell that was reached last",
-       .idea = "Open cells are kept on a stack and the one that was reached last is expanded "
-               "first: the search follows one path until it is stuck, then returns to the most "
-               "recent open cell.",
+       .idea =
+           "Its frontier is a stack: it follows one path until it is stuck, then returns to the "
+           "newest open cell.",
        .citation = "Trémaux 1882",
        .guarantee_text = "complete; the path is rarely short",
        .time = "O(n) in the n cells expanded",
-       .memory = "16 bytes per cell and 4 per open cell",
+       .memory = "16 bytes per cell, 4 per open cell",
        .bytes_per_cell = 16,
-       .when = "To see the effect of a stack in place of a queue, and to find a path through a "
-               "maze that has only one. In open space its paths wander over the whole map: do not "
-               "execute them on a robot.",
+       .when = "For teaching, and for mazes with only one path. Not for robots: in open space its "
+               "paths wander over the whole map.",
        .guarantee = Guarantee::complete},
       choose_parts);
 }

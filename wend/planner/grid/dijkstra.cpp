@@ -18,17 +18,14 @@ PlannerInfo dijkstra_planner() {
   return grid_planner<GridMoves>(
       {.name = "dijkstra",
        .summary = "Dijkstra: expands the cell with the lowest cost from the start",
-       .idea = "Cells are expanded in the order of their cost from the start, so the search grows "
-               "evenly in all directions until it reaches the goal. It needs no estimate.",
+       .idea = "The search grows evenly in all directions and needs no estimate.",
        .citation = "Dijkstra 1959",
        .guarantee_text = "optimal",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain the logarithm is of the "
-               "size of a small bucket",
-       .memory = "8 bytes per cell and 16 per frontier entry; 16 and 24 on terrain or when the "
-                 "search is observed",
+       .time = "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket",
+       .memory =
+           "8 bytes per cell, 16 per frontier entry; 16 and 24 on terrain or with an observer",
        .bytes_per_cell = 8,
-       .when = "In mazes, where an estimate helps little, and as a baseline for other planners. "
-               "Elsewhere astar finds paths of the same cost and expands fewer cells.",
+       .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",
        .guarantee = Guarantee::optimal,
        .plans_on_terrain = true},
       choose_parts);

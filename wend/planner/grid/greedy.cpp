@@ -37,16 +37,14 @@ PlannerInfo greedy_planner() {
   return grid_planner<GreedyOptions>(
       {.name = "greedy",
        .summary = "Greedy best-first search: expands the cell with the lowest estimate to the goal",
-       .idea = "The open cell with the lowest estimate is expanded next; the cost of reaching it "
-               "is ignored. In open space the search goes straight to the goal. Where a wall is in "
-               "the way it explores the whole area in front of the wall before it goes around.",
+       .idea = "It ignores the cost so far. In front of a wall it explores the whole area before "
+               "it goes around.",
        .citation = "Doran, Michie 1966",
        .guarantee_text = "complete; often fast, with no bound on the cost",
        .time = "O(n log n) in the n cells expanded",
-       .memory = "16 bytes per cell and 24 per frontier entry",
+       .memory = "16 bytes per cell, 24 per frontier entry",
        .bytes_per_cell = 16,
-       .when = "Where any path is good enough and time matters. It ignores terrain, and its paths "
-               "follow the obstacles that the search met: smooth them, or use astar with a weight, "
+       .when = "Where time matters more than cost. Smooth its paths, or use astar with a weight, "
                "which has a bound.",
        .guarantee = Guarantee::complete},
       choose_parts);

@@ -150,8 +150,8 @@ class RandomWalk final : public GridEngine {
     return event;
   }
 
-  /// One of the neighbours that are not remembered, or, if there is none, one of all. There is one:
-  /// the goal is another cell of the same component.
+  /// A random neighbour that is not remembered, or, if all are remembered, any neighbour. One
+  /// exists: the goal is another cell of the same component.
   GridState random_neighbour() {
     std::array<GridState, 4> fresh;
     std::array<GridState, 4> all;
@@ -187,16 +187,13 @@ PlannerInfo random_walk_planner() {
   return grid_planner<RandomWalkOptions>(
       {.name = "random_walk",
        .summary = "Random walk with a short memory, on 4 neighbours",
-       .idea = "At every step it moves to a random one of the 4 neighbours and avoids the cells "
-               "that it has just left if there is another. It has no frontier and does not use the "
-               "position of the goal.",
+       .idea = "Each step avoids the latest cells if it can. It ignores the goal's position.",
        .citation = "Pearson 1905",
        .guarantee_text = "none: the walk ends after max_steps",
        .time = "O(s) in the s steps taken; max_steps is the only bound on s",
-       .memory = "8 bytes per cell and 8 per step",
+       .memory = "8 bytes per cell, 8 per step",
        .bytes_per_cell = 8,
-       .when = "As a baseline that every planner must beat, and to test how a program handles a "
-               "planner that fails. Not for execution on a robot.",
+       .when = "As a baseline, and to test how a program handles failures. Not for robots.",
        .guarantee = Guarantee::none},
       choose_parts);
 }

@@ -12,19 +12,17 @@ PlannerInfo corner_hierarchy_planner() {
   return with_index(
       {.name = "corner_hierarchy",
        .summary = "Contraction hierarchy on the turns at obstacle corners",
-       .idea = "A shortest path turns only at corners of obstacles, and the next turns depend on "
-               "the direction of arrival: this gives a sparse directed graph. Its nodes are "
-               "contracted one by one and replaced by shortcuts. A query searches upwards in the "
-               "hierarchy from the start and from the goal until the two searches meet.",
+       .idea =
+           "The turns of shortest paths form a sparse directed graph. Shortcuts replace its nodes "
+           "one by one. A query searches upwards from start and goal until the searches meet.",
        .citation = "Geisberger et al. 2008; Harabor et al. 2019",
        .guarantee_text = "optimal, on 8 neighbours without corner cutting",
        .time = "O(k) in the k arcs searched, tens to thousands, plus the turns visible from start "
                "and goal",
        .memory = "index: 40 to 75 bytes per turn; planner: 36 bytes per turn and 5 per cell",
        .bytes_per_cell = 5,
-       .when = "For many queries on one map, where the index must be small and built within "
-               "seconds, mostly within a tenth of a second. hub_labels answers faster and takes "
-               "longer to build. It does not plan on terrain.",
+       .when = "For many queries on one map, with a small index built within seconds. hub_labels "
+               "answers faster and builds longer.",
        .preprocessing = Preprocessing::quick},
       {.build =
            [](const BitGrid& passable, const IndexBuilding& building) {

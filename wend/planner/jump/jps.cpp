@@ -144,22 +144,19 @@ PlannerInfo jps_planner() {
   return {.name = "jps",
           .summary = "Jump point search: A* that skips the cells between two turns",
           .idea =
-              "Among all shortest paths that differ only in the order of their steps it considers "
-              "one: the path with diagonal steps first. This path turns only at corners of "
-              "obstacles. The search jumps from turn to turn and reads the map 64 cells at a time. "
-              "Dead ends of the map are skipped. A chain of jump points without a branch is one "
-              "shortcut edge, and shortcuts are cached for later searches.",
+              "It considers only shortest paths with diagonal steps first, which turn only at "
+              "obstacle corners. It reads 64 cells at a time, skips dead ends, and caches "
+              "unbranched chains of jump points as shortcuts.",
           .citation = "Harabor, Grastien 2011 and 2014",
           .guarantee_text = "optimal on 8 neighbours without corner cutting, on uniform terrain",
           .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
           .memory =
-              "8 bytes per cell, 57 per jump point, 16 per shortcut that a search has used so far, "
-              "and 12 per frontier entry",
+              "8 bytes per cell, 57 per jump point, 16 per shortcut used so far, 12 per frontier "
+              "entry",
           .bytes_per_cell = 8,
           .when =
-              "The fastest planner without an index on maps with rooms, streets or corridors: try "
-              "it first. On maps of random noise it can skip few cells. It does not support "
-              "terrain or clearance costs.",
+              "The fastest planner without an index on maps with rooms, streets or corridors. On "
+              "random noise it skips few cells. It refuses terrain and clearance costs.",
           .guarantee = Guarantee::optimal,
           .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,

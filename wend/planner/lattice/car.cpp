@@ -60,35 +60,31 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
 }  // namespace
 
 PlannerInfo car_planner() {
-  return {.name = "car",
-          .summary = "A* for a car on a state lattice with six motion primitives",
-          .idea =
-              "The car stands on a grid vertex and faces north, west, east or south. It moves one "
-              "lattice cell straight, or along a quarter circle with a radius of one lattice cell, "
-              "forwards or in reverse; a turn costs pi/2 times the terrain of the cell that it "
-              "sweeps. A* finds the path with the lowest cost.",
-          .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
-          .guarantee_text =
-              "optimal on its lattice with a weight up to 1; above 1 the cost is at most w times "
-              "the optimum",
-          .time =
-              "O(n log n) in the n poses expanded; with whole terrain costs the logarithm is of "
-              "the size of a small bucket",
-          .memory =
-              "8 bytes per pose, four poses per lattice vertex, and 16 per frontier entry; 16 and "
-              "24 with terrain costs that are not whole or above 5, with a factor for reversing, "
-              "or with a weight other than 0 and 1",
-          .when =
-              "For robots that cannot turn in place. On a fine map set lattice_resolution to the "
-              "turning radius in cells. Its poses are at grid vertices, with headings along the "
-              "grid axes.",
-          .guarantee = Guarantee::bounded,
-          .plans_on_terrain = true,
-          .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .motion = Motion::car,
-          .options = option_schema<CarFlags>(),
-          .make = make};
+  return {
+      .name = "car",
+      .summary = "A* for a car on a state lattice with six motion primitives",
+      .idea =
+          "At a lattice vertex the car faces north, west, east or south. It moves one lattice cell "
+          "straight, or a quarter circle of that radius, forwards or in reverse. A turn costs pi/2 "
+          "times the terrain of the cell that it sweeps.",
+      .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
+      .guarantee_text =
+          "optimal on its lattice with a weight up to 1; above 1 at most w times the optimum",
+      .time = "O(n log n) in the n poses expanded; with whole terrain costs log of a small bucket",
+      .memory =
+          "8 bytes per pose, four poses per lattice vertex, 16 per frontier entry; 16 and 24 "
+          "with terrain costs that are not whole or above 5, a factor for reversing, or a "
+          "weight other than 0 and 1",
+      .when =
+          "For robots that cannot turn in place. On a fine map set lattice_resolution to the "
+          "turning radius in cells.",
+      .guarantee = Guarantee::bounded,
+      .plans_on_terrain = true,
+      .preprocessing = Preprocessing::none,
+      .can_step = true,
+      .motion = Motion::car,
+      .options = option_schema<CarFlags>(),
+      .make = make};
 }
 
 }  // namespace wend
