@@ -69,7 +69,7 @@ class Follower {
                     FollowerOptions options = {});
 
   /// Begins a new route, also while driving. The robot continues from the nearest point of the
-  /// route's beginning: its first off_path metres and as far as the robot drives in a second.
+  /// route's beginning, which is off_path plus the length of a second's drive.
   void follow(Route route);
 
   /// The next command, from the measured pose, `seconds` (> 0) after the last one. It is within the

@@ -96,7 +96,7 @@ struct PlannerInfo {
   bool jumps = false;     // expands only some cells of its paths, if any
   Motion motion = Motion::cells;
   std::vector<OptionInfo> options = {};
-  /// Makes the planner, including its preprocessing.
+  /// Makes the planner, including its preprocessing, on one thread.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 
   /// Builds and opens the planner's index; null for planners without an index.
