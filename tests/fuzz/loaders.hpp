@@ -19,6 +19,7 @@
 #include "wend/io/query/query_csv.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend::test {
 
@@ -110,6 +111,16 @@ inline std::string fuzz_planner_specs(std::string_view bytes) {
   return again && again->size() == specs->size() ? "" : "other planners come back";
 }
 
+/// A footprint that was read comes back from its text.
+inline std::string fuzz_footprint(std::string_view bytes) {
+  const auto footprint = parse_footprint(bytes);
+  if (!footprint) return check_text(footprint.error().message);
+  if (!footprint->valid()) return "a footprint that is not valid";
+  if (footprint->inscribed_radius() > footprint->circumscribed_radius()) return "radii swapped";
+  const auto again = parse_footprint(text_of(*footprint));
+  return again && *again == *footprint ? "" : "another footprint comes back";
+}
+
 /// The bytes as a file, and as changes to whole files.
 inline std::string fuzz_index(std::string_view bytes) {
   const auto header = read_index_header(std::as_bytes(std::span(bytes)));
@@ -133,6 +144,7 @@ inline constexpr std::array kLoaders{
     Loader{"path_json", fuzz_path_json},
     Loader{"query_csv", fuzz_query_csv},
     Loader{"planner_specs", fuzz_planner_specs},
+    Loader{"footprint", fuzz_footprint},
     Loader{"index", fuzz_index},
 };
 

@@ -1,0 +1,46 @@
+#pragma once
+
+// Simple polygons at random that contain the origin: star-shaped around it, convex or not, and the
+// same with a notch.
+
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <vector>
+
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/polygon.hpp"
+
+namespace wend::test {
+
+/// Corners are from 0.1 to `largest` away from the origin.
+inline Polygon random_polygon(double largest = 2) {
+  for (;;) {
+    const int corners = *rc::gen::inRange(3, 10);
+    std::vector<Point> points;
+    for (int i = 0; i < corners; ++i) {
+      const double jitter = *rc::gen::inRange(0, 80) / 100.0;
+      const double angle = 2 * kPi * (i + jitter) / corners;
+      const double radius = 0.1 + (largest - 0.1) * *rc::gen::inRange(0, 101) / 100.0;
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    const auto polygon = Polygon::make(points);
+    if (polygon && polygon->contains({0, 0})) return *polygon;
+  }
+}
+
+/// A rectangle or an L with corners on a fine lattice: edges that touch and run along squares.
+inline Polygon random_right_angled_polygon() {
+  const auto draw = [] { return *rc::gen::inRange(1, 8) / 4.0; };
+  const double left = -draw();
+  const double right = draw();
+  const double low = -draw();
+  const double high = draw();
+  if (*rc::gen::arbitrary<bool>()) {
+    return *Polygon::make({{left, low}, {right, low}, {right, high}, {left, high}});
+  }
+  return *Polygon::make(
+      {{left, low}, {right, low}, {right, 0}, {right / 2, 0}, {right / 2, high}, {left, high}});
+}
+
+}  // namespace wend::test

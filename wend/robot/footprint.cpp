@@ -1,0 +1,138 @@
+#include "wend/robot/footprint.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "wend/base/parse.hpp"
+
+namespace wend {
+namespace {
+
+constexpr std::string_view kDisc = "disc:";
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::size_t kLongestQuote = 40;  // bytes of a wrong text that an error repeats
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+/// In apostrophes, on one line and not too long.
+std::string quoted(std::string_view text) {
+  std::string shown(text.substr(0, kLongestQuote));
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
+  return "'" + shown + (text.size() > kLongestQuote ? "...'" : "'");
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// "[[x, y], [x, y]]" as its texts "x, y"; nothing if brackets are missing.
+std::optional<std::vector<std::string_view>> corners_in_brackets(std::string_view text) {
+  if (text.size() < 2 || text.back() != ']') return std::nullopt;
+  text = trimmed(text.substr(1, text.size() - 2));
+  std::vector<std::string_view> corners;
+  for (;;) {
+    const std::size_t end = text.find(']');
+    if (text.empty() || text.front() != '[' || end == std::string_view::npos) return std::nullopt;
+    corners.push_back(text.substr(1, end - 1));
+    text = trimmed(text.substr(end + 1));
+    if (text.empty()) return corners;
+    if (text.front() != ',') return std::nullopt;
+    text = trimmed(text.substr(1));
+  }
+}
+
+Unexpected<Error> refused_corner(std::string_view text, std::size_t i) {
+  const std::string where = "corner " + std::to_string(i + 1);
+  return failure(Status::invalid_option,
+                 where + ", " + quoted(text) + ", is not two numbers 'x,y' in metres", where);
+}
+
+Unexpected<Error> too_many_corners(std::size_t number) {
+  return failure(Status::invalid_option, "a polygon has at most " +
+                                             std::to_string(Polygon::kMostCorners) +
+                                             " corners, not " + std::to_string(number));
+}
+
+Expected<Footprint, Error> polygon_of(const std::vector<std::string_view>& texts) {
+  if (texts.size() > Polygon::kMostCorners + 1) return too_many_corners(texts.size());
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const auto numbers = split(texts[i], ',');
+    if (numbers.size() != 2) return refused_corner(texts[i], i);
+    const auto x = parse_number(numbers[0]);
+    const auto y = parse_number(numbers[1]);
+    if (!x || !y) return refused_corner(texts[i], i);
+    corners.push_back({*x, *y});
+  }
+  auto outline = Polygon::make(std::move(corners));
+  if (!outline) return Unexpected<Error>(std::move(outline).error());
+  return Footprint::polygon(*std::move(outline));
+}
+
+Expected<Footprint, Error> disc_of(std::string_view text) {
+  double radius = 0;
+  const std::string wrong = parse_in_range(text, radius, 0, Footprint::kLargestRadius, "m");
+  if (!wrong.empty()) return failure(Status::invalid_option, "the radius of the disc: " + wrong);
+  return Footprint::disc(radius);
+}
+
+}  // namespace
+
+Expected<Footprint, Error> Footprint::polygon(Polygon outline) {
+  const Point base{0, 0};
+  if (!outline.contains(base)) {
+    return failure(Status::invalid_option,
+                   "the polygon does not contain the robot's base point (0, 0)");
+  }
+  Footprint footprint(distance_to_outline(outline, base), farthest_distance(outline, base));
+  footprint.polygon_ = std::make_shared<const Polygon>(std::move(outline));
+  return footprint;
+}
+
+Expected<Footprint, Error> parse_footprint(std::string_view text) {
+  text = trimmed(text);
+  if (text == "point") return Footprint();
+  if (text.starts_with(kDisc)) return disc_of(trimmed(text.substr(kDisc.size())));
+  if (text.starts_with('[')) {
+    const auto corners = corners_in_brackets(text);
+    if (corners) return polygon_of(*corners);
+    return failure(Status::invalid_option,
+                   quoted(text) + " is not a list of corners '[[x, y], [x, y], ...]'");
+  }
+  auto corners = split(text, ';');
+  if (corners.size() > 1 && corners.back().empty()) corners.pop_back();
+  if (corners.size() > 1) return polygon_of(corners);
+  std::string message = quoted(text) +
+                        " is not a footprint: give corners 'x,y;x,y;x,y' in metres, or "
+                        "'disc:RADIUS'";
+  if (parse_number(text) && text.size() < kLongestQuote) message += "; did you mean 'disc:" + std::string(text) + "'?";
+  return failure(Status::invalid_option, std::move(message));
+}
+
+std::string text_of(const Footprint& footprint) {
+  if (footprint.is_point()) return "point";
+  if (!footprint.outline()) {
+    return std::string(kDisc) + format_number(footprint.circumscribed_radius());
+  }
+  std::string text;
+  for (const Point corner : footprint.outline()->corners()) {
+    if (!text.empty()) text += ';';
+    text += format_number(corner.x) + "," + format_number(corner.y);
+  }
+  return text;
+}
+
+}  // namespace wend

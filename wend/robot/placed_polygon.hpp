@@ -1,0 +1,50 @@
+#pragma once
+
+// PlacedPolygon: a polygon where a robot stands, in grid coordinates, and what it meets there: the
+// squares of cells, standing or moved along a line.
+//
+//   const wend::PlacedPolygon robot(outline_in_cells, {3.5, 2.5, heading});
+//   if (robot.overlaps(wend::Cell{4, 2})) ...
+//
+// "Overlaps" speaks of the interior of a square: a polygon may touch its edges and corners. Exact, but
+// that kOverlapTolerance is rounding: what enters a square by less only touches it. O(corners).
+
+#include <array>
+#include <span>
+
+#include "wend/geometry/box.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/polygon.hpp"
+#include "wend/geometry/pose.hpp"
+
+namespace wend {
+
+inline constexpr double kOverlapTolerance = 1e-9;  // cells
+
+class PlacedPolygon {
+ public:
+  PlacedPolygon(const Polygon& polygon, const Pose& pose);
+
+  std::span<const Point> corners() const { return {corners_.data(), size_}; }
+
+  /// Around all corners.
+  const Box& box() const { return box_; }
+
+  bool overlaps(Cell square) const { return overlaps_along({0, 0}, square); }
+
+  /// Does the polygon overlap the square somewhere while it moves by so much, without turning?
+  bool overlaps_along(Point by, Cell square) const;
+
+  /// To the closed square; 0 where they touch or overlap.
+  double distance_to(Cell square) const;
+
+ private:
+  bool contains(Point point) const;
+  Line edge(std::size_t i) const { return {corners_[i], corners_[i + 1 == size_ ? 0 : i + 1]}; }
+
+  std::array<Point, Polygon::kMostCorners> corners_;
+  std::size_t size_;
+  Box box_;
+};
+
+}  // namespace wend
