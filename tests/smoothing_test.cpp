@@ -17,13 +17,13 @@
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/map/nearest_passable.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend {
 namespace {

@@ -39,9 +39,6 @@
 #include "wend/geometry/line.hpp"
 #include "wend/io/files.hpp"
 #include "wend/io/map/load_map.hpp"
-#include "wend/map/free_space.hpp"
-#include "wend/map/point_sweep.hpp"
-#include "wend/map/swept_clearance.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
@@ -58,6 +55,9 @@
 #include "wend/render/terminal/text_picture.hpp"
 #include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace {
 
@@ -642,14 +642,14 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "base/options.hpp",
                                         "base/random.hpp",
                                         "map/grid_map.hpp",
-                                        "map/free_space.hpp",
+                                        "robot/free_space.hpp",
                                         "generate/generators.hpp",
                                         "geometry/direction.hpp",
                                         "geometry/compass.hpp",
                                         "geometry/car_move.hpp",
                                         "geometry/arc.hpp",
                                         "geometry/arc_distance.hpp",
-                                        "map/swept_clearance.hpp",
+                                        "robot/swept_clearance.hpp",
                                         "path/path.hpp",
                                         "path/polyline.hpp",
                                         "path/path_collision.hpp",
@@ -660,7 +660,7 @@ TEST(Snippets, OfHeadersStandHere) {
                                         "path/curvature_smoother.hpp",
                                         "path/refinement.hpp",
                                         "geometry/line.hpp",
-                                        "map/point_sweep.hpp",
+                                        "robot/point_sweep.hpp",
                                         "control/motion_model.hpp",
                                         "control/pid.hpp",
                                         "control/controller.hpp",

@@ -10,8 +10,8 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::bench {
 

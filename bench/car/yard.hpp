@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::bench {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

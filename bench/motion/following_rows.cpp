@@ -5,8 +5,8 @@
 #include "bench/motion/motion_row.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/map/nearest_passable.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend::bench {
 namespace {

@@ -4,11 +4,11 @@
 
 #include "bench/motion/motion_row.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/map/nearest_passable.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend::bench {
 namespace {

@@ -18,7 +18,7 @@
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
 #include "wend/io/query/scenario.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

@@ -6,8 +6,8 @@
 
 #include "wend/base/status.hpp"
 #include "wend/io/query/scenario.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

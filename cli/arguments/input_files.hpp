@@ -9,7 +9,7 @@
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/query/query_csv.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -8,8 +8,8 @@
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
 #include "wend/io/map/map_format.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -11,11 +11,11 @@
 #include "wend/base/workers.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/io/files.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

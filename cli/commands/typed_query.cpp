@@ -11,8 +11,8 @@
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/geometry/pose.hpp"
-#include "wend/map/nearest_passable.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend::cli {
 namespace {

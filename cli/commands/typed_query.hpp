@@ -15,12 +15,12 @@
 #include "cli/watching/shown_layers.hpp"
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/analysis/search_recorder.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

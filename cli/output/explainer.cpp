@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "wend/geometry/pose.hpp"
-#include "wend/map/nearest_passable.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend::cli {
 namespace {

@@ -10,9 +10,9 @@
 #include "wend/analysis/no_path.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/render/scene.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -6,8 +6,8 @@
 
 #include "cli/output/terminal.hpp"
 #include "wend/analysis/cost_to_go.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/report/analysis_report.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -12,8 +12,8 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/io/io_error.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::planner_page {
 

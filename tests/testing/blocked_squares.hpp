@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "tests/testing/reference.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::test {
 

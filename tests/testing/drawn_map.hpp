@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::test {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "wend/base/random.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::test {
 

@@ -11,8 +11,8 @@
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/nearest_passable.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 namespace wend::test {
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::test {
 

@@ -15,9 +15,9 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

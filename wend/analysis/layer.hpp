@@ -16,9 +16,9 @@
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/base/choice.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/planner.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

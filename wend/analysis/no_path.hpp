@@ -17,7 +17,7 @@
 
 #include "wend/analysis/widest_path.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

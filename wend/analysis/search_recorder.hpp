@@ -26,9 +26,9 @@
 
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -13,8 +13,8 @@
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/distance_field.hpp"
-#include "wend/map/swept_clearance.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/swept_clearance.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {

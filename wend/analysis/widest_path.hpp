@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "wend/geometry/pose.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

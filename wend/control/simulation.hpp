@@ -20,8 +20,8 @@
 #include "wend/base/choice.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -8,8 +8,8 @@
 
 #include "wend/base/random.hpp"
 #include "wend/generate/generated_map_test.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/random_bits_test.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 namespace {

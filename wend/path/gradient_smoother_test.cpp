@@ -15,8 +15,8 @@
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
 #include "wend/geometry/line.hpp"
-#include "wend/map/point_sweep.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/robot/point_sweep.hpp"
 
 namespace wend {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/point_sweep.hpp"
-#include "wend/map/sweep.hpp"
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/sweep.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

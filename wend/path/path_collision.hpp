@@ -17,8 +17,8 @@
 #include <string_view>
 
 #include "wend/map/connected_components.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

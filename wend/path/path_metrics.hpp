@@ -4,8 +4,8 @@
 // that rounds a corner of it.
 
 #include "wend/geometry/pose.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/point_sweep.hpp"
-#include "wend/map/swept_clearance.hpp"
 #include "wend/path/polyline.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -10,8 +10,8 @@
 // Lengths are in cells.
 
 #include "wend/map/connected_components.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

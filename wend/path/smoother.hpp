@@ -20,8 +20,8 @@
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/base/status.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

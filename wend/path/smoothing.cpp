@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "wend/base/parse.hpp"
-#include "wend/map/swept_clearance.hpp"
 #include "wend/path/path_collision.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -13,9 +13,9 @@
 #include "wend/base/expected.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/map/connected_components.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/smoother.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

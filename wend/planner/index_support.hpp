@@ -11,8 +11,8 @@
 #include "wend/base/options.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planner_info.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

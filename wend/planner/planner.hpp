@@ -19,10 +19,10 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/base/status.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

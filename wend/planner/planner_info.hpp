@@ -15,7 +15,7 @@
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/status.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

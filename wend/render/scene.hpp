@@ -42,10 +42,10 @@
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/path/path.hpp"
 #include "wend/render/heatmap.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "wend/io/map/map_format.hpp"
-#include "wend/map/space_survey.hpp"
+#include "wend/robot/space_survey.hpp"
 
 namespace wend {
 

@@ -27,11 +27,11 @@
 
 #include "wend/geometry/frame.hpp"
 #include "wend/io/io_error.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -34,10 +34,10 @@
 
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -118,7 +118,8 @@ Expected<Footprint, Error> parse_footprint(std::string_view text) {
   std::string message = quoted(text) +
                         " is not a footprint: give corners 'x,y;x,y;x,y' in metres, or "
                         "'disc:RADIUS'";
-  if (parse_number(text) && text.size() < kLongestQuote) message += "; did you mean 'disc:" + std::string(text) + "'?";
+  if (parse_number(text) && text.size() < kLongestQuote)
+    message += "; did you mean 'disc:" + std::string(text) + "'?";
   return failure(Status::invalid_option, std::move(message));
 }
 

@@ -9,9 +9,9 @@
 #include "bench/database/bench_database.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "wend/index/file/index_bytes.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

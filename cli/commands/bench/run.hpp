@@ -17,7 +17,7 @@
 #include "cli/commands/bench/worker.hpp"
 #include "cli/output/progress_bar.hpp"
 #include "wend/base/thread_workers.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -10,8 +10,8 @@
 #include "cli/output/progress_bar.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/io/map/load_map.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "wend/io/query/scenario.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -11,7 +11,7 @@
 #include "bench/database/bench_database.hpp"
 #include "cli/commands/bench/scenarios.hpp"
 #include "cli/commands/bench/settings.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend::cli {
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "wend/map/free_space.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/heuristic.hpp"
 

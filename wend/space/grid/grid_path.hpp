@@ -9,7 +9,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/cell.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {

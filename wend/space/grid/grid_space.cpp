@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/octile.hpp"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "wend/geometry/arc.hpp"
-#include "wend/map/sweep.hpp"
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/sweep.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

@@ -24,8 +24,8 @@
 #include "wend/geometry/car_move.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

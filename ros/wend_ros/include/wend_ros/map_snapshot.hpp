@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend_ros {
 

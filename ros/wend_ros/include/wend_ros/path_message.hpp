@@ -9,8 +9,8 @@
 #include <string>
 
 #include "wend/geometry/frame.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/path/path.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend_ros {
 

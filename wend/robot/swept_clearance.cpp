@@ -1,4 +1,4 @@
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,8 +8,8 @@
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"
-#include "wend/map/point_sweep.hpp"
-#include "wend/map/sweep.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/sweep.hpp"
 
 namespace wend {
 namespace {

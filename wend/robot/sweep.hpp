@@ -14,9 +14,10 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc.hpp"
+#include "wend/geometry/box.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/pose.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 
@@ -25,25 +26,6 @@ inline Cell nearest_cell(const FreeSpace& space, Point point) {
   return {static_cast<int>(std::clamp(std::floor(point.x), 0.0, space.width() - 1.0)),
           static_cast<int>(std::clamp(std::floor(point.y), 0.0, space.height() - 1.0))};
 }
-
-/// Upright, closed, in grid coordinates.
-struct Box {
-  Point low;
-  Point high;
-
-  explicit Box(Point point) : low(point), high(point) {}
-
-  void include(Point point) {
-    low = {std::min(low.x, point.x), std::min(low.y, point.y)};
-    high = {std::max(high.x, point.x), std::max(high.y, point.y)};
-  }
-
-  Box grown_by(double margin) const {
-    Box box({low.x - margin, low.y - margin});
-    box.include({high.x + margin, high.y + margin});
-    return box;
-  }
-};
 
 /// Is there an obstacle of which this holds? All that reach into the box are asked, row by row, and
 /// perhaps others on the map's border.

@@ -1,4 +1,4 @@
-#include "wend/map/sweep.hpp"
+#include "wend/robot/sweep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include "tests/testing/random_map.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"
-#include "wend/map/point_sweep.hpp"
 #include "wend/map/random_bits_test.hpp"
+#include "wend/robot/point_sweep.hpp"
 
 namespace wend {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -1,4 +1,4 @@
-#include "wend/map/nearest_passable.hpp"
+#include "wend/robot/nearest_passable.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "wend/map/point_sweep.hpp"
+#include "wend/robot/point_sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
-#include "wend/map/swept_clearance.hpp"
+#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {

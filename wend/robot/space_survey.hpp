@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-#include "wend/map/free_space.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

@@ -1,4 +1,4 @@
-#include "wend/map/point_sweep.hpp"
+#include "wend/robot/point_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <span>
 
 #include "wend/geometry/arc_distance.hpp"
-#include "wend/map/sweep.hpp"
+#include "wend/robot/sweep.hpp"
 
 namespace wend {
 namespace {

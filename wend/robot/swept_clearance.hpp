@@ -16,7 +16,7 @@
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/map/connected_components.hpp"
-#include "wend/map/free_space.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 

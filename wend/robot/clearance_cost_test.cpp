@@ -11,8 +11,8 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
-#include "wend/map/free_space.hpp"
 #include "wend/map/random_bits_test.hpp"
+#include "wend/robot/free_space.hpp"
 
 namespace wend {
 namespace {

@@ -1,4 +1,4 @@
-#include "wend/map/space_survey.hpp"
+#include "wend/robot/space_survey.hpp"
 
 #include <gtest/gtest.h>
 
