@@ -6,7 +6,7 @@
 int main() {
   const auto loaded = wend::load_map("office.yaml");
   if (!loaded) return std::puts(loaded.error().message().c_str()), 2;
-  const wend::FreeSpace space(loaded->map, {.robot_radius = 0.2});
+  const wend::FreeSpace space(loaded->map, {.footprint = wend::Footprint::disc(0.2)});
   const auto planner = wend::make_planner("astar", space);
   if (!planner) return std::puts(planner.error().message().c_str()), 2;
   const auto plan = (*planner)->plan(wend::Query::between({10, 10}, {150, 68}));

@@ -120,7 +120,8 @@ TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
       if (((bits >> i) & 1U) != 0) states[{i % 3, i / 3}] = CellState::occupied;
     }
     Random random(bits);
-    const Trial trial{GridMap(states), {}, random_options(random, info().options)};
+    const FreeSpaceOptions robot;
+    const Trial trial{GridMap(states), robot, random_options(random, info().options)};
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
     ASSERT_NE(planner, nullptr);
@@ -139,7 +140,8 @@ TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
 TEST_P(Conformance, AReusedPlannerAnswersLikeAFreshOne) {
   for (std::uint64_t seed = 1; seed <= 6 && !HasFailure(); ++seed) {
     Random random(seed);
-    const Trial trial{random_map(random, 20, 15), {}, random_options(random, info().options)};
+    const FreeSpaceOptions robot;
+    const Trial trial{random_map(random, 20, 15), robot, random_options(random, info().options)};
     SCOPED_TRACE(text_of(trial, seed));
     const auto reused = make(trial);
     if (reused == nullptr) continue;

@@ -42,7 +42,7 @@ std::optional<Trial> random_trial(Random& random) {
   const GridMap map = test::random_map(random, random.between(2, most), random.between(2, most));
   const double radius =
       test::one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.3, 0.5, 1.0, 1.7, 2.7});
-  const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+  const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
   const std::string rule =
       test::one_of<std::string>(random, std::array<std::string, 3>{"none", "one", "both"});
   const auto planner = make_planner("astar", space, {{"corner_rule", rule}});
@@ -134,7 +134,7 @@ TEST(Smoothing, BoundsCurvatureInOffices) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
     const auto map = generators().find("office")->make(200, 160, seed, {});
-    const FreeSpace space(*map, {.robot_radius = 0.2});
+    const FreeSpace space(*map, {.footprint = Footprint::disc(0.2)});
     for (const Path& path : office_plans(space, random, 4)) {
       for (const double radius : {3.0, 4.0}) {
         const auto smoothed = smooth_by_curvature(path, space, {.radius = radius});
@@ -155,7 +155,7 @@ TEST(Smoothing, MeetsTurningRadiiThatDoorsAllow) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       Random random(seed);
       const auto map = generators().find("office")->make(200, 160, seed, {});
-      const FreeSpace space(*map, {.robot_radius = 0.2});
+      const FreeSpace space(*map, {.footprint = Footprint::disc(0.2)});
       for (const Path& path : office_plans(space, random, 25)) {
         met += smooth_by_curvature(path, space, {.radius = radius})->within_bound ? 1 : 0;
         ++plans;

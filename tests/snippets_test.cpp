@@ -34,6 +34,7 @@
 #include "wend/generate/generators.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/geometry/box.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/line.hpp"
@@ -55,7 +56,10 @@
 #include "wend/render/terminal/text_picture.hpp"
 #include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
+#include "wend/robot/fits_along.hpp"
+#include "wend/robot/footprint.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
@@ -156,11 +160,53 @@ TEST(Snippets, OfArcDistance) {
 
 TEST(Snippets, OfArcClearance) {
   const wend::FreeSpace space(wend::GridMap(wend::Grid<wend::CellState>(2, 2)),
-                              {.robot_radius = 0.2});
+                              {.footprint = wend::Footprint::disc(0.2)});
   double length = 0;
   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
   if (wend::fits_along(space, arc)) length += arc.length;
   EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
+  const double clearance = wend::arc_clearance(space, arc);
+  EXPECT_TRUE(std::isinf(clearance));
+}
+
+TEST(Snippets, OfFootprints) {
+  const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
+  if (!robot) return report(robot.error().message);
+  const double radius = robot->circumscribed_radius();  // 0.47 m
+  EXPECT_NEAR(radius, 0.4717, 1e-4);
+  const auto box = wend::Polygon::make({{0.4, 0.25}, {-0.3, 0.25}, {-0.3, -0.25}, {0.4, -0.25}});
+  if (!box) return report(box.error().message);
+  const double gap = wend::distance_to_outline(*box, {0, 0});  // 0.25
+  EXPECT_EQ(gap, 0.25);
+  const wend::GridMap map(wend::Grid<wend::CellState>(4, 4));
+  const wend::FreeSpace space(map, {.footprint = *robot});
+  EXPECT_TRUE(space.fits({1.5, 1.5, 0.3}));
+}
+
+TEST(Snippets, OfPlacedPolygonsAndBoxes) {
+  const double heading = 0;
+  const wend::Polygon outline_in_cells = *wend::Polygon::make({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}});
+  const wend::PlacedPolygon robot(outline_in_cells, {3.5, 2.5, heading});
+  EXPECT_TRUE(robot.overlaps(wend::Cell{4, 2}));
+  const wend::Line line{{0.5, 0.5}, {3.5, 0.5}};
+  wend::Box box(line.from);
+  box.include(line.to);
+  EXPECT_EQ(box.high, line.to);
+}
+
+TEST(Snippets, OfErrors) {
+  const std::string text = "a robot";
+  const auto footprint = wend::parse_footprint(text);
+  if (!footprint) return report(footprint.error().message);
+  FAIL();
+}
+
+TEST(Snippets, OfObstacles) {
+  const wend::GridMap map(wend::Grid<wend::CellState>(4, 4));
+  const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
+  const wend::FreeSpace small(obstacles, {.footprint = wend::Footprint::disc(0.2)});
+  const wend::FreeSpace large(obstacles, {.footprint = wend::Footprint::disc(0.5)});
+  EXPECT_EQ(&small.squared_half_cell_clearance(), &large.squared_half_cell_clearance());
 }
 
 TEST(Snippets, OfLineAndPointSweep) {
@@ -179,7 +225,7 @@ TEST(Snippets, OfLineAndPointSweep) {
 TEST(Snippets, OfSmoothingAndSimplification) {
   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
   for (int y = 0; y < 8; ++y) cells[{10, y}] = wend::CellState::occupied;
-  const wend::FreeSpace space(wend::GridMap(cells), {.robot_radius = 0.4});
+  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.4)});
   const auto planner = wend::make_planner("astar", space);
   const auto plan = (*planner)->plan(wend::Query::between({2, 2}, {17, 2}));
   reported.clear();
@@ -224,8 +270,8 @@ TEST(Snippets, OfMapsAndFreeSpace) {
   cells[{3, 4}] = wend::CellState::occupied;
   const wend::GridMap map(cells);
 
-  const wend::FreeSpace space(map, {.robot_radius = 0.2});
-  if (const auto reason = space.why_blocked({3, 4})) report(wend::describe(*reason));
+  const wend::FreeSpace space(map, {.footprint = wend::Footprint::disc(0.2)});
+  if (const auto reason = space.why_blocked(wend::Cell{3, 4})) report(wend::describe(*reason));
   EXPECT_EQ(reported, "an obstacle");
 }
 
@@ -459,7 +505,7 @@ TEST(Snippets, OfIndexSupport) {
 TEST(Snippets, OfWidestPathAndNoPath) {
   wend::Grid<wend::CellState> cells(5, 3, wend::CellState::free);
   cells[{2, 0}] = cells[{2, 2}] = wend::CellState::occupied;
-  const wend::FreeSpace space(wend::GridMap(cells), {.robot_radius = 0.75});
+  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.75)});
   const wend::Cell start{0, 1};
   const wend::Cell goal{4, 1};
   if (const auto widest = wend::widest_path(space, start, goal)) report_width(widest->radius);

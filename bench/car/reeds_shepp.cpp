@@ -43,7 +43,7 @@ bool is_free(const FreeSpace& space, const base::State* state) {
   const auto* pose = state->as<base::SE2StateSpace::StateType>();
   const Cell cell{std::min(static_cast<int>(pose->getX()), space.width() - 1),
                   std::min(static_cast<int>(pose->getY()), space.height() - 1)};
-  return space.contains(cell) && !space.obstacles()[cell];
+  return space.contains(cell) && !space.obstacles().blocked()[cell];
 }
 
 void put(const Pose& pose, base::ScopedState<base::SE2StateSpace>& state) {

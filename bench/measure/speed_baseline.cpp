@@ -11,7 +11,7 @@
 namespace wend {
 namespace {
 
-using Error = Unexpected<std::string>;
+using Fault = Unexpected<std::string>;
 
 constexpr int kBaselineSchema = 1;
 
@@ -52,16 +52,16 @@ std::string change(double now, double before) {
 
 Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& file) {
   const auto text = read_file(file);
-  if (!text) return Error(text.error().message());
+  if (!text) return Fault(text.error().message());
   try {
     const Json json = Json::parse(*text);
     if (json.at("schema") != kBaselineSchema) {
-      return Error(fmt::format("{}: schema {} is not supported, only {} is", file.string(),
+      return Fault(fmt::format("{}: schema {} is not supported, only {} is", file.string(),
                                json.at("schema").dump(), kBaselineSchema));
     }
     return baseline_of(json);
   } catch (const Json::exception& error) {
-    return Error(fmt::format("{}: not a baseline: {}", file.string(), error.what()));
+    return Fault(fmt::format("{}: not a baseline: {}", file.string(), error.what()));
   }
 }
 

@@ -63,7 +63,7 @@ void load_png_and_free_space(benchmark::State& state) {
   }
   for (auto _ : state) {
     const auto loaded = load_map(file);
-    const FreeSpace space(loaded->map, {.robot_radius = 3});
+    const FreeSpace space(loaded->map, {.footprint = Footprint::disc(3)});
     benchmark::DoNotOptimize(space.passable({0, 0}));
   }
   std::filesystem::remove(file);

@@ -33,14 +33,14 @@ Office office() {
     for (int x = 0; x < kSide; ++x) states[{x, y}] = coarse->state({x / 2, y / 2});
   }
   const GridMap map(states, frame);
-  const FreeSpace cautious(map, {.robot_radius = 0.3});
+  const FreeSpace cautious(map, {.footprint = Footprint::disc(0.3)});
   const auto start = nearest_passable(cautious, {0, 0});
   if (!start) fail("there is no room in the office");
   const auto goal = nearest_passable(cautious, {kSide - 1, kSide - 1}, start);
   if (!goal) fail("there is no goal in the office");
   const auto plan = (*make_planner("astar", cautious))->plan(Query::between(*start, *goal));
   if (!plan) fail(plan.error().reason);
-  return {FreeSpace(map, {.robot_radius = 0.2}), plan->path};
+  return {FreeSpace(map, {.footprint = Footprint::disc(0.2)}), plan->path};
 }
 
 MotionRow simulating(const Office& office, const ControllerInfo& info, int rounds) {

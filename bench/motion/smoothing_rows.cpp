@@ -29,7 +29,7 @@ Walk walk_on(std::string name, const std::string& kind, const OptionValues& opti
              double radius_in_cells) {
   const auto map = generators().find(kind)->make(kSide, kSide, 1, options);
   if (!map) fail(map.error().message());
-  FreeSpace space(*map, {.robot_radius = radius_in_cells * map->frame().resolution});
+  FreeSpace space(*map, {.footprint = Footprint::disc(radius_in_cells * map->frame().resolution)});
   constexpr int kBorder = 40;
   const auto start = nearest_passable(space, {kBorder, kBorder});
   if (!start) fail("there is no room on the map '" + name + "'");

@@ -67,7 +67,7 @@ TEST(ScenarioQueries, AreForTheRobotItsMovesAndTheTerrain) {
   };
   const std::vector<Case> cases{
       {generated("rough", 40), {}, {}},
-      {generated("office", 80), {.robot_radius = 0.2}, {}},
+      {generated("office", 80), {.footprint = Footprint::disc(0.2)}, {}},
       {generated("office", 80), {.unknown = UnknownPolicy::free}, {}},
       {generated("random", 40, {{"density", "0.3"}}), {}, {Connectivity::four, CornerRule::none}},
       {generated("random", 40, {{"density", "0.3"}}), {}, {Connectivity::eight, CornerRule::both}}};

@@ -48,9 +48,30 @@ LoadedMap MapFileArguments::load() const {
 }
 
 void RobotArguments::add_robot_to(Parser& app) {
-  add_number(app, "--robot-radius", robot_radius, kDistances,
-             "Radius of the robot, a disc: in metres on maps with a resolution, in cells on others "
-             "and with --cells (default 0, a point)");
+  const auto assign_radius = [this](const std::string& text) {
+    double radius = 0;
+    const std::string wrong =
+        parse_in_range(text, radius, kDistances.least, kDistances.greatest, kDistances.unit);
+    if (!wrong.empty()) refuse_value("--robot-radius", wrong);
+    footprint = Footprint::disc(radius);
+  };
+  const Argument radius =
+      app.add_option("--robot-radius", assign_radius,
+                     wrapped("Radius of the robot, a disc: in metres on maps with a resolution, in "
+                             "cells on others and with --cells (default 0, a point)"))
+          .type_name("NUMBER");
+  const auto assign_footprint = [this](const std::string& text) {
+    auto parsed = parse_footprint(text);
+    if (!parsed) refuse_value("--footprint", parsed.error().message);
+    footprint = *std::move(parsed);
+  };
+  app.add_option("--footprint", assign_footprint,
+                 wrapped("Shape of the robot: the corners of a polygon 'x,y;x,y;x,y' around its "
+                         "base point (0,0), x ahead and y to its left, or 'disc:RADIUS' (units as "
+                         "--robot-radius). Planners on cells use the smallest disc that covers a "
+                         "polygon"))
+      .type_name("SHAPE")
+      .excludes(radius);
   add_choice<UnknownPolicy>(app, "--unknown", unknown,
                             {{"blocked", UnknownPolicy::blocked}, {"free", UnknownPolicy::free}},
                             "Whether unknown cells are blocked or free (default blocked)");
@@ -81,7 +102,7 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
     throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
-  return {.robot_radius = units.in_metres(robot_radius),
+  return {.footprint = footprint.scaled(units.in_metres(1)),
           .unknown = unknown,
           .outside = outside,
           .clearance_distance = units.in_metres(clearance_distance.value_or(0)),

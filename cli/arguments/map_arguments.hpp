@@ -26,7 +26,7 @@ struct MapFileArguments {
 
 /// The robot that is to be on a map.
 struct RobotArguments {
-  double robot_radius = 0;  // in the user's units
+  Footprint footprint;  // in the user's units; of --robot-radius a disc
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside;
   std::optional<double> clearance_distance;  // in the user's units

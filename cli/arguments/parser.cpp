@@ -20,6 +20,11 @@ Argument Argument::group(const std::string& name) const {
   return *this;
 }
 
+Argument Argument::excludes(const Argument& other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
 Argument Argument::former_name_of(const Argument& current) const {
   option_->excludes(current.option_)->group("");
   return *this;

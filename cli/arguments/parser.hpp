@@ -32,6 +32,8 @@ class Argument {
   /// An old name of another argument: accepted, unless both are given, but shown in neither help nor
   /// completion.
   Argument former_name_of(const Argument& current) const;
+  /// An error if both are given.
+  Argument excludes(const Argument& other) const;
   /// Takes one value each time that it is given.
   Argument one_at_a_time() const;
   /// Takes one word each time that it is given, with several values between commas.

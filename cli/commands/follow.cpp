@@ -87,11 +87,12 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   }
 }
 
-/// The map for a robot that is larger by the margin.
+/// The map for a disc that is larger than the one around the robot by the margin.
 FreeSpace planning_space(const FollowArguments& arguments, const GridMap& map) {
   MapArguments larger = arguments.map;
   const double per_unit = arguments.map.coordinates(map).in_metres(1);
-  larger.robot_radius += arguments.margin.value_or(kMargin / per_unit);
+  larger.footprint = Footprint::disc(larger.footprint.circumscribed_radius() +
+                                     arguments.margin.value_or(kMargin / per_unit));
   return larger.free_space(map);
 }
 

@@ -105,6 +105,12 @@ std::string Explainer::blocked(const Place& place) const {
   return fmt::format("the {} {} is blocked: {}", place.name, place.text, why(place, *reason));
 }
 
+/// Planners on cells know no headings and take a polygon for the disc around it.
+std::string_view Explainer::radius_name() const {
+  return space_.outline() ? "the radius of the disc around the robot's footprint"
+                          : "the robot's radius";
+}
+
 std::string Explainer::why(const Place& place, BlockReason reason) const {
   switch (reason) {
     case BlockReason::obstacle:
@@ -112,16 +118,18 @@ std::string Explainer::why(const Place& place, BlockReason reason) const {
     case BlockReason::unknown:
       return "the cell is unknown (--unknown free makes unknown cells free)";
     case BlockReason::too_close:
-      return fmt::format("the nearest obstacle is {} away, the robot's radius is {}",
-                         coordinates_.length(space_.clearance(place.cell)),
+      return fmt::format("the nearest obstacle is {} away, {} is {}",
+                         coordinates_.length(space_.clearance(place.cell)), radius_name(),
                          coordinates_.length(space_.radius_in_cells()));
     case BlockReason::over_edge:
       return fmt::format(
-          "the robot would extend beyond the map: the edge is {} away, the robot's radius is {} "
-          "(--outside free allows it)",
-          coordinates_.length(space_.clearance(place.cell)),
+          "the robot would extend beyond the map: the edge is {} away, {} is {} (--outside free "
+          "allows it)",
+          coordinates_.length(space_.clearance(place.cell)), radius_name(),
           coordinates_.length(space_.radius_in_cells()));
     case BlockReason::outside:
+    case BlockReason::overlaps:
+    case BlockReason::leaves:
       break;
   }
   return std::string(describe(reason));

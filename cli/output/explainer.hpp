@@ -48,6 +48,7 @@ class Explainer {
   std::string blocked_end(const Place& place, const Place& other) const;
   std::string nearest(const Place& place, const Place& other) const;
   std::string unreachable(const Ends& ends) const;
+  std::string_view radius_name() const;
   std::string why(const Place& place, BlockReason reason) const;
 
   const FreeSpace& space_;

@@ -18,8 +18,8 @@ namespace {
 constexpr std::uint64_t kMapSeed = 7;
 constexpr std::size_t kMapQueries = 200;
 constexpr std::size_t kQuickMapQueries = 3;
-constexpr FreeSpaceOptions kPoint{};
-constexpr FreeSpaceOptions kDisc{.robot_radius = 0.2};
+const FreeSpaceOptions kPoint{};
+const FreeSpaceOptions kDisc{.footprint = Footprint::disc(0.2)};
 constexpr std::array<std::string_view, 2> kVariants{"astar:weight=2", "astar:heuristic=euclidean"};
 
 /// A generated map.

@@ -54,8 +54,8 @@ OfficeAnswers answers_in(const FreeSpace& space, const std::vector<CellPair>& qu
 std::string clearance_cost_section(Effort effort) {
   const bool quick = effort == Effort::quick;
   const GridMap map = generated_map("office", quick ? 160 : 600, quick ? 100 : 400, kOfficeSeed);
-  const std::vector<CellPair> queries =
-      random_pairs(FreeSpace(map, {.robot_radius = kRobotRadius}), quick ? 3 : 200, kOfficeSeed);
+  const std::vector<CellPair> queries = random_pairs(
+      FreeSpace(map, {.footprint = Footprint::disc(kRobotRadius)}), quick ? 3 : 200, kOfficeSeed);
   MarkdownTable table({{"clearance distance, m", Align::right},
                        {"length / shortest", Align::right},
                        {"mean clearance, m", Align::right},
@@ -67,7 +67,8 @@ std::string clearance_cost_section(Effort effort) {
   };
   std::vector<double> shortest;
   for (const double distance : kDistances) {
-    const FreeSpace space(map, {.robot_radius = kRobotRadius, .clearance_distance = distance});
+    const FreeSpace space(
+        map, {.footprint = Footprint::disc(kRobotRadius), .clearance_distance = distance});
     OfficeAnswers all = answers_in(space, queries, effort);
     if (shortest.empty()) shortest = all.lengths;
     for (std::size_t i = 0; i < shortest.size(); ++i) all.lengths[i] /= shortest[i];

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     std::puts(loaded.error().message().c_str());
     return 2;
   }
-  const wend::FreeSpace space(loaded->map, {.robot_radius = 0.0});
+  const wend::FreeSpace space(loaded->map, {.footprint = wend::Footprint::disc(0.0)});
   const auto planner = wend::make_planner("astar", space);
   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
   if (!plan) return 1;

@@ -23,7 +23,7 @@ double least_distance_to_blocked(const FreeSpace& space, Point from, Distance&& 
   for (int y = -1; y <= space.height(); ++y) {
     for (int x = -1; x <= space.width(); ++x) {
       const Cell cell{x, y};
-      const bool blocked = space.contains(cell) ? space.obstacles()[cell] : edge_counts;
+      const bool blocked = space.contains(cell) ? space.obstacles().blocked()[cell] : edge_counts;
       if (blocked) least = std::min(least, distance(cell));
     }
   }

@@ -102,7 +102,7 @@ inline FreeSpaceOptions random_robot(Random& random, double resolution) {
       random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 3.3});
   const double clearance_distance =
       one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.4, 0.5, 1.0, 2.5, 7.0});
-  return {.robot_radius = radius * resolution,
+  return {.footprint = Footprint::disc(radius * resolution),
           .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
           .outside = random_outside(random),
           .clearance_distance = clearance_distance * resolution,

@@ -52,7 +52,7 @@ inline FreeSpaceOptions random_car(Random& random, double resolution, int unit) 
       one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.41, std::sqrt(2) - 1, 0.42, 0.5,
                                         std::sqrt(0.5), 0.99, 1.0, 1.01, std::sqrt(2), 1.5});
   FreeSpaceOptions options = random_robot(random, resolution);
-  options.robot_radius = radius * resolution * (random.chance(0.7) ? unit : 1);
+  options.footprint = Footprint::disc(radius * resolution * (random.chance(0.7) ? unit : 1));
   return options;
 }
 

@@ -29,7 +29,7 @@ struct Robot {
 
 inline Robot robot_in_cells(const FreeSpaceOptions& options, const Frame& frame) {
   const auto in_metres = frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
-  return {.radius = options.robot_radius / frame.resolution,
+  return {.radius = options.footprint.circumscribed_radius() / frame.resolution,
           .enters_unknown = options.unknown == UnknownPolicy::free,
           .stays_on_map = options.outside.value_or(in_metres) == OutsidePolicy::blocked,
           .clearance_distance = options.clearance_distance / frame.resolution,

@@ -32,8 +32,9 @@ inline Trial random_trial(std::uint64_t seed, const PlannerInfo& info) {
 
 inline std::string text_of(const Trial& trial, std::uint64_t seed) {
   std::ostringstream text;
-  text << "seed " << seed << ", radius " << trial.robot.robot_radius << " m, resolution "
-       << trial.map.frame().resolution << (trial.map.uniform_terrain() ? "" : ", terrain")
+  text << "seed " << seed << ", radius " << trial.robot.footprint.circumscribed_radius()
+       << " m, resolution " << trial.map.frame().resolution
+       << (trial.map.uniform_terrain() ? "" : ", terrain")
        << (trial.robot.unknown == UnknownPolicy::free ? ", enters unknown" : "")
        << (robot_in_cells(trial.robot, trial.map.frame()).stays_on_map ? ", stays on the map" : "")
        << ", keeps away " << trial.robot.clearance_distance << " m at "

@@ -128,7 +128,7 @@ Layer map_layer(LayerKind kind, const FreeSpace& space) {
   }
   const auto number = [&](Cell cell) {
     if (kind == LayerKind::terrain) return unless_blocked(space, cell, space.terrain(cell));
-    return space.obstacles()[cell] ? kNothing : space.clearance(cell);
+    return space.obstacles().blocked()[cell] ? kNothing : space.clearance(cell);
   };
   return {kind, grid_of(space, number), {}};
 }

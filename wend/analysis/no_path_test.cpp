@@ -44,7 +44,8 @@ constexpr GridMoves kOne{Connectivity::eight, CornerRule::one};
 constexpr GridMoves kBoth{Connectivity::eight, CornerRule::both};
 
 TEST(NoPath, SaysHowWideTheDoorIs) {
-  const FreeSpace space = test::drawn_space("...#...\n.......\n...#...", {.robot_radius = 0.75});
+  const FreeSpace space =
+      test::drawn_space("...#...\n.......\n...#...", {.footprint = Footprint::disc(0.75)});
   const NoPath why = explain_no_path(space, {0, 1}, {6, 1});
   EXPECT_THAT(names_of(why.ways), ElementsAre("smaller"));
   EXPECT_EQ(why.ways.front().widest.radius, 0.5);
@@ -82,7 +83,7 @@ TEST(NoPath, ADiscSqueezesOnlyWhereItFits) {
     const std::string_view map =
         ".....###\n.....###\n.....###\n........\n"
         "........\n###.....\n###.....\n###.....";
-    const FreeSpace space = test::drawn_space(map, {.robot_radius = radius});
+    const FreeSpace space = test::drawn_space(map, {.footprint = Footprint::disc(radius)});
     return explain_no_path(space, {1, 1}, {6, 6}, moves);
   };
   EXPECT_THAT(names_of(explained(0.7, {}).ways), ElementsAre("nothing"));
@@ -97,7 +98,8 @@ TEST(NoPath, ADiscSqueezesOnlyWhereItFits) {
 
 TEST(NoPath, SaysWhichTwoChangesAreNeededTogether) {
   // A band of unknown cells, and behind it a door that is too narrow.
-  const FreeSpace space = test::drawn_space("..?..#..\n..?.....\n..?..#..", {.robot_radius = 0.75});
+  const FreeSpace space =
+      test::drawn_space("..?..#..\n..?.....\n..?..#..", {.footprint = Footprint::disc(0.75)});
   const NoPath why = explain_no_path(space, {0, 1}, {7, 1});
   EXPECT_THAT(names_of(why.ways), ElementsAre("unknown+smaller"));
   EXPECT_EQ(why.ways.front().widest.radius, 0.5);
@@ -113,7 +115,7 @@ TEST(NoPath, NamesEveryWayThatHelps) {
 
 TEST(NoPath, KnowsNoWayIntoASealedRoom) {
   const FreeSpace space =
-      test::drawn_space(".....\n.###.\n.#.#.\n.###.\n...?.", {.robot_radius = 0.5});
+      test::drawn_space(".....\n.###.\n.#.#.\n.###.\n...?.", {.footprint = Footprint::disc(0.5)});
   const NoPath why = explain_no_path(space, {0, 0}, {2, 2});
   EXPECT_THAT(why.ways, IsEmpty());
   EXPECT_FALSE(why.widest);
@@ -122,7 +124,7 @@ TEST(NoPath, KnowsNoWayIntoASealedRoom) {
 }
 
 TEST(NoPath, SaysWhatWouldFreeAnEnd) {
-  const FreeSpace space = test::drawn_space("#....?", {.robot_radius = 1});
+  const FreeSpace space = test::drawn_space("#....?", {.footprint = Footprint::disc(1)});
   EXPECT_THAT(names_of(explain_no_path(space, {0, 0}, {3, 0}).ways), IsEmpty()) << "an obstacle";
   const NoPath too_close = explain_no_path(space, {3, 0}, {1, 0});
   EXPECT_THAT(names_of(too_close.ways), ElementsAre("smaller"));

@@ -65,7 +65,7 @@ class WidestSearch {
   void expand(const Reached& from) {
     for (int direction = 0; direction < kDirections; direction += stride_) {
       const Cell to = step(from.cell, static_cast<Direction>(direction));
-      if (!space_.contains(to) || space_.obstacles()[to]) continue;
+      if (!space_.contains(to) || space_.obstacles().blocked()[to]) continue;
       reach(to, std::min(from.width, squared_half_cell_way_clearance(space_, from.cell, to)));
     }
   }
@@ -167,7 +167,7 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
   const FreeSpace widest(with_narrow_cells_dear(space, *width),
-                         {.robot_radius = cells * space.map().frame().resolution,
+                         {.footprint = Footprint::disc(cells * space.map().frame().resolution),
                           .unknown = space.options().unknown,
                           .outside = space.outside()});
   Path path = cheapest_path(widest, start, goal, moves);

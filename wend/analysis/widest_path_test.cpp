@@ -202,9 +202,10 @@ TEST(WidestPath, IsNarrowestAtAGoalInANicheThoughThePathHugsAWall) {
 TEST(WidestPath, AgreesWithAPlannerOnAFreeSpaceOfThatRadius) {
   on_random_queries(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     const auto status = [&](double radius) {
-      const FreeSpace space(truth.map, {.robot_radius = radius * truth.map.frame().resolution,
-                                        .unknown = truth.space.options().unknown,
-                                        .outside = truth.space.outside()});
+      const FreeSpace space(truth.map,
+                            {.footprint = Footprint::disc(radius * truth.map.frame().resolution),
+                             .unknown = truth.space.options().unknown,
+                             .outside = truth.space.outside()});
       const auto planner =
           make_planner("astar", space,
                        {{"connectivity", std::string(choice_name(truth.moves.connectivity))},
@@ -242,7 +243,8 @@ TEST(WidestPath, GoesThroughTheWiderDoorThoughItIsFarther) {
 }
 
 TEST(WidestPath, IgnoresTheRobotOfItsSpace) {
-  const FreeSpace space = test::drawn_space("....#\n.....\n....#", {.robot_radius = 3});
+  const FreeSpace space =
+      test::drawn_space("....#\n.....\n....#", {.footprint = Footprint::disc(3)});
   const auto widest = widest_path(space, {0, 1}, {4, 1});
   ASSERT_TRUE(widest);
   EXPECT_EQ(widest->radius, 0.5);

@@ -38,7 +38,7 @@ class Stubborn final : public Controller {
 };
 
 /// A robot that does as it is told, and its follower.
-struct Robot {
+struct TestRobot {
   Follower follower;
   MotionModel model{};
   RobotState state{};
@@ -79,7 +79,7 @@ TEST(Follower, ArrivesWithEveryController) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
     const auto controller = made_controller(name);
-    Robot robot{Follower(*controller)};
+    TestRobot robot{Follower(*controller)};
     robot.follower.follow(route_through({{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
     EXPECT_EQ(robot.run(), FollowerState::reached);
     EXPECT_LE(distance(robot.state.pose.point(), {0, 2}), 0.1);
@@ -153,7 +153,7 @@ TEST(Follower, ThereAndBackDrivesBothWays) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
     const auto controller = made_controller(name);
-    Robot robot{Follower(*controller)};
+    TestRobot robot{Follower(*controller)};
     robot.follower.follow(route_through({{0, 0}, {3, 0}, {0, 0}}));
     double farthest = 0;
     while (robot.step().state == FollowerState::driving) {
@@ -174,7 +174,7 @@ TEST(Follower, DrivesAFigureOfEightWithoutLeavingOutALoop) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
     const auto controller = made_controller(name);
-    Robot robot{Follower(*controller)};
+    TestRobot robot{Follower(*controller)};
     const Route route = route_through(eight);
     robot.state.pose = route.start();
     robot.follower.follow(route);
@@ -196,7 +196,7 @@ TEST(Follower, DrivesALapOfAClosedRoute) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
     const auto controller = made_controller(name);
-    Robot robot{Follower(*controller)};
+    TestRobot robot{Follower(*controller)};
     const Route lap = route_through(circle, true);
     robot.state.pose = lap.start();
     robot.follower.follow(lap);
@@ -229,7 +229,7 @@ TEST(Follower, DrivesLegsInReverse) {
   for (const std::string& name : controllers().names()) {
     SCOPED_TRACE(name);
     const auto controller = made_controller(name);
-    Robot robot{Follower(*controller)};
+    TestRobot robot{Follower(*controller)};
     const Route route = forth_and_back();
     robot.follower.follow(route);
     bool was_in_reverse = false;
@@ -248,7 +248,7 @@ TEST(Follower, TurnsToTheGoalsHeading) {
   for (const double heading : {0.0, kPi / 2, kPi, -kPi / 2}) {
     SCOPED_TRACE(heading);
     const auto controller = made_controller("p_moving");
-    Robot robot{Follower(*controller, {}, {.heading_tolerance = 0.05})};
+    TestRobot robot{Follower(*controller, {}, {.heading_tolerance = 0.05})};
     // The last pose's arc has no length to speak of, but a heading.
     robot.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, heading}}), {}));
     EXPECT_EQ(robot.run(), FollowerState::reached);
@@ -259,7 +259,7 @@ TEST(Follower, TurnsToTheGoalsHeading) {
 
 TEST(Follower, TellsARobotThatCannotTurnToTheGoalsHeading) {
   const auto controller = made_controller("pure_pursuit");
-  Robot robot{Follower(*controller, {}, {.heading_tolerance = 0.05, .turns_in_place = false})};
+  TestRobot robot{Follower(*controller, {}, {.heading_tolerance = 0.05, .turns_in_place = false})};
   robot.follower.follow(Route(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 0, 1}}), {}));
   EXPECT_EQ(robot.run(), FollowerState::stuck);
   EXPECT_LE(distance(robot.state.pose.point(), {2, 0}), 0.1);
@@ -267,7 +267,7 @@ TEST(Follower, TellsARobotThatCannotTurnToTheGoalsHeading) {
 
 TEST(Follower, TellsThatItLeftThePath) {
   Stubborn controller({0.5, 0.1});
-  Robot robot{Follower(controller, {}, {.off_path = 0.5})};
+  TestRobot robot{Follower(controller, {}, {.off_path = 0.5})};
   robot.follower.follow(route_through({{0, 0}, {90, 0}}));
   EXPECT_EQ(robot.run(), FollowerState::off_path);
   EXPECT_GT(robot.state.pose.y, 0.45);
@@ -281,7 +281,7 @@ TEST(Follower, TellsThatItIsStuck) {
     for (const double heading : {0.0, kPi / 2, kPi}) {
       SCOPED_TRACE(std::to_string(wanted.linear) + " " + std::to_string(wanted.angular));
       Stubborn controller(wanted);  // stands, circles, turns on the spot, creeps back
-      Robot robot{Follower(controller, {}, {.stuck_time = 3})};
+      TestRobot robot{Follower(controller, {}, {.stuck_time = 3})};
       robot.state.pose.heading = heading;
       robot.follower.follow(route_through({{0, 0}, {90, 0}}));
       EXPECT_EQ(robot.run(), FollowerState::stuck);
@@ -302,7 +302,7 @@ TEST(Follower, TellsAControllerThatOscillates) {
     int count_ = 0;
   };
   Oscillating controller;
-  Robot robot{Follower(controller, {}, {.stuck_time = 3})};
+  TestRobot robot{Follower(controller, {}, {.stuck_time = 3})};
   robot.follower.follow(route_through({{0, 0}, {90, 0}}));
   EXPECT_EQ(robot.run(), FollowerState::stuck);
 }
@@ -310,7 +310,7 @@ TEST(Follower, TellsAControllerThatOscillates) {
 TEST(Follower, IsNotStuckBecauseTheRobotIsSlow) {
   const auto controller = made_controller("p");
   const MotionModel snail{.limits = {.speed = 1e-3, .turn_rate = 0.01}};
-  Robot robot{Follower(*controller, snail.limits, {.goal_tolerance = 0.01}), snail};
+  TestRobot robot{Follower(*controller, snail.limits, {.goal_tolerance = 0.01}), snail};
   robot.state.pose = {0, 0, 1};
   robot.follower.follow(route_through({{0, 0}, {0.2, 0}}));
   EXPECT_EQ(robot.run(), FollowerState::reached);
@@ -350,7 +350,7 @@ TEST(Follower, CallsAPoseThatIsFarAwayOffThePath) {
 TEST(Follower, BrakesInTimeForTheGoal) {
   Stubborn controller({9, 0});
   const MotionModel fast{.limits = {.speed = 5, .acceleration = 1}};
-  Robot robot{Follower(controller, fast.limits), fast};
+  TestRobot robot{Follower(controller, fast.limits), fast};
   robot.follower.follow(route_through({{0, 0}, {30, 0}}));
   EXPECT_EQ(robot.run(), FollowerState::reached);
   EXPECT_NEAR(robot.state.pose.x, 30, 0.1);

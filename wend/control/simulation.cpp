@@ -8,7 +8,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/fits_along.hpp"
 
 namespace wend {
 namespace {

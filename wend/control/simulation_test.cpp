@@ -23,7 +23,7 @@ std::unique_ptr<Controller> driver(std::string_view name, const OptionValues& op
 FreeSpace open_ground() {
   const Frame frame{.resolution = 0.1, .origin = {-3, 2, 0.5}};
   return FreeSpace(GridMap(Grid<CellState>(120, 120, CellState::free), frame),
-                   {.robot_radius = 0.2});
+                   {.footprint = Footprint::disc(0.2)});
 }
 
 /// Ahead to a wall of obstacles, with a gap of `gap` cells in rows 60 and on.
@@ -32,7 +32,7 @@ FreeSpace walled(int gap) {
   for (int y = 0; y < 120; ++y) {
     if (y < 60 || y >= 60 + gap) cells[{80, y}] = CellState::occupied;
   }
-  return FreeSpace(GridMap(cells, {.resolution = 0.1}), {.robot_radius = 0.2});
+  return FreeSpace(GridMap(cells, {.resolution = 0.1}), {.footprint = Footprint::disc(0.2)});
 }
 
 const std::vector<Point> kTour{{20, 20}, {60, 20}, {60, 50}, {30, 60}, {90, 90}};
@@ -140,9 +140,7 @@ double distance_to_path(const std::vector<Point>& points, Point point) {
   double nearest = 1e9;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto gap = [&](double share) {
-      return distance({std::lerp(points[i - 1].x, points[i].x, share),
-                       std::lerp(points[i - 1].y, points[i].y, share)},
-                      point);
+      return distance(Line{points[i - 1], points[i]}.at(share), point);
     };
     double low = 0;
     double high = 1;
@@ -235,7 +233,7 @@ TEST(Simulate, PassesAGapThatIsWideEnough) {
 TEST(Simulate, CountsCollisionsWhereItDrivesOn) {
   Grid<CellState> cells(120, 120, CellState::free);
   for (const int x : {50, 70, 73, 90}) cells[{x, 61}] = CellState::occupied;
-  const FreeSpace space(GridMap(cells, {.resolution = 0.1}), {.robot_radius = 0.2});
+  const FreeSpace space(GridMap(cells, {.resolution = 0.1}), {.footprint = Footprint::disc(0.2)});
   const auto controller = driver("pure_pursuit");
   const Drive drive = simulate(space, Path::along({{30, 60}, {110, 60}}), *controller, {},
                                {.stop_at_collision = false});

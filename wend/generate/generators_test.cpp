@@ -230,14 +230,14 @@ TEST_P(EachBuilding, IsInMetresWithTheLowerLeftCornerAtZero) {
 
 TEST_P(EachBuilding, LetsARobotOf30CentimetresGetFromStartToGoal) {
   for_maps_of_many_sizes([&](const GridMap& map) {
-    const FreeSpace space(map, {.robot_radius = 0.3});
+    const FreeSpace space(map, {.footprint = Footprint::disc(0.3)});
     ASSERT_TRUE(space.components().connected(start(), goal(map), Adjacency::edges)) << drawn(map);
   });
 }
 
 TEST_P(EachBuilding, LetsARobotOf20CentimetresIntoAlmostEveryCorner) {
   for_maps_of_many_sizes([&](const GridMap& map) {
-    const FreeSpace space(map, {.robot_radius = 0.2});
+    const FreeSpace space(map, {.footprint = Footprint::disc(0.2)});
     const auto largest = static_cast<double>(space.components().sizes(Adjacency::edges).front());
     ASSERT_GT(largest, 0.9 * static_cast<double>(space.passable().count())) << drawn(map);
   });
@@ -271,7 +271,7 @@ TEST(OfficeGenerator, CanBeUnfurnished) {
 }
 
 TEST(OfficeGenerator, LetsTheDemosRobotGetFromOneEndToTheOther) {
-  const FreeSpace space(made("office", 160, 100, 7), {.robot_radius = 0.2});
+  const FreeSpace space(made("office", 160, 100, 7), {.footprint = Footprint::disc(0.2)});
   const Frame& frame = space.map().frame();
   EXPECT_TRUE(space.components().connected(frame.cell_at({1, 1}).value(),
                                            frame.cell_at({15, 9}).value(), Adjacency::edges));

@@ -30,4 +30,17 @@ Pose pose_on(const Arc& arc, double length);
 
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
 
+/// From a pose by so many radians, counter-clockwise where positive: an arc of radius 0.
+struct TurnInPlace {
+  Pose from;
+  double angle = 0;
+};
+
+/// In the course of a turn; the heading is not normalised.
+inline Pose pose_on(const TurnInPlace& turn, double angle) {
+  return {turn.from.x, turn.from.y, turn.from.heading + angle};
+}
+
+inline Pose end_of(const TurnInPlace& turn) { return pose_on(turn, turn.angle); }
+
 }  // namespace wend

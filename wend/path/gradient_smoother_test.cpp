@@ -184,7 +184,7 @@ TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(2, 10), random.between(2, 10));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.5, 1.0});
-    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
     const Path path = test::random_free_path(random, space, Adjacency::edges);
     if (path.empty()) continue;
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map) +

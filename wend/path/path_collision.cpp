@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "wend/base/choice.hpp"
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc_distance.hpp"
+#include "wend/robot/fits_along.hpp"
+#include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/sweep.hpp"
-#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {
@@ -19,10 +22,18 @@ Arc beginning_of(const Arc& arc, double share) {
   return {arc.from, arc.length * share, arc.curvature};
 }
 
-Point end_point(const Line& line) { return line.to; }
-Point end_point(const Arc& arc) { return point_on(arc, arc.length); }
+TurnInPlace beginning_of(const TurnInPlace& turn, double share) {
+  return {turn.from, turn.angle * share};
+}
 
-/// Does the robot's centre stay on the map?
+double heading_of(const Line& line) {
+  return std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
+}
+
+Pose end_of(const Line& line) { return {line.to.x, line.to.y, heading_of(line)}; }
+using wend::end_of;
+
+/// Does the robot's base point stay on the map?
 template <class Way>
 bool on_map(const FreeSpace& space, const Way& way) {
   return distance_inside(space, way) >= -kPointTolerance;
@@ -46,37 +57,84 @@ std::optional<Cell> nearest_obstacle(const FreeSpace& space, Point point, double
   return nearest;
 }
 
+/// The obstacle that the robot's polygon overlaps, or is nearest to.
+std::optional<Cell> nearest_to_polygon(const FreeSpace& space, const Pose& pose, double within) {
+  const PlacedPolygon robot(*space.outline(), pose);
+  std::optional<Cell> nearest;
+  double least = within;
+  any_obstacle(space, robot.box().grown_by(within), [&](Cell square) {
+    const bool overlaps = robot.overlaps(square);
+    const double gap = overlaps ? -1 : robot.distance_to(square);
+    if (gap > least || (nearest && gap == least)) return false;
+    least = gap;
+    nearest = square;
+    return overlaps;
+  });
+  return nearest;
+}
+
 /// Moves the space's robot along the pieces of a path until it collides.
 class PathSweep {
  public:
   PathSweep(const FreeSpace& space, Point start, Adjacency adjacency)
       : space_(space), adjacency_(adjacency), point_(space, start, adjacency) {}
 
+  /// A line or an arc.
   template <class Way>
   std::optional<PathCollision> go_along(const Way& way) {
-    PointSweep point = point_;
-    if (on_map(space_, way) && fits(point, way)) {
-      point_ = point;
-      along_ += length_of(way);
-      ++piece_;
-      return std::nullopt;
+    if (auto collision = collision_along(way)) return collision;
+    along_ += length_of(way);
+    ++piece_;
+    return std::nullopt;
+  }
+
+  /// Along a line; a polygon faces along it and turns to it in place, the shorter way.
+  std::optional<PathCollision> turn_and_go_along(const Line& line) {
+    if (space_.outline() && line.length() > 0) {
+      const double heading = heading_of(line);
+      if (heading_) {
+        const double angle = normalized_angle(heading - *heading_);
+        const TurnInPlace turn{{line.from.x, line.from.y, *heading_}, angle};
+        if (auto collision = collision_along(turn)) return collision;
+      }
+      heading_ = heading;
     }
-    return first_contact(way);
+    return go_along(line);
   }
 
  private:
   template <class Way>
+  std::optional<PathCollision> collision_along(const Way& way) {
+    PointSweep point = point_;
+    if (!on_map(space_, way) || !fits(point, way)) return first_contact(way);
+    point_ = point;
+    return std::nullopt;
+  }
+
+  template <class Way>
   bool fits(PointSweep& point, const Way& way) const {
-    return space_.radius_in_cells() == 0 ? go(point, way) : fits_along(space_, way);
+    return space_.is_point() ? go(point, way) : fits_along(space_, way);
   }
 
   static bool go(PointSweep& point, const Line& line) { return point.go_to(line.to); }
   static bool go(PointSweep& point, const Arc& arc) { return point.go_along(arc); }
+  static bool go(PointSweep& point, const TurnInPlace& turn) {
+    return point.go_to(turn.from.point());
+  }
 
   template <class Way>
   bool fits_from_here(const Way& way) const {
     PointSweep point = point_;
     return fits(point, way);
+  }
+
+  /// How far no point of the robot goes more than.
+  double extent_of(const TurnInPlace& turn) const {
+    return space_.radius_in_cells() * std::abs(turn.angle);
+  }
+  template <class Way>
+  double extent_of(const Way& way) const {
+    return length_of(way);
   }
 
   /// Bisects a piece that is not free.
@@ -88,14 +146,14 @@ class PathSweep {
     };
     double low = 0;
     double high = free(0) ? 1 : 0;
-    while ((high - low) * length_of(way) > kBisected) {
+    while ((high - low) * extent_of(way) > kBisected) {
       const double middle = (low + high) / 2;
       (free(middle) ? low : high) = middle;
     }
     PathCollision collision;
     collision.piece = piece_;
     collision.along = along_ + low * length_of(way);
-    collision.point = end_point(beginning_of(way, low));
+    collision.point = end_of(beginning_of(way, low)).point();
     tell(beginning_of(way, high), collision);
     return collision;
   }
@@ -103,19 +161,23 @@ class PathSweep {
   /// What the robot collides with at the end of a way that is just too long.
   template <class Way>
   void tell(const Way& way, PathCollision& collision) const {
-    const Point end = end_point(way);
+    const Point end = end_of(way).point();
     constexpr double kReach = 4 * kBisected;
-    const auto obstacle = nearest_obstacle(space_, end, space_.radius_in_cells() + kReach);
+    const auto obstacle =
+        space_.outline() ? nearest_to_polygon(space_, end_of(way), 2 * SweepOptions{}.tolerance)
+                         : nearest_obstacle(space_, end, space_.radius_in_cells() + kReach);
     if (leaves_map(way, obstacle)) {
       collision.kind = CollisionKind::outside;
       return;
     }
     collision.obstacle = obstacle;
-    if (space_.radius_in_cells() > 0) {
-      const bool entered = collision.obstacle && distance(end, *collision.obstacle) == 0;
+    const bool entered = obstacle && distance(end, *obstacle) == 0;
+    if (space_.outline()) {
+      collision.kind = entered ? CollisionKind::obstacle : CollisionKind::overlaps;
+    } else if (!space_.is_point()) {
       collision.kind = entered ? CollisionKind::obstacle : CollisionKind::too_close;
     } else if (adjacency_ == Adjacency::edges &&
-               fits_along(space_, way, Adjacency::edges_and_corners)) {
+               fits_along(space_, way, {.adjacency = Adjacency::edges_and_corners})) {
       collision.kind = CollisionKind::squeezed;
     } else {
       collision.kind = CollisionKind::obstacle;
@@ -125,16 +187,18 @@ class PathSweep {
   /// Is it the map's edge that ends the way, and not the obstacle nearest to its end?
   template <class Way>
   bool leaves_map(const Way& way, const std::optional<Cell>& obstacle) const {
-    if (space_.radius_in_cells() == 0 || space_.outside() == OutsidePolicy::free) {
+    if (space_.outline()) return !on_map(space_, way) || !obstacle;
+    if (space_.is_point() || space_.outside() == OutsidePolicy::free) {
       return !on_map(space_, way) && fits_from_here(way);
     }
     if (keeps_distance(space_, edge_clearance(space_, way))) return false;
-    return !obstacle || keeps_distance(space_, distance(end_point(way), *obstacle));
+    return !obstacle || keeps_distance(space_, distance(end_of(way).point(), *obstacle));
   }
 
   const FreeSpace& space_;
   Adjacency adjacency_;
   PointSweep point_;
+  std::optional<double> heading_;  // of a polygon, once it has moved
   std::size_t piece_ = 0;
   double along_ = 0;
 };
@@ -142,10 +206,11 @@ class PathSweep {
 }  // namespace
 
 std::string_view describe(CollisionKind kind) {
-  constexpr std::array<Choice<CollisionKind>, 4> kTexts{
+  constexpr std::array<Choice<CollisionKind>, 5> kTexts{
       {{"leaves the map", CollisionKind::outside},
        {"enters an obstacle", CollisionKind::obstacle},
        {"comes closer to an obstacle than the robot's radius", CollisionKind::too_close},
+       {"overlaps an obstacle with its footprint", CollisionKind::overlaps},
        {"passes between two obstacles that touch at a corner", CollisionKind::squeezed}}};
   return choice_name(kind, kTexts);
 }
@@ -163,7 +228,8 @@ std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& 
     return std::nullopt;
   }
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (const auto collision = sweep.go_along(Line{points[i - 1], points[i]})) return collision;
+    if (const auto collision = sweep.turn_and_go_along({points[i - 1], points[i]}))
+      return collision;
   }
   return std::nullopt;
 }

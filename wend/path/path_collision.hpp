@@ -1,7 +1,7 @@
 #pragma once
 
-// The first collision of a path: of the robot's disc, swept exactly along lines and arcs, or of a
-// point.
+// Where a path first collides: for the disc or the polygon of the space's robot, swept along lines
+// and arcs, or for a point.
 //
 //   if (const auto collision = wend::first_collision(path, space)) {
 //     report(wend::describe(collision->kind));
@@ -9,8 +9,11 @@
 //
 // A disc keeps its radius from every closed obstacle square; touching is allowed. A point does not
 // enter the union of the obstacles (edges and corners may be touched), and does not pass between
-// two obstacles that touch at a corner, unless `adjacency` is edges_and_corners. The centre stays
-// on the map, and the disc too if the outside is blocked.
+// two obstacles that touch at a corner, unless `adjacency` is edges_and_corners. A polygon overlaps no
+// obstacle: it faces along each line of a path and turns in place, the shorter way, where the next one
+// leads elsewhere; along arcs it has the heading that they say. The base point stays on the map, and
+// the shape too if the outside is blocked. Exact up to rounding, but where a polygon turns:
+// fits_along.hpp says how conservative that is.
 
 #include <cstddef>
 #include <optional>
@@ -23,21 +26,22 @@
 namespace wend {
 
 enum class CollisionKind {
-  outside,    // the robot's centre leaves the map, or its disc does and the outside is blocked
-  obstacle,   // its centre enters an obstacle
+  outside,    // the robot's base point leaves the map; its shape does, and the outside is blocked
+  obstacle,   // its base point enters an obstacle
   too_close,  // its disc does
   squeezed,   // a point passes between two obstacles that touch at a corner
+  overlaps,   // its polygon overlaps an obstacle
 };
 
 /// "leaves the map", "enters an obstacle", "comes closer to an obstacle than the robot's radius",
-/// "squeezes between two obstacles that touch at a corner".
+/// "overlaps an obstacle with its footprint", "passes between two obstacles that touch at a corner".
 std::string_view describe(CollisionKind kind);
 
 struct PathCollision {
   CollisionKind kind = CollisionKind::obstacle;
   std::size_t piece = 0;         // index in Path::arcs(); 0 for a path of one point
   double along = 0;              // cells, from the path's start; within 1e-6 of the first contact
-  Point point;                   // grid coordinates: the robot's centre
+  Point point;                   // grid coordinates, of the robot's base point
   std::optional<Cell> obstacle;  // unset for a collision with the map's edge
 };
 

@@ -81,7 +81,7 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
-    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution,
+    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution),
                                 .outside = test::random_outside(random)});
     const bool stays_on_map = space.outside() == OutsidePolicy::blocked;
     const Path path = test::random_path(random, map.width(), map.height());
@@ -131,7 +131,7 @@ TEST(PathCollision, TellsWhatItRunsInto) {
 }
 
 TEST(PathCollision, OfADiscThatHasToStayOnTheMapIsWithItsEdge) {
-  FreeSpaceOptions robot{.robot_radius = 1, .outside = OutsidePolicy::blocked};
+  FreeSpaceOptions robot{.footprint = Footprint::disc(1), .outside = OutsidePolicy::blocked};
   const Path along = Path::along({{1.5, 1.5}, {6.5, 1.5}});
   const FreeSpace space = test::drawn_space(".......\n.......\n.......", robot);
   const auto off = first_collision(along, space);
@@ -147,7 +147,7 @@ TEST(PathCollision, OfADiscThatHasToStayOnTheMapIsWithItsEdge) {
   EXPECT_NEAR(past->along, 4.5, 1e-6);
   robot.outside = OutsidePolicy::free;
   EXPECT_FALSE(first_collision(along, test::drawn_space(".......\n.......\n.......", robot)));
-  robot = {.robot_radius = 0, .outside = OutsidePolicy::blocked};
+  robot = {.footprint = Footprint::disc(0), .outside = OutsidePolicy::blocked};
   EXPECT_FALSE(first_collision(Path::along({{0, 0}, {7, 0}, {7, 3}}),
                                test::drawn_space(".......\n.......\n.......", robot)))
       << "a point may go along the edge itself";
@@ -167,7 +167,7 @@ TEST(PathCollision, SeesWherePiecesOfAPathMeetInAGap) {
 }
 
 TEST(PathCollision, OfAPathThatStandsIsWhereItStands) {
-  const FreeSpace space = test::drawn_space("#.\n..", {.robot_radius = 0.6});
+  const FreeSpace space = test::drawn_space("#.\n..", {.footprint = Footprint::disc(0.6)});
   for (const Path& path :
        {Path({{0, 0}}), Path({{0, 0}, {0, 0}}), Path::through({{0.5, 0.5, 1}})}) {
     const auto collision = first_collision(path, space);

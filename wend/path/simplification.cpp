@@ -12,8 +12,8 @@
 
 #include "wend/geometry/line.hpp"
 #include "wend/path/polyline.hpp"
+#include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
-#include "wend/robot/swept_clearance.hpp"
 
 namespace wend {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 /// A point nearer to a line than this lies on it: rounding.
 constexpr double kOnLine = 1e-9;  // cells
 
-/// Which shortcuts are free.
+/// Which shortcuts are free. Of a polygon the disc around it is asked, so that it can turn anywhere.
 class Sight {
  public:
   Sight(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
@@ -31,7 +31,7 @@ class Sight {
   bool operator()(Point a, Point b) const {
     const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
     if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
-    return fits_along(space_, Line{a, b}, adjacency_);
+    return disc_fits_along(space_, Line{a, b}, adjacency_);
   }
 
  private:

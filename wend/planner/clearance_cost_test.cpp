@@ -53,12 +53,14 @@ Averages averages(const GridMap& map, const FreeSpaceOptions& options, std::uint
 /// longer they get.
 void expect_wider_paths(const GridMap& map, double radius, double distance, std::uint64_t seed) {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Averages before = averages(map, {.robot_radius = radius}, seed);
+  Averages before = averages(map, {.footprint = Footprint::disc(radius)}, seed);
   for (const double cost : {0.5, 4.0, 20.0}) {
     SCOPED_TRACE(cost);
-    const Averages now = averages(
-        map, {.robot_radius = radius, .clearance_distance = distance, .clearance_cost = cost},
-        seed);
+    const Averages now = averages(map,
+                                  {.footprint = Footprint::disc(radius),
+                                   .clearance_distance = distance,
+                                   .clearance_cost = cost},
+                                  seed);
     EXPECT_GT(now.clearance, before.clearance);
     EXPECT_GE(now.length, before.length);
     before = now;

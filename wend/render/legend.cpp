@@ -57,9 +57,11 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   const auto add = [&](const Colour& colour, const char* label, char character) {
     items.push_back({Swatch::cell, colour, label, {}, character});
   };
-  if (scene.unit && scene.space.obstacles().count() > 0) add(style.occupied, "obstacle", '#');
+  if (scene.unit && scene.space.obstacles().blocked().count() > 0)
+    add(style.occupied, "obstacle", '#');
   const FreeSpace& space = scene.space;
-  const bool too_close = space.passable().count() + space.obstacles().count() < space.map().size();
+  const bool too_close =
+      space.passable().count() + space.obstacles().blocked().count() < space.map().size();
   if (too_close) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
     add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');

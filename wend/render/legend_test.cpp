@@ -16,7 +16,7 @@ std::vector<std::string> labels_of(const Scene& scene) {
 }
 
 TEST(Legend, ExplainsAllThatOccurs) {
-  Scene scene{.space = FreeSpace(map_of({"#..2..?"}), {.robot_radius = 1})};
+  Scene scene{.space = FreeSpace(map_of({"#..2..?"}), {.footprint = Footprint::disc(1)})};
   scene.start = centre_of({3, 0});
   scene.goals = {centre_of({4, 0})};
   scene.path = Path({{3, 0}, {4, 0}});

@@ -65,7 +65,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
   info.occupied = map.occupied().count();
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
-  info.robot_radius = robot.robot_radius;
+  info.robot_radius = robot.footprint.circumscribed_radius();
   info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
   info.clearance_distance = robot.clearance_distance;
   info.space = survey(map, robot);

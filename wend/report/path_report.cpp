@@ -106,6 +106,8 @@ std::string_view to_string(CollisionKind kind) {
       return "obstacle";
     case CollisionKind::too_close:
       return "too_close";
+    case CollisionKind::overlaps:
+      return "overlaps";
     case CollisionKind::squeezed:
       return "squeezed";
   }

@@ -167,7 +167,7 @@ PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit,
 
 void PosthocTrace::put_map(const FreeSpace& space) {
   const auto is_blocked = [&](Cell cell) {
-    return unit_ > 0 ? space.obstacles()[cell] : !space.passable()[cell];
+    return unit_ > 0 ? space.obstacles().blocked()[cell] : !space.passable()[cell];
   };
   const auto rectangles = joined_rows<Rectangle>(
       map_height_, kMostRectangles,

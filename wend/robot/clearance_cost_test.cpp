@@ -91,7 +91,7 @@ TEST(ClearanceCost, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
 TEST(ClearanceCost, IsMeasuredFromTheRobotsEdgeInMetres) {
   // Cells of half a metre, an obstacle on the left: cell x is (x - 0.5) / 2 m from it.
   const GridMap map = test::drawn_map("#.........", {.resolution = 0.5, .metric = true});
-  const FreeSpace space(map, {.robot_radius = 0.75,
+  const FreeSpace space(map, {.footprint = Footprint::disc(0.75),
                               .outside = OutsidePolicy::free,
                               .clearance_distance = 2,
                               .clearance_cost = 8});

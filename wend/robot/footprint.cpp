@@ -102,6 +102,12 @@ Expected<Footprint, Error> Footprint::polygon(Polygon outline) {
   return footprint;
 }
 
+Footprint Footprint::scaled(double factor) const {
+  Footprint footprint(inscribed_ * factor, circumscribed_ * factor);
+  if (polygon_) footprint.polygon_ = std::make_shared<const Polygon>(polygon_->scaled(factor));
+  return footprint;
+}
+
 Expected<Footprint, Error> parse_footprint(std::string_view text) {
   text = trimmed(text);
   if (text == "point") return Footprint();

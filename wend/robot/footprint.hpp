@@ -21,7 +21,7 @@ namespace wend {
 
 class Footprint {
  public:
-  static constexpr double kLargestRadius = 1e6;  // metres
+  static constexpr double kLargestRadius = 1e9;  // metres
 
   /// A point.
   Footprint() = default;
@@ -47,6 +47,9 @@ class Footprint {
 
   /// The radius of a disc is finite, from 0 to kLargestRadius.
   bool valid() const { return circumscribed_ >= 0 && circumscribed_ <= kLargestRadius; }
+
+  /// All lengths times a finite factor greater than 0.
+  Footprint scaled(double factor) const;
 
   friend bool operator==(const Footprint& a, const Footprint& b) {
     const bool polygons = a.polygon_ && b.polygon_;

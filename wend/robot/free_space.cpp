@@ -7,43 +7,13 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/map/distance_field.hpp"
+#include "wend/map/every_cell.hpp"
 
 namespace wend {
 namespace {
 
 // Metres divided by a resolution are rarely exact.
 constexpr double kRelativeRounding = 1e-9;
-
-BitGrid obstacles_of(const GridMap& map, UnknownPolicy unknown) {
-  BitGrid obstacles = map.occupied();
-  if (unknown == UnknownPolicy::free) return obstacles;
-  for (int y = 0; y < map.height(); ++y) {
-    const auto words = obstacles.row_words(y);
-    const auto unknown_words = map.unknown().row_words(y);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= unknown_words[i];
-  }
-  return obstacles;
-}
-
-/// From a cell's centre to the map's edge, squared, in half-cells.
-std::uint32_t squared_half_cells_to_edge(const BitGrid& map, Cell cell) {
-  const std::int64_t cells =
-      std::min({cell.x, map.width() - 1 - cell.x, cell.y, map.height() - 1 - cell.y});
-  return static_cast<std::uint32_t>((2 * cells + 1) * (2 * cells + 1));
-}
-
-/// From the centre of every cell to what is nearest: an obstacle or, if it counts, the map's edge.
-Grid<std::uint32_t> clearance_of(const BitGrid& obstacles, OutsidePolicy outside) {
-  Grid<std::uint32_t> clearance = squared_half_cell_distances(obstacles);
-  if (outside == OutsidePolicy::free) return clearance;
-  for (int y = 0; y < clearance.height(); ++y) {
-    for (int x = 0; x < clearance.width(); ++x) {
-      std::uint32_t& here = clearance[{x, y}];
-      here = std::min(here, squared_half_cells_to_edge(obstacles, {x, y}));
-    }
-  }
-  return clearance;
-}
 
 /// The cells whose clearance is large enough.
 BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
@@ -67,10 +37,10 @@ double least_squared_half_cells(double radius_in_cells) {
 /// How many times more a cell costs because of the obstacles near it.
 class ClearanceCost {
  public:
-  ClearanceCost(const FreeSpaceOptions& options, double resolution)
-      : radius_(options.robot_radius / resolution),
-        distance_(options.clearance_distance / resolution),
-        cost_(options.clearance_cost) {}
+  ClearanceCost(const Robot& robot, double resolution)
+      : radius_(robot.footprint.circumscribed_radius() / resolution),
+        distance_(robot.clearance_distance / resolution),
+        cost_(robot.clearance_cost) {}
 
   bool needed() const { return distance_ > 0 && cost_ > 0; }
 
@@ -88,22 +58,19 @@ class ClearanceCost {
 };
 
 /// The map's terrain times what keeping away costs; empty if that is the map's terrain.
-Grid<double> terrain_away_from_obstacles(const GridMap& map, const BitGrid& passable,
-                                         const Grid<std::uint32_t>& clearance,
-                                         const ClearanceCost& clearance_distance) {
+Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles, const BitGrid& passable,
+                                         const ClearanceCost& cost) {
+  const GridMap& map = obstacles.map();
   Grid<double> terrain;
-  if (!clearance_distance.needed()) return terrain;
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) {
-      const Cell cell{x, y};
-      const double factor = passable[cell] ? clearance_distance.factor(clearance[cell]) : 1;
-      if (factor == 1) continue;
-      if (terrain.empty()) {
-        terrain =
-            map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
-      }
-      terrain[cell] *= factor;
+  if (!cost.needed()) return terrain;
+  for (const Cell cell : every_cell(map)) {
+    const double factor =
+        passable[cell] ? cost.factor(obstacles.squared_half_cell_clearance()[cell]) : 1;
+    if (factor == 1) continue;
+    if (terrain.empty()) {
+      terrain = map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
     }
+    terrain[cell] *= factor;
   }
   return terrain;
 }
@@ -111,57 +78,67 @@ Grid<double> terrain_away_from_obstacles(const GridMap& map, const BitGrid& pass
 }  // namespace
 
 std::string_view describe(BlockReason reason) {
-  constexpr std::array<Choice<BlockReason>, 5> kTexts{
+  constexpr std::array<Choice<BlockReason>, 7> kTexts{
       {{"outside the map", BlockReason::outside},
        {"an obstacle", BlockReason::obstacle},
        {"unknown", BlockReason::unknown},
        {"closer to an obstacle than the robot's radius", BlockReason::too_close},
-       {"too close to the map's edge for the robot's radius", BlockReason::over_edge}}};
+       {"too close to the map's edge for the robot's radius", BlockReason::over_edge},
+       {"where the robot's footprint overlaps an obstacle", BlockReason::overlaps},
+       {"where the robot's footprint reaches over the map's edge", BlockReason::leaves}}};
   return choice_name(reason, kTexts);
 }
 
-OutsidePolicy default_outside_policy(const Frame& frame) {
-  return frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
-}
-
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
-  constexpr double kBits = 2.0 / 8;  // obstacles, passable cells
+  const double bits = (options.footprint.outline() ? 3.0 : 2.0) / 8;  // blocked, passable, possible
   constexpr double kClearance = sizeof(std::uint32_t);
   constexpr double kComponents = sizeof(std::uint32_t);
-  const bool own_terrain = ClearanceCost(options, map.frame().resolution).needed();
-  return kBits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
+  const bool own_terrain = ClearanceCost(options.robot(), map.frame().resolution).needed();
+  return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
 }
 
-FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options) {
-  assert(options.robot_radius >= 0 && std::isfinite(options.robot_radius));
-  assert(options.clearance_distance >= 0 && std::isfinite(options.clearance_distance));
-  assert(options.clearance_cost >= 0 && std::isfinite(options.clearance_cost));
-  if (!options.outside) options.outside = default_outside_policy(map.frame());
-  const double least = least_squared_half_cells(options.robot_radius / map.frame().resolution);
-  BitGrid obstacles = obstacles_of(map, options.unknown);
-  Grid<std::uint32_t> clearance = clearance_of(obstacles, *options.outside);
+FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options)
+    : FreeSpace(Obstacles(std::move(map), options.obstacles()), options.robot()) {}
+
+FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
+  const Footprint& footprint = robot.footprint;
+  assert(footprint.valid());
+  assert(robot.clearance_distance >= 0 && std::isfinite(robot.clearance_distance));
+  assert(robot.clearance_cost >= 0 && std::isfinite(robot.clearance_cost));
+  const double resolution = obstacles.map().frame().resolution;
+  const auto& clearance = obstacles.squared_half_cell_clearance();
+  const double least = least_squared_half_cells(footprint.circumscribed_radius() / resolution);
   BitGrid passable = cells_with_clearance(clearance, least);
+  BitGrid possible;
+  std::optional<Polygon> outline;
+  if (footprint.outline()) {
+    outline = footprint.outline()->scaled(1 / resolution);
+    possible = cells_with_clearance(
+        clearance, least_squared_half_cells(footprint.inscribed_radius() / resolution));
+  }
   ConnectedComponents components(passable);
-  Grid<double> terrain = terrain_away_from_obstacles(
-      map, passable, clearance, ClearanceCost(options, map.frame().resolution));
-  data_ = std::make_shared<const Data>(Data{std::move(map), options, least, std::move(obstacles),
-                                            std::move(clearance), std::move(passable),
-                                            std::move(components), std::move(terrain)});
+  Grid<double> terrain =
+      terrain_away_from_obstacles(obstacles, passable, ClearanceCost(robot, resolution));
+  data_ = std::make_shared<const Data>(
+      Data{std::move(obstacles), std::move(robot), std::move(outline), least, std::move(passable),
+           std::move(possible), std::move(components), std::move(terrain)});
+}
+
+FreeSpaceOptions FreeSpace::options() const {
+  return {.footprint = footprint(),
+          .unknown = obstacles().unknown(),
+          .outside = outside(),
+          .clearance_distance = robot().clearance_distance,
+          .clearance_cost = robot().clearance_cost};
 }
 
 std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
   if (!contains(cell)) return BlockReason::outside;
   if (data_->passable[cell]) return std::nullopt;
-  if (!data_->obstacles[cell]) {
-    const bool edge_is_nearest =
-        outside() == OutsidePolicy::blocked &&
-        data_->clearance[cell] == squared_half_cells_to_edge(data_->obstacles, cell);
-    return edge_is_nearest ? BlockReason::over_edge : BlockReason::too_close;
+  if (!obstacles().blocked()[cell]) {
+    return obstacles().edge_is_nearest(cell) ? BlockReason::over_edge : BlockReason::too_close;
   }
-  return data_->map.state(cell) == CellState::unknown ? BlockReason::unknown
-                                                      : BlockReason::obstacle;
+  return map().state(cell) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
 }
-
-double FreeSpace::clearance(Cell cell) const { return distance_in_cells(data_->clearance[cell]); }
 
 }  // namespace wend

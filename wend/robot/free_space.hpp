@@ -1,28 +1,33 @@
 #pragma once
 
-// FreeSpace: a map for one robot. From the map, the robot's radius and the policies for unknown
-// cells and for the outside of the map it computes passable cells, exact clearance, connected
-// components, and the reason why a cell is blocked.
+// FreeSpace: where one robot may be on a map. Obstacles + footprint give passable cells, connected
+// components, the reason why a cell or a pose is blocked, and what a unit of length costs.
 //
-// The robot is a disc of radius r that stands on cell centres. It may stand where its centre is at
-// least r away from every closed blocked square (touching is allowed; r = 0 is a point). Its centre
-// stays on the map. OutsidePolicy says whether its disc may leave the map; if not, the map's edge
-// counts in clearance like an obstacle.
+// A disc of radius r may stand where its centre is at least r away from every closed blocked square
+// (touching is allowed; r = 0 is a point, which keeps out of their inside). A polygon may stand where
+// it overlaps the inside of no blocked square. The base point stays on the map. The shape may hang
+// over the map's edge or not, as OutsidePolicy says; if not, the edge counts in clearance like an
+// obstacle's.
 //
-// A clearance cost makes cells near obstacles cost more, smoothly, up to a distance. Paths then
-// keep their distance where there is room, and still use narrow passages. With d = clearance - r,
-// the free width at the disc's edge, a passable cell's terrain is the map's times
+// Planners on cells do not know headings. They take a polygon for its circumscribed disc, with which
+// it fits at every heading: that never misses an obstacle, and may miss a narrow way.
+//
+// A clearance cost makes cells near obstacles cost more, smoothly, up to a distance. Paths then keep
+// their distance where there is room, and still use narrow passages. With d = clearance - r, the free
+// width at the edge of the (circumscribed) disc, a passable cell's terrain is the map's times
 //
 //   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
 // It is at least the map's, so no admissible heuristic becomes inadmissible, and it reaches the
 // map's with slope 0. Clearance is that of the cell's centre.
 //
-// Immutable and cheap to copy: copies share everything, also between threads. Made in O(cells); 9
-// bytes a cell, and eight more where the clearance cost makes any cell cost more.
+// Immutable and cheap to copy: copies share everything, also between threads; free spaces of several
+// robots share the Obstacles that they are made of. Made in O(cells); 9 bytes a cell, of which 4.1 are
+// the Obstacles', and eight more where the clearance cost makes any cell cost more.
 //
-//   const wend::FreeSpace space(map, {.robot_radius = 0.2});
-//   if (const auto reason = space.why_blocked({3, 4})) ...
+//   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
+//   const wend::FreeSpace space(map, {.footprint = *robot});
+//   if (const auto reason = space.why_blocked(wend::Cell{3, 4})) ...
 
 #include <cassert>
 #include <cstdint>
@@ -30,43 +35,50 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/obstacles.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend {
 
-/// Whether unknown cells are obstacles.
-enum class UnknownPolicy { blocked, free };
+/// A robot, as planners know it. Lengths are in metres (cells, where the map's resolution is 1).
+struct Robot {
+  Footprint footprint = {};
+  double clearance_distance = 0;  // from the disc's edge, finite; 0 = off
+  double clearance_cost = 4;      // how much more a cell costs where the disc touches, finite, >= 0
 
-/// Whether the robot's disc may leave the map. Its centre never does.
-enum class OutsidePolicy { blocked, free };
+  friend bool operator==(const Robot&, const Robot&) = default;
+};
 
-/// The default policy: a map in metres (Frame::metric) shows a part of the world (free), a map in
-/// cells all of it (blocked).
-OutsidePolicy default_outside_policy(const Frame& frame);
-
+/// A robot, and what blocks it.
 struct FreeSpaceOptions {
-  double robot_radius = 0;  // metres (cells, where the map's resolution is 1), finite, >= 0
+  Footprint footprint = {};
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
-  double clearance_distance = 0;  // from the disc's edge, units as robot_radius, finite; 0 = off
-  double clearance_cost = 4;      // how much more a cell costs where the disc touches, finite, >= 0
+  double clearance_distance = 0;              // as Robot's
+  double clearance_cost = 4;
+
+  Robot robot() const { return {footprint, clearance_distance, clearance_cost}; }
+  ObstacleOptions obstacles() const { return {unknown, outside}; }
 
   friend bool operator==(const FreeSpaceOptions&, const FreeSpaceOptions&) = default;
 };
 
 enum class BlockReason {
-  outside,    // not a cell of the map
+  outside,    // not on the map
   obstacle,   // occupied
   unknown,    // unknown, and unknown cells are blocked
-  too_close,  // free, but nearer to a blocked cell than the robot's radius
+  too_close,  // free, but nearer to a blocked cell than the radius of the (circumscribed) disc
   over_edge,  // the same of the map's edge, which is nearer than any blocked cell
+  overlaps,   // at this pose the robot's polygon overlaps a blocked cell
+  leaves,     // at this pose the robot's polygon reaches over the map's edge
 };
 
-/// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius", "so
-/// close to the map's edge that the robot would leave the map".
+/// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius", ...
 std::string_view describe(BlockReason reason);
 
 /// The memory of a FreeSpace without its map.
@@ -76,43 +88,63 @@ class FreeSpace {
  public:
   explicit FreeSpace(GridMap map, FreeSpaceOptions options = {});
 
-  const GridMap& map() const { return data_->map; }
+  /// On obstacles that are shared.
+  FreeSpace(Obstacles obstacles, Robot robot);
 
-  /// As given, but `outside` is set.
-  const FreeSpaceOptions& options() const { return data_->options; }
-  OutsidePolicy outside() const {
-    assert(data_->options.outside);
-    return *data_->options.outside;
-  }
+  const GridMap& map() const { return data_->obstacles.map(); }
+  const Obstacles& obstacles() const { return data_->obstacles; }
+  const Robot& robot() const { return data_->robot; }
+  const Footprint& footprint() const { return data_->robot.footprint; }
+
+  /// What makes the same space of the same map; `outside` is set.
+  FreeSpaceOptions options() const;
+
+  OutsidePolicy outside() const { return data_->obstacles.outside(); }
   int width() const { return data_->passable.width(); }
   int height() const { return data_->passable.height(); }
   bool contains(Cell cell) const { return data_->passable.contains(cell); }
 
-  /// May the robot's centre be in the middle of this cell? False outside the map.
+  /// May the robot's base point be in the middle of this cell, whatever its heading? False outside
+  /// the map.
   bool passable(Cell cell) const { return contains(cell) && data_->passable[cell]; }
   const BitGrid& passable() const { return data_->passable; }
 
-  /// The cells that are obstacles to this robot: occupied, and unknown if those are blocked.
-  const BitGrid& obstacles() const { return data_->obstacles; }
-
-  /// Why the robot may not stand there; nothing if it may.
-  std::optional<BlockReason> why_blocked(Cell cell) const;
-
-  /// From the cell's centre to the nearest obstacle square, or to the map's edge if the outside is
-  /// blocked, in cells; infinite where there is neither (or none within 32768 cells).
-  double clearance(Cell cell) const;
-
-  /// The same for all cells, squared and in half-cells, exact (see distance_field.hpp).
-  const Grid<std::uint32_t>& squared_half_cell_clearance() const { return data_->clearance; }
-
-  /// The robot's radius in cells.
-  double radius_in_cells() const {
-    return data_->options.robot_radius / data_->map.frame().resolution;
+  /// The cells in whose middle the robot may perhaps stand at some heading: its inscribed disc fits.
+  /// The passable ones are among them; of a point and a disc they are the same.
+  const BitGrid& possible() const {
+    return data_->possible.width() == 0 ? data_->passable : data_->possible;
   }
 
-  /// Is an obstacle at this squared distance (in half-cells) far enough? At 0 it never is. Radii
-  /// that are whole half-cells up to rounding are taken as such, so that 0.3 m at 0.1 m a cell are 3
-  /// cells.
+  /// May the robot stand at this pose, in grid coordinates? Exact up to rounding. O(1) where the
+  /// clearance of a cell decides, else O(cells that the robot covers, times its corners).
+  bool fits(const Pose& pose) const { return !why_blocked(pose); }
+
+  /// Why the robot may not stand at every heading in the middle of a cell, or may not stand at a
+  /// pose in grid coordinates; nothing if it may.
+  std::optional<BlockReason> why_blocked(Cell cell) const;
+  std::optional<BlockReason> why_blocked(const Pose& pose) const;
+
+  /// As Obstacles has it.
+  double clearance(Cell cell) const { return data_->obstacles.clearance(cell); }
+  const Grid<std::uint32_t>& squared_half_cell_clearance() const {
+    return data_->obstacles.squared_half_cell_clearance();
+  }
+
+  /// The robot's radius in cells, of a polygon that of its circumscribed disc.
+  double radius_in_cells() const {
+    return footprint().circumscribed_radius() / map().frame().resolution;
+  }
+  double inscribed_radius_in_cells() const {
+    return footprint().inscribed_radius() / map().frame().resolution;
+  }
+  bool is_point() const { return footprint().is_point(); }
+
+  /// The robot's polygon in cells; null of a point and a disc.
+  const Polygon* outline() const { return data_->outline ? &*data_->outline : nullptr; }
+
+  /// Is an obstacle at this squared distance (in half-cells) from the base point far enough, whatever
+  /// the heading? At 0 it never is. Radii that are whole half-cells up to rounding are taken as such,
+  /// so that 0.3 m at 0.1 m a cell are 3 cells.
   bool far_enough(double squared_half_cells) const {
     return squared_half_cells >= data_->least_squared_half_cells;
   }
@@ -125,19 +157,20 @@ class FreeSpace {
   /// The multipliers, or an empty grid on uniform terrain. The map's own grid if the clearance cost
   /// is off or changes no passable cell.
   const Grid<double>& terrain() const {
-    return data_->terrain.empty() ? data_->map.terrain() : data_->terrain;
+    return data_->terrain.empty() ? map().terrain() : data_->terrain;
   }
 
+  /// Of the passable cells.
   const ConnectedComponents& components() const { return data_->components; }
 
  private:
   struct Data {
-    GridMap map;
-    FreeSpaceOptions options;
+    Obstacles obstacles;
+    Robot robot;
+    std::optional<Polygon> outline;  // in cells
     double least_squared_half_cells;
-    BitGrid obstacles;
-    Grid<std::uint32_t> clearance;
     BitGrid passable;
+    BitGrid possible;  // empty if it is the same
     ConnectedComponents components;
     Grid<double> terrain;  // empty if it is the map's
   };

@@ -24,8 +24,9 @@ struct Sample {
   std::optional<OutsidePolicy> outside;
 
   FreeSpace space() const {
-    return FreeSpace(map,
-                     {.robot_radius = radius_mm / 1000.0, .unknown = unknown, .outside = outside});
+    return FreeSpace(
+        map,
+        {.footprint = Footprint::disc(radius_mm / 1000.0), .unknown = unknown, .outside = outside});
   }
 
   bool edge_counts() const {
@@ -137,7 +138,7 @@ TEST(FreeSpace, KnowsTheExactClearance) {
         ASSERT_EQ(space.squared_half_cell_clearance()[cell], squared);
         ASSERT_DOUBLE_EQ(space.clearance(cell), std::sqrt(static_cast<double>(squared)) / 2);
       }
-      ASSERT_EQ(space.obstacles()[cell], sample.is_obstacle(cell));
+      ASSERT_EQ(space.obstacles().blocked()[cell], sample.is_obstacle(cell));
     }
   });
 }
@@ -187,9 +188,9 @@ GridMap row_behind_an_obstacle(int width, double resolution) {
 TEST(FreeSpace, LetsTheRobotTouchAnObstacle) {
   // The centre of cell 3 is 2.5 cells away from the obstacle.
   const GridMap map = row_behind_an_obstacle(8, 1);
-  EXPECT_TRUE(FreeSpace(map, {.robot_radius = 2.5}).passable({3, 0}));
-  EXPECT_FALSE(FreeSpace(map, {.robot_radius = 2.5}).passable({2, 0}));
-  EXPECT_FALSE(FreeSpace(map, {.robot_radius = 2.5001}).passable({3, 0}));
+  EXPECT_TRUE(FreeSpace(map, {.footprint = Footprint::disc(2.5)}).passable({3, 0}));
+  EXPECT_FALSE(FreeSpace(map, {.footprint = Footprint::disc(2.5)}).passable({2, 0}));
+  EXPECT_FALSE(FreeSpace(map, {.footprint = Footprint::disc(2.5001)}).passable({3, 0}));
 }
 
 TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
@@ -204,7 +205,7 @@ TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
                             Case{0.45, 0.3, 2}, Case{0.55, 0.1, 6}, Case{0.05, 0.1, 1}}) {
     SCOPED_TRACE(testing::Message() << given.radius << " m at " << given.resolution);
     const FreeSpace space(row_behind_an_obstacle(12, given.resolution),
-                          {.robot_radius = given.radius});
+                          {.footprint = Footprint::disc(given.radius)});
     EXPECT_FALSE(space.passable({given.first_free - 1, 0}));
     EXPECT_TRUE(space.passable({given.first_free, 0}));
     EXPECT_NEAR(space.radius_in_cells(), given.radius / given.resolution, 1e-12);
@@ -215,36 +216,38 @@ TEST(FreeSpace, OfAPointIsEveryCellThatIsNoObstacle) {
   const FreeSpace space(row_behind_an_obstacle(3, 1));
   EXPECT_FALSE(space.passable({0, 0}));
   EXPECT_TRUE(space.passable({1, 0}));
-  EXPECT_EQ(space.why_blocked({1, 0}), std::nullopt);
+  EXPECT_EQ(space.why_blocked(Cell{1, 0}), std::nullopt);
 }
 
 TEST(FreeSpace, OfAMapInCellsIsNotNarrowedByTheMapsEdge) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 3, CellState::free)), {.robot_radius = 100});
+  const FreeSpace space(GridMap(Grid<CellState>(3, 3, CellState::free)),
+                        {.footprint = Footprint::disc(100)});
   EXPECT_EQ(space.outside(), OutsidePolicy::free);
   for (const Cell cell : test::all_cells(3, 3)) {
     EXPECT_TRUE(space.passable(cell));
     EXPECT_EQ(space.clearance(cell), std::numeric_limits<double>::infinity());
   }
   EXPECT_FALSE(space.passable({-1, 0}));
-  EXPECT_EQ(space.why_blocked({3, 0}), BlockReason::outside);
+  EXPECT_EQ(space.why_blocked(Cell{3, 0}), BlockReason::outside);
 }
 
 TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
   const GridMap map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1, .metric = true});
-  const FreeSpace space(map, {.robot_radius = 0.15});
+  const FreeSpace space(map, {.footprint = Footprint::disc(0.15)});
   EXPECT_EQ(space.outside(), OutsidePolicy::blocked);
   EXPECT_EQ(space.options().outside, OutsidePolicy::blocked);
   EXPECT_EQ(space.passable().count(), 3U) << "the middle row, without its ends";
   EXPECT_EQ(space.clearance({2, 1}), 1.5);
-  EXPECT_EQ(space.why_blocked({0, 1}), BlockReason::over_edge);
+  EXPECT_EQ(space.why_blocked(Cell{0, 1}), BlockReason::over_edge);
   EXPECT_EQ(describe(BlockReason::over_edge), "too close to the map's edge for the robot's radius");
-  const FreeSpace hanging(map, {.robot_radius = 0.15, .outside = OutsidePolicy::free});
+  const FreeSpace hanging(map,
+                          {.footprint = Footprint::disc(0.15), .outside = OutsidePolicy::free});
   EXPECT_EQ(hanging.passable().count(), map.size());
   EXPECT_EQ(FreeSpace(map).passable().count(), map.size()) << "a point fits in every cell";
 }
 
 TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
-  const FreeSpace space(row_behind_an_obstacle(5, 0.01), {.robot_radius = 1e9});
+  const FreeSpace space(row_behind_an_obstacle(5, 0.01), {.footprint = Footprint::disc(1e9)});
   EXPECT_EQ(space.passable().count(), 0U);
   EXPECT_EQ(space.components().count(Adjacency::edges), 0U);
   EXPECT_FALSE(space.far_enough(kNoObstacle - 1.0));
@@ -252,13 +255,13 @@ TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
 }
 
 TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {
-  const FreeSpace space(row_behind_an_obstacle(5, 0.1), {.robot_radius = 0.3});
+  const FreeSpace space(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.3)});
   EXPECT_TRUE(space.far_enough(36));  // 3 cells, squared, in half-cells
   EXPECT_FALSE(space.far_enough(35.99));
   const FreeSpace point(row_behind_an_obstacle(5, 0.1));
   EXPECT_TRUE(point.far_enough(1));
   EXPECT_FALSE(point.far_enough(0));
-  const FreeSpace small(row_behind_an_obstacle(5, 0.1), {.robot_radius = 0.03});
+  const FreeSpace small(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.03)});
   EXPECT_TRUE(small.far_enough(0.36)) << "0.3 cells from a point that is no cell's centre";
   EXPECT_FALSE(small.far_enough(0.35));
 }

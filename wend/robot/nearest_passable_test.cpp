@@ -16,7 +16,7 @@ FreeSpace random_space(Random& random) {
   for (const Cell cell : test::all_cells(blocked.width(), blocked.height())) {
     if (blocked[cell]) states[cell] = CellState::occupied;
   }
-  return FreeSpace(GridMap(states), {.robot_radius = random.chance(0.5) ? 0.0 : 1.0});
+  return FreeSpace(GridMap(states), {.footprint = Footprint::disc(random.chance(0.5) ? 0.0 : 1.0)});
 }
 
 /// The least by distance, then row, then column, over all cells.

@@ -22,8 +22,8 @@ class ObstacleRow {
  public:
   ObstacleRow(const FreeSpace& space, int y) : ObstacleRow(space, y, y) {}
   ObstacleRow(const FreeSpace& space, int y, int other)
-      : words_(space.obstacles().row_words(y)),
-        other_(space.obstacles().row_words(other)),
+      : words_(space.obstacles().blocked().row_words(y)),
+        other_(space.obstacles().blocked().row_words(other)),
         width_(space.width()) {}
 
   /// Does [left, right] reach into a stretch of obstacles?
@@ -72,7 +72,7 @@ struct Gap {
 
 std::optional<Gap> gap_at(const FreeSpace& space, int x, int y) {
   if (x <= 0 || y <= 0 || x >= space.width() || y >= space.height()) return std::nullopt;
-  const BitGrid& obstacles = space.obstacles();
+  const BitGrid& obstacles = space.obstacles().blocked();
   const bool rising = obstacles[{x - 1, y - 1}];
   if (obstacles[{x, y}] != rising) return std::nullopt;
   if (obstacles[{x - 1, y}] == rising || obstacles[{x, y - 1}] == rising) return std::nullopt;

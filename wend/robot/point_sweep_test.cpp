@@ -11,7 +11,7 @@
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
-#include "wend/robot/swept_clearance.hpp"
+#include "wend/robot/fits_along.hpp"
 
 namespace wend {
 namespace {
@@ -147,7 +147,7 @@ TEST(PointSweep, DecidesLinesAsExactArithmeticDoes) {
           << "seed " << seed << ": " << line.from.x << "," << line.from.y << " to " << line.to.x
           << "," << line.to.y << "\n"
           << test::drawing_of(map);
-      ASSERT_EQ(fits_along(space, line, Adjacency::edges_and_corners), !enters);
+      ASSERT_EQ(fits_along(space, line, {.adjacency = Adjacency::edges_and_corners}), !enters);
     }
   }
   EXPECT_GT(free, 10000);
@@ -187,7 +187,7 @@ TEST(PointSweep, DecidesWhereTwoLinesMeetAsExactArithmeticDoes) {
 }
 
 bool goes(const FreeSpace& space, Point from, Point to, Adjacency adjacency = Adjacency::edges) {
-  return fits_along(space, Line{from, to}, adjacency);
+  return fits_along(space, Line{from, to}, {.adjacency = adjacency});
 }
 
 TEST(PointSweep, TouchesButDoesNotEnter) {
@@ -242,7 +242,7 @@ TEST(PointSweep, LeavesTheMapAsItLikes) {
 }
 
 bool drives(const FreeSpace& space, const Arc& arc, Adjacency adjacency = Adjacency::edges) {
-  return fits_along(space, arc, adjacency);
+  return fits_along(space, arc, {.adjacency = adjacency});
 }
 
 TEST(PointSweep, GoesAlongArcsThatTouch) {
@@ -277,7 +277,7 @@ TEST(PointSweep, SqueezesAlongArcsOnlyWhereItMay) {
 bool inside(const FreeSpace& space, Point point, double depth) {
   const auto blocked = [&](double x, double y) {
     const Cell cell = cell_at({x, y});
-    return space.contains(cell) && space.obstacles()[cell];
+    return space.contains(cell) && space.obstacles().blocked()[cell];
   };
   return blocked(point.x - depth, point.y - depth) && blocked(point.x - depth, point.y + depth) &&
          blocked(point.x + depth, point.y - depth) && blocked(point.x + depth, point.y + depth);
@@ -299,7 +299,7 @@ TEST(PointSweep, GoesAlongArcsAsTheirPointsDo) {
       enters = enters || inside(space, point, 1e-7);
       for (int y = 0; y < map.height(); ++y) {
         for (int x = 0; x < map.width(); ++x) {
-          if (!space.obstacles()[{x, y}]) continue;
+          if (!space.obstacles().blocked()[{x, y}]) continue;
           clearance = std::min(clearance, test::distance_to_square(point.x, point.y, {x, y}));
         }
       }

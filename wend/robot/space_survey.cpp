@@ -33,13 +33,14 @@ GridMap rows_of(const GridMap& map, int begin, int end) {
 
 /// How many rows away an obstacle can still matter.
 int reach_of(const GridMap& map, const FreeSpaceOptions& options) {
-  const double cells = (options.robot_radius + options.clearance_distance) / map.frame().resolution;
+  const double cells = (options.footprint.circumscribed_radius() + options.clearance_distance) /
+                       map.frame().resolution;
   return static_cast<int>(std::min<double>(std::ceil(cells) + 2, map.height()));
 }
 
 /// Nothing but whether a cell is an obstacle matters.
 bool is_point(const FreeSpaceOptions& options) {
-  return options.robot_radius == 0 &&
+  return options.footprint.is_point() &&
          (options.clearance_distance == 0 || options.clearance_cost == 0);
 }
 

@@ -58,9 +58,9 @@ TEST(SpaceSurvey, CountsWhatAFreeSpaceHasInBandsOfAnyHeight) {
     FreeSpaceOptions options;
     options.unknown = random.chance(0.5) ? UnknownPolicy::free : UnknownPolicy::blocked;
     if (random.chance(0.5)) options.outside = OutsidePolicy::free;
-    if (random.chance(0.7)) options.robot_radius = 3 * random.uniform();
+    if (random.chance(0.7)) options.footprint = Footprint::disc(3 * random.uniform());
     if (random.chance(0.5)) options.clearance_distance = 3 * random.uniform();
-    if (random.chance(0.1)) options.robot_radius = 1e6;
+    if (random.chance(0.1)) options.footprint = Footprint::disc(1e6);
     const SpaceSurvey expected = counted(map, options);
     EXPECT_EQ(survey(map, options), expected) << "seed " << seed;
     for (const int rows : {1, 7}) {

@@ -34,7 +34,7 @@ bool any_obstacle(const FreeSpace& space, const Box& box, Predicate&& predicate)
   const Cell first = nearest_cell(space, box.low);
   const Cell last = nearest_cell(space, box.high);
   for (int y = first.y; y <= last.y; ++y) {
-    const auto words = space.obstacles().row_words(y);
+    const auto words = space.obstacles().blocked().row_words(y);
     const auto begin = static_cast<std::size_t>(first.x) + 1;  // the bit of cell x is x + 1
     const auto end = static_cast<std::size_t>(last.x) + 2;
     for (std::size_t i = begin / 64; 64 * i < end; ++i) {
@@ -60,6 +60,9 @@ inline bool keeps_distance(const FreeSpace& space, double clearance) {
 double distance_inside(const FreeSpace& space, Point point);
 double distance_inside(const FreeSpace& space, const Line& line);
 double distance_inside(const FreeSpace& space, const Arc& arc);
+inline double distance_inside(const FreeSpace& space, const TurnInPlace& turn) {
+  return distance_inside(space, turn.from.point());
+}
 
 /// What the edge adds to the clearance of a way: its distance, 0 outside the map; infinite if the
 /// robot's disc may hang over the edge.
@@ -104,6 +107,7 @@ struct SweptPiece {
 
 inline double length_of(const Line& line) { return line.length(); }
 inline double length_of(const Arc& arc) { return std::abs(arc.length); }
+inline double length_of(const TurnInPlace& /*turn*/) { return 0; }
 
 inline std::array<Line, 2> halves_of(const Line& line) {
   return {{{line.from, line.middle()}, {line.middle(), line.to}}};
@@ -111,6 +115,11 @@ inline std::array<Line, 2> halves_of(const Line& line) {
 inline std::array<Arc, 2> halves_of(const Arc& arc) {
   const double half = arc.length / 2;
   return {{{arc.from, half, arc.curvature}, {pose_on(arc, half), half, arc.curvature}}};
+}
+
+inline std::array<TurnInPlace, 2> halves_of(const TurnInPlace& turn) {
+  const double half = turn.angle / 2;
+  return {{{turn.from, half}, {pose_on(turn, half), half}}};
 }
 
 /// Is it more than half a circle?

@@ -8,63 +8,12 @@
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"
+#include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/sweep.hpp"
 
 namespace wend {
 namespace {
-
-// Along an arc clearance changes by no more than the way, and so between a point and the centre of
-// a cell. So the clearance of one cell, which is exact, tells much of all points near it.
-
-/// Moves the disc of the space's robot along arcs and lines.
-class Sweep {
- public:
-  explicit Sweep(const FreeSpace& space) : space_(space), radius_(space.radius_in_cells()) {}
-
-  bool fits_at(Point point) const {
-    const Cell cell = nearest_cell(space_, point);
-    const double clearance = space_.clearance(cell);
-    const double from_centre = distance(point, centre_of(cell));
-    if (far_enough(clearance - from_centre)) return true;
-    if (!far_enough(clearance + from_centre)) return false;
-    if (!far_enough(edge_clearance(space_, point))) return false;
-    return !any_obstacle(space_, Box(point).grown_by(radius_),
-                         [&](Cell square) { return !far_enough(distance(point, square)); });
-  }
-
-  /// Its first point fits.
-  template <class Way>
-  bool fits(const Way& way) const {
-    if (turns_far(way)) return halves_fit(way);
-    const SweptPiece piece(way);
-    const Cell cell = nearest_cell(space_, piece.middle);
-    const Point centre = centre_of(cell);
-    const double clearance = space_.clearance(cell);
-    if (far_enough(clearance - piece.farthest_from(centre))) return true;
-    const double nearer_end = std::min(distance(centre, piece.from), distance(centre, piece.to));
-    if (!far_enough(clearance + nearer_end)) return false;
-    constexpr double kShort = 2;
-    if (length_of(way) > std::max(kShort, radius_)) return halves_fit(way);
-    if (!far_enough(edge_clearance(space_, way))) return false;
-    return !any_obstacle(space_, piece.box().grown_by(radius_), [&](Cell square) {
-      if (far_enough(distance(piece.middle, square) - piece.half_chord)) return false;
-      return !far_enough(distance(piece.to, square)) || !far_enough(distance(way, square));
-    });
-  }
-
- private:
-  template <class Way>
-  bool halves_fit(const Way& way) const {
-    const auto halves = halves_of(way);
-    return fits(halves[0]) && fits(halves[1]);
-  }
-
-  bool far_enough(double cells) const { return keeps_distance(space_, cells); }
-
-  const FreeSpace& space_;
-  double radius_;
-};
 
 // Why the ends of a way between neighbouring cells tell nearly everything about it. In half-cells
 // from the first centre a straight way is (t, 0) and a diagonal one (t, t), t in [0, 2], and the
@@ -93,7 +42,7 @@ int cells_from_middle(std::uint32_t nearer_end) {
 }
 
 bool is_obstacle(const FreeSpace& space, Cell cell) {
-  return space.contains(cell) && space.obstacles()[cell];
+  return space.contains(cell) && space.obstacles().blocked()[cell];
 }
 
 double squared_length(double x, double y) { return x * x + y * y; }
@@ -166,22 +115,6 @@ double arc_clearance(const FreeSpace& space, const Arc& arc) {
   return least;
 }
 
-bool fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency) {
-  if (space.radius_in_cells() == 0) {
-    return PointSweep(space, arc.from.point(), adjacency).go_along(arc);
-  }
-  const Sweep sweep(space);
-  return sweep.fits_at(arc.from.point()) && sweep.fits(arc);
-}
-
-bool fits_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {
-  if (space.radius_in_cells() == 0) {
-    return PointSweep(space, line.from, adjacency).go_to(line.to);
-  }
-  const Sweep sweep(space);
-  return sweep.fits_at(line.from) && sweep.fits(line);
-}
-
 std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to) {
   assert(std::abs(from.x - to.x) <= 1 && std::abs(from.y - to.y) <= 1);
   const auto& clearance = space.squared_half_cell_clearance();
@@ -210,7 +143,7 @@ std::optional<double> room_along(const FreeSpace& space, const Line& line, Adjac
   const double radius = space.radius_in_cells();
   const double clearance = swept_clearance(space, line, radius + kMostRoom, radius + kMostRoom / 2);
   if (keeps_distance(space, clearance)) return std::max(clearance - radius, 0.0);
-  if (radius > 0 || !fits_along(space, line, adjacency)) return std::nullopt;
+  if (radius > 0 || !disc_fits_along(space, line, adjacency)) return std::nullopt;
   if (adjacency == Adjacency::edges && (in_gap(space, line.from) || in_gap(space, line.to))) {
     return std::nullopt;
   }

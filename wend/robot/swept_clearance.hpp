@@ -2,13 +2,13 @@
 
 // Clearance of an arc, a line or a step between cells: the distance from the nearest of its points to
 // the nearest closed obstacle square, or to the map's edge if the outside is blocked, exact up to
-// rounding; whether a robot can drive along it, and how much room there is beside it.
+// rounding; and how much room there is beside it.
 //
 // Arcs and lines are in grid coordinates, finite; arcs turn by at most 2 pi. They may touch the
 // map's edge or leave the map. Where the outside is free, it is no obstacle.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
-//   if (wend::fits_along(space, arc)) length += arc.length;
+//   const double clearance = wend::arc_clearance(space, arc);
 
 #include <cstdint>
 #include <optional>
@@ -25,15 +25,6 @@ namespace wend {
 /// the cells that it passes leaves open).
 double arc_clearance(const FreeSpace& space, const Arc& arc);
 
-/// May the space's robot drive along the whole arc or line? A disc keeps far enough from every
-/// obstacle, and from the map's edge if the outside is blocked, by FreeSpace::far_enough(). A point
-/// (radius 0) may go anywhere outside the map; it keeps out of the union of the obstacles and, unless
-/// `adjacency` is edges_and_corners, does not pass between two that touch at a corner
-/// (point_sweep.hpp has the exact rules). O(1) for each length that the clearance of a cell decides,
-/// else O(cells within the radius).
-bool fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency = Adjacency::edges);
-bool fits_along(const FreeSpace& space, const Line& line, Adjacency adjacency = Adjacency::edges);
-
 /// The clearance of the straight way between the centres of a cell and one of its eight neighbours (or
 /// itself), exact, squared and in half-cells, like FreeSpace::squared_half_cell_clearance(); 0 where a
 /// diagonal way touches an obstacle. Both cells are on the map. O(1).
@@ -49,8 +40,8 @@ inline constexpr double kMostRoom = 1;
 /// How much room there is beside a line that a robot drives, so that a smoother can move points again
 /// and again without looking at the map. Both ends of the line may move by this distance, in cells,
 /// each its own way, and the robot still drives along it: it is the swept clearance beyond the robot's
-/// radius, up to kMostRoom, and 0 where the robot touches. It may be less than that where it is at
-/// least half of kMostRoom. Nothing if the line is not free by fits_along(), or ends in a gap between
+/// radius (of a polygon: of its circumscribed disc), up to kMostRoom, and 0 where the robot touches. It may be less than that where it is at
+/// least half of kMostRoom. Nothing if the line is not free by disc_fits_along(), or ends in a gap between
 /// two obstacles (in_gap()), where the lines before and after it decide. O(1) where the clearance of
 /// a cell decides, else O(cells within the radius and kMostRoom), for each length.
 std::optional<double> room_along(const FreeSpace& space, const Line& line,

@@ -14,6 +14,7 @@
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/map/random_bits_test.hpp"
+#include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
 
 namespace wend {
@@ -117,7 +118,7 @@ TEST(FitsAlong, LetsDiscsTouch) {
     if (clearance < 1e-3 || clearance == test::kInfinite) return;
     const double metres = clearance * space.map().frame().resolution;
     for (const double larger : {-1e-3, -1e-6, -1e-11, 0.0, 1e-11, 1e-6, 1e-3}) {
-      const FreeSpace just(space.map(), {.robot_radius = metres * (1 + larger),
+      const FreeSpace just(space.map(), {.footprint = Footprint::disc(metres * (1 + larger)),
                                          .unknown = space.options().unknown,
                                          .outside = space.outside()});
       ASSERT_EQ(fits_along(just, arc), larger < 1e-9) << clearance << ", larger by " << larger;
@@ -126,7 +127,7 @@ TEST(FitsAlong, LetsDiscsTouch) {
 }
 
 FreeSpace with_radius(const FreeSpace& space, double radius) {
-  return FreeSpace(space.map(), {.robot_radius = radius});
+  return FreeSpace(space.map(), {.footprint = Footprint::disc(radius)});
 }
 
 TEST(FitsAlong, JudgesMovesOfACarByRadiiThatTouchExactly) {
@@ -275,7 +276,7 @@ TEST(LineRoom, IsWhatBothEndsMayMove) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 14), random.between(1, 14));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
-    const FreeSpace space(map, {.robot_radius = radius * map.frame().resolution});
+    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
     const Line line = random_line(random, map);
     const auto room = room_along(space, line);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));

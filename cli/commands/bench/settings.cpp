@@ -6,6 +6,7 @@
 
 #include "bench/measure/machine.hpp"
 #include "cli/arguments/flags.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/report/build_info.hpp"
 
 namespace wend::cli {
@@ -24,6 +25,14 @@ std::string_view corner_text(CornerRule rule) {
       return "both corners may be cut";
   }
   return {};
+}
+
+/// "radius 0.2", "footprint 0.4,0.25;0.4,-0.25;-0.3,0"
+std::string shape_text(const RobotArguments& robot) {
+  const Footprint& footprint = robot.footprint;
+  return (footprint.outline() ? "footprint " + text_of(footprint)
+                              : "radius " + format_number(footprint.circumscribed_radius())) +
+         (robot.cells ? " cells" : "");
 }
 
 }  // namespace
@@ -53,15 +62,13 @@ void BenchSettings::check(const Parser& app) const {
 }
 
 bool BenchSettings::as_in_scenarios() const {
-  return robot.robot_radius == 0 && robot.clearance_distance.value_or(0) == 0 &&
+  return robot.footprint.is_point() && robot.clearance_distance.value_or(0) == 0 &&
          robot.unknown == UnknownPolicy::blocked && moves.moves == GridMoves{};
 }
 
 std::string BenchSettings::robot_text() const {
   const GridMoves& grid = moves.moves;
-  std::string text = robot.robot_radius == 0 ? "a point"
-                                             : fmt::format("radius {}{}", robot.robot_radius,
-                                                           robot.cells ? " cells" : "");
+  std::string text = robot.footprint.is_point() ? "a point" : shape_text(robot);
   if (robot.unknown == UnknownPolicy::free) text += ", enters unknown cells";
   if (robot.outside == OutsidePolicy::blocked) text += ", stays on the map";
   if (robot.outside == OutsidePolicy::free) text += ", may hang over the map's edge";

@@ -11,7 +11,7 @@ namespace {
 
 using EngineResult = Expected<std::unique_ptr<IndexEngine>, PlannerError>;
 
-Unexpected<PlannerError> failure(Status status, std::string what) {
+Unexpected<PlannerError> index_failure(Status status, std::string what) {
   return Unexpected<PlannerError>({status, std::move(what)});
 }
 
@@ -116,7 +116,7 @@ class MethodSupport final : public IndexSupport {
                                            const IndexBuilding& building) const override {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
     auto built = method_.build(space.passable(), building);
-    if (!built) return failure(built.error().status, built.error().what);
+    if (!built) return index_failure(built.error().status, built.error().what);
     return *std::move(built);
   }
 
@@ -141,7 +141,8 @@ class MethodSupport final : public IndexSupport {
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
     auto opened = method_.open(std::move(index), space.passable());
-    if (!opened) return failure(Status::index_mismatch, "index does not match: " + opened.error());
+    if (!opened)
+      return index_failure(Status::index_mismatch, "index does not match: " + opened.error());
     return *std::move(opened);
   }
 

@@ -151,7 +151,8 @@ TEST(Car, SaysWhenItIsBoxedIn) {
 }
 
 TEST(Car, ThatIsTooWideSaysHowFarTheObstacleIs) {
-  const auto planner = car_on(test::drawn_space("....\n....\n....\n...#", {.robot_radius = 1.5}));
+  const auto planner =
+      car_on(test::drawn_space("....\n....\n....\n...#", {.footprint = Footprint::disc(1.5)}));
   expect_refusal(*planner, {at(2, 3, Heading::plus_x), {at(0, 0, Heading::plus_x)}},
                  "start_blocked",
                  "the start (2,3,E) is impassable: the nearest obstacle is 1 cells away, the "

@@ -89,6 +89,8 @@ std::string blocked(const CarLattice& lattice, const End& end) {
              " cells away, the robot's radius is " +
              format_number(lattice.free_space().radius_in_cells());
     case BlockReason::outside:
+    case BlockReason::overlaps:
+    case BlockReason::leaves:
       break;
   }
   return text + std::string(describe(fault->reason));

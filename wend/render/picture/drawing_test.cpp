@@ -72,7 +72,7 @@ TEST(Drawing, DrawsMapsWithYUpAsTheFileLooks) {
 
 TEST(Drawing, ShowsTheRobotToScale) {
   Scene scene{.space = FreeSpace(map_of({".......", ".......", ".......", ".......", "......."}),
-                                 {.robot_radius = 1.5})};
+                                 {.footprint = Footprint::disc(1.5)})};
   scene.start = Point{3.5, 2.5};
   const Picture picture = png_of(scene);
   EXPECT_NE(pixel_at(picture, scene, {2.3, 2.4}), kFree) << "inside the disc";

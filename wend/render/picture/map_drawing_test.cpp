@@ -68,7 +68,7 @@ TEST(MapImage, MixesTheCellsUnderAPixelByTheAreaTheyShare) {
 }
 
 TEST(MapImage, PaintsTooCloseExpandedAndRoughCells) {
-  Scene scene{.space = FreeSpace(map_of({"#..2.9"}), {.robot_radius = 1})};
+  Scene scene{.space = FreeSpace(map_of({"#..2.9"}), {.footprint = Footprint::disc(1)})};
   BitGrid expanded(6, 1);
   expanded.set({4, 0}, true);
   scene.marked = {{CellRole::expanded, expanded}};

@@ -134,7 +134,7 @@ TEST(SceneLines, OfWaypointsAreSharpWhereThoseOfCellsAreRound) {
 }
 
 TEST(SceneLines, ShowTheRobotToScaleAndWhereItHeads) {
-  Scene scene{.space = open_space({.robot_radius = 1.5})};
+  Scene scene{.space = open_space({.footprint = Footprint::disc(1.5)})};
   scene.start = Point{5.5, 1};
   scene.robot = Pose{2.5, 2.5, std::numbers::pi / 2};
   const std::uint32_t blue = rgb_of(Style{}.lines.driven);

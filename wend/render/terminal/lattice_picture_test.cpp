@@ -118,7 +118,8 @@ TEST(LatticePicture, JoinsObstaclesAndShadesRoughRoadsTheMoreTheRougher) {
 }
 
 TEST(LatticePicture, ShowsRolesTooCloseCellsAndTheNarrowestPlace) {
-  Scene scene = car_on(FreeSpace(map_of({"....", "....", "...#"}), {.robot_radius = 1}), {});
+  Scene scene =
+      car_on(FreeSpace(map_of({"....", "....", "...#"}), {.footprint = Footprint::disc(1)}), {});
   scene.marked = {{CellRole::expanded, marked_of({"*...", "....", "...*"}, '*')}};
   scene.narrowest = Point{1, 2};
   EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 50}),

@@ -42,7 +42,7 @@ TEST(TextPicture, ShowsWhereTheRobotIsTooClose) {
                             ".......",
                             ".......",
                         }),
-                        {.robot_radius = 1});
+                        {.footprint = Footprint::disc(1)});
   EXPECT_EQ(text_picture({.space = space}), lines_of({
                                                 ".......",
                                                 "..:::..",
@@ -259,7 +259,7 @@ TEST(TextNumbers, ShowNoDigitsOfTerrain) {
 }
 
 TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
-  Scene scene = numbered(FreeSpace(map_of({"#..?.."}), {.robot_radius = 1}));
+  Scene scene = numbered(FreeSpace(map_of({"#..?.."}), {.footprint = Footprint::disc(1)}));
   Grid<double>& numbers = scene.heatmap->values;
   for (int x = 0; x < 6; ++x) numbers[{x, 0}] = x == 5 ? kNotANumber : kNoNumber;
   EXPECT_EQ(text_numbers(scene), "# : : ? : .\n");

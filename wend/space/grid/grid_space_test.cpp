@@ -87,8 +87,8 @@ void on_random_spaces(int count, Check&& check) {
     const test::Reference reference(map, test::robot_in_cells(robot, map.frame()),
                                     {diagonals, corners});
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " +
-                 std::to_string(robot.robot_radius / map.frame().resolution) + ", corners cut " +
-                 std::to_string(corners) + "\n" + test::drawing_of(map));
+                 std::to_string(robot.footprint.circumscribed_radius() / map.frame().resolution) +
+                 ", corners cut " + std::to_string(corners) + "\n" + test::drawing_of(map));
     check(FreeSpace(map, robot),
           GridMoves{diagonals ? Connectivity::eight : Connectivity::four,
                     static_cast<CornerRule>(corners)},
@@ -125,7 +125,8 @@ TEST(GridSpace, HasTheStepsThatTheReferenceHas) {
 
 /// However large the robot: where there are no obstacles it fits between them.
 TEST(GridSpace, LetsAVastDiscCutCorners) {
-  const FreeSpace space(GridMap(Grid<CellState>(4, 4, CellState::free)), {.robot_radius = 1e9});
+  const FreeSpace space(GridMap(Grid<CellState>(4, 4, CellState::free)),
+                        {.footprint = Footprint::disc(1e9)});
   EXPECT_TRUE(ExactGrid(space, {Connectivity::eight, CornerRule::both}).is_step({1, 1}, {2, 2}));
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wend/geometry/arc.hpp"
+#include "wend/robot/fits_along.hpp"
 #include "wend/robot/sweep.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
@@ -63,11 +64,11 @@ Steps all_steps() {
 }
 
 BitGrid blocked_cells(const FreeSpace& space, int unit) {
-  if (unit == 1) return space.obstacles();
+  if (unit == 1) return space.obstacles().blocked();
   BitGrid blocked(cells_along(space.width(), unit), cells_along(space.height(), unit));
   for (int y = 0; y < space.height(); ++y) {
     for (int x = 0; x < space.width(); ++x) {
-      if (space.obstacles()[{x, y}]) blocked.set({x / unit, y / unit}, true);
+      if (space.obstacles().blocked()[{x, y}]) blocked.set({x / unit, y / unit}, true);
     }
   }
   return blocked;
@@ -103,8 +104,8 @@ BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int uni
           blocked[{x, y}]) {
         continue;
       }
-      const bool fits =
-          space.radius_in_cells() == 0 || fits_along(space, {corner_point({x, y}, unit), 0, 0});
+      const bool fits = space.radius_in_cells() == 0 ||
+                        disc_fits_along(space, {corner_point({x, y}, unit), 0, 0});
       passable.set({x, y}, fits);
     }
   }
@@ -121,7 +122,7 @@ Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable
     std::uint8_t& bits = fitting[{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y}];
     if (((bits >> step.arc_bit) & 1U) != 0) return;  // seen from its other end
     const Pose from = corner_point(corner, unit, radians_of(heading));
-    if (!fits_along(space, arc_to(from, corner_point(to, unit).point()))) return;
+    if (!disc_fits_along(space, arc_to(from, corner_point(to, unit).point()))) return;
     bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
   };
   for (int y = 0; y < passable.height(); ++y) {
@@ -166,7 +167,7 @@ std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
   for (int y = (corner.y - 1) * unit(); y < (corner.y + 1) * unit(); ++y) {
     for (int x = (corner.x - 1) * unit(); x < (corner.x + 1) * unit(); ++x) {
       const Cell cell{x, y};
-      if (!space.contains(cell) || !space.obstacles()[cell]) continue;
+      if (!space.contains(cell) || !space.obstacles().blocked()[cell]) continue;
       const bool unknown = space.map().state(cell) == CellState::unknown;
       return CornerFault{unknown ? BlockReason::unknown : BlockReason::obstacle, cell};
     }

@@ -99,7 +99,7 @@ TEST(CarLattice, SaysWhyACornerIsBlocked) {
 }
 
 TEST(CarLattice, SaysHowNearAnObstacleIsToACornerThatIsTooClose) {
-  const CarLattice yard = lattice("....\n....\n....\n...#", 1, {.robot_radius = 1.5});
+  const CarLattice yard = lattice("....\n....\n....\n...#", 1, {.footprint = Footprint::disc(1.5)});
   const auto fault = yard.why_blocked({2, 2});
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->reason, BlockReason::too_close);
@@ -112,7 +112,7 @@ TEST(CarLattice, SaysHowNearAnObstacleIsToACornerThatIsTooClose) {
 /// both ends is 1; around (1,1) it stays at 1.
 TEST(CarLattice, SweepsTheDiscAlongTheWholeArc) {
   const auto fits = [](double radius, Heading heading, CarMove move) {
-    const CarLattice yard = lattice("...\n.#.\n...", 1, {.robot_radius = radius});
+    const CarLattice yard = lattice("...\n.#.\n...", 1, {.footprint = Footprint::disc(radius)});
     return yard.fits({1, 0}, yard.step(heading, move));
   };
   const double touching = std::sqrt(2) - 1;

@@ -1,0 +1,57 @@
+#include "wend/robot/fits_along.hpp"
+
+#include "wend/robot/disc_sweep.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/polygon_sweep.hpp"
+
+namespace wend {
+
+bool disc_fits_along(const FreeSpace& space, const Line& line, Adjacency adjacency) {
+  if (space.is_point()) return PointSweep(space, line.from, adjacency).go_to(line.to);
+  const DiscSweep sweep(space);
+  return sweep.fits_at(line.from) && sweep.fits(line);
+}
+
+bool disc_fits_along(const FreeSpace& space, const Arc& arc, Adjacency adjacency) {
+  if (space.is_point()) return PointSweep(space, arc.from.point(), adjacency).go_along(arc);
+  const DiscSweep sweep(space);
+  return sweep.fits_at(arc.from.point()) && sweep.fits(arc);
+}
+
+bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& options) {
+  if (!space.outline() || line.length() == 0) {
+    return disc_fits_along(space, line, options.adjacency);
+  }
+  return PolygonSweep(space, options.tolerance).fits(line);
+}
+
+bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options) {
+  if (!space.outline()) return disc_fits_along(space, arc, options.adjacency);
+  return PolygonSweep(space, options.tolerance).fits(arc);
+}
+
+bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options) {
+  const Point point = turn.from.point();
+  if (!space.outline()) return disc_fits_along(space, Line{point, point}, options.adjacency);
+  return PolygonSweep(space, options.tolerance).fits(turn);
+}
+
+std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {
+  const Point point = pose.point();
+  if (distance_inside(*this, point) < -kPointTolerance) return BlockReason::outside;
+  const Cell cell = nearest_cell(*this, point);
+  const bool in_obstacle = obstacles().blocked()[cell];
+  if (outline()) {
+    const auto reason = PolygonSweep(*this).why_blocked(pose);
+    if (reason != BlockReason::overlaps || !in_obstacle) return reason;
+  } else if (disc_fits_along(*this, Line{point, point})) {
+    return std::nullopt;
+  }
+  if (in_obstacle) {
+    return map().state(cell) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
+  }
+  const bool over_edge = !keeps_distance(*this, edge_clearance(*this, point));
+  return over_edge && !is_point() ? BlockReason::over_edge : BlockReason::too_close;
+}
+
+}  // namespace wend

@@ -1,0 +1,49 @@
+#pragma once
+
+// Where the robot of a FreeSpace can drive: along lines and arcs, and where it turns in place.
+//
+// Lines and arcs are in grid coordinates, finite; arcs turn by at most 2 pi. They may touch the map's
+// edge or leave the map. Where the outside is free, it is no obstacle.
+//
+// - A point keeps out of the union of the obstacles and, unless `adjacency` is edges_and_corners, does
+//   not pass between two that touch at a corner; point_sweep.hpp has the exact rules. Exact.
+// - A disc keeps far enough from every obstacle, and from the map's edge if the outside is blocked, by
+//   FreeSpace::far_enough(). Exact up to rounding.
+// - A polygon overlaps no obstacle, nor the outside if that is blocked. Along lines this is exact up
+//   to rounding. Where the polygon turns it is conservative: `true` is certain; `false` says that the
+//   polygon, grown by `tolerance`, overlaps something on the way. No obstacle is missed, however thin.
+//
+//   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
+//   if (wend::fits_along(space, arc)) length += arc.length;
+//
+// O(1) for each length that the clearance of a cell decides, else O(cells within the radius), for a
+// polygon times its corners; where a turning polygon nearly touches, as often as the way that its
+// farthest corner goes there is longer than the tolerance.
+
+#include "wend/geometry/arc.hpp"
+#include "wend/geometry/line.hpp"
+#include "wend/map/connected_components.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend {
+
+struct SweepOptions {
+  Adjacency adjacency = Adjacency::edges;  // of a point
+  double tolerance = 0.01;                 // cells, greater than 0; of a polygon that turns
+};
+
+/// May the robot drive along the whole line, facing along it? Of a line of length 0 no one knows the
+/// heading: a polygon has to fit at every one.
+bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& options = {});
+bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options = {});
+/// A turn is by at most 2 pi either way.
+bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options = {});
+
+/// The same with every heading: of a polygon for its circumscribed disc. What planners on cells and
+/// smoothers ask, who choose no headings.
+bool disc_fits_along(const FreeSpace& space, const Line& line,
+                     Adjacency adjacency = Adjacency::edges);
+bool disc_fits_along(const FreeSpace& space, const Arc& arc,
+                     Adjacency adjacency = Adjacency::edges);
+
+}  // namespace wend

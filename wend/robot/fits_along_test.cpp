@@ -1,0 +1,264 @@
+#include "wend/robot/fits_along.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/testing/drawn_map.hpp"
+#include "tests/testing/random_map.hpp"
+#include "tests/testing/random_polygon.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/map/every_cell.hpp"
+
+namespace wend {
+namespace {
+
+// The brute force clips the polygon by every blocked square and looks at the area that is left. It
+// shares nothing with the code that it checks.
+
+/// What of a polygon lies where x * point.x + y * point.y <= limit (Sutherland and Hodgman).
+std::vector<Point> clipped(const std::vector<Point>& polygon, double x, double y, double limit) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point b = polygon[(i + 1) % polygon.size()];
+    const double from = x * a.x + y * a.y - limit;
+    const double to = x * b.x + y * b.y - limit;
+    if (from <= 0) kept.push_back(a);
+    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+      const double share = from / (from - to);
+      kept.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+    }
+  }
+  return kept;
+}
+
+double area_of(const std::vector<Point>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point b = polygon[(i + 1) % polygon.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+std::vector<Point> corners_at(const Polygon& outline, const Pose& pose) {
+  std::vector<Point> corners;
+  for (const Point corner : outline.corners()) corners.push_back(placed(corner, pose));
+  return corners;
+}
+
+/// The area that a polygon has in common with a square; with a margin around it if that is given.
+double common_area(const std::vector<Point>& corners, Cell square, double margin = 0) {
+  auto rest = clipped(corners, 1, 0, square.x + 1 + margin);
+  rest = clipped(rest, -1, 0, margin - square.x);
+  rest = clipped(rest, 0, 1, square.y + 1 + margin);
+  return area_of(clipped(rest, 0, -1, margin - square.y));
+}
+
+/// The blocked squares, and those around the map if its outside is blocked.
+std::vector<Cell> blocked_squares(const FreeSpace& space) {
+  std::vector<Cell> squares;
+  for (int y = -8; y < space.height() + 8; ++y) {
+    for (int x = -8; x < space.width() + 8; ++x) {
+      const bool blocked = space.contains({x, y}) ? space.obstacles().blocked()[{x, y}]
+                                                  : space.outside() == OutsidePolicy::blocked;
+      if (blocked) squares.push_back({x, y});
+    }
+  }
+  return squares;
+}
+
+/// The most of the polygon that lies in one blocked square, or in one grown by a margin.
+double worst_overlap(const FreeSpace& space, const std::vector<Cell>& blocked, const Pose& pose,
+                     double margin = 0) {
+  const auto corners = corners_at(*space.outline(), pose);
+  double worst = 0;
+  for (const Cell square : blocked) worst = std::max(worst, common_area(corners, square, margin));
+  return worst;
+}
+
+// Less area than that is rounding, and it may be a corner that enters a square a little.
+constexpr double kNoArea = 1e-7;
+
+double draw(int low, int high, double per_unit) { return *rc::gen::inRange(low, high) / per_unit; }
+
+FreeSpace any_space() {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const GridMap map = test::random_map(random, random.between(3, 9), random.between(3, 9));
+  const Polygon outline =
+      *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
+  const Footprint footprint = *Footprint::polygon(outline.scaled(map.frame().resolution));
+  return FreeSpace(map, {.footprint = footprint, .outside = test::random_outside(random)});
+}
+
+/// On the map; half of them on quarters of cells and along the axes, where edges touch squares.
+Pose any_pose(const FreeSpace& space) {
+  if (*rc::gen::arbitrary<bool>()) {
+    return {draw(0, 4 * space.width() + 1, 4), draw(0, 4 * space.height() + 1, 4),
+            draw(0, 4, 2) * kPi};
+  }
+  return {draw(0, 100 * space.width() + 1, 100), draw(0, 100 * space.height() + 1, 100),
+          draw(-314, 315, 100)};
+}
+
+constexpr int kPoses = 30;  // of each robot on each map
+
+RC_GTEST_PROP(PolygonFits, WhereItHasNoAreaInBlockedSquares, ()) {
+  const FreeSpace space = any_space();
+  const auto blocked = blocked_squares(space);
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose = any_pose(space);
+    const double overlap = worst_overlap(space, blocked, pose);
+    if (overlap > kNoArea) RC_ASSERT(!space.fits(pose));
+    if (overlap < 1e-12) RC_ASSERT(space.fits(pose));
+  }
+}
+
+RC_GTEST_PROP(PolygonFits, AtEveryHeadingInPassableCellsAndAtNoneInImpossibleOnes, ()) {
+  const FreeSpace space = any_space();
+  const double heading = draw(-314, 315, 100);
+  for (const Cell cell : every_cell(space)) {
+    if (space.passable()[cell]) RC_ASSERT(space.possible()[cell]);
+    if (space.passable()[cell]) RC_ASSERT(space.fits(pose_at(cell, heading)));
+    if (!space.possible()[cell]) RC_ASSERT(!space.fits(pose_at(cell, heading)));
+  }
+}
+
+/// Samples a way that no point of the polygon moves more than `step` between: the worst overlap, and
+/// whether the polygon comes nearer to a blocked square than the margin.
+struct Sampled {
+  double overlap = 0;
+  bool near = false;
+};
+
+template <class Way>
+Sampled sampled(const FreeSpace& space, const Way& way, double whole, double moves, double margin) {
+  const auto blocked = blocked_squares(space);
+  constexpr double kStep = 0.02;
+  const int samples = static_cast<int>(std::ceil(moves / kStep)) + 1;
+  Sampled result;
+  for (int i = 0; i <= samples; ++i) {
+    const Pose pose = pose_on(way, whole * i / samples);
+    result.overlap = std::max(result.overlap, worst_overlap(space, blocked, pose));
+    if (!result.near) {
+      result.near = worst_overlap(space, blocked, pose, margin + kStep) > 0;
+    }
+  }
+  return result;
+}
+
+template <class Way>
+void check_sweep(const FreeSpace& space, const Way& way, double whole, double moves,
+                 double tolerance) {
+  const bool fits = fits_along(space, way, {.tolerance = tolerance});
+  const Sampled seen = sampled(space, way, whole, moves, 2 * tolerance);
+  if (seen.overlap > kNoArea) RC_ASSERT(!fits);  // nothing is ever missed
+  if (!seen.near) RC_ASSERT(fits);
+}
+
+double any_tolerance() { return *rc::gen::element(0.01, 0.05, 0.2); }
+
+RC_GTEST_PROP(PolygonFitsAlong, AnArcWhereItFitsAtEverySample, ()) {
+  const FreeSpace space = any_space();
+  for (int i = 0; i < 5; ++i) {
+    const double length = draw(-400, 401, 100);
+    const double turn = draw(-300, 301, 100);
+    const Arc arc{any_pose(space), length, length == 0 ? 0 : turn / length};
+    const double moves = std::abs(length) + space.radius_in_cells() * std::abs(turn);
+    check_sweep(space, arc, length, moves, any_tolerance());
+  }
+}
+
+RC_GTEST_PROP(PolygonFitsAlong, ATurnInPlaceWhereItFitsAtEverySample, ()) {
+  const FreeSpace space = any_space();
+  for (int i = 0; i < 5; ++i) {
+    const TurnInPlace turn{any_pose(space), draw(-628, 629, 100)};
+    const double moves = space.radius_in_cells() * std::abs(turn.angle);
+    check_sweep(space, turn, turn.angle, moves, any_tolerance());
+  }
+}
+
+RC_GTEST_PROP(PolygonFitsAlong, ALineFacingAlongIt, ()) {
+  const FreeSpace space = any_space();
+  for (int i = 0; i < 5; ++i) {
+    const Pose from = any_pose(space);
+    const Pose to = any_pose(space);
+    const Line line{from.point(), to.point()};
+    if (line.length() == 0) continue;
+    const Arc arc{{from.x, from.y, std::atan2(to.y - from.y, to.x - from.x)}, line.length(), 0};
+    const bool fits = fits_along(space, line);
+    const Sampled seen = sampled(space, arc, arc.length, arc.length, 0);
+    if (seen.overlap > kNoArea) RC_ASSERT(!fits);
+    if (!seen.near) RC_ASSERT(fits);
+  }
+}
+
+RC_GTEST_PROP(PolygonFitsAlong, EverythingThatItsDiscDoes, ()) {
+  const FreeSpace space = any_space();
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose from = any_pose(space);
+    const Line line{from.point(), any_pose(space).point()};
+    const double length = draw(-400, 401, 100);
+    const Arc arc{from, length, length == 0 ? 0 : draw(-300, 301, 100) / length};
+    if (disc_fits_along(space, line)) RC_ASSERT(fits_along(space, line));
+    if (disc_fits_along(space, arc)) RC_ASSERT(fits_along(space, arc));
+  }
+}
+
+const Footprint kLong = *parse_footprint("1.4,0.5;-1.4,0.5;-1.4,-0.5;1.4,-0.5");
+
+TEST(PolygonFitsAlong, ACorridorAsWideAsItself) {
+  const FreeSpace space = test::drawn_space("#######\n.......\n#######", {.footprint = kLong});
+  EXPECT_TRUE(space.fits({3, 1.5, 0}));
+  EXPECT_TRUE(fits_along(space, Line{{1.5, 1.5}, {5.5, 1.5}}));
+  EXPECT_TRUE(fits_along(space, Line{{5.5, 1.5}, {1.5, 1.5}}));
+  EXPECT_FALSE(disc_fits_along(space, Line{{1.5, 1.5}, {5.5, 1.5}}));
+  EXPECT_FALSE(fits_along(space, Line{{1.5, 1.5}, {5.5, 1.501}}));
+  EXPECT_FALSE(fits_along(space, TurnInPlace{{3.5, 1.5, 0}, 0.1}));
+  EXPECT_EQ(space.why_blocked(Pose{3.5, 1.5, 0.1}), BlockReason::overlaps);
+}
+
+TEST(PolygonFitsAlong, ItNeverHopsAThinWall) {
+  const FreeSpace space = test::drawn_space(".......\n.......\n...#...\n.......\n.......",
+                                            {.footprint = kLong, .outside = OutsidePolicy::free});
+  const Pose beside{2.5, 2.5, kPi / 2};
+  EXPECT_TRUE(space.fits(beside));
+  EXPECT_FALSE(fits_along(space, TurnInPlace{beside, kPi}, {.tolerance = 0.2}));
+  constexpr double kRadius = 0.3;
+  const Arc circle{beside, 2 * kPi * kRadius, 1 / kRadius};
+  EXPECT_TRUE(space.fits(end_of(circle)));
+  EXPECT_FALSE(fits_along(space, circle, {.tolerance = 0.2}));
+}
+
+TEST(PolygonFits, SaysWhyNot) {
+  const FreeSpace space = test::drawn_space(
+      "?....\n.....\n....#", {.footprint = kLong, .outside = OutsidePolicy::blocked});
+  EXPECT_EQ(space.why_blocked(Pose{-1, 1.5, 0}), BlockReason::outside);
+  EXPECT_EQ(space.why_blocked(Pose{1, 1.5, 0}), BlockReason::leaves);
+  EXPECT_EQ(space.why_blocked(Pose{2.5, 1.5, 0}), std::nullopt);
+  EXPECT_EQ(space.why_blocked(Pose{3.5, 2.5, 0}), BlockReason::overlaps);
+  EXPECT_EQ(space.why_blocked(Pose{2.5, 1.5, kPi / 2}), std::nullopt);
+  EXPECT_EQ(space.why_blocked(Pose{2.5, 0.5, kPi / 2}), BlockReason::leaves);
+}
+
+TEST(PointAndDiscFit, AtPosesAsTheirSweepsSay) {
+  const FreeSpace point = test::drawn_space("..#\n...");
+  EXPECT_TRUE(point.fits({2, 0.5, 1}));  // on the edge of the obstacle
+  EXPECT_EQ(point.why_blocked(Pose{2.5, 0.5, 0}), BlockReason::obstacle);
+  EXPECT_EQ(point.why_blocked(Pose{3.5, 1.5, 0}), BlockReason::outside);
+  const FreeSpace disc = test::drawn_space(
+      "..#\n...", {.footprint = Footprint::disc(0.5), .outside = OutsidePolicy::blocked});
+  EXPECT_TRUE(disc.fits({1.5, 0.5, 0}));
+  EXPECT_EQ(disc.why_blocked(Pose{1.75, 0.75, 0}), BlockReason::too_close);
+  EXPECT_EQ(disc.why_blocked(Pose{0.4, 1, 0}), BlockReason::over_edge);
+}
+
+}  // namespace
+}  // namespace wend
