@@ -95,6 +95,9 @@ TEST_F(Arguments, OutOfRangeAreRefusedWithTheRange) {
   for (const Case& wrong : {
            Case{plan + "--start 1,1 --robot-radius 1e308", "between 0 and 1e+09 metres"},
            Case{plan + "--start 1,1 --robot-radius 0,2", "did you mean 0.2?"},
+           Case{plan + "--start 1,1 --footprint 0.2", "did you mean 'disc:0.2'?"},
+           Case{plan + "--start 1,1 --footprint 1,1;2,2", "3 to 64 corners, not 2"},
+           Case{plan + "--start 1,1 --footprint disc:1 --robot-radius 1", "--robot-radius"},
            Case{"generate maze --size 9x9 --seed -1", "--seed: '-1' is not a whole number"},
            Case{"compare grid.txt --random 0", "--random 0: must be at least 1"},
            Case{"bench grid.txt --sample 0", "--sample 0: must be at least 1"},

@@ -48,6 +48,25 @@ TEST_F(CheckCommand, SaysThatAFreePathIsAndMeasuresIt) {
                                  HasSubstr("smallest clearance, cells       1.50\n")));
 }
 
+constexpr const char* kLong = "0.9,0.4;-0.9,0.4;-0.9,-0.4;0.9,-0.4";
+
+TEST_F(CheckCommand, SweepsAPolygonAlongThePathAndWhereItTurns) {
+  const std::string straight = waypoints("1,1.5,0,0,0\n6,1.5,0,0,0\n");
+  const Outcome free = check(straight, {"--footprint", kLong});
+  EXPECT_EQ(free.code, 0) << free.err;
+  EXPECT_THAT(free.out, HasSubstr("free: the robot's footprint is clear of every obstacle"));
+  EXPECT_EQ(check(straight, {"--footprint", "disc:0.9"}).code, 1);
+
+  const std::string bent = waypoints("1,1.5,0,0,0\n3.5,1.5,0,0,0\n3.5,0.9,0,0,0\n");
+  const Outcome turning = check(bent, {"--footprint", kLong, "--format", "json"});
+  EXPECT_EQ(turning.code, 1);
+  EXPECT_THAT(turning.err, HasSubstr("it overlaps an obstacle with its footprint"));
+  const json collision = json::parse(turning.out).at("collision");
+  EXPECT_EQ(collision.at("kind"), "overlaps");
+  EXPECT_NEAR(collision.at("along_cells"), 2.5, 1e-6);
+  EXPECT_EQ(collision.at("obstacle"), json::parse("[3,2]"));
+}
+
 TEST_F(CheckCommand, SaysWhereAPathFirstCollides) {
   const std::string path = waypoints("0.5,2.5,0,0,0\n6.5,2.5,0,0,0\n");
   const Outcome outcome = check(path);

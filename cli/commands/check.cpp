@@ -35,11 +35,13 @@ struct CheckArguments {
 constexpr const char* kCheckExamples = R"(Examples:
   wend check office.yaml plan.csv --robot-radius 0.2
   wend check office.yaml plan.json --robot-radius 0.25 -o collision.png
+  wend check office.yaml plan.csv --footprint '0.4,0.25;0.4,-0.25;-0.3,0'
   wend check track.yaml centerline.csv --robot-radius 0.3 --format json
 
 A path is a file of `wend plan -o` or `wend smooth -o` (.csv, .json; the
 smoothed path if there is one), or a centreline in metres. The robot's disc is
-swept along the path exactly. Exit codes: 0 free, 1 not free (standard error
+swept along the path exactly. A polygon (--footprint) faces along the path and
+turns in place where it bends; turns are checked to 0.01 cells. Exit codes: 0 free, 1 not free (standard error
 shows the first collision), 2 bad usage or input.)";
 
 /// Paths that leave the map are shown as far as they are on it.
@@ -54,11 +56,13 @@ std::string text_of(const CheckArguments& arguments, const Scene& scene, const M
                     bool is_free) {
   const Coordinates coordinates = arguments.map.coordinates(scene.space.map());
   std::string text;
-  if (is_free) {
-    text += scene.space.radius_in_cells() > 0
-                ? fmt::format("free: the robot's radius of {} is clear of every obstacle\n",
-                              coordinates.length(scene.space.radius_in_cells()))
-                : "free: the path is clear of obstacles\n";
+  if (is_free && scene.space.outline()) {
+    text += "free: the robot's footprint is clear of every obstacle along the path\n";
+  } else if (is_free) {
+    text += scene.space.is_point()
+                ? "free: the path is clear of obstacles\n"
+                : fmt::format("free: the robot's radius of {} is clear of every obstacle\n",
+                              coordinates.length(scene.space.radius_in_cells()));
   }
   text += metrics_table(std::vector{path}, coordinates.unit());
   return picture_above(text, scene, detect_screen(), arguments.pictures);

@@ -150,7 +150,7 @@ std::string CellQuery::summary(const PlanResult& result) const {
   if (goals_.size() > 1) {
     goal = goal_line(coordinates_.text(result.plan.path.cells().back()), goals_.size());
   }
-  return goal + plan_summary(result, space_.map().frame());
+  return goal + robot_line(space_, coordinates_) + plan_summary(result, space_.map().frame());
 }
 
 CarQuery::CarQuery(FreeSpace space, const Coordinates& coordinates, int unit,
@@ -223,7 +223,7 @@ std::string CarQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
 }
 
 std::string CarQuery::summary(const PlanResult& result) const {
-  return drive_summary(result, coordinates_, goals_.size());
+  return robot_line(space_, coordinates_) + drive_summary(result, coordinates_, goals_.size());
 }
 
 std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,

@@ -19,6 +19,10 @@ std::string path_line(const Path& path);
 /// Which of several goals was reached: a line.
 std::string goal_line(const std::string& goal, std::size_t goals);
 
+/// That a planner without headings took the robot's polygon for the disc around it: a line; empty for
+/// any other robot.
+std::string robot_line(const FreeSpace& space, const Coordinates& coordinates);
+
 /// What was found and what it took, a line for each thing.
 std::string plan_summary(const PlanResult& result, const Frame& frame);
 

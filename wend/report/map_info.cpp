@@ -66,6 +66,8 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
   info.robot_radius = robot.footprint.circumscribed_radius();
+  info.footprint = text_of(robot.footprint);
+  info.has_outline = robot.footprint.outline() != nullptr;
   info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
   info.clearance_distance = robot.clearance_distance;
   info.space = survey(map, robot);
@@ -89,6 +91,7 @@ std::string map_info_json(const MapInfo& info) {
         {"mean", info.space.mean_terrain},
         {"greatest", info.space.greatest_terrain}}},
       {"robot_radius", info.robot_radius},
+      {"footprint", info.footprint},
       {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
       {"passable", info.space.passable},
       {"keep_away", {{"distance", info.clearance_distance}, {"cells", info.space.near_obstacles}}},
@@ -116,7 +119,9 @@ std::string map_info_text(const MapInfo& info) {
   line("terrain", terrain_text(info));
   if (info.robot_radius > 0) {
     line("passable", share(info.space.passable, all) +
-                         fmt::format(" for a robot of radius {:.4g}{}{}", info.robot_radius, unit,
+                         fmt::format(" for a {} of radius {:.4g}{}{}",
+                                     info.has_outline ? "disc around the footprint" : "robot",
+                                     info.robot_radius, unit,
                                      info.outside == OutsidePolicy::blocked
                                          ? " that stays on the map"
                                          : " that may hang over the map's edge"));

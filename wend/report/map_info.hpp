@@ -19,7 +19,9 @@ struct MapInfo {
   std::size_t free = 0;
   std::size_t occupied = 0;
   std::size_t unknown = 0;
-  double robot_radius = 0;  // metres (cells, where the map has no resolution)
+  std::string footprint;     // as text_of() writes it
+  bool has_outline = false;  // the footprint is a polygon, robot_radius that of the disc around it
+  double robot_radius = 0;   // metres (cells, where the map has no resolution)
   OutsidePolicy outside = OutsidePolicy::free;
   double clearance_distance = 0;  // units as robot_radius
   SpaceSurvey space;              // of the cells where the robot may be

@@ -3,10 +3,9 @@
 #include "wend/base/parse.hpp"
 
 namespace wend_ros {
+namespace {
 
-std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std::string& name) {
-  XmlRpc::XmlRpcValue value;
-  if (!own.getParam(name, value)) return std::nullopt;
+std::string text_of(XmlRpc::XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpc::XmlRpcValue::TypeBoolean:
       return static_cast<bool>(value) ? "true" : "false";
@@ -16,9 +15,22 @@ std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std:
       return wend::format_number(static_cast<double>(value));
     case XmlRpc::XmlRpcValue::TypeString:
       return static_cast<std::string>(value);
+    case XmlRpc::XmlRpcValue::TypeArray: {
+      std::string list;
+      for (int i = 0; i < value.size(); ++i) list += (i > 0 ? ", " : "") + text_of(value[i]);
+      return "[" + list + "]";
+    }
     default:
       return "";
   }
+}
+
+}  // namespace
+
+std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std::string& name) {
+  XmlRpc::XmlRpcValue value;
+  if (!own.getParam(name, value)) return std::nullopt;
+  return text_of(value);
 }
 
 wend::OptionValues parameters_of(const ros::NodeHandle& own,

@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
 namespace {
@@ -64,6 +65,18 @@ OptionInfo planner_option() {
           .help = "name of the planner"};
 }
 
+constexpr std::string_view kFootprint = "footprint";
+
+/// Any text: parse_footprint() says what is right.
+OptionInfo footprint_option() {
+  return {.name = std::string(kFootprint),
+          .aliases = {},
+          .kind = OptionKind::choice,
+          .default_value = "",
+          .choices = {},
+          .help = "the robot's shape in place of robot_radius: [[x, y], ...] in m, x ahead"};
+}
+
 /// Of options of the same name, one that takes what any of them does.
 void merge(std::vector<OptionInfo>& schema, const OptionInfo& option) {
   const auto same = std::ranges::find(schema, option.name, &OptionInfo::name);
@@ -81,7 +94,7 @@ void merge(std::vector<OptionInfo>& schema, const OptionInfo& option) {
 }
 
 std::vector<OptionInfo> full_schema() {
-  std::vector<OptionInfo> schema{planner_option()};
+  std::vector<OptionInfo> schema{planner_option(), footprint_option()};
   for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
   for (const wend::PlannerInfo& planner : wend::planners()) {
     for (const OptionInfo& option : planner.options) merge(schema, option);
@@ -114,6 +127,10 @@ std::string fault_of(const OptionInfo& option, std::string_view text) {
     case OptionKind::choice:
       break;
   }
+  if (option.name == kFootprint) {
+    const auto footprint = wend::parse_footprint(text);
+    return text.empty() || footprint ? std::string() : footprint.error().message;
+  }
   const bool known = std::ranges::find(option.choices, text) != option.choices.end();
   return known ? std::string() : wend::option_text::unknown_choice(text, option.choices);
 }
@@ -140,7 +157,7 @@ std::string type_of(OptionKind kind) {
 
 /// The choices as dynamic_reconfigure's clients read them: a Python literal.
 std::string edit_method(const OptionInfo& option) {
-  if (option.kind != OptionKind::choice) return {};
+  if (option.choices.empty()) return {};
   std::string text = "{'enum_description': '" + option.help + "', 'enum': [";
   for (std::size_t i = 0; i < option.choices.size(); ++i) {
     const std::string& choice = option.choices[i];
@@ -192,6 +209,12 @@ double Parameters::number(std::string_view name) const {
 }
 
 bool Parameters::flag(std::string_view name) const { return is_true(text(name)); }
+
+wend::Footprint Parameters::footprint() const {
+  const std::string& shape = text(kFootprint);
+  if (shape.empty()) return wend::Footprint::disc(number("robot_radius"));
+  return wend::parse_footprint(shape).value_or(wend::Footprint());
+}
 
 wend::OptionValues Parameters::options_of(std::string_view planner) const {
   wend::OptionValues values;

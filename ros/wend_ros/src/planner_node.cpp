@@ -18,7 +18,7 @@ namespace wend_ros {
 namespace {
 
 wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
-  return {.footprint = Footprint::disc(parameters.number("robot_radius")),
+  return {.footprint = parameters.footprint(),
           .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
                                                      : wend::UnknownPolicy::blocked,
           .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free

@@ -150,6 +150,18 @@ TEST(Parameters, TakeWhatIsRightAndTellTheRest) {
   EXPECT_EQ(parameters.number("robot_radius"), 0.3);
 }
 
+TEST(Parameters, HaveAFootprintInPlaceOfARadius) {
+  Parameters parameters;
+  EXPECT_EQ(parameters.set("robot_radius", "0.3"), "");
+  EXPECT_EQ(parameters.footprint(), wend::Footprint::disc(0.3));
+  EXPECT_EQ(parameters.set("footprint", "[[0.4, 0.2], [0.4, -0.2], [-0.3, 0]]"), "");
+  EXPECT_EQ(parameters.footprint(), *wend::parse_footprint("0.4,0.2;0.4,-0.2;-0.3,0"));
+  EXPECT_NE(parameters.set("footprint", "[[1, 1], [2, 2]]").find("3 to 64 corners"),
+            std::string::npos);
+  EXPECT_EQ(parameters.set("footprint", ""), "");
+  EXPECT_EQ(parameters.footprint(), wend::Footprint::disc(0.3));
+}
+
 TEST(Poses, WithoutAnOrientationHeadAlongX) {
   EXPECT_EQ(pose_from(geometry_msgs::Pose{}).heading, 0);
   const wend::Pose pose{1, 2, -2.5};

@@ -265,7 +265,7 @@ void draw_robot_at_start(const SceneDrawing& drawing) {
   stroke(drawing.context, line / 2, drawing.style.start, 0.8);
 }
 
-/// Where it is: its disc, or a small one where that could not be seen, and a tick that points along
+/// Where it is: its shape, or a small disc where that could not be seen, and a tick that points along
 /// its heading.
 void draw_robot(const SceneDrawing& drawing) {
   cairo_t* const context = drawing.context;
@@ -273,12 +273,14 @@ void draw_robot(const SceneDrawing& drawing) {
   const Pose& robot = *drawing.scene.robot;
   const Point centre = drawing.view.to_picture(robot.point());
   const double angle = drawing.view.angle_of(robot.heading);
-  const double radius = std::max({drawing.scene.space.radius_in_cells() * drawing.view.scale(), 2.0,
-                                  0.7 * drawing.sizes.mark});
+  const double scale_radius = drawing.scene.space.radius_in_cells() * drawing.view.scale();
+  const double radius = std::max({scale_radius, 2.0, 0.7 * drawing.sizes.mark});
   const double line = std::max(kLeastLineWidth, 0.5 * drawing.sizes.line);
   const Colour& colour = drawing.style.lines.driven;
   cairo_save(context);
-  trace_circle(context, centre, radius);
+  const bool to_scale = radius == scale_radius;
+  drawing.scene.space.outline() && to_scale ? trace_footprint(drawing, robot)
+                                            : trace_circle(context, centre, radius);
   stroke_and_keep(context, line + 2 * drawing.sizes.halo, drawing.style.halo, 0.75);
   fill_and_keep(context, colour, 0.35);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
@@ -299,7 +301,9 @@ void draw_path(const SceneDrawing& drawing) {
   cairo_rectangle(drawing.context, view.left - beyond, view.top - beyond, view.width + 2 * beyond,
                   view.height + 2 * beyond);
   cairo_clip(drawing.context);
-  if (scene.start && !scene.robot && on_map(scene, scene.start->point)) {
+  if (scene.space.outline() && !scene.robot) {
+    draw_footprints(drawing);
+  } else if (scene.start && !scene.robot && on_map(scene, scene.start->point)) {
     draw_robot_at_start(drawing);
   }
   scene.path.driven() ? draw_driven_path(drawing) : draw_bent_path(drawing);

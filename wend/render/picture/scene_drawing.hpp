@@ -102,6 +102,15 @@ void draw_path(const SceneDrawing& drawing);
 void draw_driven_sample(const Pen& pen, Point centre, double length, bool reverse);
 void draw_line_sample(const Pen& pen, Point centre, double length, LineRole role);
 
+// footprint_drawing.cpp: a robot whose shape is a polygon, to scale.
+
+/// Traces the outline of the robot at a pose.
+void trace_footprint(const SceneDrawing& drawing, const Pose& pose);
+
+/// At both ends of the path and along it, facing along it, far enough apart. None where outlines
+/// would be only specks, or without a path.
+void draw_footprints(const SceneDrawing& drawing);
+
 // marks.cpp: start, goals, and what a scene points out.
 
 /// Sizes for a picture of that scale: by the cells, or by a car's lattice, whose corners need room.

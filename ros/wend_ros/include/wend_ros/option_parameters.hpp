@@ -15,7 +15,7 @@
 namespace wend_ros {
 
 /// A parameter as text, whatever its type: <param name="connectivity" value="4"/> is a number, and
-/// the option a choice. Nothing if the parameter is unset.
+/// the option a choice. A list is "[a, b]". Nothing if the parameter is unset.
 std::optional<std::string> parameter_text(const ros::NodeHandle& own, const std::string& name);
 
 /// The parameters that a schema names, as far as each alone is right.

@@ -8,6 +8,7 @@
 // `weight`); planners that do not have it do not get it. Then there is what concerns them all:
 //
 //   planner         which one                robot_radius   metres
+//   footprint       [[x, y], ...], metres: the robot's polygon, in place of robot_radius
 //   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
@@ -21,6 +22,7 @@
 #include <vector>
 
 #include "wend/base/options.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
 
@@ -38,6 +40,9 @@ class Parameters {
   const std::string& text(std::string_view name) const;
   double number(std::string_view name) const;
   bool flag(std::string_view name) const;
+
+  /// The robot's shape: `footprint` if it is set, else a disc of `robot_radius`.
+  wend::Footprint footprint() const;
 
   /// Those of a planner that somebody has set, to values that it takes.
   wend::OptionValues options_of(std::string_view planner) const;

@@ -1,0 +1,71 @@
+// The polygon of a robot, to scale: at the ends of a path and along it.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "wend/render/picture/scene_drawing.hpp"
+#include "wend/robot/placed_polygon.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
+constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
+
+/// Poses on straight lines through points, so far apart, facing along them; the ends are among them.
+std::vector<Pose> poses_along(const std::vector<Point>& points, double spacing) {
+  std::vector<Pose> poses;
+  double until_next = 0;
+  double heading = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Line line{points[i - 1], points[i]};
+    if (line.length() == 0) continue;
+    heading = std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
+    double along = until_next;
+    for (; along < line.length(); along += spacing) {
+      const Point point = line.at(along / line.length());
+      poses.push_back({point.x, point.y, heading});
+    }
+    until_next = along - line.length();
+  }
+  if (!poses.empty()) poses.push_back({points.back().x, points.back().y, heading});
+  return poses;
+}
+
+/// The points that the robot drives through: the last line of the scene, else the path.
+std::vector<Point> driven_points(const Scene& scene) {
+  if (!scene.lines.empty() && scene.lines.back().role != LineRole::possible) {
+    return scene.lines.back().points;
+  }
+  return scene.path.empty() ? std::vector<Point>{} : scene.path.points();
+}
+
+}  // namespace
+
+void trace_footprint(const SceneDrawing& drawing, const Pose& pose) {
+  const PlacedPolygon robot(*drawing.scene.space.outline(), pose);
+  cairo_new_path(drawing.context);
+  for (const Point corner : robot.corners()) {
+    const Point point = drawing.view.to_picture(corner);
+    cairo_line_to(drawing.context, point.x, point.y);
+  }
+  cairo_close_path(drawing.context);
+}
+
+void draw_footprints(const SceneDrawing& drawing) {
+  const Scene& scene = drawing.scene;
+  const double size = 2 * scene.space.radius_in_cells();
+  if (size * drawing.view.scale() < kLeastSize || scene.path.driven()) return;
+  const std::vector<Pose> poses = poses_along(driven_points(scene), kFootprintGap * size);
+  const double width = std::max(1.0, drawing.sizes.line / 4);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const bool at_end = i == 0 || i + 1 == poses.size();
+    const Colour& colour = i + 1 == poses.size() ? drawing.style.goal : drawing.style.start;
+    trace_footprint(drawing, poses[i]);
+    if (at_end) fill_and_keep(drawing.context, colour, 0.2);
+    stroke(drawing.context, width, at_end ? colour : drawing.style.start, at_end ? 0.9 : 0.45);
+  }
+}
+
+}  // namespace wend
