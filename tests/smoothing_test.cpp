@@ -16,6 +16,7 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
+#include "tests/testing/smoothing_objective.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/curvature_smoother.hpp"
 #include "wend/path/gradient_smoother.hpp"

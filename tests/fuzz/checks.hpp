@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/image/grey_image.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/io/map/image_map.hpp"
@@ -107,7 +108,7 @@ inline std::string check_map(const Expected<LoadedMap, IoError>& loaded) {
 }
 
 /// An image has a value for each pixel, none above its maximum, and is a map.
-inline std::string check_image(const Expected<GreyImage, std::string>& image) {
+inline std::string check_image(const Expected<WholeImage, std::string>& image) {
   if (!image) return check_text(image.error());
   const std::size_t pixels =
       static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);

@@ -1,7 +1,6 @@
 #include "wend/analysis/cost_to_go.hpp"
 
 #include <limits>
-#include <vector>
 
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/search/forward_search.hpp"

@@ -12,9 +12,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 template <class Value>
 auto grid_of(const FreeSpace& space, Value&& value) {
   Grid<decltype(value(Cell{}))> grid(space.width(), space.height());
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) grid[{x, y}] = value(Cell{x, y});
-  }
+  for (const Cell cell : every_cell(grid)) grid[cell] = value(cell);
   return grid;
 }
 
@@ -58,15 +56,8 @@ Grid<double> search_numbers(LayerKind kind, const Planner& planner,
 }
 
 double occupied_or_free(CellState state) {
-  switch (state) {
-    case CellState::free:
-      return 0;
-    case CellState::occupied:
-      return 1;
-    case CellState::unknown:
-      break;
-  }
-  return kNothing;
+  if (state == CellState::unknown) return kNothing;
+  return state == CellState::occupied ? 1 : 0;
 }
 
 }  // namespace

@@ -1,11 +1,8 @@
 #include "wend/analysis/no_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
-#include <span>
 #include <utility>
 
 #include "wend/analysis/cost_to_go.hpp"
@@ -91,9 +88,7 @@ bool labels_are_exact(const FreeSpace& space, GridMoves moves) {
 template <class Holds>
 BitGrid cells_where(const FreeSpace& space, Holds&& holds) {
   BitGrid cells(space.width(), space.height());
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) cells.set({x, y}, holds(Cell{x, y}));
-  }
+  for (const Cell cell : every_cell(cells)) cells.set(cell, holds(cell));
   return cells;
 }
 

@@ -83,14 +83,12 @@ SearchSnapshot SearchRecorder::snapshot(std::size_t expansions) const {
   const bool over = expansions == expansions_.size();
   const std::uint32_t generated = over ? generated_ : generated_before_[expansions];
   SearchSnapshot snapshot{BitGrid(width, height), BitGrid(width, height), std::nullopt};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const std::uint32_t generation = layers_.generation[{x, y}];
-      if (generation == 0 || generation > generated) continue;
-      const std::uint32_t expansion = layers_.expansion[{x, y}];
-      const bool expanded = expansion != 0 && expansion <= expansions;
-      (expanded ? snapshot.expanded : snapshot.frontier).set({x, y}, true);
-    }
+  for (const Cell cell : every_cell(layers_.generation)) {
+    const std::uint32_t generation = layers_.generation[cell];
+    if (generation == 0 || generation > generated) continue;
+    const std::uint32_t expansion = layers_.expansion[cell];
+    const bool expanded = expansion != 0 && expansion <= expansions;
+    (expanded ? snapshot.expanded : snapshot.frontier).set(cell, true);
   }
   if (expansions > 0) {
     const Cell place = expansions_[expansions - 1];

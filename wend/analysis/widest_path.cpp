@@ -4,10 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/direction.hpp"
@@ -91,12 +88,9 @@ GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
   const auto& clearance = space.squared_half_cell_clearance();
   Grid<CellState> states(map.width(), map.height());
   Grid<double> terrain(map.width(), map.height(), 1);
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) {
-      const Cell cell{x, y};
-      states[cell] = map.state(cell);
-      if (clearance[cell] <= width) terrain[cell] = kDear;
-    }
+  for (const Cell cell : every_cell(map)) {
+    states[cell] = map.state(cell);
+    if (clearance[cell] <= width) terrain[cell] = kDear;
   }
   return GridMap(states, map.frame(), std::move(terrain));
 }

@@ -9,13 +9,11 @@ namespace wend {
 
 #define WEND_CONTROLLER(name) ControllerInfo name##_controller();
 #include "wend/control/controllers.def"
-#undef WEND_CONTROLLER
 
 const Registry<ControllerInfo>& controllers() {
   static const Registry<ControllerInfo> registry({
 #define WEND_CONTROLLER(name) name##_controller(),
 #include "wend/control/controllers.def"
-#undef WEND_CONTROLLER
   });
   return registry;
 }

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace wend {
 namespace {

@@ -2,7 +2,6 @@
 // Systems", 2008, chapter 1.
 
 #include "wend/control/controller.hpp"
-#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {

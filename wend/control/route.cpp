@@ -1,7 +1,6 @@
 #include "wend/control/route.hpp"
 
 #include <cassert>
-#include <cstddef>
 
 #include "wend/geometry/angle.hpp"
 

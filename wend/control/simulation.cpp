@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
-#include <utility>
 
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"

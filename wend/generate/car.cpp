@@ -1,8 +1,6 @@
 // A test map for a car: a number of obstacles and of rough cells, placed at random.
 
 #include <algorithm>
-#include <cstdint>
-#include <utility>
 
 #include "wend/generate/generator_info.hpp"
 
@@ -47,18 +45,15 @@ GridMap generate(MapSize size, const CarOptions& options, Random& random) {
   auto left = static_cast<std::uint64_t>(CarOptions::room(size));
   const Cell start{0, 0};
   const Cell goal{size.width - 1, size.height - 1};
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const Cell cell{x, y};
-      if (cell == start || cell == goal) continue;
-      const std::uint64_t drawn = random.below(left--);
-      if (drawn < obstacles) {
-        cells[cell] = CellState::occupied;
-        --obstacles;
-      } else if (drawn < obstacles + rough) {
-        terrain[cell] = kRoughRoad;
-        --rough;
-      }
+  for (const Cell cell : every_cell(cells)) {
+    if (cell == start || cell == goal) continue;
+    const std::uint64_t drawn = random.below(left--);
+    if (drawn < obstacles) {
+      cells[cell] = CellState::occupied;
+      --obstacles;
+    } else if (drawn < obstacles + rough) {
+      terrain[cell] = kRoughRoad;
+      --rough;
     }
   }
   return GridMap(cells, {}, std::move(terrain));

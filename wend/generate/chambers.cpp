@@ -1,7 +1,5 @@
 #include "wend/generate/chambers.hpp"
 
-#include <array>
-
 #include "wend/geometry/direction.hpp"
 
 namespace wend {

@@ -90,9 +90,7 @@ bool FloorPlan::place_round(Cell centre, int radius) {
 void FloorPlan::transpose() {
   const auto transposed = [](const auto& grid) {
     std::remove_cvref_t<decltype(grid)> result(grid.height(), grid.width());
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) result[{y, x}] = grid[{x, y}];
-    }
+    for (const Cell cell : every_cell(grid)) result[{cell.y, cell.x}] = grid[cell];
     return result;
   };
   cells_ = transposed(cells_);

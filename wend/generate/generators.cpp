@@ -27,13 +27,11 @@ GeneratorError size_error(std::string_view name, MapSize size, std::string_view 
 
 #define WEND_GENERATOR(name) GeneratorInfo name##_generator();
 #include "wend/generate/generators.def"
-#undef WEND_GENERATOR
 
 const Registry<GeneratorInfo>& generators() {
   static const Registry<GeneratorInfo> registry({
 #define WEND_GENERATOR(name) name##_generator(),
 #include "wend/generate/generators.def"
-#undef WEND_GENERATOR
   });
   return registry;
 }

@@ -1,7 +1,6 @@
 #include "wend/generate/hills.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace wend {
 namespace {
@@ -15,9 +14,7 @@ class Waves {
  public:
   Waves(int width, int height, int spacing, Random& random)
       : spacing_(spacing), nodes_(width / spacing + 2, height / spacing + 2) {
-    for (int y = 0; y < nodes_.height(); ++y) {
-      for (double& node : nodes_.row(y)) node = random.uniform();
-    }
+    for (const Cell node : every_cell(nodes_)) nodes_[node] = random.uniform();
   }
 
   /// In [0, 1).
@@ -48,13 +45,10 @@ Heights landscape(int width, int height, int spacing, Random& random) {
   const Waves middling(width, height, std::max(1, spacing / 2), random);
   const Waves small(width, height, std::max(1, spacing / 4), random);
   Heights heights(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Cell cell{x, y};
-      const double share =
-          (4 * large.height(cell) + 2 * middling.height(cell) + small.height(cell)) / 7;
-      heights[cell] = static_cast<Height>(share * kHeights);
-    }
+  for (const Cell cell : every_cell(heights)) {
+    const double share =
+        (4 * large.height(cell) + 2 * middling.height(cell) + small.height(cell)) / 7;
+    heights[cell] = static_cast<Height>(share * kHeights);
   }
   return heights;
 }

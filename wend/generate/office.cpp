@@ -2,10 +2,7 @@
 // around. Long floors have cross corridors, deep ones several corridors with courtyards between.
 
 #include <algorithm>
-#include <array>
-#include <vector>
 
-#include "wend/generate/floor_plan.hpp"
 #include "wend/generate/furniture.hpp"
 #include "wend/generate/generator_info.hpp"
 

@@ -15,11 +15,6 @@
 //                  empty bays one drives from aisle to aisle.
 //   a kerb         1 cell wide; it ends one cell before the aisle, so that cars can cut the corner.
 
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 #include "wend/generate/block.hpp"
 #include "wend/generate/generator_info.hpp"
 #include "wend/generate/hills.hpp"
@@ -162,12 +157,9 @@ Grid<double> worn_roads(const Grid<CellState>& cells, double share, Random& rand
   if (share == 0) return {};
   const Hills hills(cells.width(), cells.height(), kPatches, random);
   Grid<double> terrain(cells.width(), cells.height(), 1);
-  for (int y = 0; y < cells.height(); ++y) {
-    for (int x = 0; x < cells.width(); ++x) {
-      const Cell cell{x, y};
-      const bool worn = hills.share_below(cell) >= 1 - share;
-      if (worn && cells[cell] == CellState::free) terrain[cell] = kRoughRoad;
-    }
+  for (const Cell cell : every_cell(cells)) {
+    const bool worn = hills.share_below(cell) >= 1 - share;
+    if (worn && cells[cell] == CellState::free) terrain[cell] = kRoughRoad;
   }
   return terrain;
 }

@@ -18,10 +18,8 @@ struct RandomMapOptions {
 
 GridMap generate(MapSize size, const RandomMapOptions& options, Random& random) {
   Grid<CellState> cells(size.width, size.height, CellState::free);
-  for (int y = 0; y < size.height; ++y) {
-    for (CellState& cell : cells.row(y)) {
-      if (random.chance(options.density)) cell = CellState::occupied;
-    }
+  for (const Cell cell : every_cell(cells)) {
+    if (random.chance(options.density)) cells[cell] = CellState::occupied;
   }
   for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
     if (cells.contains(corner)) cells[corner] = CellState::free;

@@ -36,13 +36,11 @@ GridMap generate(MapSize size, const RoomsOptions& options, Random& random) {
   for (const auto& [a, b] : random_spanning_tree(rooms.columns(), rooms.rows(), random)) {
     open_door(rooms.cells(), rooms.wall_between(a, b), random);
   }
-  for (int y = 0; y < rooms.rows(); ++y) {
-    for (int x = 0; x < rooms.columns(); ++x) {
-      for (const Cell next : {Cell{x + 1, y}, Cell{x, y + 1}}) {
-        if (next.x == rooms.columns() || next.y == rooms.rows()) continue;
-        if (random.chance(options.loops)) {
-          open_door(rooms.cells(), rooms.wall_between({x, y}, next), random);
-        }
+  for (const Cell room : CellRange(rooms.columns(), rooms.rows())) {
+    for (const Cell next : {Cell{room.x + 1, room.y}, Cell{room.x, room.y + 1}}) {
+      if (next.x == rooms.columns() || next.y == rooms.rows()) continue;
+      if (random.chance(options.loops)) {
+        open_door(rooms.cells(), rooms.wall_between(room, next), random);
       }
     }
   }

@@ -1,8 +1,6 @@
 // Rough terrain: smooth hills whose cells cost 2 to 9 on easy ground, and some rocks.
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "wend/generate/block.hpp"
 #include "wend/generate/generator_info.hpp"
@@ -36,10 +34,8 @@ Grid<double> terrain_of(MapSize size, const RoughOptions& options, Random& rando
   const Hills hills(size.width, size.height, static_cast<int>(options.hill_size), random);
   Grid<double> terrain(size.width, size.height, 1);
   if (options.roughness == 0) return terrain;
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      terrain[{x, y}] = std::min(9.0, cost_of_share(hills.share_below({x, y}), options.roughness));
-    }
+  for (const Cell cell : every_cell(terrain)) {
+    terrain[cell] = std::min(9.0, cost_of_share(hills.share_below(cell), options.roughness));
   }
   return terrain;
 }
@@ -49,10 +45,8 @@ GridMap generate(MapSize size, const RoughOptions& options, Random& random) {
   const int rock_spacing = std::max(1, static_cast<int>(options.hill_size) / 2);
   const Hills rocks(size.width, size.height, rock_spacing, random);
   Grid<CellState> cells(size.width, size.height, CellState::free);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      if (rocks.share_below({x, y}) >= 1 - options.rocks) cells[{x, y}] = CellState::occupied;
-    }
+  for (const Cell cell : every_cell(cells)) {
+    if (rocks.share_below(cell) >= 1 - options.rocks) cells[cell] = CellState::occupied;
   }
   for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
     fill(cells, Block{corner.x, corner.y, 1, 1}.grown(1), CellState::free);

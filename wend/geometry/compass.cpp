@@ -1,8 +1,6 @@
 #include "wend/geometry/compass.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
 namespace wend {
 namespace {

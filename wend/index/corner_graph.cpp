@@ -1,7 +1,6 @@
 #include "wend/index/corner_graph.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 

@@ -82,14 +82,11 @@ CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& fi
   std::vector<Member> members;
   std::unordered_map<List, std::size_t, ListHash, SameList> components;
   const BitGrid& passable = corners.passable();
-  for (int y = 0; y < passable.height(); ++y) {
-    for (int x = 0; x < passable.width(); ++x) {
-      const Cell cell{x, y};
-      if (!passable[cell] || corners.contains(cell)) continue;
-      const std::size_t component =
-          components.try_emplace(first.of(cell), components.size()).first->second;
-      members.push_back({cell, component});
-    }
+  for (const Cell cell : every_cell(passable)) {
+    if (!passable[cell] || corners.contains(cell)) continue;
+    const std::size_t component =
+        components.try_emplace(first.of(cell), components.size()).first->second;
+    members.push_back({cell, component});
   }
   begins_.resize(components.size() + 1);
   for (const Member& member : members) ++begins_[member.component];

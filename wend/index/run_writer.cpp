@@ -1,7 +1,6 @@
 #include "wend/index/run_writer.hpp"
 
 #include <cassert>
-#include <cstdint>
 
 #include "wend/space/grid/octile.hpp"
 

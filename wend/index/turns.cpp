@@ -1,8 +1,5 @@
 #include "wend/index/turns.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <utility>
 
 namespace wend {

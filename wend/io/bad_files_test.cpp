@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/image/grey_image.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/load_map.hpp"

@@ -8,11 +8,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
-#include <memory>
 #include <new>
 #include <system_error>
-#include <utility>
 
 namespace wend {
 namespace {
@@ -45,6 +42,10 @@ class Descriptor {
  private:
   int number_;
 };
+
+Unexpected<IoError> failure_of(const fs::path& file, std::string what) {
+  return io_failure(file.string(), 0, std::move(what));
+}
 
 std::string cannot_be_written(int error) { return "cannot be written: " + message_of(error); }
 
@@ -115,29 +116,26 @@ Expected<std::string, IoError> read_file(const fs::path& file, std::size_t large
       if (piece.empty()) break;
       bytes += piece.substr(0, pieces->size() - bytes.size());
     }
-    if (pieces->failed()) return io_failure(file.string(), 0, "cannot be read");
+    if (pieces->failed()) return failure_of(file, "cannot be read");
     return bytes;
   } catch (const std::bad_alloc&) {
-    return io_failure(file.string(), 0, "not enough memory for this file");
+    return failure_of(file, "not enough memory for this file");
   }
 }
 
 Expected<FilePieces, IoError> FilePieces::open(const fs::path& file, std::size_t largest) {
-  const auto failure = [&file](std::string what) {
-    return io_failure(file.string(), 0, std::move(what));
-  };
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (error) return failure("cannot be opened: " + error.message());
-  if (!fs::is_regular_file(status)) return failure("not a regular file");
+  if (error) return failure_of(file, "cannot be opened: " + error.message());
+  if (!fs::is_regular_file(status)) return failure_of(file, "not a regular file");
   const std::uintmax_t size = fs::file_size(file, error);
-  if (error) return failure("cannot be opened: " + error.message());
+  if (error) return failure_of(file, "cannot be opened: " + error.message());
   if (size > largest) {
-    return failure(fmt::format("too large: {} bytes, the limit is {}", size, largest));
+    return failure_of(file, fmt::format("too large: {} bytes, the limit is {}", size, largest));
   }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return failure("cannot be opened: " + message_of(errno));
+  if (!stream) return failure_of(file, "cannot be opened: " + message_of(errno));
   return FilePieces(std::move(stream), static_cast<std::size_t>(size));
 }
 
@@ -191,7 +189,7 @@ Expected<void, IoError> write_file(const fs::path& file, std::string_view bytes)
   const fs::file_status status = fs::status(target, error);
   const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
   std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
-  if (!wrong.empty()) return io_failure(file.string(), 0, std::move(wrong));
+  if (!wrong.empty()) return failure_of(file, std::move(wrong));
   return {};
 }
 
@@ -201,17 +199,15 @@ Expected<void, IoError> write_index(const fs::path& file, const IndexBytes& inde
 }
 
 Expected<IndexBytes, IoError> open_index(const fs::path& file) {
-  const auto failure = [&file](std::string what) {
-    return io_failure(file.string(), 0, std::move(what));
-  };
   const Descriptor index(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status{};
-  if (!index.is_open() || ::fstat(index.number(), &status) != 0) return failure(message_of(errno));
-  if (!S_ISREG(status.st_mode)) return failure("not a regular file");
+  if (!index.is_open() || ::fstat(index.number(), &status) != 0)
+    return failure_of(file, message_of(errno));
+  if (!S_ISREG(status.st_mode)) return failure_of(file, "not a regular file");
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size == 0) return failure("the file is empty; expected an index");
+  if (size == 0) return failure_of(file, "the file is empty; expected an index");
   void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, index.number(), 0);
-  if (address == MAP_FAILED) return failure(message_of(errno));
+  if (address == MAP_FAILED) return failure_of(file, message_of(errno));
   std::shared_ptr<const void> mapping(
       address, [size](const void* begin) { ::munmap(const_cast<void*>(begin), size); });
   return IndexBytes(std::move(mapping), {static_cast<const std::byte*>(address), size});

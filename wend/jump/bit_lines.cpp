@@ -1,7 +1,6 @@
 #include "wend/jump/bit_lines.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace wend {
 namespace {

@@ -1,10 +1,7 @@
 #include "wend/jump/jump_boards.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
-#include <span>
 
 #include "wend/space/grid/octile.hpp"
 

@@ -1,7 +1,6 @@
 #include "wend/jump/jump_graph.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace wend {

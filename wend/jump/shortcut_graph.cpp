@@ -1,6 +1,5 @@
 #include "wend/jump/shortcut_graph.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace wend {

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <ranges>
-#include <vector>
 
 namespace wend {
 namespace {

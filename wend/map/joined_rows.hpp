@@ -1,6 +1,7 @@
 #pragma once
 
-// Rows of runs become few rectangles: equal runs in rows that follow each other are joined.
+// Rows of cells as runs, and rows of runs as few rectangles: equal runs in rows that follow each other
+// are joined.
 
 #include <cstddef>
 #include <optional>
@@ -8,6 +9,17 @@
 #include <vector>
 
 namespace wend {
+
+/// Calls visit(x, length, value) for the runs of equal values in a row of so many cells.
+template <class ValueAt, class Visit>
+void for_runs(int width, const ValueAt& value_at, const Visit& visit) {
+  for (int x = 0; x < width;) {
+    const int first = x;
+    const auto value = value_at(first);
+    while (x < width && value_at(x) == value) ++x;
+    visit(first, x - first, value);
+  }
+}
 
 /// `runs_of_row(y)` gives the rectangles of row y, one cell high, from left to right;
 /// `alike(a, b)` says whether two that cover the same columns may be joined. Nothing if more than

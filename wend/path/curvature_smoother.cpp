@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "wend/geometry/line.hpp"
 #include "wend/path/path_metrics.hpp"

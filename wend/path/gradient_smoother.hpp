@@ -55,7 +55,4 @@ struct GradientOptions {
 SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
                                    const GradientOptions& options = {});
 
-/// What it minimises: of a path and what it became, with as many points.
-double smoothing_objective(const Path& path, const Path& smoothed, const GradientOptions& options);
-
 }  // namespace wend

@@ -14,6 +14,7 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
+#include "tests/testing/smoothing_objective.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/robot/point_sweep.hpp"

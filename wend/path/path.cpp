@@ -1,7 +1,6 @@
 #include "wend/path/path.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <numbers>
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/robot/swept_clearance.hpp"

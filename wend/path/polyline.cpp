@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "wend/geometry/line.hpp"
+
 namespace wend {
 namespace {
 
@@ -13,10 +15,6 @@ int pieces_of(const Arc& arc, double tolerance) {
   // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
   const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
   return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
-}
-
-Point between(Point from, Point to, double share) {
-  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
 }
 
 }  // namespace
@@ -59,7 +57,7 @@ Pose Polyline::at(double along) const {
   const Point from = points_[i];
   const Point to = points_[i + 1];
   const double share = std::clamp((along - along_[i]) / (along_[i + 1] - along_[i]), 0.0, 1.0);
-  const Point point = between(from, to, share);
+  const Point point = Line{from, to}.at(share);
   return {point.x, point.y, std::atan2(to.y - from.y, to.x - from.x)};
 }
 
@@ -90,7 +88,7 @@ OnPolyline Polyline::nearest(Point point, double from, double to) const {
     const double dot = (point.x - a.x) * (b.x - a.x) + (point.y - a.y) * (b.y - a.y);
     const double along = std::clamp(along_[i] + dot / length, std::max(first, along_[i]),
                                     std::min(last, along_[i + 1]));
-    const Point place = between(a, b, (along - along_[i]) / length);
+    const Point place = Line{a, b}.at((along - along_[i]) / length);
     const double gap = distance(place, point);
     if (gap < best.distance) best = {along, place, gap};
   }

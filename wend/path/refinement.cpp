@@ -1,7 +1,5 @@
 #include "wend/path/refinement.hpp"
 
-#include <utility>
-
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoothing.hpp"
 

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "wend/geometry/line.hpp"
 #include "wend/path/polyline.hpp"

@@ -4,13 +4,11 @@ namespace wend {
 
 #define WEND_SMOOTHER(name) SmootherInfo name##_smoother();
 #include "wend/path/smoothers.def"
-#undef WEND_SMOOTHER
 
 const Registry<SmootherInfo>& smoothers() {
   static const Registry<SmootherInfo> registry({
 #define WEND_SMOOTHER(name) name##_smoother(),
 #include "wend/path/smoothers.def"
-#undef WEND_SMOOTHER
   });
   return registry;
 }

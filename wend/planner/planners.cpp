@@ -1,7 +1,6 @@
 #include "wend/planner/planners.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/index_support.hpp"
@@ -10,13 +9,11 @@ namespace wend {
 
 #define WEND_PLANNER(name) PlannerInfo name##_planner();
 #include "wend/planner/planners.def"
-#undef WEND_PLANNER
 
 const Registry<PlannerInfo>& planners() {
   static const Registry<PlannerInfo> registry({
 #define WEND_PLANNER(name) name##_planner(),
 #include "wend/planner/planners.def"
-#undef WEND_PLANNER
   });
   return registry;
 }

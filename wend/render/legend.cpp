@@ -1,10 +1,7 @@
 #include "wend/render/legend.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
-#include "wend/map/every_cell.hpp"
 #include "wend/render/terminal/glyphs.hpp"
 
 namespace wend {

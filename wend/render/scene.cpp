@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <ranges>
-#include <utility>
 
 namespace wend {
 

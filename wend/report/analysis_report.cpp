@@ -19,9 +19,7 @@ Json json_of_start(const FieldStart& from, const Frame& frame) {
 Json json_of_grid(const CostToGo& field, const Frame& frame) {
   const Grid<double>& costs = field.costs();
   Grid<std::optional<Direction>> policy(costs.width(), costs.height());
-  for (int y = 0; y < costs.height(); ++y) {
-    for (int x = 0; x < costs.width(); ++x) policy[{x, y}] = field.policy({x, y});
-  }
+  for (const Cell cell : every_cell(policy)) policy[cell] = field.policy(cell);
   return {{"width", costs.width()},
           {"height", costs.height()},
           {"costs", json_of(costs)},
@@ -31,12 +29,11 @@ Json json_of_grid(const CostToGo& field, const Frame& frame) {
 Json json_of(const WidestPath& widest, const Frame& frame) {
   Json json{{"radius_cells", widest.radius},
             {"radius_m", nullptr},
-            {"narrowest", Json::array({widest.narrowest.x, widest.narrowest.y})},
+            {"narrowest", json_of_fractions(widest.narrowest)},
             {"narrowest_m", nullptr}};
   if (frame.metric) {
-    const Point metres = frame.to_metres(widest.narrowest);
     json["radius_m"] = widest.radius * frame.resolution;
-    json["narrowest_m"] = Json::array({metres.x, metres.y});
+    json["narrowest_m"] = json_of_fractions(frame.to_metres(widest.narrowest));
   }
   return json;
 }
@@ -62,18 +59,15 @@ std::string field_json(const FieldReport& report, const Frame& frame, const Cost
 }
 
 std::string field_csv(const CostToGo& field, const Frame& frame) {
-  const Grid<double>& costs = field.costs();
   std::string csv = "x,y,cost,move\n";
-  for (int y = 0; y < costs.height(); ++y) {
-    for (int x = 0; x < costs.width(); ++x) {
-      const double cost = costs[{x, y}];
-      const auto move = field.policy({x, y});
-      csv += std::to_string(x) + "," + std::to_string(y) + ",";
-      if (std::isfinite(cost)) csv += format_number(cost);
-      csv += ",";
-      if (move) csv += name_of(*move, frame);
-      csv += "\n";
-    }
+  for (const Cell cell : every_cell(field.costs())) {
+    const double cost = field.costs()[cell];
+    const auto move = field.policy(cell);
+    csv += std::to_string(cell.x) + "," + std::to_string(cell.y) + ",";
+    if (std::isfinite(cost)) csv += format_number(cost);
+    csv += ",";
+    if (move) csv += name_of(*move, frame);
+    csv += "\n";
   }
   return csv;
 }

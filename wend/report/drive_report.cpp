@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <string_view>
-#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/report/json.hpp"
@@ -112,23 +109,22 @@ std::string table_of_many(std::span<const ControlledDrive> drives) {
 }
 
 Json json_of(const std::vector<DriveSample>& samples, const Frame& frame) {
-  Json columns;
-  for (const char* name : {"time_s", "x_m", "y_m", "yaw", "linear_m_s", "angular_rad_s",
-                           "heading_error_degrees", "cross_track_m"}) {
-    columns[name] = Json::array();
-  }
-  for (const DriveSample& sample : samples) {
-    const Pose pose = frame.to_metres(sample.pose);
-    columns["time_s"].push_back(sample.time);
-    columns["x_m"].push_back(pose.x);
-    columns["y_m"].push_back(pose.y);
-    columns["yaw"].push_back(pose.heading);
-    columns["linear_m_s"].push_back(sample.velocity.linear);
-    columns["angular_rad_s"].push_back(sample.velocity.angular);
-    columns["heading_error_degrees"].push_back(degrees_from(sample.heading_error));
-    columns["cross_track_m"].push_back(sample.cross_track);
-  }
-  return columns;
+  const auto column = [&samples](const auto& value) {
+    Json numbers = Json::array();
+    for (const DriveSample& sample : samples) numbers.push_back(value(sample));
+    return numbers;
+  };
+  const auto pose = [&frame](const DriveSample& sample) { return frame.to_metres(sample.pose); };
+  using Sample = const DriveSample&;
+  return {{"time_s", column([](Sample sample) { return sample.time; })},
+          {"x_m", column([&](Sample sample) { return pose(sample).x; })},
+          {"y_m", column([&](Sample sample) { return pose(sample).y; })},
+          {"yaw", column([&](Sample sample) { return pose(sample).heading; })},
+          {"linear_m_s", column([](Sample sample) { return sample.velocity.linear; })},
+          {"angular_rad_s", column([](Sample sample) { return sample.velocity.angular; })},
+          {"heading_error_degrees",
+           column([](Sample sample) { return degrees_from(sample.heading_error); })},
+          {"cross_track_m", column([](Sample sample) { return sample.cross_track; })}};
 }
 
 Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples samples) {
@@ -147,9 +143,8 @@ Json json_of(const ControlledDrive& driven, const Frame& frame, DriveSamples sam
             {"first_collision", Json()},
             {"first_collision_m", Json()}};
   if (drive.first_collision) {
-    const Point metres = frame.to_metres(*drive.first_collision);
     json["first_collision"] = json_of(*drive.first_collision);
-    json["first_collision_m"] = Json::array({metres.x, metres.y});
+    json["first_collision_m"] = json_of_fractions(frame.to_metres(*drive.first_collision));
   }
   if (samples == DriveSamples::all) json["samples"] = json_of(drive.samples, frame);
   return json;

@@ -1,7 +1,6 @@
 #include "wend/report/json.hpp"
 
 #include <cmath>
-#include <cstdint>
 
 #include "wend/geometry/compass.hpp"
 
@@ -19,7 +18,7 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
     const Pose in_map = frame.to_metres(pose);
     corners.push_back(json_of(pose.point()));
     headings.push_back(json_of_heading(pose.heading, frame));
-    metres.push_back(Json::array({in_map.x, in_map.y}));
+    metres.push_back(json_of_fractions(in_map.point()));
     yaws.push_back(in_map.heading);
   }
   json.update({{"path", corners},
@@ -27,6 +26,16 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
                {"moves", plan.moves},
                {"path_m", metres},
                {"yaw", yaws}});
+}
+
+template <class T, class JsonOf>
+Json rows_of(const Grid<T>& grid, const JsonOf& json_of_value) {
+  Json rows = Json::array();
+  for (int y = 0; y < grid.height(); ++y) {
+    Json& row = rows.emplace_back(Json::array());
+    for (const T& value : grid.row(y)) row.push_back(json_of_value(value));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -44,9 +53,11 @@ Json json_of_heading(double radians, const Frame& frame) {
   return heading ? Json(letter_of(*heading, frame)) : Json(radians);
 }
 
+Json json_of_fractions(Point point) { return Json::array({point.x, point.y}); }
+
 Json json_of(const std::vector<Point>& points) {
   Json json = Json::array();
-  for (const Point point : points) json.push_back(Json::array({point.x, point.y}));
+  for (const Point point : points) json.push_back(json_of_fractions(point));
   return json;
 }
 
@@ -59,23 +70,13 @@ Json json_of(std::span<const Cell> cells) {
 }
 
 Json json_of(const Grid<double>& numbers) {
-  Json rows = Json::array();
-  for (int y = 0; y < numbers.height(); ++y) {
-    Json& row = rows.emplace_back(Json::array());
-    for (const double number : numbers.row(y)) row.push_back(number);
-  }
-  return rows;
+  return rows_of(numbers, [](double number) { return Json(number); });
 }
 
 Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame) {
-  Json rows = Json::array();
-  for (int y = 0; y < directions.height(); ++y) {
-    Json& row = rows.emplace_back(Json::array());
-    for (const auto& direction : directions.row(y)) {
-      row.push_back(direction ? Json(name_of(*direction, frame)) : Json());
-    }
-  }
-  return rows;
+  return rows_of(directions, [&frame](const std::optional<Direction>& direction) {
+    return direction ? Json(name_of(*direction, frame)) : Json();
+  });
 }
 
 Json json_of(const SearchMetrics& metrics) {

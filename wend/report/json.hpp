@@ -31,7 +31,8 @@ Json json_of(Cell cell);
 /// [x, y] of a point in grid coordinates: [3, 4] of a corner, else [2.5, 4.0].
 Json json_of(Point point);
 
-/// [[x, y], ...], all as numbers with a fraction.
+/// [x, y], [[x, y], ...]: all as numbers with a fraction.
+Json json_of_fractions(Point point);
 Json json_of(const std::vector<Point>& points);
 
 /// "E" of one of the four headings, else radians in grid coordinates.

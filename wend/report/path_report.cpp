@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <utility>
-#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/report/json.hpp"
@@ -99,39 +97,30 @@ std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit&
 }
 
 std::string_view to_string(CollisionKind kind) {
-  switch (kind) {
-    case CollisionKind::outside:
-      return "outside";
-    case CollisionKind::obstacle:
-      return "obstacle";
-    case CollisionKind::too_close:
-      return "too_close";
-    case CollisionKind::overlaps:
-      return "overlaps";
-    case CollisionKind::squeezed:
-      return "squeezed";
-  }
-  return "";
+  constexpr std::array<Choice<CollisionKind>, 5> kNames{{{"outside", CollisionKind::outside},
+                                                         {"obstacle", CollisionKind::obstacle},
+                                                         {"too_close", CollisionKind::too_close},
+                                                         {"squeezed", CollisionKind::squeezed},
+                                                         {"overlaps", CollisionKind::overlaps}}};
+  return choice_name(kind, kNames);
 }
 
 Json json_of(const MeasuredPath& path, const Frame& frame) {
   const PathMetrics& metrics = path.metrics;
-  const double metre = frame.resolution;
-  return {{"points", path.points},
-          {"length_cells", metrics.length},
-          {"length_m", metrics.length * metre},
-          {"turning_degrees", degrees_from(metrics.turning)},
-          {"smallest_turning_radius_cells", metrics.smallest_turning_radius},
-          {"smallest_turning_radius_m", metrics.smallest_turning_radius * metre},
-          {"rounded_turning_radius_cells", metrics.rounded_turning_radius},
-          {"rounded_turning_radius_m", metrics.rounded_turning_radius * metre},
-          {"corner_rounding_cells", metrics.corner_rounding},
-          {"corner_rounding_m", metrics.corner_rounding * metre},
-          {"smallest_clearance_cells", metrics.smallest_clearance},
-          {"smallest_clearance_m", metrics.smallest_clearance * metre},
-          {"mean_clearance_cells", metrics.mean_clearance},
-          {"mean_clearance_m", metrics.mean_clearance * metre},
-          {"reversals", metrics.reversals}};
+  Json json{{"points", path.points}};
+  const auto put_length = [&](const std::string& name, double cells) {
+    json[name + "_cells"] = cells;
+    json[name + "_m"] = cells * frame.resolution;
+  };
+  put_length("length", metrics.length);
+  json["turning_degrees"] = degrees_from(metrics.turning);
+  put_length("smallest_turning_radius", metrics.smallest_turning_radius);
+  put_length("rounded_turning_radius", metrics.rounded_turning_radius);
+  put_length("corner_rounding", metrics.corner_rounding);
+  put_length("smallest_clearance", metrics.smallest_clearance);
+  put_length("mean_clearance", metrics.mean_clearance);
+  json["reversals"] = metrics.reversals;
+  return json;
 }
 
 void put_paths(Json& json, const RefinedPath& path, const Frame& frame) {
@@ -154,13 +143,12 @@ std::string check_json(const MeasuredPath& path, const std::optional<PathCollisi
                        const Frame& frame) {
   Json json{{"free", !collision.has_value()}, {"collision", Json()}};
   if (collision) {
-    const Point metres = frame.to_metres(collision->point);
     json["collision"] = {
         {"kind", to_string(collision->kind)},
         {"along_cells", collision->along},
         {"along_m", collision->along * frame.resolution},
         {"point", json_of(collision->point)},
-        {"point_m", Json::array({metres.x, metres.y})},
+        {"point_m", json_of_fractions(frame.to_metres(collision->point))},
         {"obstacle", collision->obstacle ? json_of(*collision->obstacle) : Json()}};
   }
   json["metrics"] = json_of(path, frame);

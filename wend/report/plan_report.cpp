@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
-#include <string_view>
-#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/text.hpp"

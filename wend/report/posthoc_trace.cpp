@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <utility>
-#include <vector>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
@@ -27,17 +25,11 @@ struct Rectangle {
 template <class IsBlocked>
 std::vector<Rectangle> blocked_runs(int width, int y, IsBlocked&& is_blocked) {
   std::vector<Rectangle> runs;
-  bool blocked = false;
-  for (int x = 0; x < width; ++x) {
-    const bool joins = blocked;
-    blocked = is_blocked(Cell{x, y});
-    if (!blocked) continue;
-    if (joins) {
-      ++runs.back().width;
-    } else {
-      runs.push_back({x, y, 1, 1});
-    }
-  }
+  for_runs(
+      width, [&](int x) { return is_blocked(Cell{x, y}); },
+      [&](int x, int length, bool blocked) {
+        if (blocked) runs.push_back({x, y, length, 1});
+      });
   return runs;
 }
 
@@ -288,11 +280,7 @@ void PosthocTrace::put_event(std::string_view type, const SearchEvent& event, No
 }
 
 void PosthocTrace::put_parent(const Node& node) {
-  if (node.parent) {
-    text_.put("pId", *node.parent);
-  } else {
-    text_.put("pId", std::string_view("null"));
-  }
+  text_.put("pId", std::string_view(node.parent ? std::to_string(*node.parent) : "null"));
 }
 
 }  // namespace wend

@@ -141,4 +141,12 @@ std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
   return map().state(cell) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
 }
 
+std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
+  // Written so that it also refuses numbers that are not finite.
+  if (!(point.x >= 0 && point.y >= 0 && point.x < space.width() && point.y < space.height())) {
+    return std::nullopt;
+  }
+  return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
+}
+
 }  // namespace wend

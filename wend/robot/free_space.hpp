@@ -178,4 +178,7 @@ class FreeSpace {
   std::shared_ptr<const Data> data_;
 };
 
+/// The cell that a point in grid coordinates lies in, if it is one of the map; none of NaN.
+std::optional<Cell> cell_under(const FreeSpace& space, Point point);
+
 }  // namespace wend

@@ -1,7 +1,6 @@
 #include "wend/robot/nearest_passable.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 
 namespace wend {

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/robot/sweep.hpp"

@@ -1,19 +1,12 @@
 #include "wend/index/corner_hierarchy/corner_hierarchy.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "wend/index/corner_hierarchy/hierarchy_search.hpp"
 #include "wend/index/file/index_sections.hpp"
 #include "wend/index/run_writer.hpp"
-#include "wend/index/turns.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/search/min_heap.hpp"
 

@@ -1,8 +1,6 @@
 #include "wend/index/corner_hierarchy/hierarchy_assembly.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <span>
 #include <utility>
 
 namespace wend {

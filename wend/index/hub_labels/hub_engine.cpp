@@ -1,13 +1,9 @@
-#include "wend/index/hub_labels/hub_engine.hpp"
+// The engine that answers queries from the sections of a label index (hub_index.hpp).
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
-#include <optional>
-#include <utility>
-#include <vector>
 
-#include "wend/index/corner_cost.hpp"
+#include "wend/index/hub_labels/hub_sections.hpp"
 #include "wend/index/run_writer.hpp"
 #include "wend/jump/jump_boards.hpp"
 

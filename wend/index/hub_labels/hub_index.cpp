@@ -1,20 +1,16 @@
 #include "wend/index/hub_labels/hub_index.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "wend/index/corner_cost.hpp"
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/file/index_sections.hpp"
 #include "wend/index/first_corners.hpp"
-#include "wend/index/hub_labels/hub_engine.hpp"
 #include "wend/index/hub_labels/hub_labelling.hpp"
 #include "wend/index/hub_labels/hub_sections.hpp"
 #include "wend/index/hub_labels/label_order.hpp"
+#include "wend/map/grid.hpp"
 
 namespace wend {
 namespace {
@@ -53,21 +49,20 @@ template <class Hub>
 class RecordWriter {
  public:
   RecordWriter(const Corners& corners, const AllFirstCorners& first, const HubLabelling& labelling)
-      : corners_(corners), first_(first), labelling_(labelling) {
-    const BitGrid& passable = corners.passable();
-    record_of_cell_.assign(
-        static_cast<std::size_t>(passable.width()) * static_cast<std::size_t>(passable.height()),
-        HubSections::kNoRecord);
-  }
+      : corners_(corners),
+        first_(first),
+        labelling_(labelling),
+        record_of_cell_(corners.passable().width(), corners.passable().height(),
+                        HubSections::kNoRecord) {}
 
   const std::vector<std::uint32_t>& words() const { return words_; }
-  const std::vector<std::uint32_t>& record_of_cell() const { return record_of_cell_; }
+  std::span<const std::uint32_t> record_of_cell() const { return record_of_cell_.values(); }
 
   void add_corners(const HeavyPaths& paths) {
     std::vector<typename HubRecord<Hub>::Part> parts(1);
     for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {
       fill(parts[0], corner, labelling_.label(corner));
-      set_record(corners_.cell(corner), words_.size());
+      record_of_cell_[corners_.cell(corner)] = static_cast<std::uint32_t>(words_.size());
       HubRecord<Hub>::append(words_, parts, paths.places(corner), true);
     }
   }
@@ -109,7 +104,7 @@ class RecordWriter {
   void append(const Written& written, const CellComponents& components, std::size_t task) {
     for (std::size_t i = 0; i < written.begins.size(); ++i) {
       for (const Cell cell : components.cells(task * kComponentsATask + i)) {
-        set_record(cell, words_.size() + written.begins[i]);
+        record_of_cell_[cell] = static_cast<std::uint32_t>(words_.size() + written.begins[i]);
       }
     }
     words_.insert(words_.end(), written.words.begin(), written.words.end());
@@ -126,17 +121,11 @@ class RecordWriter {
     }
   }
 
-  void set_record(Cell cell, std::size_t word) {
-    const auto width = static_cast<std::size_t>(corners_.passable().width());
-    record_of_cell_[static_cast<std::size_t>(cell.y) * width + static_cast<std::size_t>(cell.x)] =
-        static_cast<std::uint32_t>(word);
-  }
-
   const Corners& corners_;
   const AllFirstCorners& first_;
   const HubLabelling& labelling_;
   std::vector<std::uint32_t> words_;
-  std::vector<std::uint32_t> record_of_cell_;
+  Grid<std::uint32_t> record_of_cell_;
 };
 
 template <class Hub>
@@ -154,7 +143,7 @@ Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const All
   const std::vector<std::uint64_t> hub_count{labelling.hubs()};
   IndexWriter writer(kHubLabels, HubSections::kVersion, graph.corners().passable());
   writer.add(std::span(hub_count));
-  writer.add(std::span(records.record_of_cell()));
+  writer.add(records.record_of_cell());
   writer.add(std::span(records.words()));
   writer.add(paths.words());
   building.tell(1);

@@ -1,7 +1,5 @@
 #include "wend/index/hub_labels/hub_labelling.hpp"
 
-#include <algorithm>
-
 namespace wend {
 
 HubLabelling::HubLabelling(const CornerGraph& graph)

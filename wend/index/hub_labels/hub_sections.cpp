@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ranges>
-#include <vector>
 
 namespace wend {
 namespace {
@@ -55,12 +54,10 @@ class RecordCheck {
   /// Do passable cells, and no others, have a record?
   bool cells_pass() const {
     std::size_t number = 0;
-    for (int y = 0; y < passable_.height(); ++y) {
-      for (int x = 0; x < passable_.width(); ++x) {
-        const std::uint32_t record = sections_.record_of_cell[number++];
-        const bool has_one = record < kinds_.size() && kinds_[record] != Kind::none;
-        if (passable_[{x, y}] ? !has_one : record != HubSections::kNoRecord) return false;
-      }
+    for (const Cell cell : every_cell(passable_)) {
+      const std::uint32_t record = sections_.record_of_cell[number++];
+      const bool has_one = record < kinds_.size() && kinds_[record] != Kind::none;
+      if (passable_[cell] ? !has_one : record != HubSections::kNoRecord) return false;
     }
     return true;
   }

@@ -209,4 +209,10 @@ struct HubSections {
   static Expected<HubSections, std::string> of(const IndexReader& reader, const BitGrid& passable);
 };
 
+// hub_engine.cpp: the engine that answers queries from these sections.
+
+/// Keeps the bytes, where the sections lie.
+std::unique_ptr<IndexEngine> make_hub_engine(IndexBytes index, const HubSections& sections,
+                                             const BitGrid& passable);
+
 }  // namespace wend

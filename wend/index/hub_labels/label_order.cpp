@@ -37,13 +37,10 @@ class SampledTrees {
         totals_(graph.size()),
         from_root_(graph.size(), kUnreachedCost),
         frontier_(graph.size()) {
-    const BitGrid& passable = graph.corners().passable();
-    for (int y = 0; y < passable.height(); ++y) {
-      for (int x = 0; x < passable.width(); ++x) {
-        const auto list = first.of({x, y});
-        if (!list.empty()) cells_.push_back({x, y});
-        for (const std::uint32_t corner : list) ++cell_counts_[corner];
-      }
+    for (const Cell cell : every_cell(graph.corners().passable())) {
+      const auto list = first.of(cell);
+      if (!list.empty()) cells_.push_back(cell);
+      for (const std::uint32_t corner : list) ++cell_counts_[corner];
     }
   }
 

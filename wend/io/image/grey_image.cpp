@@ -30,40 +30,10 @@ std::string_view unsupported_format(std::string_view bytes) {
   return {};
 }
 
-struct WholeImage final : ImageRows {
-  void begin(int width, int height, int maximum) override {
-    image.width = width;
-    image.height = height;
-    image.maximum = maximum;
-  }
-
-  void add(std::span<const std::uint16_t> values,
-           std::span<const unsigned char> transparent) override {
-    image.values.insert(image.values.end(), values.begin(), values.end());
-    image.transparent.insert(image.transparent.end(), transparent.begin(), transparent.end());
-  }
-
-  GreyImage image;
-};
-
 }  // namespace
 
 bool looks_like_image(std::string_view bytes) {
   return looks_like_png(bytes) || looks_like_pnm(bytes) || !unsupported_format(bytes).empty();
-}
-
-Expected<GreyImage, std::string> whole_image(std::string_view bytes,
-                                             DecodedRows (*decode)(std::string_view bytes,
-                                                                   ImageRows& rows)) {
-  WholeImage whole;
-  auto notes = decode(bytes, whole);
-  if (!notes) return Unexpected<std::string>(notes.error());
-  whole.image.notes = *std::move(notes);
-  return std::move(whole.image);
-}
-
-Expected<GreyImage, std::string> decode_image(std::string_view bytes) {
-  return whole_image(bytes, decode_image);
 }
 
 DecodedRows decode_image(std::string_view bytes, ImageRows& rows) {

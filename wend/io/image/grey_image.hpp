@@ -23,19 +23,6 @@ struct GreyImage {
   int maximum = 255;                       // the value of white, 1..65535
   std::vector<std::uint16_t> values;       // row by row
   std::vector<unsigned char> transparent;  // 1 where alpha is not full; empty: opaque everywhere
-  std::vector<std::string> notes;          // what was odd in the file, and how it was read
-
-  std::span<const std::uint16_t> row(int y) const {
-    return std::span(values).subspan(index(y), static_cast<std::size_t>(width));
-  }
-  std::span<const unsigned char> transparent_row(int y) const {
-    return std::span(transparent).subspan(index(y), static_cast<std::size_t>(width));
-  }
-
- private:
-  std::size_t index(int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-  }
 };
 
 /// Takes an image row by row as it is decoded: GreyImage without its memory.
@@ -63,10 +50,8 @@ inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
 bool looks_like_image(std::string_view bytes);
 
 /// Decodes a PNG or PNM file, told apart by how it begins; an error says what is wrong, and names
-/// formats that are known but not supported (JPEG, BMP, ...).
-Expected<GreyImage, std::string> decode_image(std::string_view bytes);
-
-/// The same row by row. Where the image turns out to be wrong, some rows may have been taken.
+/// formats that are known but not supported (JPEG, BMP, ...). Where the image turns out to be wrong,
+/// some rows may have been taken.
 DecodedRows decode_image(std::string_view bytes, ImageRows& rows);
 
 // PNG, through libpng: grey, colour and palette, 1 to 16 bits, with and without alpha or a
@@ -97,10 +82,5 @@ DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows);
 
 /// A binary PGM (P5) of an image with a maximum of 255, its transparency left out.
 std::string encode_pgm(const GreyImage& image);
-
-/// The image that a decoder gives row by row.
-Expected<GreyImage, std::string> whole_image(std::string_view bytes,
-                                             DecodedRows (*decode)(std::string_view bytes,
-                                                                   ImageRows& rows));
 
 }  // namespace wend

@@ -1,5 +1,6 @@
 #include "wend/io/image/grey_image.hpp"
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/image/png_test_support.hpp"
 #include "wend/io/io_test_support.hpp"
 

@@ -1,16 +1,10 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <csetjmp>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "wend/io/image/grey_image.hpp"
 #include "wend/io/text.hpp"

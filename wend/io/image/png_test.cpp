@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/image/png_test_support.hpp"
 #include "wend/io/io_test_support.hpp"
 
@@ -14,16 +15,16 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-Expected<GreyImage, std::string> decoded_png(std::string_view bytes) {
+Expected<WholeImage, std::string> decoded_png(std::string_view bytes) {
   return whole_image(bytes, decode_png);
 }
 
 std::string png_error(const std::string& bytes) { return error_of(decoded_png(bytes)); }
 
-GreyImage png_image(const std::string& bytes) {
+WholeImage png_image(const std::string& bytes) {
   auto image = decoded_png(bytes);
   EXPECT_TRUE(image) << error_of(image);
-  return image.value_or(GreyImage{});
+  return image.value_or(WholeImage{});
 }
 
 std::string grey_2x2(const std::string& pixels = "\x00\x7F\xFE\xFF"s) {
@@ -32,17 +33,17 @@ std::string grey_2x2(const std::string& pixels = "\x00\x7F\xFE\xFF"s) {
 }
 
 TEST(Png, ReadsGreyRowByRowFromTheTop) {
-  const GreyImage image = png_image(grey_2x2());
+  const WholeImage image = png_image(grey_2x2());
   EXPECT_EQ(image.width, 2);
   EXPECT_EQ(image.height, 2);
   EXPECT_EQ(image.maximum, 255);
-  EXPECT_THAT(image.row(0), ElementsAre(0, 127));
-  EXPECT_THAT(image.row(1), ElementsAre(254, 255));
+  EXPECT_THAT(row_of(image, 0), ElementsAre(0, 127));
+  EXPECT_THAT(row_of(image, 1), ElementsAre(254, 255));
   EXPECT_THAT(image.transparent, IsEmpty());
 }
 
 TEST(Png, ReadsSixteenBitsInFull) {
-  const GreyImage image =
+  const WholeImage image =
       png_image(png_file::file(png_file::header(2, 1, 16, png_file::grey) +
                                png_file::image_data(png_file::scanlines("\x01\x02\xFF\xFF", 4))));
   EXPECT_EQ(image.maximum, 65535);
@@ -56,18 +57,18 @@ TEST(Png, ReadsLessThanEightBitsOnTheirOwnScale) {
   };
   EXPECT_EQ(with_depth(4).maximum, 15);
   EXPECT_THAT(with_depth(4).values, ElementsAre(11, 1, 11));
-  const GreyImage two = png_image(
+  const WholeImage two = png_image(
       png_file::file(png_file::header(3, 1, 2, png_file::grey) + png_file::image_data("\0\xB1"s)));
   EXPECT_EQ(two.maximum, 3);
   EXPECT_THAT(two.values, ElementsAre(2, 3, 0));
-  const GreyImage one = png_image(
+  const WholeImage one = png_image(
       png_file::file(png_file::header(3, 1, 1, png_file::grey) + png_file::image_data("\0\xB1"s)));
   EXPECT_EQ(one.maximum, 1);
   EXPECT_THAT(one.values, ElementsAre(1, 0, 1));
 }
 
 TEST(Png, ColoursBecomeGreyByTheirLuma) {
-  const GreyImage image =
+  const WholeImage image =
       png_image(png_file::file(png_file::header(4, 1, 8, png_file::rgb) +
                                png_file::image_data(png_file::scanlines(
                                    "\xFF\x00\x00\x00\xFF\x00\x00\x00\xFF\x64\x64\x64"s, 12))));
@@ -75,12 +76,12 @@ TEST(Png, ColoursBecomeGreyByTheirLuma) {
 }
 
 TEST(Png, EveryAlphaBelowFullIsTransparent) {
-  const GreyImage grey =
+  const WholeImage grey =
       png_image(png_file::file(png_file::header(3, 1, 8, png_file::grey_alpha) +
                                png_file::image_data("\0\x0A\xFF\x14\xFE\x1E\x00"s)));
   EXPECT_THAT(grey.values, ElementsAre(10, 20, 30));
   EXPECT_THAT(grey.transparent, ElementsAre(0, 1, 1));
-  const GreyImage colour = png_image(
+  const WholeImage colour = png_image(
       png_file::file(png_file::header(2, 1, 16, png_file::rgb_alpha) +
                      png_file::image_data("\0\1\1\1\1\1\1\xFF\xFF\1\1\1\1\1\1\xFF\xFE"s)));
   EXPECT_THAT(colour.values, ElementsAre(257, 257));
@@ -88,24 +89,24 @@ TEST(Png, EveryAlphaBelowFullIsTransparent) {
 }
 
 TEST(Png, OneColourMayBeTransparent) {
-  const GreyImage grey = png_image(png_file::file(
+  const WholeImage grey = png_image(png_file::file(
       png_file::header(2, 2, 8, png_file::grey) + png_file::chunk("tRNS", "\0\x7F"s) +
       png_file::image_data(png_file::scanlines("\x00\x7F\xFE\xFF"s, 2))));
   EXPECT_THAT(grey.transparent, ElementsAre(0, 1, 0, 0));
-  const GreyImage colour = png_image(png_file::file(png_file::header(2, 1, 8, png_file::rgb) +
-                                                    png_file::chunk("tRNS", "\0\1\0\2\0\3"s) +
-                                                    png_file::image_data("\0\1\2\3\1\2\4"s)));
+  const WholeImage colour = png_image(png_file::file(png_file::header(2, 1, 8, png_file::rgb) +
+                                                     png_file::chunk("tRNS", "\0\1\0\2\0\3"s) +
+                                                     png_file::image_data("\0\1\2\3\1\2\4"s)));
   EXPECT_THAT(colour.transparent, ElementsAre(1, 0));
 }
 
 TEST(Png, PaletteIndicesStandForTheirColours) {
   const std::string palette = png_file::chunk("PLTE", "\0\0\0\xFE\xFE\xFE\xFF\0\0"s);
-  const GreyImage image = png_image(png_file::file(png_file::header(4, 1, 2, png_file::palette) +
-                                                   palette + png_file::image_data("\0\x18"s)));
+  const WholeImage image = png_image(png_file::file(png_file::header(4, 1, 2, png_file::palette) +
+                                                    palette + png_file::image_data("\0\x18"s)));
   EXPECT_EQ(image.maximum, 255);
   EXPECT_THAT(image.values, ElementsAre(0, 254, 76, 0));
   EXPECT_THAT(image.transparent, IsEmpty());
-  const GreyImage with_alpha = png_image(
+  const WholeImage with_alpha = png_image(
       png_file::file(png_file::header(4, 1, 2, png_file::palette) + palette +
                      png_file::chunk("tRNS", "\xFF\x80") + png_file::image_data("\0\x18"s)));
   EXPECT_THAT(with_alpha.transparent, ElementsAre(0, 1, 0, 0));
@@ -187,7 +188,7 @@ TEST(Png, AnImageWithoutItsPaletteIsAnError) {
 }
 
 RC_GTEST_PROP(Png, WrittenImagesReadBack, ()) {
-  GreyImage image;
+  WholeImage image;
   image.width = *rc::gen::inRange(1, 40);
   image.height = *rc::gen::inRange(1, 40);
   const auto size = static_cast<std::size_t>(image.width * image.height);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/io_test_support.hpp"
 
 namespace wend {
@@ -11,25 +12,25 @@ using namespace std::string_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Expected<GreyImage, std::string> decoded_pnm(std::string_view bytes) {
+Expected<WholeImage, std::string> decoded_pnm(std::string_view bytes) {
   return whole_image(bytes, decode_pnm);
 }
 
 std::string pnm_error(const std::string& bytes) { return error_of(decoded_pnm(bytes)); }
 
-GreyImage pnm_image(const std::string& bytes) {
+WholeImage pnm_image(const std::string& bytes) {
   auto image = decoded_pnm(bytes);
   EXPECT_TRUE(image) << error_of(image);
-  return image.value_or(GreyImage{});
+  return image.value_or(WholeImage{});
 }
 
 TEST(Pnm, ReadsTextGrey) {
-  const GreyImage image = pnm_image("P2\n3 2\n255\n0 127 254\n255 1 2\n");
+  const WholeImage image = pnm_image("P2\n3 2\n255\n0 127 254\n255 1 2\n");
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 2);
   EXPECT_EQ(image.maximum, 255);
-  EXPECT_THAT(image.row(0), ElementsAre(0, 127, 254));
-  EXPECT_THAT(image.row(1), ElementsAre(255, 1, 2));
+  EXPECT_THAT(row_of(image, 0), ElementsAre(0, 127, 254));
+  EXPECT_THAT(row_of(image, 1), ElementsAre(255, 1, 2));
   EXPECT_THAT(image.notes, IsEmpty());
 }
 
@@ -41,16 +42,16 @@ TEST(Pnm, ReadsBinaryGrey) {
 TEST(Pnm, InBitmapsOneIsBlack) {
   for (const std::string& bytes :
        {"P1\n3 2\n0 1 1\n100\n"s, "P1 3 2 011100"s, "P4\n3 2\n\x60\x9F"s}) {
-    const GreyImage image = pnm_image(bytes);
+    const WholeImage image = pnm_image(bytes);
     EXPECT_EQ(image.maximum, 1);
     EXPECT_THAT(image.values, ElementsAre(1, 0, 0, 0, 1, 1));
   }
 }
 
 TEST(Pnm, BitmapRowsAreWholeBytes) {
-  EXPECT_THAT(pnm_image("P4\n9 2\n\x00\x80\xFF\x00"s).row(0),
+  EXPECT_THAT(row_of(pnm_image("P4\n9 2\n\x00\x80\xFF\x00"s), 0),
               ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0));
-  EXPECT_THAT(pnm_image("P4\n9 2\n\x00\x80\xFF\x00"s).row(1),
+  EXPECT_THAT(row_of(pnm_image("P4\n9 2\n\x00\x80\xFF\x00"s), 1),
               ElementsAre(0, 0, 0, 0, 0, 0, 0, 0, 1));
 }
 
@@ -60,7 +61,7 @@ TEST(Pnm, ColoursBecomeGreyByTheirLuma) {
 }
 
 TEST(Pnm, AboveTwoHundredFiftyFiveASampleHasTwoBytes) {
-  const GreyImage image = pnm_image("P5 2 1 65535\n\x01\x02\xFF\xFF"s);
+  const WholeImage image = pnm_image("P5 2 1 65535\n\x01\x02\xFF\xFF"s);
   EXPECT_EQ(image.maximum, 65535);
   EXPECT_THAT(image.values, ElementsAre(0x0102, 0xFFFF));
   EXPECT_THAT(pnm_image("P6 1 1 256\n\x01\x00\x01\x00\x01\x00"s).values, ElementsAre(256));
@@ -131,7 +132,7 @@ TEST(Pnm, IsToldByItsFirstBytes) {
 }
 
 TEST(Pnm, IsWrittenAsBinaryGrey) {
-  GreyImage image;
+  WholeImage image;
   image.width = 2;
   image.height = 1;
   image.values = {0, 205};

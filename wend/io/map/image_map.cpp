@@ -1,17 +1,9 @@
 #include "wend/io/map/image_map.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "wend/io/image/grey_image.hpp"
 #include "wend/io/map/map_format.hpp"
 
 namespace wend {
@@ -104,16 +96,6 @@ void ImageMapRows::add(std::span<const std::uint16_t> values,
   }
   assert(rows_);  // begin() comes first
   rows_->append(states_, terrain_);
-}
-
-GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame) {
-  ImageMapRows rows(meaning);
-  rows.begin(image.width, image.height, image.maximum);
-  for (int y = 0; y < image.height; ++y) {
-    rows.add(image.row(y), image.transparent.empty() ? std::span<const unsigned char>()
-                                                     : image.transparent_row(y));
-  }
-  return rows.finish(frame);
 }
 
 GreyImage trinary_image(const GridMap& map) {

@@ -51,7 +51,7 @@ class ImageMapRows final : public ImageRows {
   void add(std::span<const std::uint16_t> values,
            std::span<const unsigned char> transparent) override;
 
-  /// After the last row.
+  /// After the last row. With a frame that has y up, row 0 is the image's bottom row.
   GridMap finish(const Frame& frame) {
     assert(rows_);
     return std::move(*rows_).finish(frame);
@@ -72,9 +72,6 @@ class ImageMapRows final : public ImageRows {
   std::vector<CellState> states_;  // of the row at hand
   std::vector<double> terrain_;
 };
-
-/// The map of an image. With a frame that has y up, row 0 is the image's bottom row.
-GridMap map_from_image(const GreyImage& image, const ImageMeaning& meaning, const Frame& frame);
 
 /// The image that map savers write, drawn as the map is: 0 occupied, 254 free, 205 unknown. It
 /// reads back with the defaults of ImageMeaning. Terrain is left out.

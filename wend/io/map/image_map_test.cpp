@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/testing/whole_image.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/save_map.hpp"
 

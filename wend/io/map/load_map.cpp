@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <new>
-#include <string_view>
-#include <utility>
 
 #include "wend/io/files.hpp"
 

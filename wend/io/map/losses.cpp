@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
 
 #include "wend/base/parse.hpp"
 
@@ -22,14 +20,6 @@ Frame nearest_frame(const Frame& frame, const MapFormatInfo& format) {
   return {frame.resolution, frame.y_up ? frame.origin : Pose{}, true, true};
 }
 
-/// Calls `visit` with every cell.
-template <class Visit>
-void for_all_cells(const GridMap& map, const Visit& visit) {
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) visit(Cell{x, y});
-  }
-}
-
 /// How many cells lose something, by what they lose.
 struct Counts {
   std::size_t unknown = 0;       // states
@@ -43,11 +33,11 @@ Counts count_losses(const GridMap& map, const MapFormatInfo& format) {
   Counts counts;
   if (!format.holds_unknown_cells) counts.unknown = map.unknown().count();
   if (map.uniform_terrain()) return counts;
-  for_all_cells(map, [&](Cell cell) {
+  for (const Cell cell : every_cell(map)) {
     const double terrain = map.terrain(cell);
     const CellState state = map.state(cell);
     const double off = std::abs(terrain - nearest_terrain(terrain, state, format));
-    if (off == 0) return;
+    if (off == 0) continue;
     if (state != CellState::free) {
       ++counts.blocked;
     } else if (terrain > format.largest_terrain) {
@@ -56,7 +46,7 @@ Counts count_losses(const GridMap& map, const MapFormatInfo& format) {
       ++counts.rounded;
       counts.greatest_rounding = std::max(counts.greatest_rounding, off);
     }
-  });
+  }
   return counts;
 }
 
@@ -150,13 +140,13 @@ GridMap nearest_map(const GridMap& map, MapFormat wanted) {
   Grid<CellState> states(map.width(), map.height());
   Grid<double> terrain = terrain_held ? Grid<double>(map.width(), map.height(), 1) : Grid<double>();
   const bool turned = map.frame().y_up != frame.y_up;
-  for_all_cells(map, [&](Cell cell) {
+  for (const Cell cell : every_cell(map)) {
     const Cell before{cell.x, turned ? map.height() - 1 - cell.y : cell.y};
     const CellState state = map.state(before);
     const bool held = state != CellState::unknown || format.holds_unknown_cells;
     states[cell] = held ? state : CellState::occupied;
     if (terrain_held) terrain[cell] = nearest_terrain(map.terrain(before), state, format);
-  });
+  }
   return GridMap(states, frame, std::move(terrain));
 }
 
@@ -180,17 +170,16 @@ std::string cells_not_held(const GridMap& map, MapFormat wanted) {
     return fmt::format("{} cannot hold terrain; {} can", format.noun,
                        formats_with(&MapFormatInfo::nearest_terrain));
   }
-  std::string wrong;
-  for_all_cells(map, [&](Cell cell) {
+  for (const Cell cell : every_cell(map)) {
     const CellState state = map.state(cell);
     const double terrain = map.terrain(cell);
-    if (!wrong.empty() || state == CellState::occupied) return;
-    if (terrain == nearest_terrain(terrain, state, format)) return;
-    wrong = fmt::format(
+    if (state == CellState::occupied) continue;
+    if (terrain == nearest_terrain(terrain, state, format)) continue;
+    return fmt::format(
         "{} cannot hold the terrain {} of cell ({},{}), only {} up to {} for free cells",
         format.noun, terrain, cell.x, cell.y, format.terrain_values, format.largest_terrain);
-  });
-  return wrong;
+  }
+  return {};
 }
 
 }  // namespace wend

@@ -10,7 +10,6 @@ namespace wend {
 
 #define WEND_MAP_FORMAT(name) MapFormatInfo name##_format();
 #include "wend/io/map/formats.def"
-#undef WEND_MAP_FORMAT
 
 namespace {
 
@@ -30,7 +29,6 @@ const Registry<MapFormatInfo>& map_formats() {
   static const Registry<MapFormatInfo> registry({
 #define WEND_MAP_FORMAT(name) name##_format(),
 #include "wend/io/map/formats.def"
-#undef WEND_MAP_FORMAT
   });
   return registry;
 }

@@ -7,12 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 #include <set>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/files.hpp"

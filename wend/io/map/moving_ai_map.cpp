@@ -18,18 +18,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "wend/base/parse.hpp"
-#include "wend/io/files.hpp"
 #include "wend/io/map/map_format.hpp"
-#include "wend/io/text.hpp"
-#include "wend/map/grid_map.hpp"
 
 namespace wend {
 namespace {

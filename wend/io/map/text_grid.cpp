@@ -14,15 +14,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "wend/io/map/map_format.hpp"
-#include "wend/io/text.hpp"
-#include "wend/map/grid_map.hpp"
 
 namespace wend {
 namespace {

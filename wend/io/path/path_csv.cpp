@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"

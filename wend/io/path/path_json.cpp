@@ -1,14 +1,10 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
-#include <vector>
 
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_coordinates.hpp"
-#include "wend/io/text.hpp"
 
 namespace wend {
 namespace {

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <new>
-#include <optional>
-#include <utility>
 
 #include "wend/io/files.hpp"
 #include "wend/io/text.hpp"

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <system_error>
-#include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/files.hpp"

@@ -2,7 +2,6 @@
 // Heuristic Determination of Minimum Cost Paths", 1968; with a weight: I. Pohl, 1970.
 
 #include "wend/planner/grid/best_first.hpp"
-#include "wend/planner/grid/grid_planner.hpp"
 
 namespace wend {
 namespace {

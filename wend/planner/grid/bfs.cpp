@@ -5,7 +5,6 @@
 
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
-#include "wend/search/frontiers.hpp"
 
 namespace wend {
 namespace {

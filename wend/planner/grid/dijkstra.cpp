@@ -2,7 +2,6 @@
 // with Graphs", 1959.
 
 #include "wend/planner/grid/best_first.hpp"
-#include "wend/planner/grid/grid_planner.hpp"
 
 namespace wend {
 namespace {

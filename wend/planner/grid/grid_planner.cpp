@@ -6,21 +6,13 @@
 namespace wend {
 namespace {
 
-/// The cell that a pose lies in, if it is on the map.
-std::optional<Cell> cell_on_map(const FreeSpace& space, Point point) {
-  const bool inside = point.x >= 0 && point.y >= 0 && point.x < space.width() &&
-                      point.y < space.height();  // false for NaN
-  if (!inside) return std::nullopt;
-  return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
-}
-
 std::string text_of(Point point) {
   return '(' + format_number(point.x) + ',' + format_number(point.y) + ')';
 }
 
 /// "the start, cell (3,4), is an obstacle"
 std::string end_in_cells(const FreeSpace& space, const std::string& name, Point point) {
-  const auto cell = cell_on_map(space, point);
+  const auto cell = cell_under(space, point);
   if (!cell) {
     return "the " + name + " " + text_of(point) + " is outside the map of " +
            std::to_string(space.width()) + " x " + std::to_string(space.height()) + " cells";
@@ -35,14 +27,14 @@ std::string end_in_cells(const FreeSpace& space, const std::string& name, Point 
 
 std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjacency,
                                         const Query& query) {
-  const auto start_cell = cell_on_map(space, query.start.point());
+  const auto start_cell = cell_under(space, query.start.point());
   if (!start_cell) return Status::start_outside;
   if (!space.passable(*start_cell)) return Status::start_blocked;
   start = *start_cell;
   goals.clear();
   std::optional<Status> why_none;  // of the first goal
   for (const Goal& typed : query.goals) {
-    const auto goal = cell_on_map(space, typed.point);
+    const auto goal = cell_under(space, typed.point);
     if (goal && space.components().connected(start, *goal, adjacency)) {
       goals.push_back(*goal);
     } else if (!why_none) {
@@ -95,7 +87,7 @@ std::string GridPlanner::do_reason(const Query& query, Status status) const {
 }
 
 double GridPlanner::do_heuristic(const Pose& pose) const {
-  const auto cell = cell_on_map(free_space(), pose.point());
+  const auto cell = cell_under(free_space(), pose.point());
   return cell && engine_ != nullptr ? engine_->heuristic(*cell) : 0;
 }
 

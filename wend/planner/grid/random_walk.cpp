@@ -1,12 +1,7 @@
 // A random walk with a short memory: orthogonal steps, and no cell that was visited a moment ago
 // unless it is the only way. The planner to be better than.
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <memory>
-#include <vector>
 
 #include "wend/base/random.hpp"
 #include "wend/planner/goal_cells.hpp"

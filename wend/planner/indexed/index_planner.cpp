@@ -1,10 +1,7 @@
 #include "wend/planner/indexed/index_planner.hpp"
 
-#include <utility>
-
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planner_info.hpp"
 
 namespace wend {
 namespace {

@@ -1,9 +1,6 @@
 // Jump point search: D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid
 // Maps", 2011, and "Improving Jump Point Search", 2014.
 
-#include <memory>
-#include <utility>
-
 #include "wend/index/run_writer.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
-#include "wend/planner/lattice/car_reason.hpp"
 #include "wend/planner/widening_engine.hpp"
-#include "wend/space/lattice/car_lattice.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {

@@ -63,4 +63,13 @@ std::int64_t unit_for(double turning_radius, const Frame& frame);
 /// Why a car cannot drive on a map at all; empty if it can.
 std::string why_no_lattice(const GridMap& map, const CarDriving& driving);
 
+// car_reason.cpp: where and why a query fails, in words.
+
+/// The pose of the lattice that a query's pose stands for: the nearest one, of those on the map.
+/// Nothing for a pose outside the map; its heading is finite.
+std::optional<CornerPose> place_on(const CarLattice& lattice, const Pose& pose);
+
+/// Why a query ends so; empty where there is no more to say than what the status does.
+std::string car_reason(const CarLattice& lattice, const Query& query, Status status);
+
 }  // namespace wend

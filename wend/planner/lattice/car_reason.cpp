@@ -1,10 +1,10 @@
-#include "wend/planner/lattice/car_reason.hpp"
+// Where and why a query fails, in words.
 
 #include <algorithm>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
-#include "wend/space/lattice/car_lattice.hpp"
+#include "wend/planner/lattice/car_planner.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
@@ -75,25 +75,23 @@ std::string blocked(const CarLattice& lattice, const End& end) {
   const auto fault = lattice.why_blocked(end.place.corner);
   if (!fault) return {};
   const std::string text = "the " + name_of(lattice, end) + " is impassable: ";
+  const std::string reason(describe(fault->reason));
+  const std::string away = format_number(fault->distance) + " cells away, the robot's radius is " +
+                           format_number(lattice.free_space().radius_in_cells());
   switch (fault->reason) {
     case BlockReason::obstacle:
-      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is an obstacle";
     case BlockReason::unknown:
-      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is unknown";
+      return text + "cell " + text_of(fault->cell.value_or(Cell{})) + " next to it is " + reason;
     case BlockReason::too_close:
-      return text + "the nearest obstacle is " + format_number(fault->distance) +
-             " cells away, the robot's radius is " +
-             format_number(lattice.free_space().radius_in_cells());
+      return text + "the nearest obstacle is " + away;
     case BlockReason::over_edge:
-      return text + "the robot would leave the map: its edge is " + format_number(fault->distance) +
-             " cells away, the robot's radius is " +
-             format_number(lattice.free_space().radius_in_cells());
+      return text + "the robot would leave the map: its edge is " + away;
     case BlockReason::outside:
     case BlockReason::overlaps:
     case BlockReason::leaves:
       break;
   }
-  return text + std::string(describe(fault->reason));
+  return text + reason;
 }
 
 bool is_boxed_in(const CarLattice& lattice, const CornerPose& place) {

@@ -7,10 +7,7 @@
 #include <bit>
 #include <cassert>
 #include <iterator>
-#include <optional>
-#include <string_view>
 #include <unordered_map>
-#include <utility>
 
 namespace wend {
 namespace {
@@ -118,11 +115,7 @@ class GifAnimation::Writer {
   int height() const { return shown_.height(); }
 
   void add(const Grid<std::uint32_t>& pixels, int centiseconds) {
-    for (int y = 0; y < pixels.height(); ++y) {
-      const auto row = pixels.row(y);
-      std::transform(row.begin(), row.end(), next_.row(y).begin(),
-                     [this](std::uint32_t colour) { return colours_[colour]; });
-    }
+    for (const Cell pixel : every_cell(pixels)) next_[pixel] = colours_[pixels[pixel]];
     if (state_ == State::empty || shown_ != next_) {
       write_shown();
       std::swap(shown_, next_);

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 
-#include "wend/map/every_cell.hpp"
 #include "wend/render/heatmap.hpp"
 #include "wend/render/picture/drawn_cells.hpp"
 #include "wend/render/picture/scene_drawing.hpp"

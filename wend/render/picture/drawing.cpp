@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "wend/render/picture/canvas.hpp"
-#include "wend/render/picture/footer.hpp"
 #include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
 

@@ -1,7 +1,5 @@
-#include "wend/render/picture/footer.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "wend/render/heatmap.hpp"
 #include "wend/render/picture/scene_drawing.hpp"

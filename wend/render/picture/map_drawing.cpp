@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <tuple>
 
 #include "wend/map/joined_rows.hpp"
@@ -64,17 +63,6 @@ void squeeze_row(const CellPaints& paints, int y, std::vector<Sum>& sums) {
     for_pixels_of(x, paints.width(), pixels, [&](int pixel, double length) {
       sums[static_cast<std::size_t>(pixel)].add(paint, length);
     });
-  }
-}
-
-/// Calls visit(x, length, value) for the runs of equal values in a row of `width` cells.
-template <class ValueAt, class Visit>
-void for_runs(int width, const ValueAt& value_at, const Visit& visit) {
-  for (int x = 0; x < width;) {
-    const int first = x;
-    const auto value = value_at(first);
-    while (x < width && value_at(x) == value) ++x;
-    visit(first, x - first, value);
   }
 }
 

@@ -1,7 +1,6 @@
 // Start, goals, and what a scene points out.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "wend/render/picture/scene_drawing.hpp"

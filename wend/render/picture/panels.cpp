@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "wend/render/picture/canvas.hpp"
-#include "wend/render/picture/footer.hpp"
 #include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
 

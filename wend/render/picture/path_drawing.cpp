@@ -1,11 +1,9 @@
 // The path, lines, and the robot to scale.
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/render/picture/scene_drawing.hpp"

@@ -139,4 +139,28 @@ void stroke_with_halo(const Pen& pen, double width, const Colour& colour);
 /// Fills what is traced, with a halo around it.
 void fill_with_halo(const Pen& pen, const Colour& colour);
 
+// footer.cpp: a scale bar on the left, and on the right the legend, on as many lines as it needs.
+
+class Footer {
+ public:
+  static constexpr int kLine = 34;  // pixels from one line to the next
+
+  /// For that many pixels of width. The scale bar is left out where it has none.
+  Footer(std::vector<LegendItem> legend, std::optional<ScaleBar> bar, double width);
+
+  /// At least one.
+  int lines() const { return static_cast<int>(rows_.size()); }
+
+  /// `left` is the left end of the middle of the first line.
+  void draw(cairo_t* context, Point left, const Style& style) const;
+
+ private:
+  /// Distributes the legend over rows.
+  void arrange(cairo_t* context, std::vector<LegendItem> legend);
+
+  std::optional<ScaleBar> bar_;
+  std::vector<std::vector<LegendItem>> rows_;
+  double width_;
+};
+
 }  // namespace wend

@@ -2,14 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/every_cell.hpp"
-#include "wend/map/grid.hpp"
 #include "wend/render/heatmap.hpp"
 #include "wend/render/terminal/glyphs.hpp"
 #include "wend/render/terminal/terminal_picture.hpp"

@@ -1,14 +1,9 @@
 #include "wend/render/terminal/glyphs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <cstdlib>
 #include <ranges>
-#include <span>
-#include <utility>
-
-#include "wend/map/every_cell.hpp"
 
 namespace wend {
 namespace {
@@ -212,29 +207,18 @@ std::string_view ascii_of(std::string_view character) {
 
 Glyph glyph_of(Meaning meaning) { return {look_of(meaning).character, meaning}; }
 
-Glyph glyph_of(CellRole role) {
+Glyph glyph_of(CellRole role, bool on_rough_ground) {
   static constexpr std::array<Meaning, kCellRoles> kMeaning{
       Meaning::expanded, Meaning::frontier, Meaning::current, Meaning::start_component,
       Meaning::goal_component};
+  if (on_rough_ground && role == CellRole::expanded) return glyph_of(Meaning::expanded_rough);
   return glyph_of(kMeaning[static_cast<std::size_t>(role)]);
-}
-
-Glyph glyph_on_rough_ground(CellRole role) {
-  return role == CellRole::expanded ? glyph_of(Meaning::expanded_rough) : glyph_of(role);
 }
 
 Glyph glyph_of(LineRole role) {
   static constexpr std::array<Meaning, kLineRoles> kMeaning{
       Meaning::planned_line, Meaning::smoothed_line, Meaning::driven_line, Meaning::possible_line};
   return glyph_of(kMeaning[static_cast<std::size_t>(role)]);
-}
-
-std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
-  // Written so that it also refuses numbers that are not finite.
-  if (!(point.x >= 0 && point.y >= 0 && point.x < space.width() && point.y < space.height())) {
-    return std::nullopt;
-  }
-  return Cell{static_cast<int>(point.x), static_cast<int>(point.y)};
 }
 
 Grid<Glyph> glyphs_of(const FreeSpace& space) {

@@ -66,10 +66,8 @@ Glyph glyph_of(const FreeSpace& space, Cell cell);
 /// "." for a multiplier of 1, its digit from 3 to 9, "~" for any other.
 Glyph glyph_of_terrain(double multiplier);
 
-Glyph glyph_of(CellRole role);
-
-/// The same on rough ground, which shows where the search has been.
-Glyph glyph_on_rough_ground(CellRole role);
+/// Rough ground shows where the search has been.
+Glyph glyph_of(CellRole role, bool on_rough_ground = false);
 
 Glyph glyph_of(LineRole role);
 
@@ -87,9 +85,6 @@ void put_arrows(const Scene& scene, Grid<Glyph>& glyphs);
 /// Writes S, G, R (the robot), ! (the narrowest place), N (the nearest free cells) and a cross (the
 /// collision) over what is there.
 void put_marks(const Scene& scene, Grid<Glyph>& glyphs);
-
-/// The cell that a point in grid coordinates lies in, if it is one of the map.
-std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 
 /// The picture of a scene with a unit (see text_picture.hpp), row by row from the top.
 Grid<Glyph> lattice_glyphs(const Scene& scene, const TextStyle& style);

@@ -2,14 +2,8 @@
 // them.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "wend/map/every_cell.hpp"
 #include "wend/render/picture/layout.hpp"
 #include "wend/render/style.hpp"
 #include "wend/render/terminal/glyphs.hpp"
@@ -63,7 +57,7 @@ Glyph block_glyph(const Scene& scene, Cell block, bool ascii) {
     }
   }
   const int cells = unit * unit;
-  if (role) return terrain != cells ? glyph_on_rough_ground(*role) : glyph_of(*role);
+  if (role) return glyph_of(*role, terrain != cells);
   if (unknown) return glyph_of(Meaning::unknown);
   if (2 * too_close > cells) return glyph_of(Meaning::too_close);
   const double mean = terrain / cells;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <vector>
 
 #include "wend/render/heatmap.hpp"
 #include "wend/render/legend.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "wend/geometry/line.hpp"
-#include "wend/map/every_cell.hpp"
 #include "wend/render/heatmap.hpp"
 #include "wend/render/terminal/glyphs.hpp"
 
@@ -22,8 +21,7 @@ void put_roles(const Scene& scene, Grid<Glyph>& glyphs) {
   for (const Cell cell : every_cell(glyphs)) {
     const auto role = role_of(scene, cell);
     if (!role || glyphs[cell].meaning == Meaning::obstacle) continue;
-    const bool rough = scene.space.map().terrain(cell) != 1;
-    glyphs[cell] = rough ? glyph_on_rough_ground(*role) : glyph_of(*role);
+    glyphs[cell] = glyph_of(*role, scene.space.map().terrain(cell) != 1);
   }
 }
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 #include <numbers>
-#include <utility>
 
 #include "wend/geometry/arc.hpp"
 #include "wend/robot/fits_along.hpp"
@@ -66,10 +64,8 @@ Steps all_steps() {
 BitGrid blocked_cells(const FreeSpace& space, int unit) {
   if (unit == 1) return space.obstacles().blocked();
   BitGrid blocked(cells_along(space.width(), unit), cells_along(space.height(), unit));
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) {
-      if (space.obstacles().blocked()[{x, y}]) blocked.set({x / unit, y / unit}, true);
-    }
+  for (const Cell cell : every_cell(space)) {
+    if (space.obstacles().blocked()[cell]) blocked.set({cell.x / unit, cell.y / unit}, true);
   }
   return blocked;
 }
@@ -78,15 +74,13 @@ BitGrid blocked_cells(const FreeSpace& space, int unit) {
 Grid<double> mean_terrain(const FreeSpace& space, int unit) {
   if (unit == 1 || space.uniform_terrain()) return space.terrain();
   Grid<double> mean(cells_along(space.width(), unit), cells_along(space.height(), unit), 0);
-  for (int y = 0; y < space.height(); ++y) {
-    for (int x = 0; x < space.width(); ++x) mean[{x / unit, y / unit}] += space.terrain()[{x, y}];
+  for (const Cell cell : every_cell(space)) {
+    mean[{cell.x / unit, cell.y / unit}] += space.terrain()[cell];
   }
-  for (int y = 0; y < mean.height(); ++y) {
-    for (int x = 0; x < mean.width(); ++x) {
-      const int width = std::min(unit, space.width() - x * unit);
-      const int height = std::min(unit, space.height() - y * unit);
-      mean[{x, y}] /= static_cast<double>(width) * height;
-    }
+  for (const Cell cell : every_cell(mean)) {
+    const int width = std::min(unit, space.width() - cell.x * unit);
+    const int height = std::min(unit, space.height() - cell.y * unit);
+    mean[cell] /= static_cast<double>(width) * height;
   }
   return mean;
 }
@@ -98,16 +92,14 @@ Pose corner_point(Cell corner, int unit, double heading = 0) {
 /// The corners that no blocked cell touches, and where the robot's disc fits.
 BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int unit) {
   BitGrid passable(corners_along(space.width(), unit), corners_along(space.height(), unit));
-  for (int y = 0; y < passable.height(); ++y) {
-    for (int x = 0; x < passable.width(); ++x) {
-      if (blocked[{x - 1, y - 1}] || blocked[{x, y - 1}] || blocked[{x - 1, y}] ||
-          blocked[{x, y}]) {
-        continue;
-      }
-      const bool fits = space.radius_in_cells() == 0 ||
-                        disc_fits_along(space, {corner_point({x, y}, unit), 0, 0});
-      passable.set({x, y}, fits);
+  for (const Cell corner : every_cell(passable)) {
+    const auto [x, y] = corner;
+    if (blocked[{x - 1, y - 1}] || blocked[{x, y - 1}] || blocked[{x - 1, y}] || blocked[corner]) {
+      continue;
     }
+    const bool fits =
+        space.radius_in_cells() == 0 || disc_fits_along(space, {corner_point(corner, unit), 0, 0});
+    passable.set(corner, fits);
   }
   return passable;
 }
@@ -125,14 +117,12 @@ Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable
     if (!disc_fits_along(space, arc_to(from, corner_point(to, unit).point()))) return;
     bits = static_cast<std::uint8_t>(bits | 1U << step.arc_bit);
   };
-  for (int y = 0; y < passable.height(); ++y) {
-    for (int x = 0; x < passable.width(); ++x) {
-      if (!passable[{x, y}]) continue;
-      for (const Heading heading : kAllHeadings) {
-        for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
-          const auto number = static_cast<std::size_t>(heading) * kCarMoves;
-          sweep({x, y}, heading, steps[number + static_cast<std::size_t>(move)]);
-        }
+  for (const Cell corner : every_cell(passable)) {
+    if (!passable[corner]) continue;
+    for (const Heading heading : kAllHeadings) {
+      for (const CarMove move : {CarMove::fwd, CarMove::fwd_plus, CarMove::fwd_minus}) {
+        const auto number = static_cast<std::size_t>(heading) * kCarMoves;
+        sweep(corner, heading, steps[number + static_cast<std::size_t>(move)]);
       }
     }
   }

@@ -24,9 +24,8 @@ WholeCarCosts<Unit>::WholeCarCosts(const CarLattice& lattice) {
   const Grid<double>& terrain = lattice.terrain();
   if (terrain.empty()) return;
   terrain_ = Grid<std::uint8_t>(terrain.width(), terrain.height());
-  for (int y = 0; y < terrain.height(); ++y) {
-    std::transform(terrain.row(y).begin(), terrain.row(y).end(), terrain_.row(y).begin(),
-                   [](double multiplier) { return static_cast<std::uint8_t>(multiplier); });
+  for (const Cell cell : every_cell(terrain)) {
+    terrain_[cell] = static_cast<std::uint8_t>(terrain[cell]);
   }
 }
 
