@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "wend/map/distance_field.hpp"
-#include "wend/map/every_cell.hpp"
 
 namespace wend {
 namespace {

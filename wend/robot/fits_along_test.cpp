@@ -13,7 +13,6 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/map/every_cell.hpp"
 
 namespace wend {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/map/distance_field.hpp"
-#include "wend/map/every_cell.hpp"
 
 namespace wend {
 namespace {
