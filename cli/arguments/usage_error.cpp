@@ -74,14 +74,17 @@ std::string swallowed_flag_text(const CLI::App& app) {
   return {};
 }
 
-/// Where an argument is given by its present name and by its former one.
-std::string both_names_text(const CLI::App& app) {
-  for (const CLI::Option* former : app.get_options()) {
-    if (!former->get_group().empty() || former->count() == 0) continue;
-    for (const CLI::Option* current : former->get_excludes()) {
-      if (current->count() == 0) continue;
-      return fmt::format("--{} is the former name of --{}: give one of them",
-                         former->get_lnames().front(), current->get_lnames().front());
+/// Where two arguments exclude each other: mostly one is the former name of the other.
+std::string excluded_text(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0) continue;
+    for (const CLI::Option* other : option->get_excludes()) {
+      if (other->count() == 0 || other->get_group().empty()) continue;
+      const auto text = option->get_group().empty()
+                            ? "--{} is the former name of --{}: give one of them"
+                            : "--{} and --{} cannot both be given";
+      return fmt::format(fmt::runtime(text), option->get_lnames().front(),
+                         other->get_lnames().front());
     }
   }
   return {};
@@ -149,7 +152,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   } else if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     text = mismatch_text(*at, *mismatch);
   } else if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
-    text = both_names_text(*at);
+    text = excluded_text(*at);
   } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
              !subcommand_names(*at).empty()) {
     text = "choose a subcommand: " + or_list(subcommand_names(*at));

@@ -41,8 +41,9 @@ constexpr const char* kCheckExamples = R"(Examples:
 A path is a file of `wend plan -o` or `wend smooth -o` (.csv, .json; the
 smoothed path if there is one), or a centreline in metres. The robot's disc is
 swept along the path exactly. A polygon (--footprint) faces along the path and
-turns in place where it bends; turns are checked to 0.01 cells. Exit codes: 0 free, 1 not free (standard error
-shows the first collision), 2 bad usage or input.)";
+turns in place where it bends; turns are checked to 0.01 cells. Exit codes:
+0 free, 1 not free (standard error shows the first collision), 2 bad usage or
+input.)";
 
 /// Paths that leave the map are shown as far as they are on it.
 Scene scene_of(const FreeSpace& space, const Path& path,

@@ -153,10 +153,9 @@ constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
 template <Direction kDirection>
 int distance_to_bit(const BitLines& lines, Cell from, int rows) {
   constexpr Cell kStep = kDirectionSteps[static_cast<std::size_t>(kDirection)];
-  int line = kStep.y == 0 ? from.y : from.x;
-  if constexpr (is_diagonal(kDirection)) {
-    line = diagonal_line(diagonals_along(kDirection), from, rows);
-  }
+  const int line = is_diagonal(kDirection) ? diagonal_line(diagonals_along(kDirection), from, rows)
+                   : kStep.y == 0          ? from.y
+                                           : from.x;
   const int at = kStep.y == 0 ? from.x : from.y;
   constexpr bool kAhead = kStep.y == 0 ? kStep.x > 0 : kStep.y > 0;
   return kAhead ? lines.distance_ahead(line, at) : lines.distance_back(line, at);

@@ -56,8 +56,8 @@ std::optional<std::vector<std::string_view>> corners_in_brackets(std::string_vie
 
 Unexpected<Error> refused_corner(std::string_view text, std::size_t i) {
   const std::string where = "corner " + std::to_string(i + 1);
-  return failure(Status::invalid_option,
-                 where + ", " + quoted(text) + ", is not two numbers 'x,y' in metres", where);
+  return failure(Status::invalid_option, where + ", " + quoted(text) + ", is not two numbers 'x,y'",
+                 where);
 }
 
 Unexpected<Error> too_many_corners(std::size_t number) {
@@ -122,7 +122,7 @@ Expected<Footprint, Error> parse_footprint(std::string_view text) {
   if (corners.size() > 1 && corners.back().empty()) corners.pop_back();
   if (corners.size() > 1) return polygon_of(corners);
   std::string message = quoted(text) +
-                        " is not a footprint: give corners 'x,y;x,y;x,y' in metres, or "
+                        " is not a footprint: give corners 'x,y;x,y;x,y', or "
                         "'disc:RADIUS'";
   if (parse_number(text) && text.size() < kLongestQuote)
     message += "; did you mean 'disc:" + std::string(text) + "'?";

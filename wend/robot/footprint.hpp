@@ -27,7 +27,7 @@ class Footprint {
   Footprint() = default;
 
   /// Around the base point. A radius of 0 is a point.
-  static Footprint disc(double radius) { return Footprint(radius, radius); }
+  static Footprint disc(double radius) { return {radius, radius}; }
 
   /// Refused unless the polygon contains the base point, inside or on its outline.
   static Expected<Footprint, Error> polygon(Polygon outline);

@@ -64,7 +64,7 @@ void draw_footprints(const SceneDrawing& drawing) {
     const Colour& colour = i + 1 == poses.size() ? drawing.style.goal : drawing.style.start;
     trace_footprint(drawing, poses[i]);
     if (at_end) fill_and_keep(drawing.context, colour, 0.2);
-    stroke(drawing.context, width, at_end ? colour : drawing.style.start, at_end ? 0.9 : 0.45);
+    stroke(drawing.context, width, at_end ? colour : drawing.style.start, at_end ? 0.9 : 0.7);
   }
 }
 
