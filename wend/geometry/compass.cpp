@@ -1,6 +1,5 @@
 #include "wend/geometry/compass.hpp"
 
-#include <algorithm>
 
 namespace wend {
 namespace {
@@ -23,9 +22,10 @@ std::string_view name_of(CarMove move, const Frame& frame) {
 }
 
 std::optional<CarMove> parse_car_move(std::string_view name) {
-  const auto* const found = std::find(kMoveNames.begin(), kMoveNames.end(), name);
-  if (found == kMoveNames.end()) return std::nullopt;
-  return static_cast<CarMove>(found - kMoveNames.begin());
+  for (std::size_t i = 0; i < kMoveNames.size(); ++i) {
+    if (kMoveNames[i] == name) return static_cast<CarMove>(i);
+  }
+  return std::nullopt;
 }
 
 std::string_view letter_of(Heading heading, const Frame& frame) {
