@@ -1,6 +1,5 @@
 #include "wend/geometry/compass.hpp"
 
-
 namespace wend {
 namespace {
 
