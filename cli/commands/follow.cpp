@@ -87,13 +87,14 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   }
 }
 
-/// The map for a disc that is larger than the one around the robot by the margin.
-FreeSpace planning_space(const FollowArguments& arguments, const GridMap& map) {
+/// The obstacles for a disc that is larger than the one around the robot by the margin.
+FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& space) {
+  const GridMap& map = space.map();
   MapArguments larger = arguments.map;
-  const double per_unit = arguments.map.coordinates(map).in_metres(1);
+  const double per_unit = larger.coordinates(map).in_metres(1);
   larger.footprint = Footprint::disc(larger.footprint.circumscribed_radius() +
                                      arguments.margin.value_or(kMargin / per_unit));
-  return larger.free_space(map);
+  return FreeSpace(space.obstacles(), larger.options(map).robot());
 }
 
 int run(const FollowArguments& arguments) {
@@ -101,8 +102,8 @@ int run(const FollowArguments& arguments) {
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   if (!arguments.path.empty()) arguments.output.check_not_among({arguments.path});
-  FollowRun run(arguments, arguments.map.free_space(loaded.map),
-                planning_space(arguments, loaded.map));
+  const FreeSpace space = arguments.map.free_space(loaded.map);
+  FollowRun run(arguments, space, planning_space(arguments, space));
   if (!run.find_path()) return no_plan;
   run.drive();
   return run.report();

@@ -18,8 +18,6 @@ namespace {
 constexpr std::uint64_t kMapSeed = 7;
 constexpr std::size_t kMapQueries = 200;
 constexpr std::size_t kQuickMapQueries = 3;
-const FreeSpaceOptions kPoint{};
-const FreeSpaceOptions kDisc{.footprint = Footprint::disc(0.2)};
 constexpr std::array<std::string_view, 2> kVariants{"astar:weight=2", "astar:heuristic=euclidean"};
 
 /// A generated map.
@@ -35,6 +33,8 @@ struct Recipe {
 };
 
 std::vector<Recipe> recipes() {
+  const FreeSpaceOptions point;
+  const FreeSpaceOptions disc{.footprint = Footprint::disc(0.2)};
   const OptionValues none;
   const OptionValues open{{"density", "0.1"}};
   const OptionValues clutter{{"density", "0.33"}};
@@ -45,13 +45,13 @@ std::vector<Recipe> recipes() {
       Recipe{"Clutter", "33 % of the cells blocked at random", "random", 512, 512, clutter},
       Recipe{"Rooms", "rooms in rows and columns, joined by doors", "rooms", 512, 512, rooms},
       Recipe{"Office", "corridors, rooms and furniture; 0.1 m a cell, a disc of 0.2 m", "office",
-             600, 400, none, kDisc},
+             600, 400, none, disc},
       Recipe{"Warehouse", "racks and aisles; 0.1 m a cell, a disc of 0.2 m", "warehouse", 600, 400,
-             none, kDisc},
+             none, disc},
       Recipe{"Maze", "a perfect maze, corridors one cell wide", "maze", 511, 511, none},
       Recipe{"Wide maze", "a perfect maze, corridors seven cells wide", "maze", 513, 513, wide},
       Recipe{"Rooms, 4 neighbours", "*Rooms* without diagonal steps", "rooms", 512, 512, rooms,
-             kPoint, "connectivity=4"},
+             point, "connectivity=4"},
       Recipe{"Rough ground", "rocks, and hills whose cells cost 2 to 9 times as much", "rough", 400,
              400, none},
   };

@@ -1,5 +1,6 @@
 #include "wend/path/path_collision.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -90,15 +91,18 @@ class PathSweep {
 
   /// Along a line; a polygon faces along it and turns to it in place, the shorter way.
   std::optional<PathCollision> turn_and_go_along(const Line& line) {
-    if (space_.outline() && line.length() > 0) {
-      const double heading = heading_of(line);
-      if (heading_) {
-        const double angle = normalized_angle(heading - *heading_);
-        const TurnInPlace turn{{line.from.x, line.from.y, *heading_}, angle};
-        if (auto collision = collision_along(turn)) return collision;
-      }
-      heading_ = heading;
+    if (!space_.outline()) return go_along(line);
+    if (line.length() == 0) {  // it stands where the lines before and after it are looked at
+      ++piece_;
+      return std::nullopt;
     }
+    const double heading = heading_of(line);
+    if (heading_) {
+      const double angle = normalized_angle(heading - *heading_);
+      const TurnInPlace turn{{line.from.x, line.from.y, *heading_}, angle};
+      if (auto collision = collision_along(turn)) return collision;
+    }
+    heading_ = heading;
     return go_along(line);
   }
 
@@ -220,12 +224,16 @@ std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& 
   assert(!path.empty());
   const std::vector<Point> points = path.points();
   PathSweep sweep(space, points.front(), adjacency);
-  if (points.size() == 1) return sweep.go_along(Line{points.front(), points.front()});
   if (path.driven()) {
+    if (points.size() == 1) return sweep.go_along(TurnInPlace{path.poses().front(), 0});
     for (const Arc& arc : path.arcs()) {
       if (const auto collision = sweep.go_along(arc)) return collision;
     }
     return std::nullopt;
+  }
+  const auto stands = [&](Point point) { return point == points.front(); };
+  if (std::all_of(points.begin(), points.end(), stands)) {
+    return sweep.go_along(Line{points.front(), points.front()});
   }
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (const auto collision = sweep.turn_and_go_along({points[i - 1], points[i]}))

@@ -1,15 +1,19 @@
 #include "wend/path/path_collision.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "tests/testing/drawn_map.hpp"
+#include "tests/testing/polygon_overlap.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
+#include "tests/testing/random_polygon.hpp"
 #include "tests/testing/sampled_robot.hpp"
+#include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
@@ -105,6 +109,92 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
   EXPECT_GT(kinds[1], 300) << "obstacle";
   EXPECT_GT(kinds[2], 300) << "too close";
   EXPECT_GT(kinds[3], 10) << "squeezed";
+}
+
+/// Samples of the poses of a polygon on a path, and how far along it they are.
+class PosesOnPath {
+ public:
+  explicit PosesOnPath(const Path& path) {
+    if (path.driven()) {
+      poses_.push_back({path.poses().front(), 0});
+      for (const Arc& arc : path.arcs()) drive(arc);
+      return;
+    }
+    const auto points = path.points();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Line line{points[i - 1], points[i]};
+      if (line.length() == 0) continue;
+      const double heading = std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
+      if (!poses_.empty()) turn(heading);
+      drive({{line.from.x, line.from.y, heading}, line.length(), 0});
+    }
+    if (poses_.empty()) turn_around(points.front());
+  }
+
+  static constexpr double kStep = 0.03;  // no point of a polygon of radius 2 moves farther
+
+  struct Sample {
+    Pose pose;
+    double along;
+  };
+  const std::vector<Sample>& poses() const { return poses_; }
+
+ private:
+  void drive(const Arc& arc) {
+    const double length = std::abs(arc.length);
+    const int steps = 1 + static_cast<int>((length + 2 * std::abs(arc.turn())) / kStep);
+    for (int i = 0; i <= steps; ++i) {
+      poses_.push_back({pose_on(arc, arc.length * i / steps), along_ + length * i / steps});
+    }
+    along_ += length;
+  }
+
+  void turn(double heading) {
+    const Pose from = poses_.back().pose;
+    const double angle = normalized_angle(heading - from.heading);
+    const int steps = 1 + static_cast<int>(2 * std::abs(angle) / kStep);
+    for (int i = 0; i <= steps; ++i) {
+      poses_.push_back({{from.x, from.y, from.heading + angle * i / steps}, along_});
+    }
+  }
+
+  void turn_around(Point point) {
+    for (int i = 0; i < 420; ++i) poses_.push_back({{point.x, point.y, 2 * kPi * i / 420}, 0});
+  }
+
+  std::vector<Sample> poses_;
+  double along_ = 0;
+};
+
+RC_GTEST_PROP(PathCollision, OfAPolygonIsNotAfterTheFirstSampleThatOverlaps, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const GridMap map = test::random_map(random, random.between(2, 9), random.between(2, 9));
+  const Polygon outline =
+      *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
+  const FreeSpace space(map,
+                        {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
+                         .outside = test::random_outside(random)});
+  const auto blocked = test::blocked_squares(space);
+  for (int i = 0; i < 5; ++i) {
+    const Path path = test::random_path(random, map.width(), map.height());
+    const auto collision = first_collision(path, space);
+    double first = test::kInfinite;
+    bool near = false;
+    const PosesOnPath samples(path);
+    for (const auto& [pose, along] : samples.poses()) {
+      constexpr double kRounding = 1e-7;
+      const double inside = std::min({pose.x, pose.y, map.width() - pose.x, map.height() - pose.y});
+      const double overlap = test::worst_overlap(space, blocked, pose);
+      if (first == test::kInfinite && (inside < -kRounding || overlap > kRounding)) first = along;
+      const double margin = PosesOnPath::kStep + 0.03;
+      near = near || inside < margin || test::worst_overlap(space, blocked, pose, margin) > 0;
+    }
+    RC_ASSERT(collision.has_value() || first == test::kInfinite);
+    if (collision) {
+      RC_ASSERT(collision->along <= first + 1e-5);
+      RC_ASSERT(near);
+    }
+  }
 }
 
 TEST(PathCollision, TellsWhatItRunsInto) {

@@ -26,14 +26,16 @@ bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& op
 }
 
 bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options) {
-  if (!space.outline()) return disc_fits_along(space, arc, options.adjacency);
-  return PolygonSweep(space, options.tolerance).fits(arc);
+  // A disc that touches something fits, and its polygon then does: the polygon's sweep alone does not
+  // see that within its tolerance.
+  if (disc_fits_along(space, arc, options.adjacency)) return true;
+  return space.outline() && PolygonSweep(space, options.tolerance).fits(arc);
 }
 
 bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options) {
   const Point point = turn.from.point();
-  if (!space.outline()) return disc_fits_along(space, Line{point, point}, options.adjacency);
-  return PolygonSweep(space, options.tolerance).fits(turn);
+  if (disc_fits_along(space, Line{point, point}, options.adjacency)) return true;
+  return space.outline() && PolygonSweep(space, options.tolerance).fits(turn);
 }
 
 std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {

@@ -10,78 +10,13 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
+#include "tests/testing/polygon_overlap.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
 namespace {
-
-// The brute force clips the polygon by every blocked square and looks at the area that is left. It
-// shares nothing with the code that it checks.
-
-/// What of a polygon lies where x * point.x + y * point.y <= limit (Sutherland and Hodgman).
-std::vector<Point> clipped(const std::vector<Point>& polygon, double x, double y, double limit) {
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i];
-    const Point b = polygon[(i + 1) % polygon.size()];
-    const double from = x * a.x + y * a.y - limit;
-    const double to = x * b.x + y * b.y - limit;
-    if (from <= 0) kept.push_back(a);
-    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
-      const double share = from / (from - to);
-      kept.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
-    }
-  }
-  return kept;
-}
-
-double area_of(const std::vector<Point>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i];
-    const Point b = polygon[(i + 1) % polygon.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2;
-}
-
-std::vector<Point> corners_at(const Polygon& outline, const Pose& pose) {
-  std::vector<Point> corners;
-  for (const Point corner : outline.corners()) corners.push_back(placed(corner, pose));
-  return corners;
-}
-
-/// The area that a polygon has in common with a square; with a margin around it if that is given.
-double common_area(const std::vector<Point>& corners, Cell square, double margin = 0) {
-  auto rest = clipped(corners, 1, 0, square.x + 1 + margin);
-  rest = clipped(rest, -1, 0, margin - square.x);
-  rest = clipped(rest, 0, 1, square.y + 1 + margin);
-  return area_of(clipped(rest, 0, -1, margin - square.y));
-}
-
-/// The blocked squares, and those around the map if its outside is blocked.
-std::vector<Cell> blocked_squares(const FreeSpace& space) {
-  std::vector<Cell> squares;
-  for (int y = -8; y < space.height() + 8; ++y) {
-    for (int x = -8; x < space.width() + 8; ++x) {
-      const bool blocked = space.contains({x, y}) ? space.obstacles().blocked()[{x, y}]
-                                                  : space.outside() == OutsidePolicy::blocked;
-      if (blocked) squares.push_back({x, y});
-    }
-  }
-  return squares;
-}
-
-/// The most of the polygon that lies in one blocked square, or in one grown by a margin.
-double worst_overlap(const FreeSpace& space, const std::vector<Cell>& blocked, const Pose& pose,
-                     double margin = 0) {
-  const auto corners = corners_at(*space.outline(), pose);
-  double worst = 0;
-  for (const Cell square : blocked) worst = std::max(worst, common_area(corners, square, margin));
-  return worst;
-}
 
 // Less area than that is rounding, and it may be a corner that enters a square a little.
 constexpr double kNoArea = 1e-7;
@@ -111,10 +46,10 @@ constexpr int kPoses = 30;  // of each robot on each map
 
 RC_GTEST_PROP(PolygonFits, WhereItHasNoAreaInBlockedSquares, ()) {
   const FreeSpace space = any_space();
-  const auto blocked = blocked_squares(space);
+  const auto blocked = test::blocked_squares(space);
   for (int i = 0; i < kPoses; ++i) {
     const Pose pose = any_pose(space);
-    const double overlap = worst_overlap(space, blocked, pose);
+    const double overlap = test::worst_overlap(space, blocked, pose);
     if (overlap > kNoArea) RC_ASSERT(!space.fits(pose));
     if (overlap < 1e-12) RC_ASSERT(space.fits(pose));
   }
@@ -139,15 +74,15 @@ struct Sampled {
 
 template <class Way>
 Sampled sampled(const FreeSpace& space, const Way& way, double whole, double moves, double margin) {
-  const auto blocked = blocked_squares(space);
+  const auto blocked = test::blocked_squares(space);
   constexpr double kStep = 0.02;
   const int samples = static_cast<int>(std::ceil(moves / kStep)) + 1;
   Sampled result;
   for (int i = 0; i <= samples; ++i) {
     const Pose pose = pose_on(way, whole * i / samples);
-    result.overlap = std::max(result.overlap, worst_overlap(space, blocked, pose));
+    result.overlap = std::max(result.overlap, test::worst_overlap(space, blocked, pose));
     if (!result.near) {
-      result.near = worst_overlap(space, blocked, pose, margin + kStep) > 0;
+      result.near = test::worst_overlap(space, blocked, pose, margin + kStep) > 0;
     }
   }
   return result;

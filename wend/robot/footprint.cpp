@@ -11,7 +11,7 @@ namespace wend {
 namespace {
 
 constexpr std::string_view kDisc = "disc:";
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kBlanks = " ";
 constexpr std::size_t kLongestQuote = 40;  // bytes of a wrong text that an error repeats
 
 std::string_view trimmed(std::string_view text) {
@@ -20,12 +20,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// In apostrophes, on one line and not too long.
+/// In apostrophes, not too long.
 std::string quoted(std::string_view text) {
-  std::string shown(text.substr(0, kLongestQuote));
-  std::replace_if(
-      shown.begin(), shown.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
-  return "'" + shown + (text.size() > kLongestQuote ? "...'" : "'");
+  return "'" + std::string(text.substr(0, kLongestQuote)) +
+         (text.size() > kLongestQuote ? "...'" : "'");
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -83,6 +81,10 @@ Expected<Footprint, Error> polygon_of(const std::vector<std::string_view>& texts
 }
 
 Expected<Footprint, Error> disc_of(std::string_view text) {
+  if (text.size() > kLongestQuote) {
+    return failure(Status::invalid_option,
+                   "the radius of the disc: " + quoted(text) + " is not a number");
+  }
   double radius = 0;
   const std::string wrong = parse_in_range(text, radius, 0, Footprint::kLargestRadius, "m");
   if (!wrong.empty()) return failure(Status::invalid_option, "the radius of the disc: " + wrong);
@@ -108,8 +110,11 @@ Footprint Footprint::scaled(double factor) const {
   return footprint;
 }
 
-Expected<Footprint, Error> parse_footprint(std::string_view text) {
-  text = trimmed(text);
+Expected<Footprint, Error> parse_footprint(std::string_view typed) {
+  std::string line(typed);  // control characters are blanks, here and in errors
+  const auto is_control = [](unsigned char letter) { return letter < ' '; };
+  std::replace_if(line.begin(), line.end(), is_control, ' ');
+  const std::string_view text = trimmed(line);
   if (text == "point") return Footprint();
   if (text.starts_with(kDisc)) return disc_of(trimmed(text.substr(kDisc.size())));
   if (text.starts_with('[')) {

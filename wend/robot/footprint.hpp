@@ -69,7 +69,7 @@ class Footprint {
 /// Reads "point", "disc:0.2" or the corners of a polygon in either of two spellings, "0.4,0.25;
 /// 0.4,-0.25; -0.3,0" and that of ROS costmaps, "[[0.4, 0.25], [0.4, -0.25], [-0.3, 0]]". Blanks
 /// between numbers and signs do not matter.
-Expected<Footprint, Error> parse_footprint(std::string_view text);
+Expected<Footprint, Error> parse_footprint(std::string_view typed);
 
 /// The first spelling of these; parse_footprint() reads it back as the same footprint.
 std::string text_of(const Footprint& footprint);

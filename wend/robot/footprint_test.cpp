@@ -81,6 +81,10 @@ TEST(ParseFootprint, SaysWhatIsWrong) {
   EXPECT_THAT(message(""), HasSubstr("'' is not a footprint: give corners"));
   EXPECT_THAT(message("0.2"), HasSubstr("did you mean 'disc:0.2'?"));
   EXPECT_THAT(message("disc:-1"), HasSubstr("the radius of the disc: '-1' is not between 0 and"));
+  EXPECT_THAT(message("disc:1\x01"
+                      "2"),
+              HasSubstr("'1 2' is not a number"));
+  EXPECT_LT(message("disc:" + std::string(100000, '1')).size(), 200);
   EXPECT_THAT(message("disc:nan"), HasSubstr("'nan' is not a number"));
   EXPECT_THAT(message("1,1;1,x;0,0"), HasSubstr("corner 2, '1,x', is not two numbers 'x,y'"));
   EXPECT_THAT(message("1,1;1,2,3;0,0"), HasSubstr("corner 2, '1,2,3', is not two numbers"));

@@ -68,9 +68,10 @@ bool PolygonSweep::fits_facing(const Line& line, double heading) const {
   }
   const PlacedPolygon robot(outline_, {line.from.x, line.from.y, heading});
   const Point by{line.to.x - line.from.x, line.to.y - line.from.y};
-  Box box = robot.box();
-  box.include({box.low.x + by.x, box.low.y + by.y});
-  box.include({box.high.x + by.x, box.high.y + by.y});
+  const Box& begin = robot.box();
+  Box box = begin;
+  box.include({begin.low.x + by.x, begin.low.y + by.y});
+  box.include({begin.high.x + by.x, begin.high.y + by.y});
   if (!stays_inside(box, 0)) return false;
   return !any_obstacle(space_, box, [&](Cell square) { return robot.overlaps_along(by, square); });
 }
