@@ -94,7 +94,7 @@ FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& spac
   const double per_unit = larger.coordinates(map).in_metres(1);
   larger.footprint = Footprint::disc(larger.footprint.circumscribed_radius() +
                                      arguments.margin.value_or(kMargin / per_unit));
-  return FreeSpace(space.obstacles(), larger.options(map).robot());
+  return {space.obstacles(), larger.options(map).robot()};
 }
 
 int run(const FollowArguments& arguments) {
