@@ -96,7 +96,7 @@ double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& opt
   return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
 }
 
-FreeSpace::FreeSpace(GridMap map, FreeSpaceOptions options)
+FreeSpace::FreeSpace(GridMap map, const FreeSpaceOptions& options)
     : FreeSpace(Obstacles(std::move(map), options.obstacles()), options.robot()) {}
 
 FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {

@@ -86,7 +86,7 @@ double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& opt
 
 class FreeSpace {
  public:
-  explicit FreeSpace(GridMap map, FreeSpaceOptions options = {});
+  explicit FreeSpace(GridMap map, const FreeSpaceOptions& options = {});
 
   /// On obstacles that are shared.
   FreeSpace(Obstacles obstacles, Robot robot);
