@@ -23,9 +23,10 @@ std::vector<Pose> poses_along(const std::vector<Point>& points, double spacing) 
     if (line.length() == 0) continue;
     heading = std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
     double along = until_next;
-    for (; along < line.length(); along += spacing) {
+    while (along < line.length()) {
       const Point point = line.at(along / line.length());
       poses.push_back({point.x, point.y, heading});
+      along += spacing;
     }
     until_next = along - line.length();
   }
