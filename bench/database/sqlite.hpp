@@ -49,7 +49,7 @@ class SqliteConnection {
 /// A statement with parameters, which can be run again and again.
 ///
 ///   SqliteStatement query(connection, "SELECT name FROM planners WHERE id = ?");
-///   for (query.start(7); query.next();) names.push_back(query.text(0));
+///   for (query.start(std::int64_t{7}); query.next();) names.push_back(query.text(0));
 class SqliteStatement {
  public:
   SqliteStatement(SqliteConnection& connection, const std::string& text);

@@ -4,8 +4,7 @@
 // a state from the frontier, expand it, resolve duplicates, repeat. Every classic planner is a
 // choice of its parts.
 //
-//   using BreadthFirst =
-//       ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
+//   using BreadthFirst = ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
 //   BreadthFirst search(space, priority);
 //   search.begin(starts, limits);
 //   while (search.outcome() == SearchOutcome::running) search.step();

@@ -3,7 +3,7 @@
 // GoalSight: the goals of a jump point search, and the cheapest way to one of them that a search has
 // seen so far.
 //
-//   goals.begin({goal}, shortcuts.raster());
+//   goals.begin(std::array{goal}, shortcuts.raster());
 //   const auto view = goals.look(boards.sight(), cell, directions, g);
 //   if (view.nearest) ...  // no need to go on from there
 //

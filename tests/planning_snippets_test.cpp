@@ -1,0 +1,391 @@
+// The snippets of the headers of paths, planners, analysis, pictures, reports and benchmarks, compiled and
+// run as they stand there.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "bench/comparison/comparison_run.hpp"
+#include "bench/comparison/timed_planner.hpp"
+#include "bench/database/bench_database.hpp"
+#include "bench/database/sqlite.hpp"
+#include "bench/scenario/scenario_queries.hpp"
+#include "tests/snippets.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/analysis/layer.hpp"
+#include "wend/analysis/no_path.hpp"
+#include "wend/analysis/search_recorder.hpp"
+#include "wend/analysis/widest_path.hpp"
+#include "wend/base/expected.hpp"
+#include "wend/base/options.hpp"
+#include "wend/base/random.hpp"
+#include "wend/io/files.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/path/curvature_smoother.hpp"
+#include "wend/path/gradient_smoother.hpp"
+#include "wend/path/path_collision.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/path/refinement.hpp"
+#include "wend/path/simplification.hpp"
+#include "wend/path/smoother.hpp"
+#include "wend/planner/index_support.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/render/animation/gif.hpp"
+#include "wend/render/picture/drawing.hpp"
+#include "wend/render/picture/panels.hpp"
+#include "wend/render/terminal/terminal_picture.hpp"
+#include "wend/render/terminal/text_picture.hpp"
+#include "wend/report/path_report.hpp"
+#include "wend/report/posthoc_trace.hpp"
+#include "wend/report/text_table.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using wend::test::OfficeInWorkingFolder;
+using wend::test::open_ground;
+using wend::test::report;
+using wend::test::reported;
+
+TEST(Snippets, OfSmoothingAndSimplification) {
+  wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
+  for (int y = 0; y < 8; ++y) cells[{10, y}] = wend::CellState::occupied;
+  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.4)});
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({2, 2}, {17, 2}));
+  reported.clear();
+  {
+    const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
+    const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
+    if (!smoothed) report(smoothed.error().message());
+    EXPECT_TRUE(smoothed);
+  }
+  {
+    const auto smoothed = wend::smooth_by_gradient(plan->path, space, {.beta = 0.4});
+    EXPECT_TRUE(smoothed);
+    const wend::Path& path = smoothed->path;
+    if (const auto collision = wend::first_collision(path, space)) {
+      report(wend::describe(collision->kind));
+    }
+  }
+  const auto drivable = wend::smooth_by_curvature(plan->path, space, {.radius = 4});
+  if (drivable && !drivable->within_bound) report("too tight");
+  EXPECT_TRUE(drivable);
+  EXPECT_TRUE(reported.empty()) << reported;
+
+  const wend::Path fewer = wend::without_collinear(plan->path);
+  const wend::Path taut = wend::string_pulled(plan->path, space);
+  EXPECT_LT(fewer.size(), plan->path.size());
+  EXPECT_LE(taut.length(), fewer.length());
+  const auto refined = wend::refined(plan->path, space,
+                                     {.simplify = wend::Simplification{wend::SimplifyBy::sight},
+                                      .smoother = wend::SmootherChoice{"gradient"}});
+  EXPECT_TRUE(refined);
+}
+
+void make_planner_and_plan(const wend::FreeSpace& space) {
+  auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
+  if (!planner) return report(planner.error().message());
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  if (!plan) return report(plan.error().reason);
+  EXPECT_EQ(plan->path.cells().back(), (wend::Cell{8, 5}));
+}
+
+TEST(Snippets, OfPath) {
+  const auto astar = wend::make_planner("astar", open_ground());
+  const auto plan = (*astar)->plan(wend::Query::between({1, 1}, {8, 5}));
+  std::vector<wend::Cell> cells;
+  for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
+  EXPECT_EQ(cells.size(), plan->path.size());
+
+  double length = 0;
+  const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+  for (const wend::Arc& arc : path.arcs()) length += arc.length;
+  EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
+}
+
+TEST(Snippets, OfPlanner) {
+  reported.clear();
+  make_planner_and_plan(open_ground());
+  EXPECT_EQ(reported, "");
+}
+
+TEST(Snippets, OfAPlannerInSteps) {
+  const auto made = wend::make_planner("astar", open_ground());
+  wend::Planner& planner = **made;
+  const wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  wend::Plan plan;
+  auto outcome = planner.begin(query, plan);
+  while (!outcome) outcome = planner.step(plan);
+  EXPECT_EQ(*outcome, wend::Status::found);
+}
+
+TEST(Snippets, OfOpenList) {
+  const auto made = wend::make_planner("astar", open_ground());
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(open_ground());
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  wend::Plan plan;
+  std::vector<wend::Cell> order;
+  auto outcome = planner.begin(query, plan);
+  while (!outcome) {
+    const wend::OpenList open = planner.open_list(10);
+    order.push_back(open.entries.front().state.cell);  // the one that step() expands now
+    outcome = planner.step(plan);
+  }
+  EXPECT_EQ(order, recorder.expansions());
+}
+
+TEST(Snippets, OfCostToGo) {
+  const wend::FreeSpace& space = open_ground();
+  const wend::Cell goal{8, 5};
+  const wend::Cell start{1, 1};
+  const auto field = wend::CostToGo::make(space, std::array{goal});
+  if (const auto path = field->path_from(start)) report("there is a path");
+  EXPECT_EQ(reported, "there is a path");
+}
+
+TEST(Snippets, OfSearchRecorder) {
+  const wend::FreeSpace& space = open_ground();
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(space);
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  const auto plan = planner.plan(query);
+  const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
+  EXPECT_TRUE(plan);
+  EXPECT_EQ(first, 1U);
+  wend::SearchRecorder driven(space, 1);
+  EXPECT_TRUE(driven.expansions().empty());
+}
+
+TEST(Snippets, OfLayer) {
+  const wend::FreeSpace& space = open_ground();
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::SearchRecorder recorder(space);
+  wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  query.observer = &recorder;
+  ASSERT_TRUE(planner.plan(query));
+  const wend::Layer order = wend::search_layer(wend::LayerKind::expansion, planner, recorder);
+  const double first = order.numbers[{1, 1}];  // 1: the start
+  EXPECT_EQ(first, 1);
+}
+
+TEST(Snippets, OfScene) {
+  const wend::FreeSpace& space = open_ground();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  wend::Scene scene{.space = space};
+  scene.path = plan->path;
+  scene.start = wend::centre_of({1, 1});
+  scene.goals = {wend::centre_of({8, 5})};
+  wend::BitGrid cells(space.width(), space.height());
+  cells.set({1, 1}, true);
+  scene.marked = {{wend::CellRole::expanded, cells}};
+  scene.heatmap = {"order of expansion", wend::Grid<double>(space.width(), space.height(), 0)};
+  std::cout << wend::text_picture(scene);
+  const auto svg = wend::draw_svg(scene, wend::style_of(wend::StyleName::dark));
+  EXPECT_TRUE(svg);
+}
+
+TEST(Snippets, OfSceneOfADrive) {
+  const wend::FreeSpace& space = open_ground();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  const wend::Path smoothed = wend::smooth_by_gradient(plan->path, space)->path;
+  wend::Scene scene{.space = space};
+  scene.lines = {{wend::LineRole::planned, plan->path.points()},
+                 {wend::LineRole::smoothed, smoothed.points()}};
+  EXPECT_EQ(scene.lines.size(), 2U);
+}
+
+TEST(Snippets, OfSceneOfACar) {
+  const wend::FreeSpace& space = open_ground();
+  wend::Scene yard{.space = space};
+  yard.path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
+  yard.start = yard.path.poses().front();
+  yard.unit = 1;
+  EXPECT_EQ(yard.start->point, (wend::Point{0, 0}));
+  EXPECT_EQ(yard.start->heading, 0);
+}
+
+TEST(Snippets, OfDrawing) {
+  const OfficeInWorkingFolder office;
+  const wend::Scene scene{.space = open_ground()};
+  const auto png = wend::draw_png(scene);
+  if (png) wend::write_file("plan.png", *png);
+  EXPECT_TRUE(fs::exists("plan.png"));
+}
+
+TEST(Snippets, OfTerminalPicture) {
+  const wend::Scene scene{.space = open_ground()};
+  const bool is_terminal = isatty(STDOUT_FILENO) == 1;
+  wend::Terminal terminal;  // plain ASCII
+  if (is_terminal) terminal = wend::detect_terminal(environ);
+  std::cout << wend::terminal_picture(scene, 80, 24, terminal);
+  std::cout << wend::terminal_legend(scene, 80, terminal);
+}
+
+TEST(Snippets, OfPanels) {
+  const wend::Scene with_astar{.space = open_ground()};
+  const wend::Scene with_dijkstra{.space = open_ground()};
+  const std::vector<wend::Panel> panels{{"A*", with_astar, "412 cells expanded"},
+                                        {"Dijkstra", with_dijkstra, "8321 cells expanded"}};
+  const auto svg = wend::draw_panels(panels, wend::PictureKind::svg);
+  EXPECT_TRUE(svg);
+}
+
+TEST(Snippets, OfGif) {
+  const int width = 3;
+  const int height = 2;
+  const std::array frames{wend::Grid<std::uint32_t>(width, height, 0xFFFFFF),
+                          wend::Grid<std::uint32_t>(width, height, 0x0072B2)};
+  wend::GifAnimation animation(width, height, wend::palette_of(frames));
+  for (const auto& frame : frames) animation.add(frame, 10);
+  const auto bytes = animation.finish();
+  EXPECT_TRUE(bytes && bytes->starts_with("GIF89a"));
+}
+
+TEST(Snippets, OfPosthocTrace) {
+  const wend::FreeSpace& space = open_ground();
+  const wend::Cell start{1, 1};
+  const std::array goals{wend::Cell{8, 5}};
+  const auto made = wend::make_planner("astar", space);
+  wend::Planner& planner = **made;
+  wend::Query query = wend::Query::between(start, goals.front());
+  wend::Plan plan;
+  wend::PosthocTrace trace(space, start, goals, wend::TraceForm::yaml, 100'000);
+  query.observer = &trace;
+  planner.plan(query, plan);
+  const std::string text = trace.finish(plan.path);
+  EXPECT_NE(text.find("type: end"), std::string::npos);
+  wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
+  EXPECT_NE(driven.finish({}).find("heading"), std::string::npos);
+}
+
+void report_width(double radius) { reported = radius == 0.5 ? "half a cell" : "another width"; }
+void suggest(const wend::Way& way) {
+  reported = way.smaller_robot ? "a smaller robot" : "something else";
+}
+
+TEST(Snippets, OfIndexSupport) {
+  const wend::FreeSpace space{wend::GridMap(wend::Grid<wend::CellState>(4, 3))};
+  reported.clear();
+  const wend::PlannerInfo& info = *wend::planners().find("hub_labels");
+  const auto index = info.index_support->build(space, {});
+  if (!index) report(index.error().message());
+  const auto planner = info.index_support->make_planner(space, {}, *index);
+  EXPECT_EQ(reported, "");
+  EXPECT_TRUE(planner);
+}
+
+TEST(Snippets, OfWidestPathAndNoPath) {
+  wend::Grid<wend::CellState> cells(5, 3, wend::CellState::free);
+  cells[{2, 0}] = cells[{2, 2}] = wend::CellState::occupied;
+  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.75)});
+  const wend::Cell start{0, 1};
+  const wend::Cell goal{4, 1};
+  if (const auto widest = wend::widest_path(space, start, goal)) report_width(widest->radius);
+  EXPECT_EQ(reported, "half a cell");
+
+  const wend::NoPath why = wend::explain_no_path(space, start, goal);
+  for (const wend::Way& way : why.ways) suggest(way);
+  EXPECT_EQ(reported, "a smaller robot");
+}
+
+std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {
+  const auto report = [](const std::string& what) { return what; };
+  auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
+  if (!run) return report(run.error().message());
+  for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
+  const std::string table = wend::comparison_table(run->comparison());
+  return table;
+}
+
+TEST(Snippets, OfComparisonRun) {
+  const wend::Clock clock = [seconds = 0.0]() mutable { return ++seconds; };
+  EXPECT_NE(compare(open_ground(), clock).find("100 queries"), std::string::npos);
+}
+
+std::string keep(const std::vector<wend::BenchAnswer>& answers) {
+  const auto report = [](const std::string& what) { return what; };
+  auto database = wend::BenchDatabase::open("bench.db");
+  if (!database) return report(database.error().message());
+  const auto experiment = database->experiment({.map = "arena", .version = "wend 0.1.0"});
+  const auto planner = database->planner("astar:weight=2");
+  if (!experiment || !planner) return report("bench.db cannot be written");
+  const auto stored = database->store(*experiment, *planner, answers);
+  return stored ? "stored" : stored.error().message();
+}
+
+TEST(Snippets, OfBenchDatabase) {
+  const OfficeInWorkingFolder folder;
+  EXPECT_EQ(keep({{.line = 2, .seconds = {1e-6}}}), "stored");
+  EXPECT_EQ(keep({{.line = 3, .seconds = {1e-6}}}), "stored");
+}
+
+TEST(Snippets, OfPathReport) {
+  const wend::FreeSpace space = open_ground();
+  const auto planner = wend::make_planner("astar", space);
+  const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
+  const auto refined =
+      wend::refined(plan->path, space, {.smoother = wend::SmootherChoice{"gradient"}});
+  const std::vector<wend::MeasuredPath> paths{wend::measured("planned", plan->path, space),
+                                              wend::measured("smoothed", refined->path, space)};
+  std::cout << wend::metrics_table(paths, wend::metres_of(space.map().frame()));
+  EXPECT_LT(paths[1].metrics.length, paths[0].metrics.length);
+}
+
+void answer(const wend::FreeSpace& space, const wend::PlannerSpec& spec) {
+  const wend::Query query = wend::Query::between({1, 1}, {8, 5});
+  wend::Plan plan;
+  wend::TimedPlanner planner(space, spec, wend::thread_cpu_seconds);
+  if (planner.error()) return report(planner.error()->message());
+  wend::QueryTimes times;
+  const wend::Status status = planner.answer(query, plan, times);
+  report(wend::describe(status));
+}
+
+TEST(Snippets, OfTimedPlanner) {
+  answer(open_ground(), wend::parse_planner_specs("astar")->front());
+  EXPECT_EQ(reported, wend::describe(wend::Status::found));
+}
+
+TEST(Snippets, OfScenarioQueries) {
+  const wend::FreeSpace& space = open_ground();
+  const auto queries = wend::scenario_queries(space, {}, {.seed = 1, .buckets = 10});
+  ASSERT_TRUE(queries);
+  EXPECT_FALSE(queries->empty());
+}
+
+TEST(Snippets, OfSqlite) {
+  using wend::SqliteStatement;
+  wend::SqliteConnection connection(":memory:");
+  connection.run(
+      "CREATE TABLE planners (id INTEGER, name TEXT); INSERT INTO planners VALUES (7, 'astar')");
+  std::vector<std::string> names;
+  SqliteStatement query(connection, "SELECT name FROM planners WHERE id = ?");
+  for (query.start(std::int64_t{7}); query.next();) names.push_back(query.text(0));
+  EXPECT_EQ(connection.error(), "");
+  EXPECT_EQ(names, std::vector<std::string>{"astar"});
+}
+
+TEST(Snippets, OfTextTable) {
+  std::string printed;
+  const auto print = [&](const std::string& text) { printed = text; };
+  wend::TextTable table({{"planner"}, {"mean us", wend::Align::right}});
+  table.add({"astar", "12.5"});
+  print(table.text());
+  EXPECT_NE(printed.find("astar"), std::string::npos);
+}
+
+}  // namespace

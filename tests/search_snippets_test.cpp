@@ -1,0 +1,165 @@
+// The snippets of the headers of search, jump and index and of the planners on them, compiled and run as
+// they stand there.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "wend/index/file/index_sections.hpp"
+#include "wend/jump/dead_ends.hpp"
+#include "wend/jump/jump_graph.hpp"
+#include "wend/jump/shortcut_graph.hpp"
+#include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/jump/goal_sight.hpp"
+#include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/jump/jump_trail.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/search/forward_search.hpp"
+#include "wend/search/frontiers.hpp"
+#include "wend/search/limit_check.hpp"
+#include "wend/space/grid/grid_space.hpp"
+
+namespace {
+
+using wend::BitGrid;
+using wend::Cell;
+
+/// 9 x 5 cells with a wall that leaves a gap at its end.
+const wend::FreeSpace& walled_ground() {
+  static const wend::FreeSpace space([] {
+    wend::Grid<wend::CellState> cells(9, 5, wend::CellState::free);
+    for (int y = 0; y < 4; ++y) cells[{4, y}] = wend::CellState::occupied;
+    return wend::GridMap(cells);
+  }());
+  return space;
+}
+
+TEST(SearchSnippets, OfForwardSearchAndLimitCheck) {
+  using wend::ByArrival, wend::DuplicateRule, wend::ExactGrid, wend::FifoFrontier;
+  using wend::ForwardSearch, wend::SearchOutcome;
+  const ExactGrid space(walled_ground(), {});
+  const std::array starts{space.state(Cell{0, 0})};
+  const wend::Limits limits;
+  ByArrival priority;
+  priority.begin(std::array{Cell{8, 0}}, limits);
+
+  using BreadthFirst = ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
+  BreadthFirst search(space, priority);
+  search.begin(starts, limits);
+  while (search.outcome() == SearchOutcome::running) search.step();
+  EXPECT_EQ(search.outcome(), SearchOutcome::found);
+  EXPECT_EQ(search.goal().cell, (Cell{8, 0}));
+
+  wend::LimitCheck check;
+  SearchOutcome outcome = SearchOutcome::running;
+  wend::Limits two;
+  two.expansions = 2;
+  check.begin(two);
+  std::uint64_t expanded = 0;
+  while (outcome == SearchOutcome::running) {
+    if (check.due(expanded)) outcome = check.look(expanded);
+    ++expanded;
+  }
+  EXPECT_EQ(outcome, SearchOutcome::expansion_limit);
+  EXPECT_EQ(expanded, 3);
+}
+
+TEST(SearchSnippets, OfJumpGraphs) {
+  const auto boards = std::make_shared<const wend::JumpBoards>(walled_ground().passable());
+  std::vector<wend::Jump> jumps;
+  const wend::JumpGraph graph(boards);
+  graph.append_jumps({0, 0}, boards->moves({0, 0}), jumps);
+  ASSERT_FALSE(jumps.empty()) << "the end of the wall is a jump point";
+  const wend::Jump jump = jumps.front();
+  jumps.clear();
+  graph.append_jumps(graph.cell(jump.number()), graph.directions(jump), jumps);
+  EXPECT_FALSE(jumps.empty());
+
+  int reached = 0;
+  const auto reach = [&](const wend::Shortcut& /*shortcut*/) { ++reached; };
+  {
+    wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
+    for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
+  }
+  EXPECT_GT(reached, 0);
+}
+
+TEST(SearchSnippets, OfCoarseBox) {
+  const int width = 9;
+  const int height = 5;
+  const wend::CoarseRaster raster(width, height);
+  wend::CoarseBox box;
+  box.include(raster.place({3, 4}));
+  EXPECT_TRUE(box.may_hold(raster.place({3, 4})));
+}
+
+TEST(SearchSnippets, OfDeadEnds) {
+  const wend::JumpBoards boards(walled_ground().passable());
+  const Cell start{0, 0};
+  const std::array goals{Cell{8, 0}};
+  const auto dead_ends = std::make_shared<const wend::DeadEnds>(boards);
+  wend::OpenDeadEnds open(dead_ends);
+  open.open_for(start, goals);
+  EXPECT_TRUE(open.contains(open.number({4, 4}))) << "every path goes round the end of the wall";
+}
+
+TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
+  const auto shared = std::make_shared<const wend::JumpBoards>(walled_ground().passable());
+  const auto graph = std::make_shared<const wend::JumpGraph>(shared);
+  const auto dead_ends = std::make_shared<const wend::DeadEnds>(*shared);
+  std::vector<Cell> drawn;
+  const auto draw = [&](std::span<const Cell> cells) { drawn.assign(cells.begin(), cells.end()); };
+  const wend::Limits limits;
+  {
+    const std::array goals{Cell{8, 1}};
+    wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
+    search.begin({1, 1}, goals, limits);
+    if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
+  }
+  ASSERT_FALSE(drawn.empty());
+  EXPECT_EQ(drawn.front(), (Cell{1, 1}));
+  EXPECT_EQ(drawn.back(), (Cell{8, 1}));
+
+  const wend::JumpBoards& boards = *shared;
+  wend::ShortcutGraph shortcuts(graph);
+  const Cell goal{8, 4};
+  const Cell cell{0, 4};
+  const wend::DirectionSet directions = boards.moves(cell);
+  const std::uint32_t g = 0;
+  wend::GoalSight<std::uint32_t> goals;
+  goals.begin(std::array{goal}, shortcuts.raster());
+  const auto view = goals.look(boards.sight(), cell, directions, g);
+  EXPECT_TRUE(view.nearest) << "the bottom row is free";
+
+  std::vector<wend::Jump> jumps;
+  graph->append_jumps({0, 0}, boards.moves({0, 0}), jumps);
+  const wend::Jump first = jumps.front();
+  const std::uint32_t end = first.number();
+  const Cell start{0, 0};
+  wend::JumpTrail trail;
+  trail.begin(goal);
+  trail.append_shortcut(shortcuts, first, end);
+  trail.append(start);
+  draw(trail.from_start());
+  EXPECT_EQ(drawn.front(), start);
+  EXPECT_EQ(drawn.back(), goal);
+}
+
+TEST(SearchSnippets, OfIndexSections) {
+  const wend::FreeSpace& space = walled_ground();
+  const std::vector<std::uint32_t> offsets{0, 3, 7};
+  wend::IndexWriter writer("my_planner", 1, space.passable());
+  writer.add(std::span<const std::uint32_t>(offsets));
+  const wend::IndexBytes index = writer.finish();
+  const auto reader = wend::IndexReader::open(index, "my_planner", 1, space.passable());
+  ASSERT_TRUE(reader);
+  const auto section = reader->section<std::uint32_t>(0);
+  ASSERT_TRUE(section);
+  EXPECT_TRUE(std::equal(section->begin(), section->end(), offsets.begin(), offsets.end()));
+}
+
+}  // namespace
