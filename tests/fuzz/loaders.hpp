@@ -115,7 +115,7 @@ inline std::string fuzz_planner_specs(std::string_view bytes) {
 inline std::string fuzz_footprint(std::string_view bytes) {
   const auto footprint = parse_footprint(bytes);
   if (!footprint) return check_text(footprint.error().message);
-  if (!footprint->valid()) return "a footprint that is not valid";
+  if (!footprint->valid()) return "an invalid footprint";
   if (footprint->inscribed_radius() > footprint->circumscribed_radius()) return "radii swapped";
   const auto again = parse_footprint(text_of(*footprint));
   return again && *again == *footprint ? "" : "another footprint comes back";

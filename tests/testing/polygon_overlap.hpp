@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/testing/random_polygon.hpp"
 #include "wend/geometry/polygon.hpp"
 #include "wend/robot/free_space.hpp"
 

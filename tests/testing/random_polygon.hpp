@@ -10,8 +10,17 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/polygon.hpp"
+#include "wend/geometry/pose.hpp"
 
 namespace wend::test {
+
+/// Where a point of the robot's coordinates is when the robot stands at a pose.
+inline Point placed(Point of_robot, const Pose& pose) {
+  const double cosine = std::cos(pose.heading);
+  const double sine = std::sin(pose.heading);
+  return {pose.x + cosine * of_robot.x - sine * of_robot.y,
+          pose.y + sine * of_robot.x + cosine * of_robot.y};
+}
 
 /// Corners are from 0.1 to `largest` away from the origin.
 inline Polygon random_polygon(double largest = 2) {

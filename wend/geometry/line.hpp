@@ -7,6 +7,8 @@
 //
 // O(1), exact up to rounding. The ends may be one point.
 
+#include <cmath>
+
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
 
@@ -18,6 +20,8 @@ struct Line {
   Point to;
 
   double length() const { return distance(from, to); }
+  /// Of the direction in which it goes; 0 if both ends are one point.
+  double heading() const { return std::atan2(to.y - from.y, to.x - from.x); }
   Point middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
   Point at(double share) const {
     return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};

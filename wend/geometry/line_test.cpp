@@ -5,11 +5,18 @@
 
 #include <algorithm>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/arc_distance.hpp"
 
 namespace wend {
 namespace {
+
+TEST(Line, HasTheHeadingOfItsDirection) {
+  EXPECT_EQ((Line{{1, 1}, {1, 3}}.heading()), kPi / 2);
+  EXPECT_EQ((Line{{1, 1}, {0, 1}}.heading()), kPi);
+  EXPECT_EQ((Line{{1, 1}, {1, 1}}.heading()), 0);
+}
 
 /// Multiples of a quarter: many touch and many are collinear.
 Point any_point() { return {*rc::gen::inRange(-12, 16) / 4.0, *rc::gen::inRange(-12, 16) / 4.0}; }

@@ -106,16 +106,10 @@ Expected<Polygon, Error> Polygon::make(std::vector<Point> corners) {
 double Polygon::area() const { return twice_signed_area(corners_) / 2; }
 
 bool Polygon::contains(Point point) const {
-  bool inside = false;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
-    const Line side = edge(i);
-    if (touch(side, Line{point, point})) return true;
-    const bool crosses = (side.from.y > point.y) != (side.to.y > point.y);
-    if (crosses && (cross(side.from, side.to, point) > 0) == (side.to.y > side.from.y)) {
-      inside = !inside;
-    }
+    if (touch(edge(i), Line{point, point})) return true;
   }
-  return inside;
+  return is_inside(corners_, point);
 }
 
 Polygon Polygon::scaled(double factor) const {
@@ -138,11 +132,16 @@ double farthest_distance(const Polygon& polygon, Point point) {
   return most;
 }
 
-Point placed(Point of_robot, const Pose& pose) {
-  const double cosine = std::cos(pose.heading);
-  const double sine = std::sin(pose.heading);
-  return {pose.x + cosine * of_robot.x - sine * of_robot.y,
-          pose.y + sine * of_robot.x + cosine * of_robot.y};
+// Counts the edges to the right of the point that cross its height.
+bool is_inside(std::span<const Point> corners, Point point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point from = corners[i];
+    const Point to = corners[i + 1 == corners.size() ? 0 : i + 1];
+    if ((from.y > point.y) == (to.y > point.y)) continue;
+    if ((cross(from, to, point) > 0) == (to.y > from.y)) inside = !inside;
+  }
+  return inside;
 }
 
 }  // namespace wend

@@ -11,6 +11,7 @@
 // a copy copies the corners.
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "wend/base/error.hpp"
@@ -57,7 +58,7 @@ double distance_to_outline(const Polygon& polygon, Point point);
 /// From a point to the farthest point of the polygon. O(corners).
 double farthest_distance(const Polygon& polygon, Point point);
 
-/// Where a point of the robot's coordinates is when the robot stands at a pose.
-Point placed(Point of_robot, const Pose& pose);
+/// Is a point inside the simple polygon with these corners? On the outline it may be either. O(corners).
+bool is_inside(std::span<const Point> corners, Point point);
 
 }  // namespace wend

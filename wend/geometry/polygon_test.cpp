@@ -95,11 +95,5 @@ TEST(Polygon, RefusesWhatIsNotASimplePolygon) {
   EXPECT_THAT(message({{0, 0}, {1e7, 0}, {0, 1}}), HasSubstr("corner 2 has a coordinate"));
 }
 
-TEST(Placed, TurnsAndMoves) {
-  const Point point = placed({1, 0}, {5, 5, kPi / 2});
-  EXPECT_NEAR(point.x, 5, 1e-12);
-  EXPECT_NEAR(point.y, 6, 1e-12);
-}
-
 }  // namespace
 }  // namespace wend

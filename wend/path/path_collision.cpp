@@ -27,11 +27,7 @@ TurnInPlace beginning_of(const TurnInPlace& turn, double share) {
   return {turn.from, turn.angle * share};
 }
 
-double heading_of(const Line& line) {
-  return std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
-}
-
-Pose end_of(const Line& line) { return {line.to.x, line.to.y, heading_of(line)}; }
+Pose end_of(const Line& line) { return {line.to.x, line.to.y, line.heading()}; }
 using wend::end_of;
 
 /// Does the robot's base point stay on the map?
@@ -96,7 +92,7 @@ class PathSweep {
       ++piece_;
       return std::nullopt;
     }
-    const double heading = heading_of(line);
+    const double heading = line.heading();
     if (heading_) {
       const double angle = normalized_angle(heading - *heading_);
       const TurnInPlace turn{{line.from.x, line.from.y, *heading_}, angle};

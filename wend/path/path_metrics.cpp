@@ -26,8 +26,7 @@ double half_turn_tangent(Point from, Point at, Point to, double lengths) {
 }
 
 double angle_of(Point a, Point b, Point c) {
-  const double before = std::atan2(b.y - a.y, b.x - a.x);
-  return std::abs(normalized_angle(std::atan2(c.y - b.y, c.x - b.x) - before));
+  return std::abs(normalized_angle(Line{b, c}.heading() - Line{a, b}.heading()));
 }
 
 void add_bend(PathMetrics& metrics, double radius, double rounded_radius) {

@@ -54,11 +54,10 @@ std::size_t Polyline::piece_at(double along) const {
 Pose Polyline::at(double along) const {
   if (points_.size() < 2) return {points_.front().x, points_.front().y, 0};
   const std::size_t i = piece_at(along);
-  const Point from = points_[i];
-  const Point to = points_[i + 1];
+  const Line piece{points_[i], points_[i + 1]};
   const double share = std::clamp((along - along_[i]) / (along_[i + 1] - along_[i]), 0.0, 1.0);
-  const Point point = Line{from, to}.at(share);
-  return {point.x, point.y, std::atan2(to.y - from.y, to.x - from.x)};
+  const Point point = piece.at(share);
+  return {point.x, point.y, piece.heading()};
 }
 
 double Polyline::heading_at(double along, double window) const {
@@ -72,7 +71,7 @@ double Polyline::heading_at(double along, double window) const {
   const Point to = at(around(place + half)).point();
   constexpr double kRounding = 1e-9;  // of the window: there the direction is noise
   if (distance(from, to) <= kRounding * half) return at(place).heading;
-  return std::atan2(to.y - from.y, to.x - from.x);
+  return Line{from, to}.heading();
 }
 
 OnPolyline Polyline::nearest(Point point, double from, double to) const {

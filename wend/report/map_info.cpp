@@ -65,9 +65,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
   info.occupied = map.occupied().count();
   info.unknown = map.unknown().count();
   info.free = map.size() - info.occupied - info.unknown;
-  info.robot_radius = robot.footprint.circumscribed_radius();
-  info.footprint = text_of(robot.footprint);
-  info.has_outline = robot.footprint.outline() != nullptr;
+  info.footprint = robot.footprint;
   info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
   info.clearance_distance = robot.clearance_distance;
   info.space = survey(map, robot);
@@ -90,8 +88,8 @@ std::string map_info_json(const MapInfo& info) {
        {{"least", info.space.least_terrain},
         {"mean", info.space.mean_terrain},
         {"greatest", info.space.greatest_terrain}}},
-      {"robot_radius", info.robot_radius},
-      {"footprint", info.footprint},
+      {"robot_radius", info.footprint.circumscribed_radius()},
+      {"footprint", text_of(info.footprint)},
       {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},
       {"passable", info.space.passable},
       {"keep_away", {{"distance", info.clearance_distance}, {"cells", info.space.near_obstacles}}},
@@ -117,14 +115,15 @@ std::string map_info_text(const MapInfo& info) {
   line("occupied", share(info.occupied, all));
   line("unknown", share(info.unknown, all));
   line("terrain", terrain_text(info));
-  if (info.robot_radius > 0) {
-    line("passable", share(info.space.passable, all) +
-                         fmt::format(" for a {} of radius {:.4g}{}{}",
-                                     info.has_outline ? "disc around the footprint" : "robot",
-                                     info.robot_radius, unit,
-                                     info.outside == OutsidePolicy::blocked
-                                         ? " that stays on the map"
-                                         : " that may hang over the map's edge"));
+  const double radius = info.footprint.circumscribed_radius();
+  if (radius > 0) {
+    line("passable",
+         share(info.space.passable, all) +
+             fmt::format(
+                 " for a {} of radius {:.4g}{}{}",
+                 info.footprint.outline() ? "disc around the footprint" : "robot", radius, unit,
+                 info.outside == OutsidePolicy::blocked ? " that stays on the map"
+                                                        : " that may hang over the map's edge"));
   }
   if (info.clearance_distance > 0) {
     line("keep away", share(info.space.near_obstacles, info.space.passable) +

@@ -19,11 +19,9 @@ struct MapInfo {
   std::size_t free = 0;
   std::size_t occupied = 0;
   std::size_t unknown = 0;
-  std::string footprint;     // as text_of() writes it
-  bool has_outline = false;  // the footprint is a polygon, robot_radius that of the disc around it
-  double robot_radius = 0;   // metres (cells, where the map has no resolution)
+  Footprint footprint;  // metres (cells, where the map has no resolution)
   OutsidePolicy outside = OutsidePolicy::free;
-  double clearance_distance = 0;  // units as robot_radius
+  double clearance_distance = 0;  // units as the footprint
   SpaceSurvey space;              // of the cells where the robot may be
   Frame frame;
   std::vector<std::string> notes;  // what was odd in the file

@@ -38,22 +38,4 @@ bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOpti
   return space.outline() && PolygonSweep(space, options.tolerance).fits(turn);
 }
 
-std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {
-  const Point point = pose.point();
-  if (distance_inside(*this, point) < -kPointTolerance) return BlockReason::outside;
-  const Cell cell = nearest_cell(*this, point);
-  const bool in_obstacle = obstacles().blocked()[cell];
-  if (outline()) {
-    const auto reason = PolygonSweep(*this).why_blocked(pose);
-    if (reason != BlockReason::overlaps || !in_obstacle) return reason;
-  } else if (disc_fits_along(*this, Line{point, point})) {
-    return std::nullopt;
-  }
-  if (in_obstacle) {
-    return map().state(cell) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
-  }
-  const bool over_edge = !keeps_distance(*this, edge_clearance(*this, point));
-  return over_edge && !is_point() ? BlockReason::over_edge : BlockReason::too_close;
-}
-
 }  // namespace wend

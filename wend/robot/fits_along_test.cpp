@@ -191,6 +191,17 @@ TEST(PointAndDiscFit, AtPosesAsTheirSweepsSay) {
       "..#\n...", {.footprint = Footprint::disc(0.5), .outside = OutsidePolicy::blocked});
   EXPECT_TRUE(disc.fits({1.5, 0.5, 0}));
   EXPECT_EQ(disc.why_blocked(Pose{1.75, 0.75, 0}), BlockReason::too_close);
+
+  const FreeSpace box(point.obstacles(),
+                      {.footprint = *parse_footprint("0.4,0.2;-0.4,0.2;0,-0.4")});
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const Pose pose : {Pose{kNan, 1.5, 0}, Pose{1.5, kNan, 0}, Pose{1.5, 1.5, kNan},
+                          Pose{kInfinity, 1.5, 0}, Pose{1.5, -kInfinity, 0}}) {
+    for (const FreeSpace& any : {box, point, disc}) {
+      EXPECT_EQ(any.why_blocked(pose), BlockReason::outside) << pose.x << "," << pose.y;
+    }
+  }
   EXPECT_EQ(disc.why_blocked(Pose{0.4, 1, 0}), BlockReason::over_edge);
 }
 

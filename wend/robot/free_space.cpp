@@ -7,6 +7,10 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/map/distance_field.hpp"
+#include "wend/robot/fits_along.hpp"
+#include "wend/robot/point_sweep.hpp"
+#include "wend/robot/polygon_sweep.hpp"
+#include "wend/robot/sweep.hpp"
 
 namespace wend {
 namespace {
@@ -137,7 +141,29 @@ std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
   if (!obstacles().blocked()[cell]) {
     return obstacles().edge_is_nearest(cell) ? BlockReason::over_edge : BlockReason::too_close;
   }
-  return map().state(cell) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
+  return reason_in(cell);
+}
+
+std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {
+  const Point point = pose.point();
+  if (!std::isfinite(pose.heading) || !(distance_inside(*this, point) >= -kPointTolerance)) {
+    return BlockReason::outside;
+  }
+  const Cell cell = nearest_cell(*this, point);
+  const bool in_obstacle = obstacles().blocked()[cell];
+  if (outline()) {
+    const auto reason = PolygonSweep(*this).why_blocked(pose);
+    if (reason != BlockReason::overlaps || !in_obstacle) return reason;
+  } else if (disc_fits_along(*this, Line{point, point})) {
+    return std::nullopt;
+  }
+  if (in_obstacle) return reason_in(cell);
+  const bool over_edge = !keeps_distance(*this, edge_clearance(*this, point));
+  return over_edge && !is_point() ? BlockReason::over_edge : BlockReason::too_close;
+}
+
+BlockReason FreeSpace::reason_in(Cell blocked) const {
+  return map().state(blocked) == CellState::unknown ? BlockReason::unknown : BlockReason::obstacle;
 }
 
 std::optional<Cell> cell_under(const FreeSpace& space, Point point) {

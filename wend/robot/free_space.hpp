@@ -120,7 +120,7 @@ class FreeSpace {
   bool fits(const Pose& pose) const { return !why_blocked(pose); }
 
   /// Why the robot may not stand at every heading in the middle of a cell, or may not stand at a
-  /// pose in grid coordinates; nothing if it may.
+  /// pose in grid coordinates; nothing if it may. A pose that contains NaN or infinity is outside.
   std::optional<BlockReason> why_blocked(Cell cell) const;
   std::optional<BlockReason> why_blocked(const Pose& pose) const;
 
@@ -164,6 +164,8 @@ class FreeSpace {
   const ConnectedComponents& components() const { return data_->components; }
 
  private:
+  BlockReason reason_in(Cell blocked) const;
+
   struct Data {
     Obstacles obstacles;
     Robot robot;

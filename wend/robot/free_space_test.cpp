@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "tests/testing/share.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/map/random_bits_test.hpp"
 
@@ -105,7 +106,7 @@ Sample random_sample(Random& random) {
 
 template <class Check>
 void for_random_samples(int count, Check&& check) {
-  for (int seed = 0; seed < count; ++seed) {
+  for (int seed = 0; seed < test::share_of(count); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Sample sample = random_sample(random);
     SCOPED_TRACE(testing::Message()

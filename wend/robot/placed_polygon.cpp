@@ -94,29 +94,16 @@ bool PlacedPolygon::overlaps_along(Point by, Cell square) const {
   for (std::size_t i = 0; i < size_; ++i) {
     if (passed.meet(edge(i))) return true;
   }
-  return contains(passed.centre());
+  return is_inside(corners(), passed.centre());
 }
 
 double PlacedPolygon::distance_to(Cell square) const {
-  if (contains(centre_of(square))) return 0;
+  if (is_inside(corners(), centre_of(square))) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < size_ && least > 0; ++i) {
     least = std::min(least, distance(edge(i), square));
   }
   return least;
-}
-
-/// By counting the edges to the right of the point that cross its height. (Points on an edge may go
-/// either way; who asks has looked at the edges.)
-bool PlacedPolygon::contains(Point point) const {
-  bool inside = false;
-  for (std::size_t i = 0; i < size_; ++i) {
-    const auto [from, to] = edge(i);
-    if ((from.y > point.y) == (to.y > point.y)) continue;
-    const double x = from.x + (point.y - from.y) / (to.y - from.y) * (to.x - from.x);
-    if (point.x < x) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace wend

@@ -39,7 +39,6 @@ class PlacedPolygon {
   double distance_to(Cell square) const;
 
  private:
-  bool contains(Point point) const;
   Line edge(std::size_t i) const { return {corners_[i], corners_[i + 1 == size_ ? 0 : i + 1]}; }
 
   std::array<Point, Polygon::kMostCorners> corners_;

@@ -63,7 +63,7 @@ RC_GTEST_PROP(PlacedPolygon, OverlapsASquareThatHasAPointOfIt, ()) {
 double corner_distance(const Polygon& polygon, const Pose& pose, Cell square) {
   double least = 1e9;
   for (const Point corner : polygon.corners()) {
-    const Point at = placed(corner, pose);
+    const Point at = test::placed(corner, pose);
     const double dx = std::max({square.x - at.x, 0.0, at.x - square.x - 1});
     const double dy = std::max({square.y - at.y, 0.0, at.y - square.y - 1});
     least = std::min(least, std::hypot(dx, dy));

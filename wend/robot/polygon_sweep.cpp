@@ -52,9 +52,7 @@ std::optional<BlockReason> PolygonSweep::why_blocked(const Pose& pose) const {
   return overlaps ? std::optional(BlockReason::overlaps) : std::nullopt;
 }
 
-bool PolygonSweep::fits(const Line& line) const {
-  return fits_facing(line, std::atan2(line.to.y - line.from.y, line.to.x - line.from.x));
-}
+bool PolygonSweep::fits(const Line& line) const { return fits_facing(line, line.heading()); }
 
 /// A polygon that moves without turning sweeps what PlacedPolygon::overlaps_along() says, exactly.
 bool PolygonSweep::fits_facing(const Line& line, double heading) const {

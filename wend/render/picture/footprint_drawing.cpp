@@ -21,7 +21,7 @@ std::vector<Pose> poses_along(const std::vector<Point>& points, double spacing) 
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Line line{points[i - 1], points[i]};
     if (line.length() == 0) continue;
-    heading = std::atan2(line.to.y - line.from.y, line.to.x - line.from.x);
+    heading = line.heading();
     double along = until_next;
     while (along < line.length()) {
       const Point point = line.at(along / line.length());
