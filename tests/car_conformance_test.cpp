@@ -15,6 +15,7 @@
 #include "tests/testing/answer.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -22,7 +23,7 @@ namespace {
 
 constexpr double kRelative = 1e-9;
 // For each planner.
-constexpr std::uint64_t kYards = 600;
+constexpr std::uint64_t kYards = test::share_of(600);
 constexpr std::uint64_t kYardsOfALongRun = 10000;
 
 /// By how much an answer misses what was asked, where the reference takes it.

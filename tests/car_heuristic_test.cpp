@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "tests/testing/car_trial.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
 namespace {
 
 constexpr double kHeuristicRelative = 1e-9;
-constexpr int kHeuristicYards = 500;
+constexpr int kHeuristicYards = test::share_of(500);
 
 /// The estimate of every stand, of a query begun last.
 std::vector<double> estimates(const Planner& planner, const CarReference& reference) {
@@ -141,8 +142,8 @@ TEST_P(CarHeuristics, ThatDoNotAreExactForSomePosesOnly) {
     (h > fuel - kHeuristicRelative * std::max(1.0, fuel) ? exact : below) += 1;
     EXPECT_LE(fuel - h, 2 * std::numbers::pi);
   });
-  EXPECT_GT(exact, 1000);
-  EXPECT_GT(below, 1000);
+  EXPECT_GT(exact, test::share_of(1000));
+  EXPECT_GT(below, test::share_of(1000));
   on_empty_yards("zero", GetParam(), [](double h, double) { EXPECT_EQ(h, 0); });
 }
 

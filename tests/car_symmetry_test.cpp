@@ -13,6 +13,7 @@
 #include "tests/testing/answer.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double kSymmetryRelative = 1e-9;
 constexpr double kPi = std::numbers::pi;
-constexpr int kSymmetryYards = 400;
+constexpr int kSymmetryYards = test::share_of(400);
 
 /// A symmetry of the square: first mirrored at the diagonal, then along x and y.
 struct Symmetry {

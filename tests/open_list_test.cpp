@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/testing/car_trial.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {
@@ -127,7 +128,7 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
 
 TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
   int steps = 0;
-  for (std::uint64_t seed = 1; seed <= kTrials && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(kTrials) && !HasFailure(); ++seed) {
     const bool car = info().motion == Motion::car;
     const Trial trial = car ? random_car_trial(seed, info()) : random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
@@ -141,7 +142,7 @@ TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
       steps += expect_true_lists(**planner, query);
     }
   }
-  EXPECT_GT(steps, 100) << "too few steps to say anything";
+  EXPECT_GT(steps, test::share_of(100)) << "too few steps to say anything";
 }
 
 TEST_P(OpenListOf, IsTheStartBeforeTheFirstStep) {

@@ -16,6 +16,7 @@
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
+#include "tests/testing/share.hpp"
 #include "tests/testing/smoothing_objective.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/curvature_smoother.hpp"
@@ -62,7 +63,8 @@ std::optional<Trial> random_trial(Random& random) {
 
 template <class Check>
 void on_random_plans(std::uint64_t trials, Check&& check) {
-  for (std::uint64_t seed = 1; seed <= trials && !::testing::Test::HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(trials) && !::testing::Test::HasFailure();
+       ++seed) {
     Random random(seed);
     const auto trial = random_trial(random);
     if (!trial) continue;
@@ -153,7 +155,7 @@ TEST(Smoothing, MeetsTurningRadiiThatDoorsAllow) {
   for (const auto& [radius, least] : {std::pair(3.0, 1.0), {4.0, 1.0}, {5.0, 0.95}, {10.0, 0.2}}) {
     int met = 0;
     int plans = 0;
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::share_of(4U); ++seed) {
       Random random(seed);
       const auto map = generators().find("office")->make(200, 160, seed, {});
       const FreeSpace space(*map, {.footprint = Footprint::disc(0.2)});
@@ -194,9 +196,9 @@ TEST(Smoothing, IsSafeByGradientWhateverTheWeights) {
     if (trial.path.size() > 2) ++(smoothed->held > 0 ? held : unheld);
     squeezing += first_collision(smoothed->path, trial.space) ? 1 : 0;
   });
-  EXPECT_GT(held, 300);
-  EXPECT_GT(unheld, 300);
-  EXPECT_GT(squeezing, 30) << "through gaps, where it may";
+  EXPECT_GT(held, test::share_of(300));
+  EXPECT_GT(unheld, test::share_of(300));
+  EXPECT_GT(squeezing, test::share_of(30)) << "through gaps, where it may";
 }
 
 TEST(Smoothing, IsSafeWithEverySmootherAsItComes) {
@@ -227,7 +229,7 @@ TEST(Smoothing, LetsTheObjectiveOnlyFall) {
       last = objective;
     }
   });
-  EXPECT_GT(held, 500);
+  EXPECT_GT(held, test::share_of(500));
 }
 
 TEST(Smoothing, StaysSafeBetweenSimplifyingAndResampling) {

@@ -327,7 +327,7 @@ RC_GTEST_PROP(ComparisonJson, StatisticsAreThoseOfTheQueriesThatAllSolved, ()) {
   std::vector<double> expanded;
   std::vector<double> ratios;
   std::vector<double> worse_clearances;
-  for (int i = random.between(1, 300); i > 0; --i) {
+  for (int i = random.between(1, 120); i > 0; --i) {
     const ComparisonRow a = random_row(random, "a");
     const ComparisonRow b = random_row(random, "b");
     comparison.queries.push_back({pose_at({0, 0}), pose_at({1, 1}), {a, b}});

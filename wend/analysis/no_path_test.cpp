@@ -12,6 +12,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
+#include "tests/testing/share.hpp"
 
 namespace wend {
 namespace {
@@ -176,7 +177,7 @@ std::vector<std::string> minimal_changes(const std::vector<bool>& has_path) {
 TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
   int with_ways = 0;
   int with_two_changes = 0;
-  for (std::uint64_t seed = 1; seed <= 1500 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(1500) && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
@@ -210,8 +211,8 @@ TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
     }
     with_ways += !why.ways.empty() && !has_path[0] ? 1 : 0;
   }
-  EXPECT_GT(with_ways, 150);
-  EXPECT_GT(with_two_changes, 20);
+  EXPECT_GT(with_ways, test::share_of(150));
+  EXPECT_GT(with_two_changes, test::share_of(15));
 }
 
 /// The cells that the reference's robot can reach.

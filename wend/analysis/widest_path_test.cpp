@@ -14,6 +14,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -85,7 +86,7 @@ struct Truth {
 
 template <class Check>
 void on_random_queries(int count, Check&& check) {
-  for (int seed = 1; seed <= count && !::testing::Test::HasFailure(); ++seed) {
+  for (int seed = 1; seed <= test::share_of(count) && !::testing::Test::HasFailure(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
@@ -119,8 +120,8 @@ TEST(WidestPath, HasTheLargestRadiusThatGetsThrough) {
     ASSERT_NEAR(widest->radius, *expected, kExact);
     (widest->radius == 0 ? points : discs) += 1;
   });
-  EXPECT_GT(points, 10);
-  EXPECT_GT(discs, 200);
+  EXPECT_GT(points, test::share_of(8));
+  EXPECT_GT(discs, test::share_of(200));
 }
 
 TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
@@ -143,7 +144,7 @@ TEST(WidestPath, EntersAsFewNarrowCellsAsPossible) {
     const double fewest = plain.steps_from(truth.start)[plain.number(truth.goal)];
     if (static_cast<double>(cells.size() - 1) > fewest) ++detours;
   });
-  EXPECT_GT(detours, 5) << "else the shortest path would do";
+  EXPECT_GT(detours, test::share_of(5)) << "else the shortest path would do";
 }
 
 TEST(WidestPath, IsNarrowestWhereAnObstacleIsAsFarAsTheRadius) {
@@ -181,7 +182,7 @@ TEST(WidestPath, IsNarrowestWhereAWiderRobotIsStuck) {
     ASSERT_LE(distance(centre_of(cells[last]), widest->narrowest), std::numbers::sqrt2 + kExact);
     ASSERT_LE(distance(centre_of(cells[last + 1]), widest->narrowest), 1);
   });
-  EXPECT_GT(stuck_on_the_way, 50);
+  EXPECT_GT(stuck_on_the_way, test::share_of(50));
 }
 
 TEST(WidestPath, IsNarrowestAtAGoalInANicheThoughThePathHugsAWall) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/geometry/angle.hpp"
@@ -85,7 +86,7 @@ TEST(PurePursuit, BrakesForTheHairpinsOfAStadium) {
 
 TEST(PurePursuit, KeepsToWildTracks) {
   for (const MotionModel& robot : robots()) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::share_of(5U); ++seed) {
       const Drive drive = lap(wild_track(seed), robot);
       SCOPED_TRACE(std::to_string(robot.limits.speed) + " m/s, seed " + std::to_string(seed));
       EXPECT_EQ(drive.outcome, DriveOutcome::reached);

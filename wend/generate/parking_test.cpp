@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/generate/generated_map_test.hpp"
 #include "wend/map/connected_components.hpp"
@@ -103,7 +104,7 @@ TEST(ParkingGenerator, LooksTheSameOnEveryPlatform) {
 }
 
 TEST(ParkingGenerator, LetsACarOntoEveryCornerThatTouchesNoObstacle) {
-  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::share_of(80); ++seed) {
     Random random(seed);
     const GeneratorInfo& info = *generators().find("parking");
     const int width = info.least_width + (seed % 8 == 0 ? 0 : random.between(0, 120));

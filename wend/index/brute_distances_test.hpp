@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -88,7 +89,7 @@ void for_small_boards(int random_boards, Check&& check) {
     for (int i = 0; i < 9; ++i) bits.set({i % 3, i / 3}, (pattern >> i & 1U) != 0);
     check(bits);
   }
-  for (int seed = 1; seed <= random_boards; ++seed) {
+  for (int seed = 1; seed <= test::share_of(random_boards); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const int width = random.chance(0.1) ? random.between(60, 70) : random.between(1, 16);
     const int height = width > 16 ? random.between(1, 4) : random.between(1, 16);

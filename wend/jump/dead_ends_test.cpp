@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/map/bit_grid.hpp"
 
@@ -105,12 +106,12 @@ void expect_closed_ones_needless(const BitGrid& cells, Random& random, int& clos
 TEST(DeadEnds, ThatStayClosedLieOnNoShortestPath) {
   Random random(21);
   int closed = 0;
-  for (int map = 0; map < 1500 && !::testing::Test::HasFailure(); ++map) {
+  for (int map = 0; map < test::share_of(1500) && !::testing::Test::HasFailure(); ++map) {
     SCOPED_TRACE("map " + std::to_string(map));
     expect_closed_ones_needless(map % 3 == 0 ? random_maze(random) : random_cells(random), random,
                                 closed);
   }
-  EXPECT_GT(closed, 10000) << "hardly anything was tested";
+  EXPECT_GT(closed, test::share_of(10000)) << "hardly anything was tested";
 }
 
 TEST(DeadEnds, AMazeWithoutLoopsIsOneBigDeadEnd) {

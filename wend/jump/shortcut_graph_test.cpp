@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/map/bit_grid.hpp"
 
@@ -165,13 +166,13 @@ TEST(ShortcutGraph, ShortcutsGoWhereThereIsNoChoice) {
   Random random(51);
   int passed = 0;
   int dead = 0;
-  for (int map = 0; map < 75 && !::testing::Test::HasFailure(); ++map) {
+  for (int map = 0; map < test::share_of(75) && !::testing::Test::HasFailure(); ++map) {
     SCOPED_TRACE("map " + std::to_string(map));
     expect_right_shortcuts(random_shortcut_map(random), passed, dead);
   }
   expect_right_shortcuts(corridors(41, 33), passed, dead);
-  EXPECT_GT(passed, 1000);
-  EXPECT_GT(dead, 500);
+  EXPECT_GT(passed, test::share_of(1000));
+  EXPECT_GT(dead, test::share_of(500));
 }
 
 /// Around a block in a narrow room one goes in circles: every jump point has one that comes next.

@@ -6,6 +6,7 @@
 
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
+#include "tests/testing/share.hpp"
 
 namespace wend {
 namespace {
@@ -30,7 +31,8 @@ Nearest nearest_to(const Obstacles& obstacles, Cell from) {
 }
 
 TEST(Obstacles, AreWhatThePoliciesSay) {
-  for (std::uint64_t seed = 1; seed <= 300 && !testing::Test::HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(300) && !testing::Test::HasFailure();
+       ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);
     for (const UnknownPolicy unknown : {UnknownPolicy::blocked, UnknownPolicy::free}) {

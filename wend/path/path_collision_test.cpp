@@ -13,6 +13,7 @@
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "tests/testing/sampled_robot.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
@@ -175,7 +176,7 @@ RC_GTEST_PROP(PathCollision, OfAPolygonIsNotAfterTheFirstSampleThatOverlaps, ())
                         {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
                          .outside = test::random_outside(random)});
   const auto blocked = test::blocked_squares(space);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < test::share_of(5); ++i) {
     const Path path = test::random_path(random, map.width(), map.height());
     const auto collision = first_collision(path, space);
     double first = test::kInfinite;

@@ -11,6 +11,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/map/random_bits_test.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -23,7 +24,8 @@ constexpr std::array kCosts{0.0, 0.01, 1.0, 4.0, 1e6};
 /// Calls check(map, options, space) for random maps, radii, distances and costs.
 template <class Check>
 void on_random_spaces(Check&& check) {
-  for (std::uint64_t seed = 1; seed <= 600 && !::testing::Test::HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(600) && !::testing::Test::HasFailure();
+       ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);
     FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
@@ -57,7 +59,7 @@ TEST(ClearanceCost, CostsWhatItsFormulaSays) {
           ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
         }
       });
-  EXPECT_GT(raised, 5000);
+  EXPECT_GT(raised, test::share_of(5000));
 }
 
 TEST(ClearanceCost, IsNothingWithoutADistanceOrACost) {
@@ -84,8 +86,8 @@ TEST(ClearanceCost, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
     ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain() && !raises);
     ++seen[raises ? 1 : 0];
   });
-  EXPECT_GT(seen[0], 100);
-  EXPECT_GT(seen[1], 100);
+  EXPECT_GT(seen[0], test::share_of(100));
+  EXPECT_GT(seen[1], test::share_of(100));
 }
 
 TEST(ClearanceCost, IsMeasuredFromTheRobotsEdgeInMetres) {

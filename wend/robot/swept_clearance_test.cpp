@@ -11,6 +11,7 @@
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
 #include "tests/testing/random_map.hpp"
+#include "tests/testing/share.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/map/random_bits_test.hpp"
@@ -204,7 +205,7 @@ TEST(WayClearance, OfANeighbourIsTheDistanceOfTheWholeWay) {
 }
 
 TEST(WayClearance, OfAnyTwoCellsIsTheDistanceOfTheWholeWay) {
-  on_random_spaces(150, [](Random& random, const FreeSpace& space) {
+  on_random_spaces(test::share_of(150), [](Random& random, const FreeSpace& space) {
     for (int i = 0; i < 20; ++i) {
       const Cell from = test::random_cell(random, space.width(), space.height());
       const Cell to = test::random_cell(random, space.width(), space.height());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "tests/testing/share.hpp"
 #include "wend/index/corner_hierarchy/hierarchy_search.hpp"
 #include "wend/index/random_graph_test.hpp"
 
@@ -100,7 +101,7 @@ std::vector<std::uint32_t> path_of(HierarchySearch& search,
 
 TEST(GraphContraction, KeepsEveryShortestPath) {
   for (const ContractionEffort& effort : kEfforts) {
-    for (std::uint64_t seed = 1; seed <= kGraphs; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::share_of(kGraphs); ++seed) {
       SCOPED_TRACE(seed);
       const RandomGraph graph(seed);
       const ContractedGraph result = contracted(graph, effort);

@@ -11,6 +11,7 @@
 
 #include "tests/testing/random_map.hpp"
 #include "tests/testing/reference.hpp"
+#include "tests/testing/share.hpp"
 
 namespace wend {
 namespace {
@@ -78,7 +79,7 @@ TEST(GridSpace, NumbersCellsRowByRow) {
 /// Runs a check for random maps, robots and rules, with the reference's view of them.
 template <class Check>
 void on_random_spaces(int count, Check&& check) {
-  for (int seed = 1; seed <= count && !::testing::Test::HasFailure(); ++seed) {
+  for (int seed = 1; seed <= test::share_of(count) && !::testing::Test::HasFailure(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = test::random_map(random);
     const FreeSpaceOptions robot = test::random_robot(random, map.frame().resolution);

@@ -1,3 +1,4 @@
+#include "tests/testing/share.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 #include <gtest/gtest.h>
@@ -162,7 +163,7 @@ TEST(CanonicalMoveTable, KeepsACheapestPathToEveryCell) {
 }
 
 TEST(CanonicalMoveTable, KeepsACheapestPathOnCrowdedMaps) {
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(150); ++seed) {
     Random random(seed);
     Grid<CellState> states(7, 7, CellState::free);
     for (int i = 0; i < 49; ++i) {

@@ -1,0 +1,17 @@
+#pragma once
+
+// How many cases a test takes that draws them at random.
+
+namespace wend::test {
+
+/// All of them; a third under the address sanitizer, where a case takes about five times as long.
+template <class Count>
+constexpr Count share_of(Count cases) {
+#ifdef __SANITIZE_ADDRESS__
+  return (cases + 2) / 3;
+#else
+  return cases;
+#endif
+}
+
+}  // namespace wend::test
