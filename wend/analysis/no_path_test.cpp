@@ -177,7 +177,7 @@ std::vector<std::string> minimal_changes(const std::vector<bool>& has_path) {
 TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
   int with_ways = 0;
   int with_two_changes = 0;
-  for (std::uint64_t seed = 1; seed <= test::share_of(1500) && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(1500U) && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);

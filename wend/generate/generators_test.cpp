@@ -30,7 +30,7 @@ class EachGenerator : public testing::TestWithParam<std::string> {
   /// Runs `check(map)` on maps of many sizes, from the least one on, with default options.
   template <class Check>
   void for_maps_of_many_sizes(Check&& check) const {
-    for (std::uint64_t seed = 0; seed < test::share_of(120); ++seed) {
+    for (std::uint64_t seed = 0; seed < test::share_of(120U); ++seed) {
       Random random(seed);
       const bool least = seed % 8 == 0;
       const int width = info().least_width + (least ? 0 : random.between(0, 180));

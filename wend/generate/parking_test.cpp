@@ -104,7 +104,7 @@ TEST(ParkingGenerator, LooksTheSameOnEveryPlatform) {
 }
 
 TEST(ParkingGenerator, LetsACarOntoEveryCornerThatTouchesNoObstacle) {
-  for (std::uint64_t seed = 0; seed < test::share_of(80); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::share_of(80U); ++seed) {
     Random random(seed);
     const GeneratorInfo& info = *generators().find("parking");
     const int width = info.least_width + (seed % 8 == 0 ? 0 : random.between(0, 120));

@@ -31,7 +31,7 @@ Nearest nearest_to(const Obstacles& obstacles, Cell from) {
 }
 
 TEST(Obstacles, AreWhatThePoliciesSay) {
-  for (std::uint64_t seed = 1; seed <= test::share_of(300) && !testing::Test::HasFailure();
+  for (std::uint64_t seed = 1; seed <= test::share_of(300U) && !testing::Test::HasFailure();
        ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);

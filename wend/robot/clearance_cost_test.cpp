@@ -24,7 +24,7 @@ constexpr std::array kCosts{0.0, 0.01, 1.0, 4.0, 1e6};
 /// Calls check(map, options, space) for random maps, radii, distances and costs.
 template <class Check>
 void on_random_spaces(Check&& check) {
-  for (std::uint64_t seed = 1; seed <= test::share_of(600) && !::testing::Test::HasFailure();
+  for (std::uint64_t seed = 1; seed <= test::share_of(600U) && !::testing::Test::HasFailure();
        ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);

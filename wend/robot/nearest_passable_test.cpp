@@ -50,7 +50,7 @@ void expect_nearest(const FreeSpace& space, Cell from, std::optional<Cell> conne
 }
 
 TEST(NearestPassable, IsTheNearestOfAllCells) {
-  for (std::uint64_t seed = 0; seed < test::share_of(300); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::share_of(300U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const FreeSpace space = random_space(random);
@@ -64,7 +64,7 @@ TEST(NearestPassable, IsTheNearestOfAllCells) {
 }
 
 TEST(NearestPassable, IsConnectedToTheOtherEnd) {
-  for (std::uint64_t seed = 0; seed < test::share_of(300); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::share_of(300U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const FreeSpace space = random_space(random);

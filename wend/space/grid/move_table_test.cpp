@@ -163,7 +163,7 @@ TEST(CanonicalMoveTable, KeepsACheapestPathToEveryCell) {
 }
 
 TEST(CanonicalMoveTable, KeepsACheapestPathOnCrowdedMaps) {
-  for (std::uint64_t seed = 1; seed <= test::share_of(150); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::share_of(150U); ++seed) {
     Random random(seed);
     Grid<CellState> states(7, 7, CellState::free);
     for (int i = 0; i < 49; ++i) {
