@@ -146,9 +146,8 @@ std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {
 
 std::optional<BlockReason> FreeSpace::why_blocked(const Pose& pose) const {
   const Point point = pose.point();
-  if (!std::isfinite(pose.heading) || !(distance_inside(*this, point) >= -kPointTolerance)) {
-    return BlockReason::outside;
-  }
+  const bool finite = std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+  if (!finite || distance_inside(*this, point) < -kPointTolerance) return BlockReason::outside;
   const Cell cell = nearest_cell(*this, point);
   const bool in_obstacle = obstacles().blocked()[cell];
   if (outline()) {
