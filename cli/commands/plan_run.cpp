@@ -62,6 +62,7 @@ bool PlanRun::records() const {
 void PlanRun::plan() {
   result_.planner = maker_.spec().name;
   result_.motion = info_of(maker_.spec()).motion;
+  result_.footprint = space_.footprint();
   if (arguments_.nearest) {
     for (const auto& note : asked_->move_to_nearest()) complain(note);
   }

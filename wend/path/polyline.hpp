@@ -69,4 +69,7 @@ class Polyline {
   bool closed_;
 };
 
+/// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
+std::vector<Pose> poses_along(const Polyline& line, double spacing);
+
 }  // namespace wend

@@ -57,6 +57,14 @@ TEST(Polyline, HeadsAlongTheLineThatBegins) {
   EXPECT_DOUBLE_EQ(line.at(99).y, 4);
 }
 
+TEST(PosesAlong, AreEvenlySpacedAndReachTheEnd) {
+  const auto poses = poses_along(Polyline({{0, 0}, {3, 0}, {3, 2}}), 2);
+  EXPECT_THAT(poses, ::testing::ElementsAre(Pose{0, 0, 0}, Pose{2, 0, 0}, Pose{3, 1, kPi / 2},
+                                            Pose{3, 2, kPi / 2}));
+  EXPECT_EQ(poses_along(Polyline({{0, 0}, {4, 0}}), 2).size(), 3U) << "the end counts once";
+  EXPECT_THAT(poses_along(Polyline({{1, 2}}), 2), ::testing::ElementsAre(Pose{1, 2, 0}));
+}
+
 TEST(Polyline, OfADriveKeepsToItsArcs) {
   const Path drive = Path::through({{0, 0, 0}, {5, 5, kPi / 2}, {5, 9, kPi / 2}});
   const Polyline line = Polyline::of(drive, false, 0.001);

@@ -36,6 +36,8 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
     json["turning_radius_m"] = result.unit * frame.resolution;
     json["states"] = result.states;
   }
+  json["robot_radius"] = result.footprint.circumscribed_radius();
+  json["footprint"] = text_of(result.footprint);
   json["metrics"] = json_of(result.plan.metrics);
   json["times"] = json_of(result.times);
   for (const Layer& layer : layers) {

@@ -4,13 +4,16 @@
 //
 //   {"schema": 1, "planner": "astar", "status": "found", "cost": 2.41, "bound": 1,
 //    "length_cells": 2.41, "length_m": 0.12, "path": [[1,1],[2,2],[3,2]], "path_m":
-//    [[0.07,0.07],...], "metrics": {"expanded": 3, "generated": 9, "max_frontier": 6},
+//    [[0.07,0.07],...], "robot_radius": 0.2, "footprint": "disc:0.2", "metrics":
+//    {"expanded": 3, "generated": 9, "max_frontier": 6},
 //    "times": {"load_us": 310.5, "free_space_us": 92.1, "planner_us": 3.6, "index_us": null,
 //    "search_us": 4.2}}
 //
 // `times` are CPU time, see WorkTimes; null for steps that were not needed.
 // `path` is a list of cells, `path_m` their centres in the map's frame. `bound` is the guaranteed
-// factor between the cost and the cheapest cost, null without a guarantee. On failure `status` is
+// factor between the cost and the cheapest cost, null without a guarantee. `footprint` is the robot's
+// shape as text_of() writes it, `robot_radius` the radius of the disc around it, for which planners on
+// cells plan: both in metres (in cells on a map without a resolution). On failure `status` is
 // the name of the reason and `reason` says it in words; `path` and `path_m` are empty, `cost` and
 // the lengths null.
 //
@@ -58,6 +61,7 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/report/path_report.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend {
 
@@ -84,6 +88,7 @@ struct PlanResult {
   // The refined path, if it was smoothed or the like.
   std::optional<RefinedPath> refined{};
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
+  Footprint footprint{};
 };
 
 /// One line with its line end.

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "wend/geometry/angle.hpp"
+#include "wend/path/polyline.hpp"
+#include "wend/robot/placed_polygon.hpp"
 #include "wend_ros/map_message.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -64,6 +68,48 @@ Marker end_marker(const geometry_msgs::PoseStamped& end, const std::string& name
   return marker;
 }
 
+/// The corners of a polygon, or points on the circle of a disc, where the robot stands at a pose.
+std::vector<wend::Point> outline_at(const wend::Footprint& footprint, const wend::Pose& pose) {
+  if (footprint.outline() != nullptr) {
+    const wend::PlacedPolygon placed(*footprint.outline(), pose);
+    return {placed.corners().begin(), placed.corners().end()};
+  }
+  constexpr int kPointsOfACircle = 24;
+  std::vector<wend::Point> points;
+  for (int i = 0; i < kPointsOfACircle; ++i) {
+    const double angle = 2 * wend::kPi * i / kPointsOfACircle;
+    points.push_back({pose.x + footprint.circumscribed_radius() * std::cos(angle),
+                      pose.y + footprint.circumscribed_radius() * std::sin(angle)});
+  }
+  return points;
+}
+
+Marker footprint_marker(const nav_msgs::Path& path, const wend::Footprint& footprint) {
+  constexpr double kGap = 1.6;  // from outline to outline, in widths of the robot
+  constexpr double kMostOutlines = 200;
+  Marker marker = marker_of(path.header.frame_id, "footprint", Marker::LINE_LIST, kBlue);
+  marker.scale.x = 0.01;
+  marker.color.a = 0.6F;
+  std::vector<wend::Point> points;
+  for (const auto& stamped : path.poses) {
+    points.push_back({stamped.pose.position.x, stamped.pose.position.y});
+  }
+  if (!points.empty() && !footprint.is_point()) {
+    const wend::Polyline line(points);
+    const double spacing =
+        std::max(2 * kGap * footprint.circumscribed_radius(), line.length() / kMostOutlines);
+    for (const wend::Pose& pose : poses_along(line, spacing)) {
+      const std::vector<wend::Point> outline = outline_at(footprint, pose);
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        marker.points.push_back(point_of(outline[i], kThin));
+        marker.points.push_back(point_of(outline[(i + 1) % outline.size()], kThin));
+      }
+    }
+  }
+  finish(marker);
+  return marker;
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map,
@@ -100,7 +146,8 @@ visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map,
   return array;
 }
 
-visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path) {
+visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path,
+                                             const wend::Footprint& footprint) {
   const std::string& frame_id = path.header.frame_id;
   Marker line = marker_of(frame_id, "path", Marker::LINE_STRIP, kBlue);
   line.scale.x = 0.04;
@@ -112,6 +159,7 @@ visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path) {
   finish(line);
   visualization_msgs::MarkerArray array;
   array.markers.push_back(line);
+  array.markers.push_back(footprint_marker(path, footprint));
   if (path.poses.empty()) {
     for (const char* name : {"start", "goal"}) {
       Marker gone = marker_of(frame_id, name, Marker::ARROW, kGreen);

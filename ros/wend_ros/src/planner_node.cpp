@@ -235,7 +235,7 @@ void PlannerNode::publish(const PlanResult& result, const MapSnapshot& map,
   nav_msgs::Path smoothed = result.smoothed.poses.empty() ? path : result.smoothed;
   smoothed.header = path.header;
   smoothed_.publish(smoothed);
-  markers_.publish(path_markers(path));
+  markers_.publish(path_markers(path, map.space.footprint()));
   if (watch != nullptr && !watch->order().empty()) {
     expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
   }

@@ -1,9 +1,9 @@
 // The polygon of a robot, to scale: at the ends of a path and along it.
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "wend/path/polyline.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
 #include "wend/robot/placed_polygon.hpp"
 
@@ -12,27 +12,6 @@ namespace {
 
 constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
 constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
-
-/// Poses on straight lines through points, so far apart, facing along them; the ends are among them.
-std::vector<Pose> poses_along(const std::vector<Point>& points, double spacing) {
-  std::vector<Pose> poses;
-  double until_next = 0;
-  double heading = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Line line{points[i - 1], points[i]};
-    if (line.length() == 0) continue;
-    heading = line.heading();
-    double along = until_next;
-    while (along < line.length()) {
-      const Point point = line.at(along / line.length());
-      poses.push_back({point.x, point.y, heading});
-      along += spacing;
-    }
-    until_next = along - line.length();
-  }
-  if (!poses.empty()) poses.push_back({points.back().x, points.back().y, heading});
-  return poses;
-}
 
 /// The points that the robot drives through: the last line of the scene, else the path.
 std::vector<Point> driven_points(const Scene& scene) {
@@ -58,7 +37,9 @@ void draw_footprints(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
   const double size = 2 * scene.space.radius_in_cells();
   if (size * drawing.view.scale() < kLeastSize || scene.path.driven()) return;
-  const std::vector<Pose> poses = poses_along(driven_points(scene), kFootprintGap * size);
+  const std::vector<Point> points = driven_points(scene);
+  if (points.size() < 2) return;
+  const std::vector<Pose> poses = poses_along(Polyline(points), kFootprintGap * size);
   const double width = std::max(1.0, drawing.sizes.line / 4);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool at_end = i == 0 || i + 1 == poses.size();

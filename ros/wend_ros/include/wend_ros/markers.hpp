@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "wend/map/grid_map.hpp"
+#include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
 
@@ -18,8 +19,10 @@ namespace wend_ros {
 /// above; their points then have -y.
 visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id);
 
-/// Start, goal and the line between; of an empty path what takes them away.
-visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path);
+/// The path as a line, its start and goal as arrows, and the outline of the robot at both and along the
+/// path, facing along it (none of a point; at most 200 along it). For an empty path: what deletes them.
+visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path,
+                                             const wend::Footprint& footprint);
 
 /// The cells in the order in which a search expanded them, from 1 to 98; 0 where it did not go. rviz's
 /// colours for costmaps go from blue to red in that range, and 0 is transparent.
