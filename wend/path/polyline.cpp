@@ -96,8 +96,9 @@ OnPolyline Polyline::nearest(Point point, double from, double to) const {
 
 std::vector<Pose> poses_along(const Polyline& line, double spacing) {
   assert(spacing > 0);
-  std::vector<Pose> poses;
   const auto gaps = static_cast<std::size_t>(std::ceil(line.length() / spacing));
+  std::vector<Pose> poses;
+  poses.reserve(gaps + 1);
   for (std::size_t i = 0; i < gaps; ++i) poses.push_back(line.at(static_cast<double>(i) * spacing));
   poses.push_back(line.at(line.length()));
   return poses;
