@@ -1,6 +1,6 @@
 #pragma once
 
-// CornerCost: what indexes count in, the whole numbers of OctileUnits<std::uint32_t>.
+// CornerCost: the unit of costs in indexes, whole numbers of OctileUnits<std::uint32_t>.
 
 #include <cstdint>
 #include <limits>
@@ -15,13 +15,13 @@ using CornerCost = std::uint32_t;
 /// More than any cost, and small enough to add two of them.
 inline constexpr CornerCost kUnreachedCost = std::numeric_limits<CornerCost>::max() / 2;
 
-// From a cost in whole numbers back to the steps that it is the sum of.
+// The straight and diagonal steps that a cost in whole numbers consists of.
 
 namespace octile_steps {
 
 using Units = OctileUnits<CornerCost>;
 
-/// The number whose product with kDiagonal leaves 1 when it is divided by kStraight.
+/// The inverse of kDiagonal modulo kStraight.
 constexpr CornerCost inverse_of_diagonal() {
   CornerCost inverse = 1;
   while (std::uint64_t{inverse} * Units::kDiagonal % Units::kStraight != 1) ++inverse;

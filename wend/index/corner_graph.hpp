@@ -1,13 +1,13 @@
 #pragma once
 
-// CornerGraph: the corners of a map, and edges between those that a shortest way joins directly.
+// CornerGraph: the corners of a map, and edges between those that a shortest path joins directly.
 //
 // Two corners are joined if an octile path between them is free and no corner lies on any of these
 // paths. Distances between corners in this graph are those on the grid. (T. Uras, S. Koenig and C.
 // Hernandez, "Subgoal Graphs for Optimal Pathfinding in Eight-Neighbor Grids", 2013.)
 //
-// All these edges are needed: without those that do not turn tightly around their corners, or with
-// the first of several in a row only, some shortest paths are lost.
+// All these edges are needed: without the edges that do not turn tightly around their corners, or with
+// only the first of several edges in a row, some shortest paths are lost.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ class CornerGraph {
   std::size_t size() const { return corners_.size(); }
   std::size_t edge_count() const { return edges_.size(); }
 
-  /// Where a corner leads to. Every edge has its opposite.
+  /// The edges that leave a corner. The graph contains the reverse of every edge.
   std::span<const CornerEdge> edges(std::uint32_t corner) const {
     return std::span(edges_).subspan(begins_[corner], begins_[corner + 1] - begins_[corner]);
   }
@@ -47,14 +47,14 @@ class CornerGraph {
   std::vector<CornerEdge> edges_;
 };
 
-// CornerFrontier: what Dijkstra's algorithm has reached of the corner graph and not yet settled.
+// CornerFrontier: the open list of Dijkstra's algorithm on the corner graph.
 
 class CornerFrontier {
  public:
   struct Entry {
     CornerCost cost;
     std::uint32_t corner;
-    std::uint32_t parent;  // whatever who asks calls it by
+    std::uint32_t parent;  // an identifier that the caller chooses
 
     friend bool operator<(const Entry& a, const Entry& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.corner < b.corner;
@@ -63,7 +63,7 @@ class CornerFrontier {
 
   explicit CornerFrontier(std::size_t corners) : costs_(corners, kUnreachedCost) {}
 
-  /// Takes what is cheaper than all that came to the corner before.
+  /// Keeps an entry if it is cheaper than all earlier entries of the corner.
   void reach(const Entry& entry) {
     CornerCost& cost = costs_[entry.corner];
     if (entry.cost >= cost) return;
@@ -74,13 +74,13 @@ class CornerFrontier {
 
   bool empty() const { return heap_.empty(); }
 
-  /// The cheapest one; not of an empty frontier.
+  /// The cheapest entry. The frontier must not be empty.
   Entry pop() { return min_heap::pop(heap_); }
 
-  /// Did something cheaper come to the corner later?
+  /// Has the corner a cheaper entry by now?
   bool is_outdated(const Entry& entry) const { return entry.cost > costs_[entry.corner]; }
 
-  /// Forgets all. O(reached).
+  /// Removes all entries. O(reached corners).
   void clear() {
     for (const std::uint32_t corner : reached_) costs_[corner] = kUnreachedCost;
     reached_.clear();

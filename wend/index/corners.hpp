@@ -67,7 +67,7 @@ class Corners {
   bool contains(Cell cell) const { return bits_[cell]; }
   const BitGrid& bits() const { return bits_; }
 
-  /// The number of a cell that is a corner, kNone for others. O(1).
+  /// The number of a corner; kNone if the cell is not a corner. O(1).
   std::uint32_t number(Cell cell) const;
 
  private:

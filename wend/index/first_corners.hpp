@@ -33,7 +33,7 @@ class AllFirstCorners {
  public:
   explicit AllFirstCorners(const Corners& corners);
 
-  /// In ascending order; of a blocked cell empty.
+  /// In ascending order; empty for a blocked cell.
   std::span<const std::uint32_t> of(Cell cell) const {
     const std::size_t number = number_of(cell);
     return std::span(corners_).subspan(begins_[number], begins_[number + 1] - begins_[number]);
@@ -50,8 +50,8 @@ class AllFirstCorners {
   std::vector<std::uint32_t> corners_;
 };
 
-// CellComponents: the passable cells of a map that are no corners, grouped by their first corners.
-// Cells side by side mostly have the same ones, so what an index knows of them is kept once.
+// CellComponents: the passable cells of a map that are not corners, grouped by their first corners.
+// Neighbouring cells mostly have the same first corners, so an index stores one record for all of them.
 
 class CellComponents {
  public:

@@ -29,7 +29,7 @@ class RunWriter {
 
   std::size_t room() const { return room_; }
 
-  /// No more steps than there is room for.
+  /// The steps must fit into the buffer.
   void run(Direction direction, std::size_t steps) {
     if (steps <= kAtOnce && room_ >= kAtOnce) [[likely]] {
       store_all(direction);
@@ -64,7 +64,7 @@ class RunWriter {
   static_assert(sizeof(Cell) == sizeof(std::int64_t) && std::endian::native == std::endian::little);
   static constexpr std::size_t kAtOnce = 8;
 
-  // A cell as the number that its bytes are, so that a step is one addition. x is not negative and
+  // A cell as one number made of its bytes, so that a step is one addition. x is not negative and
   // does not carry into y.
   static constexpr std::int64_t packed(Cell cell) {
     return static_cast<std::int64_t>(cell.y) * (std::int64_t{1} << 32U) + cell.x;
@@ -83,7 +83,7 @@ class RunWriter {
   using Pair [[gnu::vector_size(2 * sizeof(std::int64_t))]] = std::int64_t;
   static constexpr std::size_t kPairs = kAtOnce / 2;
 
-  /// How far the cells of a run are from the cell before it.
+  /// The distances of the cells of a run from the cell before it.
   static constexpr auto kOffsets = [] {
     std::array<std::array<Pair, kPairs>, kDirections> table{};
     for (std::size_t direction = 0; direction < table.size(); ++direction) {
@@ -131,7 +131,7 @@ class RunWriter {
   std::int64_t at_;
 };
 
-// LegPath: a path as it turns. Between two of its points it goes diagonally first, then straight.
+// LegPath: a path as its turning points. Between two of them it goes diagonally first, then straight.
 
 class LegPath {
  public:

@@ -1,12 +1,12 @@
 #pragma once
 
-// ArrivalBoards: bit boards on which one looks back from a goal: where a last leg may have begun.
+// ArrivalBoards: bit boards for the search backwards from a goal: where the last leg may have begun.
 //
 // A leg goes diagonally first, then straight. Seen from its end it goes back straight, and from
 // some cell on along a diagonal. So for each straight direction there is a board with the cells at
 // which such a way back is of interest: corners, cells from which a diagonal back meets a beginning
 // of legs, and blocked cells; and for each diagonal direction one with the beginnings of legs and
-// the cells from which there is no step back. Beginnings are told from outside.
+// the cells from which there is no step back. The caller passes the beginnings.
 //
 // Immutable. O(cells) to make, some 12 bits a cell.
 
@@ -67,7 +67,7 @@ class ArrivalBoards {
 // That gives a directed graph of turns, which is sparse even where corners see many others: a path
 // that arrives in one direction has few ways to go on.
 
-/// The turns at a cell that turn to one of these sides: a subset of turn_sides().
+/// The turns at a cell towards one of these sides: a subset of turn_sides().
 struct TurnChoice {
   Cell cell;
   unsigned sides = 0;
@@ -82,22 +82,22 @@ class Turns {
   std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
   Cell cell(std::uint32_t turn) const { return cells_[turn]; }
 
-  /// Is the way free that goes diagonally first?
+  /// Is the path that goes diagonally first free?
   bool sees(Cell from, Cell to) const { return boards_.sight().sees(from, to); }
 
-  /// visit(turn) of each turn of a choice: there may be none.
+  /// Calls visit(turn) for each turn of a choice; there may be none.
   template <class Visit>
   void for_each_of(const TurnChoice& choice, Visit&& visit) const;
 
-  /// visit(choice, cost) of the turns that a path from a passable cell may come to first.
+  /// Calls visit(choice, cost) for the turns that a path from a passable cell may reach first.
   template <class Visit>
   void for_each_first(Cell from, Visit&& visit) const;
 
-  /// visit(turn, cost) of each turn that a path may come to next.
+  /// Calls visit(turn, cost) for each turn that a path may reach next.
   template <class Visit>
   void for_each_next(std::uint32_t turn, Visit&& visit) const;
 
-  /// visit(choice, cost) of the turns that a path to a passable cell may come to last.
+  /// Calls visit(choice, cost) for the turns that a path to a passable cell may pass last.
   template <class Visit>
   void for_each_last(Cell to, Visit&& visit) const;
 
@@ -209,7 +209,7 @@ void Turns::for_each_next(std::uint32_t turn, Visit&& visit) const {
   });
 }
 
-/// The turns from which one comes here along a diagonal.
+/// The turns from which a diagonal leads here.
 template <Direction kDiagonal, class Visit>
 void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) const {
   constexpr Direction kBack = opposite(kDiagonal);
@@ -223,7 +223,7 @@ void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) co
   }
 }
 
-/// The turns from which one comes here by straight steps last, or by such steps alone.
+/// The turns from which a leg leads here that ends with straight steps.
 template <Direction kStraight, class Visit>
 void Turns::visit_back(Cell from, Visit&& visit) const {
   constexpr unsigned kSides = right_side(left_of(kStraight)) | left_side(right_of(kStraight));

@@ -1,19 +1,19 @@
 #pragma once
 
-// ContractionHierarchy: a directed graph whose nodes stand one above the other, so that a search
-// only climbs. (R. Geisberger, P. Sanders, D. Schultes, D. Delling, "Contraction Hierarchies", 2008;
+// ContractionHierarchy: a directed graph whose nodes are ordered by height, so that a search only
+// climbs. (R. Geisberger, P. Sanders, D. Schultes, D. Delling, "Contraction Hierarchies", 2008;
 // with a core as in R. Bauer et al., "Combining Hierarchical and Goal-Directed Speed-Up
 // Techniques", 2010.)
 //
-// Nodes were taken out one by one, from 0 up; where a shortest path led through the node taken out,
-// a shortcut took its place. So there is a shortest path between any two nodes that first climbs,
-// along arcs to higher nodes, and then descends. The nodes from core() on were not taken out: they
+// Nodes were contracted one by one, from 0 up; where a shortest path led through a contracted node, a
+// shortcut replaces it. So there is a shortest path between any two nodes that first climbs,
+// along arcs to higher nodes, and then descends. The nodes from core() on were not contracted: they
 // are the top, all at one height, joined by all their arcs.
 //
-// A node keeps the arcs between itself and higher nodes: those that leave it, and those that enter
-// it. A node of the core keeps all arcs that leave it within the core, and no entering ones.
+// A node stores the arcs between itself and higher nodes: those that leave it, and those that enter
+// it. A node of the core stores all arcs that leave it within the core, and no entering arcs.
 //
-// A view of flat arrays that lie elsewhere, in an index file for instance.
+// A view of flat arrays that lie elsewhere, for example in an index file.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct HierarchyArc {
   friend bool operator==(const HierarchyArc&, const HierarchyArc&) = default;
 };
 
-/// What an arc stands for. A shortcut: two arcs by their numbers, one that enters a lower node and one
+/// What an arc represents. A shortcut: two arcs by their numbers, one that enters a lower node and one
 /// that leaves it. An arc of the graph: kNoArc, and its head.
 struct HierarchyVia {
   static constexpr std::uint32_t kNoArc = static_cast<std::uint32_t>(-1);
@@ -73,9 +73,9 @@ struct ContractionHierarchy {
   }
 };
 
-/// What is wrong with arrays of which nothing is known yet; nothing if a search may trust them: all
-/// numbers are in range, arcs climb, shortcuts are made of arcs of a lower node, and cost what these
-/// cost together, and no arc is free. O(nodes + arcs).
+/// What is wrong with arrays from an untrusted file; nothing if a search may use them: all numbers are in
+/// range, arcs climb, shortcuts consist of arcs of a lower node and cost the sum of these, and no arc
+/// costs 0. O(nodes + arcs).
 std::optional<std::string> fault_of(const ContractionHierarchy& hierarchy);
 
 }  // namespace wend

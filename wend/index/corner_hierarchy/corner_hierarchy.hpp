@@ -2,14 +2,14 @@
 
 // The index of the planner corner_hierarchy: the turns of a map, contracted.
 //
-// A query starts at the turns that a path from its start may come to first, and ends at those that
-// one to its goal may come to last; in between it climbs the hierarchy from both sides, guided by
+// A query starts at the turns that a path from its start may reach first, and ends at those that a
+// path to its goal may pass last; in between it climbs the hierarchy from both sides, guided by
 // the octile distance. See turns.hpp for why that is a shortest path, contraction_hierarchy.hpp for
-// the climbing. The file holds the hierarchy; the turns are found anew on opening, which takes a
+// the climbing. The file contains the hierarchy; opening it computes the turns again, which takes a
 // few milliseconds.
 //
-// Costs are 32-bit: maps on which a path may be longer than 2^32 - 1 of them, some 128,000 cells,
-// are refused.
+// Costs are 32-bit: maps on which a path may cost more than 2^32 - 1, some 128,000 cells, are
+// rejected.
 
 #include <memory>
 #include <span>
@@ -25,12 +25,12 @@
 
 namespace wend {
 
-/// Fails where it is cancelled, or paths may be too long.
+/// Fails if it is cancelled or if paths may be too long.
 Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
                                                         const IndexBuilding& building,
                                                         const ContractionEffort& effort = {});
 
-/// An engine on an index of these cells, or what is wrong with it.
+/// An engine for an index of these cells, or what is wrong with the index.
 Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
                                                                           const BitGrid& passable);
 

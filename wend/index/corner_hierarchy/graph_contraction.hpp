@@ -2,11 +2,11 @@
 
 // Contraction: makes the ContractionHierarchy of a graph.
 //
-// Again and again the node is taken out that costs the least shortcuts for the arcs that it frees.
-// Whether a shortcut is needed is asked of a search around the node, which gives up early: then
-// there is a shortcut too many, never one too few. All work is counted, and when it is spent the
-// nodes that are left are the core. So the time it takes is bounded, whatever the graph; and it is
-// the same hierarchy on every platform.
+// It repeatedly contracts the node that needs the fewest shortcuts for the arcs that it removes. A
+// search around the node decides whether a shortcut is needed. It gives up early: then there is a
+// shortcut too many, never one too few. The work is counted and limited; the nodes that are left at
+// the limit are the core. So the time is bounded for every graph, and the hierarchy is the same on every
+// platform.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,9 +26,9 @@ struct GraphArc {
 };
 
 struct ContractionEffort {
-  std::uint32_t settled_to_rank = 30;      // nodes, by a search, while it is seen who is next
-  std::uint32_t settled_to_contract = 60;  // nodes, by a search, when a node is taken out
-  std::uint64_t work_per_node = 2000;      // arcs looked at; in all, as often as there are nodes
+  std::uint32_t settled_to_rank = 30;      // nodes, by a search, when nodes are ranked
+  std::uint32_t settled_to_contract = 60;  // nodes, by a search, when a node is contracted
+  std::uint64_t work_per_node = 2000;      // arcs; the limit is this times the number of nodes
 };
 
 /// A hierarchy with its arrays.

@@ -8,9 +8,10 @@
 // the cost of the best path so far. (To look whether a node is reached more cheaply from above, as
 // is often done, takes longer here than it saves: the estimates keep the climbs narrow.)
 //
-// Where to start and to end is asked only when its turn comes, for most of it never does.
+// The search asks for starts and goals only when it needs them; most are never needed.
 //
-// One search a thread; the hierarchy may be shared, and must outlive it. Memory: 16 bytes a node.
+// Each thread needs its own search; the hierarchy may be shared and must outlive it. Memory: 16 bytes
+// per node.
 
 #include <algorithm>
 #include <cstddef>
@@ -27,7 +28,7 @@ namespace wend {
 
 /// Where a search begins or ends.
 struct HierarchyEnd {
-  HierarchyCost cost = 0;  // to come there, or to go on from there
+  HierarchyCost cost = 0;  // from the start to it, or from it to the goal
   HierarchyCost key = 0;   // at most what a path costs that begins or ends there; at least `cost`
 };
 
@@ -35,7 +36,7 @@ class HierarchySearch {
  public:
   static constexpr HierarchyCost kNoCost = std::numeric_limits<HierarchyCost>::max();
 
-  /// Keys are put in order but for their last bits.
+  /// The queue ignores the last bits of keys.
   explicit HierarchySearch(const ContractionHierarchy& hierarchy, unsigned unordered_bits)
       : hierarchy_(hierarchy), unordered_bits_(unordered_bits), labels_(hierarchy.size()) {}
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// IndexBytes: the bytes of an index as they stand in its file, in memory or mapped. Immutable and
-// cheap to copy: copies share them, also between threads.
+// IndexBytes: the bytes of an index as they are in its file, in memory or mapped. Immutable and cheap
+// to copy: copies share the bytes, also between threads.
 
 #include <array>
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace wend {
 
 class IndexBytes {
  public:
-  /// Where the bytes begin, and where each of their sections does: a cache line.
+  /// The alignment of the bytes and of each section: a cache line.
   static constexpr std::size_t kAlignment = 64;
 
   IndexBytes() = default;
@@ -42,8 +42,8 @@ class IndexBytes {
 // IndexHeader: how the file of an index begins: what it is, for which map, and whether it is whole.
 //
 // The header is followed by sections, each an array of numbers (little-endian) that begins at a
-// multiple of IndexBytes::kAlignment; what an index keeps in which section is its own affair. The
-// checksum is over all that follows it.
+// multiple of IndexBytes::kAlignment; each kind of index defines the contents of its sections. The
+// checksum covers all bytes after it.
 
 struct IndexSection {
   std::uint64_t offset = 0;  // from the beginning of the file
@@ -72,14 +72,14 @@ struct IndexHeader {
   std::string_view planner_name() const;
 };
 
-/// Of the passable cells: maps that differ in a cell differ in it, but for an accident in 2^64.
+/// A hash of the passable cells: two maps that differ have the same one with a probability of 2^-64.
 std::uint64_t map_hash(const BitGrid& passable);
 
-/// A whole header of a whole file: sections lie within it, and the checksum is right. Else what is
+/// The header of a complete file: its sections lie within the file and the checksum is right; or what is
 /// wrong. O(bytes).
 Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
 
-/// What is wrong with the index for a map; empty: nothing.
+/// Why the index does not match a map; empty if it matches.
 std::string index_fault(const IndexHeader& header, std::string_view planner, std::uint32_t version,
                         const BitGrid& passable);
 

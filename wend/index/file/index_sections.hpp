@@ -1,9 +1,9 @@
 #pragma once
 
-// IndexReader: the sections of an index, used where they lie.
+// IndexReader: the sections of an index, read in place.
 //
-// What is opened is whole, and of this map, planner and version. Whoever reads the sections checks
-// what they say of each other, so that no file, however made, makes it read out of bounds.
+// An opened index is complete and belongs to this map, planner and version. The code that reads the
+// sections checks the references between them, so that no file can make it read out of bounds.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace wend {
 
 class IndexReader {
  public:
-  /// Or what is wrong: of index_mismatch.
+  /// Or why the index does not match (Status::index_mismatch).
   static Expected<IndexReader, std::string> open(IndexBytes index, std::string_view planner,
                                                  std::uint32_t version, const BitGrid& passable);
 
@@ -49,7 +49,7 @@ class IndexReader {
   IndexHeader header_;
 };
 
-// IndexWriter: puts the sections of an index together.
+// IndexWriter: assembles an index from its sections.
 //
 //   wend::IndexWriter writer("my_planner", 1, space.passable());
 //   writer.add(std::span<const std::uint32_t>(offsets));
@@ -67,7 +67,7 @@ class IndexWriter {
     add_bytes(std::as_bytes(section));
   }
 
-  /// Once, at the end.
+  /// Call it once, at the end.
   IndexBytes finish();
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// The label index of a map: with whose help the cheapest path between any two cells is looked up.
+// The label index of a map: it looks up the cheapest path between any two cells.
 //
 // Idea. Shortest paths turn at corners (corner_graph.hpp). Every corner has a label: some hubs, with
 // the exact costs of the ways to them, so that the shortest way between two corners passes a hub of
@@ -41,7 +41,7 @@ inline constexpr std::string_view kHubLabels = "hub_labels";
 Expected<IndexBytes, IndexError> build_hub_index(const BitGrid& passable,
                                                  const IndexBuilding& building);
 
-/// An engine on an index for these cells, or what is wrong with it. O(bytes).
+/// An engine for an index of these cells, or what is wrong with the index. O(bytes).
 Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes index,
                                                                    const BitGrid& passable);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// HubLabelling: for every corner some hubs and the exact costs of the ways to them, so that the
-// shortest way between any two corners passes a hub that both have.
+// HubLabelling: for every corner some hubs and the exact costs of the paths to them, so that a
+// shortest path between any two corners passes a hub that both have.
 //
 // Hubs are added one by one, the most important first. A hub spreads over the corner graph as in
 // Dijkstra's algorithm and goes no farther where hubs before it give the cost already. (T. Akiba,
@@ -33,7 +33,7 @@ inline bool covers(std::span<const HubEntry> label, std::span<const CornerCost> 
                      [&](const HubEntry& entry) { return by_hub[entry.hub] + entry.cost <= cost; });
 }
 
-/// The corners that a hub reached, in the order of their costs: the tree of shortest ways to it.
+/// The corners that a hub reached, by cost: the tree of shortest paths to it.
 struct HubTreeNode {
   static constexpr std::uint32_t kRoot = static_cast<std::uint32_t>(-1);
 
@@ -43,7 +43,7 @@ struct HubTreeNode {
 
 class HubLabelling {
  public:
-  /// No hub yet. `graph` must outlive it.
+  /// A labelling without hubs. `graph` must outlive it.
   explicit HubLabelling(const CornerGraph& graph);
 
   std::size_t hubs() const { return hub_corners_.size(); }
@@ -89,7 +89,7 @@ class HubLabelling {
 
 class ComponentHubs {
  public:
-  /// Of a complete labelling. Both must outlive it. One a thread.
+  /// Needs a complete labelling. Both arguments must outlive it. Each thread needs its own.
   ComponentHubs(const Corners& corners, const HubLabelling& labelling);
 
   /// For cells that all have these first corners: the hubs that each corner is kept for, in their

@@ -26,7 +26,7 @@ class LabelOrder {
   LabelOrder(const CornerGraph& graph, const AllFirstCorners& first, const HubLabelling& labelling);
   ~LabelOrder();
 
-  /// A corner that is no hub yet; there must be one. It is to be made one before the next call.
+  /// A corner that is not a hub yet; there must be one. Make it a hub before the next call.
   std::uint32_t next();
 
  private:
