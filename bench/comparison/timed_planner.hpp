@@ -1,17 +1,17 @@
 #pragma once
 
-// TimedPlanner: a planner and what it takes: to make it for a map, to answer the first query on the
-// map, and to answer later ones.
+// TimedPlanner: a planner and its times: to make it for a map, to answer the first query on the map, and
+// to answer later queries.
 //
 //   wend::TimedPlanner planner(space, spec, wend::thread_cpu_seconds);
 //   if (planner.error()) return report(planner.error()->message());
 //   wend::QueryTimes times;
 //   const wend::Status status = planner.answer(query, plan, times);
 //
-// Planners touch memory for the first time when they first answer, and some keep what they find out,
-// so a first query takes longer. It is asked of a planner that was made for it alone, in one run. A
-// later query is asked again of a planner that has answered it, and all queries before it: the
-// quickest of as many runs counts as least_seconds() makes.
+// Planners first touch their memory in their first query, and some cache results, so a first query takes
+// longer. It is measured in one run of a planner made for it alone. A later query repeats a query on a
+// planner that has answered it and all queries before it: the fastest of the runs of least_seconds()
+// counts.
 
 #include <limits>
 #include <memory>
@@ -25,7 +25,7 @@
 
 namespace wend {
 
-/// In seconds; NaN of what there was not.
+/// In seconds; NaN if it was not measured.
 struct QueryTimes {
   double preparation =
       std::numeric_limits<double>::quiet_NaN();  // making the planner, its index too

@@ -2,8 +2,8 @@
 
 // An SQLite database for the sources of this module: other headers need no SQLite.
 //
-// The first error sticks: what comes after it does nothing, and error() tells it. So a function asks
-// once, at its end.
+// The first error is kept: later calls do nothing, and error() returns it. So a function checks once, at
+// its end.
 
 #include <sqlite3.h>
 
@@ -19,18 +19,18 @@ namespace wend {
 
 class SqliteConnection {
  public:
-  /// Opens a file, which is made if it is not there.
+  /// Opens a file; creates it if it does not exist.
   explicit SqliteConnection(const std::filesystem::path& file);
 
   bool ok() const { return error_.empty(); }
 
-  /// What went wrong, for people.
+  /// The error message; empty if there was no error.
   const std::string& error() const { return error_; }
 
   /// Keeps an error, unless there is one already.
   void fail(const std::string& what);
 
-  /// Runs statements that give no rows.
+  /// Runs statements that return no rows.
   void run(const std::string& statements);
 
  private:
@@ -46,7 +46,7 @@ class SqliteConnection {
   std::string error_;
 };
 
-/// A statement with parameters, which can be run again and again.
+/// A statement with parameters that can be run repeatedly.
 ///
 ///   SqliteStatement query(connection, "SELECT name FROM planners WHERE id = ?");
 ///   for (query.start(std::int64_t{7}); query.next();) names.push_back(query.text(0));
@@ -54,7 +54,7 @@ class SqliteStatement {
  public:
   SqliteStatement(SqliteConnection& connection, const std::string& text);
 
-  /// Begins anew, with a value for each parameter in turn.
+  /// Resets the statement and binds a value to each parameter, in order.
   template <class... Values>
   void start(const Values&... values) {
     reset();
@@ -64,15 +64,15 @@ class SqliteStatement {
   /// Goes to the next row; false after the last one and after an error.
   bool next();
 
-  /// The same for a statement of which no more than one row is wanted.
+  /// Starts the statement and goes to its first row, for statements with at most one row of interest.
   template <class... Values>
   bool run(const Values&... values) {
     start(values...);
     return next();
   }
 
-  /// Of the row, by column from 0.
-  bool has(int column) const;  // false of NULL
+  /// The values of the row, by column from 0.
+  bool has(int column) const;  // false for NULL
   std::int64_t integer(int column) const;
   double number(int column) const;
   std::string text(int column) const;
@@ -97,7 +97,7 @@ class SqliteStatement {
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// All that is done until commit() is done, or nothing.
+/// A transaction: without commit(), the destructor rolls everything back.
 class SqliteTransaction {
  public:
   explicit SqliteTransaction(SqliteConnection& connection);

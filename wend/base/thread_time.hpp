@@ -29,7 +29,7 @@ double process_cpu_seconds();
 /// What these clocks count on this system: "CPU time", or "wall time" if they fall back.
 std::string_view thread_time_name();
 
-/// How often something is run to be timed.
+/// How often a measured function runs.
 struct RepetitionRule {
   double fill_seconds = 5e-3;  // runs are repeated until they took this long together
   /// Runs that are shorter than this are timed several at a time, because reading the clock takes
@@ -38,7 +38,7 @@ struct RepetitionRule {
   std::uint64_t most_runs = std::uint64_t{1} << 14U;  // whatever the clock says
 };
 
-/// What one run takes.
+/// The seconds of one run.
 template <class Run>
 double seconds_of(const Clock& clock, Run&& run) {
   const double begin = clock();
@@ -46,7 +46,7 @@ double seconds_of(const Clock& clock, Run&& run) {
   return clock() - begin;
 }
 
-/// Runs something that has a result, and adds what it takes to `seconds`.
+/// Runs a function that returns a result, and adds its time to `seconds`.
 template <class Run>
 auto timed(const Clock& clock, double& seconds, Run&& run) {
   const double begin = clock();
@@ -55,8 +55,8 @@ auto timed(const Clock& clock, double& seconds, Run&& run) {
   return result;
 }
 
-/// What the quickest takes of as many runs as fill the rule's time. Something slower than that is
-/// run once, but nothing less often. Of runs that are timed together it is the mean that counts.
+/// The time of the fastest of the runs that fill the rule's time. A function that takes longer runs
+/// once. For runs that are timed together the mean counts.
 template <class Run>
 double least_seconds(const Clock& clock, Run&& run, const RepetitionRule& rule = {}) {
   constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Workers: who does what can be done in any order. The core has no threads of its own; a program
-// that has some passes them in (see thread_workers.hpp).
+// Workers: an executor of tasks that may run in any order. The core starts no threads; a program with
+// threads passes an executor in (see thread_workers.hpp).
 //
 //   std::vector<int> squares(100);
 //   wend::OneWorker().run(squares.size(), [&](std::size_t task, unsigned /*worker*/) {
@@ -15,8 +15,8 @@ namespace wend {
 
 class Workers {
  public:
-  /// `worker` is below count(); no two tasks have the same one at the same time, so that it can name
-  /// memory of its own.
+  /// `worker` is less than count(); two tasks at the same time have different workers, so it can be the
+  /// index of scratch memory.
   using Action = std::function<void(std::size_t task, unsigned worker)>;
 
   virtual ~Workers() = default;
@@ -27,7 +27,7 @@ class Workers {
   virtual void run(std::size_t tasks, const Action& action) = 0;
 };
 
-/// Runs them one after the other, in their order.
+/// Runs the tasks one after the other, in order.
 class OneWorker final : public Workers {
  public:
   unsigned count() const override { return 1; }

@@ -22,7 +22,7 @@ struct Cell {
 //
 //   for (const wend::Cell cell : wend::every_cell(grid)) sum += grid[cell];
 
-/// Those of a rectangle.
+/// The cells of a rectangle.
 class CellRange {
  public:
   struct Iterator {
@@ -47,7 +47,7 @@ class CellRange {
   int height_;
 };
 
-/// Of whatever has a width and a height.
+/// The cells of a layer that has a width and a height.
 template <class Layer>
 CellRange every_cell(const Layer& layer) {
   return {layer.width(), layer.height()};

@@ -3,7 +3,7 @@
 // BitLines: lines of bits that are scanned many cells at a time: the rows of a map, its columns, or
 // its diagonals.
 //
-// Around the bits lies a border of zeros, one wide, so that neighbours are read without looking for
+// A border of zeros, one bit wide, surrounds the bits, so that neighbours are read without a test for
 // the edge. A scan step reads eight bytes at once, wherever they begin, and counts zeros. (Blocks of
 // bits for jumping: D. Harabor and A. Grastien, "Improving Jump Point Search", 2014.)
 
@@ -49,7 +49,7 @@ class BitLines {
     words_[bit / kWordBits] &= ~(std::uint64_t{1} << (bit % kWordBits));
   }
 
-  /// How far it is from `at` to the next set bit behind it; there must be one in the line or its
+  /// The distance from `at` to the next set bit after it; there must be one in the line or its
   /// border.
   int distance_ahead(int line, int at) const {
     std::size_t bit = bit_of(line, at) + 1;
@@ -100,7 +100,8 @@ class BitLines {
     return {words_.data() + word_of(line), words_per_line_};
   }
 
-  /// Lines become places in lines, and the other way round. O(bits), 64 x 64 of them at a time.
+  /// The transpose: lines become places in lines and places become lines. O(bits), 64 x 64 bits at a
+  /// time.
   BitLines transposed() const;
 
   /// A line for each diagonal of the grid whose rows these lines are, and a bit for each row:
@@ -147,9 +148,9 @@ constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
              : BitLines::Diagonals::falling_left;
 }
 
-/// How many steps it is from a cell to the next set bit in a direction: `lines` are columns for steps
-/// along y, rows for steps along x, and for diagonal ones the lines of diagonals() of a grid with so
-/// many rows.
+/// The number of steps from a cell to the next set bit in a direction: `lines` are columns for steps
+/// along y, rows for steps along x, and for diagonal steps the lines of diagonals() of a grid with
+/// this number of rows.
 template <Direction kDirection>
 int distance_to_bit(const BitLines& lines, Cell from, int rows) {
   constexpr Cell kStep = kDirectionSteps[static_cast<std::size_t>(kDirection)];
@@ -172,7 +173,7 @@ BitLines mapped(const BitLines& board, WordAt&& word_at) {
   return made;
 }
 
-/// The bits of a board, and all that is blocked, outside too.
+/// The bits of a board and all blocked cells, including those outside the map.
 inline BitLines with_blocked(const BitLines& board, const BitLines& passable) {
   return mapped(board, [&](int line, std::size_t i) {
     return board.words(line)[i] | ~passable.words(line)[i];

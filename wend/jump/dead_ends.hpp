@@ -1,27 +1,26 @@
 #pragma once
 
-// DeadEnds: the parts of a map that no shortest path passes through, but for one that begins or ends
-// in them.
+// DeadEnds: the parts of a map that no shortest path passes through unless it begins or ends in them.
 //
 // A run is a row's (or a column's) longest stretch of passable cells. A run that touches only one
-// other run is a dead end: who enters it must come back through the same run, along which it is
-// strictly shorter to stay. So it is taken away, and what then is a dead end too, by rows and by
-// columns in turns, until nothing changes or it no longer pays. What is left is the core.
+// other run is a dead end: a path that enters it must return through the same run, and staying in that
+// run is strictly shorter. So it is removed, and then the runs that have become dead ends, by rows and
+// columns in turns, until nothing changes or it no longer pays. The rest is the core.
 //
-// A path that begins in a dead end needs it and what was its neighbour when it was taken away, where
-// they touch; if that was taken away later, the same again. No shortest path between cells of the
-// core and of what was opened like this leaves them: a dead end that stays closed touched, when it
-// was taken away, one run of all that is open and still there, so the argument above holds for it.
+// A path that begins in a dead end needs this dead end and the run that was its neighbour when it was
+// removed; if that run was removed later, its neighbour too, and so on: these are opened. No shortest
+// path between cells of the core and of opened dead ends leaves them: a dead end that stays closed
+// touched, when it was removed, one run of those that are open, so the argument above holds for it.
 //
-// A search that jumps needs to know this of jump points alone, so dead ends without any are left out
-// of what is opened.
+// A search that jumps needs this only for jump points, so dead ends without jump points are never
+// opened.
 //
 //   const auto dead_ends = std::make_shared<const wend::DeadEnds>(boards);
 //   wend::OpenDeadEnds open(dead_ends);
 //   open.open_for(start, goals);
 //   if (open.contains(open.number(jump_point))) ...
 //
-// Immutable; O(cells) to make, 4 bytes a cell and some a dead end.
+// Immutable; O(cells) to make; 4 bytes per cell and a few per dead end.
 
 #include <cstddef>
 #include <cstdint>
@@ -46,13 +45,13 @@ class DeadEnds {
   /// The number of the dead end that a cell is in, from 1 on, or kCore.
   std::uint32_t number(Cell cell) const { return numbers_[cell]; }
 
-  /// How many there are.
+  /// The number of dead ends.
   std::size_t size() const { return exits_.size() - 2; }
 
-  /// How many cells are not in the core.
+  /// The number of cells outside the core.
   std::size_t cells() const { return cells_; }
 
-  /// The nearest dead ends with jump points that one leads to. Their numbers are greater.
+  /// The nearest dead ends with jump points that a dead end leads to. Their numbers are greater.
   std::span<const std::uint32_t> exits(std::uint32_t number) const {
     return std::span(exit_numbers_).subspan(exits_[number], exits_[number + 1] - exits_[number]);
   }
@@ -64,20 +63,20 @@ class DeadEnds {
   std::vector<std::uint32_t> exit_numbers_;
 };
 
-/// What of the map's dead ends a query needs. One thread.
+/// The dead ends that a query needs. Each thread needs its own.
 class OpenDeadEnds {
  public:
   explicit OpenDeadEnds(std::shared_ptr<const DeadEnds> dead_ends)
       : dead_ends_(std::move(dead_ends)), opened_(dead_ends_->size() + 1) {}
 
-  /// Opens what shortest paths between these cells need, and closes what else was open. O(dead ends
-  /// opened).
+  /// Opens the dead ends that shortest paths between these cells need, and closes all others. O(opened
+  /// dead ends).
   void open_for(Cell start, std::span<const Cell> goals);
 
   /// The dead end that a cell is in.
   std::uint32_t number(Cell cell) const { return dead_ends_->number(cell); }
 
-  /// May a jump point in such a dead end lie on a shortest path? In the core every one may.
+  /// May a jump point in this dead end lie on a shortest path? In the core every jump point may.
   bool contains(std::uint32_t number) const { return opened_[number] == query_; }
 
  private:

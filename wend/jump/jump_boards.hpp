@@ -1,8 +1,8 @@
 #pragma once
 
-// JumpBoards: a map as bit boards on which a jump point search looks for where to go next.
+// JumpBoards: a map as bit boards on which a jump point search finds the next jump points.
 //
-// Steps go to the 8 neighbours and cut no corner. A shortest path can always take its diagonal
+// Steps go to the 8 neighbours and do not cut corners. A shortest path can always take its diagonal
 // steps first and its straight ones after them, unless an obstacle makes it turn: where a straight
 // run passes a cell beside it that is free though the one behind that is blocked. Such a cell of
 // the run is a jump point for its direction of travel (D. Harabor and A. Grastien, "Online Graph
@@ -24,8 +24,8 @@
 
 namespace wend {
 
-// Sight: is the way between two cells free that takes its diagonal steps first and its straight ones
-// after them?
+// Sight: is the path between two cells that takes its diagonal steps first, then its straight steps,
+// free?
 //
 // A few words of bits a question: along rows and columns the passable cells, along both diagonals
 // the squares of 2 x 2 passable cells, for a diagonal step that cuts no corner needs all four.
@@ -40,7 +40,7 @@ class Sight {
   const BitLines& rows() const { return rows_; }
   const BitLines& columns() const { return columns_; }
 
-  /// From a passable cell; the other one is any of the map.
+  /// `from` is passable; the other cell is any cell of the map.
   bool sees(Cell from, Cell to) const;
 
  private:
@@ -67,9 +67,9 @@ class JumpBoards {
   /// False outside the map, which must be no farther than one cell.
   bool passable(Cell cell) const { return rows().get(cell.y, cell.x); }
 
-  /// How many steps a run makes before it stops. A straight one: at a jump point if moves() says so,
-  /// else the step would be into a blocked cell. A diagonal one, whose first step must be legal:
-  /// where one of its straight directions has a ray, or at its last cell.
+  /// The number of steps of a run before it stops. A straight run stops at a jump point if moves() says
+  /// so, else before a blocked cell. A diagonal run, whose first step must be legal, stops where one of
+  /// its straight directions has a ray, or at its last cell.
   template <Direction kDirection>
   int distance_to_stop(Cell from) const {
     return distance_to_bit<kDirection>(stops_[static_cast<std::size_t>(kDirection)], from,

@@ -1,10 +1,10 @@
 #pragma once
 
-// JumpGraph: the jump points of a map, numbered, and from each of them the ones that come next.
+// JumpGraph: the numbered jump points of a map and the successors of each of them.
 //
-// A jump point is left straight on in the direction it was reached in, and past the obstacles beside
-// it. What comes next does not depend on where a path began. Between a jump point and the next one a
-// path takes its diagonal steps first, so its length is the octile distance of the two.
+// A path leaves a jump point straight on, in the direction of its arrival, and past the obstacles beside
+// it. The successors do not depend on where the path began. Between a jump point and its successor a path
+// takes its diagonal steps first, so its length is the octile distance of the two.
 //
 //   const wend::JumpGraph graph(boards);
 //   graph.append_jumps(graph.cell(jump.number()), graph.directions(jump), jumps);
@@ -25,7 +25,7 @@
 
 namespace wend {
 
-/// To which jump point, and in which straight direction it is reached.
+/// A jump: the jump point that it reaches, and the straight direction in which it arrives.
 class Jump {
  public:
   Jump() = default;
@@ -52,11 +52,11 @@ class JumpGraph {
 
   const JumpBoards& boards() const { return *boards_; }
 
-  /// How many jump points there are.
+  /// The number of jump points.
   std::size_t size() const { return cells_.size(); }
   Cell cell(std::uint32_t number) const { return cells_[number]; }
 
-  /// The directions in which a jump point is left that was reached so: straight on, and past the
+  /// The directions in which a path leaves the jump point after this arrival: straight on, and past the
   /// obstacles beside it.
   DirectionSet directions(Jump jump) const {
     // Bit 0 of `forced`: past the obstacle on the counter-clockwise side, bit 1 on the other.
@@ -76,8 +76,8 @@ class JumpGraph {
     return kLeaving[jump.arrival()][forced_[jump.number()] >> (2 * jump.arrival()) & 3U];
   }
 
-  /// Calls visit(jump) for what comes next from any cell in these directions, as long as it says
-  /// true.
+  /// Calls visit(jump) for the next jump points from any cell in these directions, until it returns
+  /// false.
   template <class Visit>
   void visit_jumps(Cell from, DirectionSet directions, Visit&& visit) const;
 

@@ -1,13 +1,13 @@
 #pragma once
 
-// ShortcutGraph: chains of jumps without a choice, as one shortcut each. They are found when they are first
-// asked for, and kept: the graph is worth more with every search on it.
+// ShortcutGraph: chains of jumps without a choice, each as one shortcut. A shortcut is found when a search
+// first asks for it, and kept: each search makes later searches faster.
 //
-// Where a jump point has only one that comes next, a search learns nothing by stopping there, but for
-// one thing: it may see its goal from there. So a shortcut knows a box around all that is seen from the
-// jump points that it passes; a search whose goal is in the box must look closer. The box ends where
-// the next jump points are, for what lies behind one in sight is in sight of that one as well. A
-// shortcut that ends where nothing comes next is dead; its box is around what its last one sees, too.
+// Where a jump point has only one successor, a search need not stop there, unless it sees its goal from
+// there. So a shortcut has a box around all cells in sight of the jump points that it passes; a search
+// whose goal is in the box must look closer. The box ends at the next jump points, because what lies
+// behind a jump point in sight is in sight of that one as well. A shortcut whose last jump point has no
+// successor is dead; its box also contains what that jump point sees.
 //
 //   wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
 //   for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
@@ -35,8 +35,8 @@ namespace wend {
 //   box.include(raster.place({3, 4}));
 //   if (box.may_hold(raster.place(cell))) ...
 //
-// Places are counted in pieces of the map, 127 at most either way, so a box may hold cells that
-// were not added, but never misses one.
+// Places are pieces of the map, at most 127 in each direction, so a box may contain cells that were not
+// added, but never misses an added one.
 
 /// Where a cell lies: x, y, and both from the other end, 7 bits in each byte.
 class CoarsePlace {
@@ -100,13 +100,13 @@ class Shortcut {
   /// The first one, or what a chain of jumps from there leads to.
   Jump last() const { return last_; }
 
-  /// Does nothing come after the last one?
+  /// Has the last jump point no successor?
   bool dead() const { return dead_ != 0; }
 
-  /// May one see a cell from a jump point that is passed?
+  /// May a cell be in sight of a jump point that the shortcut passes?
   bool may_see(CoarsePlace cell) const { return seen_.may_hold(cell); }
 
-  /// What it costs, in OctileUnits<Cost>, to go from its beginning to its end.
+  /// The cost from its beginning to its end in OctileUnits<Cost>.
   template <class Cost>
   Cost cost(Cell begin, Cell end) const {
     using Units = OctileUnits<Cost>;
@@ -132,7 +132,7 @@ class Shortcut {
   CoarseBox seen_;
 };
 
-/// Shortcuts one behind the other in memory, the last of them marked.
+/// Consecutive shortcuts in memory; the last one is marked.
 class ShortcutList {
  public:
   class Iterator {
@@ -174,15 +174,15 @@ class ShortcutGraph {
     return ShortcutList(shortcuts_.data() + link);
   }
 
-  /// Of a jump point that a shortcut has passed: the only one that comes next.
+  /// The only successor of a jump point that a shortcut passes.
   Jump only_next(Jump passed) const {
     const Link link = links_[passed.code()];
     assert(is_only_jump(link));
     return is_jump(link) ? Jump(link & ~kIsJump) : shortcuts_[link].first();
   }
 
-  /// Ask for the memory that shortcuts() will read, ahead of time: first for where they lie, then for
-  /// them.
+  /// Prefetch the memory that shortcuts() will read: first the place of the shortcuts, then the
+  /// shortcuts.
   void prefetch_place(Jump jump) const { __builtin_prefetch(&links_[jump.code()]); }
   void prefetch_shortcuts(Jump jump) const {
     const Link link = links_[jump.code()];

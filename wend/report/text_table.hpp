@@ -48,8 +48,8 @@ class TextTable {
   std::vector<std::size_t> further_;  // rows that are further lines of one above
 };
 
-/// Which of the values are the best: none if fewer than two compete (NaN does not) or if all that
-/// do are equal, but for rounding.
+/// Which of the values are the best. None if fewer than two are not NaN, or if all of these are equal up
+/// to rounding.
 std::vector<bool> best_of(std::span<const double> values, bool more_is_better);
 
 /// A field of CSV, in quotes where it needs them (RFC 4180).

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a forward search asks of its parts. concepts_test.cpp holds a minimal type for each.
+// The concepts of the parts of a forward search. concepts_test.cpp has a minimal type for each.
 
 #include <concepts>
 
@@ -8,7 +8,7 @@
 
 namespace wend {
 
-/// A state space. Its State is whatever makes expanding cheap (coordinates, say) and can be made
+/// A state space. A State holds what makes expanding cheap, for example coordinates, and can be made
 /// from the id. Moves can be undone: parent(s, m) is the state that move m leads to s from.
 ///
 /// for_each_successor(state, arrival, sink) calls sink(next, move, step_cost) for every successor,
@@ -34,7 +34,7 @@ concept SearchPriority = requires(const P& priority, const typename Space::State
   { priority.near_overflow(key) } -> std::convertible_to<bool>;
 };
 
-/// Open states. The same pushes always come out in the same order, on every platform, of a copy too.
+/// Open states. The same pushes come out in the same order on every platform, also from a copy.
 template <class F>
 concept SearchFrontier = std::copyable<F> && requires(F frontier, typename F::Key key, StateId id) {
   frontier.clear();

@@ -16,7 +16,7 @@
 
 namespace wend {
 
-/// Where states are not ordered by key.
+/// The key of frontiers that do not order states by key.
 struct NoKey {};
 
 struct UnorderedEntry {
@@ -85,7 +85,7 @@ class LifoFrontier {
 template <class OrderedKey>
 struct FrontierEntry {
   OrderedKey key;
-  std::uint32_t age_rank;  // falls with every push
+  std::uint32_t age_rank;  // decreases with every push
   StateId id;
 
   friend bool operator<(const FrontierEntry& a, const FrontierEntry& b) {
@@ -120,11 +120,11 @@ class HeapFrontier {
 
 /// Open states by whole-number keys that never fall (f of a consistent heuristic).
 ///
-/// A ring of buckets, each as wide as a small part of a straight step. The bucket in hand is sorted
-/// when its turn comes, the others are plain lists. Steps raise f by nothing or by more than a
-/// bucket, mostly; so a state pushed into the bucket in hand has the smallest key there and goes to
-/// its end, where the next one is taken. States come out exactly as from a HeapFrontier. (R. Dial,
-/// "Algorithm 360: Shortest-path forest with topological ordering", 1969, with sorted buckets.)
+/// A ring of buckets, each as wide as a small part of a straight step. The current bucket is sorted, the
+/// others are plain lists. Most steps raise f by nothing or by more than a bucket; so a state pushed
+/// into the current bucket has the smallest key there and goes to its end, where pop() takes states.
+/// States come out exactly as from a HeapFrontier. (R. Dial, "Algorithm 360: Shortest-path forest with
+/// topological ordering", 1969, with sorted buckets.)
 ///
 /// Key has `f()`, a whole number, and `<`. No key may be smaller than the one popped last (before
 /// that, than the first one pushed), nor a turn of the ring or more above it.
@@ -175,7 +175,7 @@ class BucketFrontier {
   static constexpr std::size_t kWords = kBuckets / 64;
   static constexpr std::uint64_t kNoBucket = UINT64_MAX;
 
-  /// Lets the last entry of the sorted bucket in hand sink to its place.
+  /// Moves the last entry of the sorted current bucket to its place.
   static void move_to_its_place(std::vector<Entry>& hand) {
     std::size_t at = hand.size() - 1;
     const Entry entry = hand[at];
@@ -202,7 +202,7 @@ class BucketFrontier {
 
   std::array<std::vector<Entry>, kBuckets> ring_;
   std::array<std::uint64_t, kWords> occupied_{};
-  std::uint64_t current_ = kNoBucket;  // the bucket in hand, counted from key 0
+  std::uint64_t current_ = kNoBucket;  // the current bucket, counted from key 0
   std::size_t size_ = 0;
   std::uint32_t age_rank_ = UINT32_MAX;
 };

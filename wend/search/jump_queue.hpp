@@ -2,10 +2,10 @@
 
 // JumpQueue: the open states of a search that jumps, in buckets about one straight step wide.
 //
-// Of a bucket the last one pushed comes first, so that keys come in order only from bucket to
-// bucket: who pops may have to expand a state again. Keys never fall below the bucket in work. A
-// push or pop takes O(1), but for looking for the next bucket, 64 at a time. Nothing is allocated
-// once it is as large as it gets.
+// Within a bucket the last push comes first. So keys are in order only from bucket to bucket, and a
+// search may have to expand a state again. Keys never fall below the current bucket. A push or pop
+// takes O(1) and the search for the next bucket, 64 buckets at a time. Nothing is allocated once the
+// queue has its final size.
 
 #include <bit>
 #include <cstddef>
@@ -24,7 +24,7 @@ class JumpQueue {
     StateId id;
   };
 
-  /// Forgets all. `width_bits`: a bucket holds 2^width_bits keys; `least`: no key is below it.
+  /// Removes all entries. `width_bits`: a bucket holds 2^width_bits keys; `least`: no key is below it.
   void begin(Cost least, unsigned width_bits) {
     for (std::size_t word = current_ / kWordBits; word < occupied_.size(); ++word) {
       for (; occupied_[word] != 0; occupied_[word] &= occupied_[word] - 1) {
@@ -52,7 +52,7 @@ class JumpQueue {
     ++size_;
   }
 
-  /// The lowest bucket's last entry; not of an empty queue.
+  /// The last entry of the lowest bucket. The queue must not be empty.
   Entry pop() {
     std::size_t word = current_ / kWordBits;
     while (occupied_[word] == 0) ++word;
@@ -70,7 +70,7 @@ class JumpQueue {
     return static_cast<std::size_t>((f - least_) >> width_bits_);
   }
 
-  /// Is the bucket of a key below the one in work?
+  /// Is the bucket of a key below the current one?
   bool bucket_is_behind(Cost f) const { return current_ > bucket_of(f); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// LimitCheck: looks, now and then, whether a search must end early.
+// LimitCheck: checks periodically whether a search must end early.
 //
 //   if (check.due(expanded)) outcome = check.look(expanded);
 
@@ -15,17 +15,17 @@ namespace wend {
 
 class LimitCheck {
  public:
-  /// Time runs from now on. `limits` must live as long as the search.
+  /// Starts the clock. `limits` must live as long as the search.
   void begin(const Limits& limits) {
     limits_ = &limits;
     deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
     next_ = 0;
   }
 
-  /// Is it time to look, before another state is expanded?
+  /// Is a check due before the next expansion?
   bool due(std::uint64_t expanded) const { return expanded == next_; }
 
-  /// Running, or why the search must end. Says when it is due again.
+  /// `running`, or why the search must end. Schedules the next check.
   SearchOutcome look(std::uint64_t expanded) {
     next_ = std::min(limits_->expansions, expanded + Limits::kExpansionsBetweenClockReads);
     if (expanded >= limits_->expansions) return SearchOutcome::expansion_limit;

@@ -1,6 +1,6 @@
 #pragma once
 
-// NodeTable: what a search knows of every state: its g, how it was reached, whether it is closed.
+// NodeTable: the search nodes: of each state its g, its arrival, and whether it is closed.
 //
 // Starting a search takes no time: a node counts only if its generation is the current one. When
 // the generations run out the table is cleared once and they start again. Memory comes zeroed from
@@ -38,7 +38,7 @@ class NodeTable {
   /// False if the system had no memory for it.
   bool allocated() const { return nodes_ != nullptr; }
 
-  /// Forgets all nodes.
+  /// Invalidates all nodes. O(1) except when generations run out.
   void begin_search() {
     generation_ += kGenerationUnit;
     if (generation_ < kGenerationEnd) return;
@@ -49,7 +49,7 @@ class NodeTable {
   Node& operator[](StateId id) { return nodes_[id]; }
   const Node& operator[](StateId id) const { return nodes_[id]; }
 
-  /// Asks for a node's memory ahead of time. Any id will do, also one that is no state.
+  /// Prefetches a node. Any id is allowed, also one that is not a state.
   void prefetch(StateId id) const {
     // The address is a number here: it may lie outside the table.
     const auto address = reinterpret_cast<std::uintptr_t>(nodes_.get()) + id * sizeof(Node);
@@ -60,7 +60,7 @@ class NodeTable {
   /// Has this search reached the node?
   bool reached(const Node& node) const { return (node.tag_ & ~kFlags) == generation_; }
 
-  /// Opens a node, for the first time or anew.
+  /// Opens a node, for the first time or again.
   void open(Node& node, Cost g, Move arrival) {
     node.g = g;
     node.tag_ = static_cast<std::uint32_t>(generation_) | arrival;

@@ -1,7 +1,7 @@
 #pragma once
 
-// IndexPlanner: a planner that looks its answers up in an index. It checks queries like every
-// planner of cells.
+// IndexPlanner: a planner that answers queries from an index. It checks queries like every planner on
+// cells.
 
 #include <functional>
 #include <memory>
@@ -17,7 +17,7 @@ namespace wend {
 /// How an index is built and used. Both take the passable cells.
 struct IndexMethod {
   std::function<Expected<IndexBytes, IndexError>(const BitGrid&, const IndexBuilding&)> build;
-  /// Checks the index; cheap beside reading it once. What is wrong is of index_mismatch.
+  /// Checks the index, which is cheap compared with reading it once. The error is index_mismatch.
   std::function<Expected<std::unique_ptr<IndexEngine>, std::string>(IndexBytes, const BitGrid&)>
       open;
 };

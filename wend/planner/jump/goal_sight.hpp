@@ -1,7 +1,6 @@
 #pragma once
 
-// GoalSight: the goals of a jump point search, and the cheapest way to one of them that a search has
-// seen so far.
+// GoalSight: the goals of a jump point search, and the cheapest path to one of them found so far.
 //
 //   goals.begin(std::array{goal}, shortcuts.raster());
 //   const auto view = goals.look(boards.sight(), cell, directions, g);
@@ -24,7 +23,8 @@
 
 namespace wend {
 
-/// The way to a cell by diagonal steps first begins in this direction; none for the cell itself.
+/// The direction in which the path to a cell begins that takes its diagonal steps first; none for the
+/// cell itself.
 constexpr DirectionSet first_direction(Cell from, Cell to) {
   using enum Direction;
   constexpr std::array<DirectionSet, 9> kByNeighbour{set_of(minus_x_minus_y),
@@ -47,13 +47,13 @@ class GoalSight {
   /// More than any cost.
   static constexpr Cost kInfinite = std::numeric_limits<Cost>::max();
 
-  /// What there is to see from a cell.
+  /// What is in sight of a cell.
   struct View {
-    bool better = false;   // a goal that is cheaper than all before
-    bool nearest = false;  // the nearest one: no way from here is shorter
+    bool better = false;   // a goal at a smaller cost than all before
+    bool nearest = false;  // the nearest goal: no path from here is shorter
   };
 
-  /// At least one goal, none of which was seen. Shortcuts count by the raster.
+  /// Starts a search for these goals, at least one. Shortcuts use the raster.
   void begin(std::span<const Cell> goals, const CoarseRaster& raster) {
     goals_.assign(goals);
     places_.clear();
@@ -67,11 +67,11 @@ class GoalSight {
     return goals_.least([cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
   }
 
-  /// What the cheapest way to a goal costs; kInfinite while none was seen.
+  /// The cost of the cheapest path to a goal; kInfinite before a goal is in sight.
   Cost best() const { return best_; }
   /// The goal at its end.
   Cell goal() const { return goal_; }
-  /// Was there one whose cost is more than the type holds?
+  /// Did the cost of a path exceed the range of the type?
   bool overflown() const { return overflown_; }
 
   /// May a goal be in sight from a jump point that a shortcut passes?

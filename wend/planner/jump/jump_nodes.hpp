@@ -1,11 +1,11 @@
 #pragma once
 
-// JumpNodes: what a jump point search knows of every jump point.
+// JumpNodes: the search nodes of a jump point search, one for each jump point.
 //
-// A node's stamp says in one number which search reached it and at what cost: it is the less the
-// later the search, and in one search the less the cheaper the way. So one comparison tells whether
-// a way is of use, and starting a search takes no time. When the searches run out, all is cleared
-// once and they start again.
+// A node's stamp says in one number which search reached it and at what cost: later searches have
+// smaller stamps, and within a search cheaper paths have smaller stamps. So one comparison tells whether
+// a path is better, and starting a search takes no time. When the numbers of searches run out, all nodes
+// are cleared once and the numbers start again.
 
 #include <cstdint>
 #include <limits>
@@ -24,7 +24,7 @@ class JumpNodes {
   __extension__ using TwiceSixtyFour = unsigned __int128;
   using Stamp = std::conditional_t<sizeof(Cost) == 4, std::uint64_t, TwiceSixtyFour>;
 
-  /// Never across two lines of the cache.
+  /// A node never lies in two cache lines.
   struct alignas(32) Node {
     Stamp stamp = kNever;
     Cell cell;
@@ -52,7 +52,7 @@ class JumpNodes {
     base_ = Stamp{--searches_left_} << kCostBits;
   }
 
-  /// Of a node that this search reaches at such a cost.
+  /// The stamp of a node that this search reaches at this cost.
   Stamp stamp(Cost g) const { return base_ | g; }
 
   /// Was it reached in this search?

@@ -1,15 +1,15 @@
 #pragma once
 
-// JumpPointSearch: A* that jumps from one jump point to the next and leaves out what lies between.
+// JumpPointSearch: A* that jumps from one jump point to the next and skips the cells between.
 //
 //   wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
 //   search.begin({1, 1}, goals, limits);
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
-// A state is a jump point together with the straight directions it was reached in, all by equally
-// cheap ways. A state that sees a goal opens nothing: no way is shorter. Where there is no choice it
-// shortcuts over several jump points (ShortcutGraph), and looks for a goal from each of them if the shortcut may
-// see one. Open states lie in buckets whose order is inexact, so a state may be expanded again when
+// A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
+// that sees a goal opens nothing: no other path is shorter. Where there is no choice the search takes a
+// shortcut over several jump points (ShortcutGraph), and looks for a goal from each of them if the
+// shortcut may see one. Open states lie in buckets whose order is inexact, so a state may be expanded again when
 // a cheaper way to it comes, and the search ends when the bucket in work is past the cheapest way
 // found.
 //
@@ -43,14 +43,14 @@
 
 namespace wend {
 
-/// Watches nothing, and costs nothing.
+/// The default watcher. It does nothing and costs nothing.
 struct NoJumpWatcher {
   void on_generate(Cell, Cell, auto) const {}
   void on_expand(Cell, Cell, auto) const {}
   void on_reach(Cell, Cell, auto, bool) const {}
 };
 
-/// kSearches: after how many of them stamps start again.
+/// kSearches: the number of searches after which stamps start again.
 template <class CostType, std::uint32_t kSearches = std::numeric_limits<std::uint32_t>::max()>
 class JumpPointSearch {
  public:
@@ -102,7 +102,7 @@ class JumpPointSearch {
 
   static constexpr Jump kNoJump = Jump(std::numeric_limits<std::uint32_t>::max());
 
-  /// A state that sees a goal: a node, or a jump point on a shortcut from that.
+  /// A state that sees a goal: a node, or a jump point on a shortcut from a node.
   struct Seer {
     StateId node = 0;
     Jump first = kNoJump;  // of the shortcut
@@ -193,7 +193,7 @@ void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
     if (queue_.bucket_is_behind(goals_.best())) break;
-    // Of no use any more, or expanded meanwhile.
+    // It was reached more cheaply or expanded since then.
     if (entry.f >= goals_.best() || nodes_[entry.id].pending == 0) continue;
     if (limits_.due(metrics_.expanded)) {
       outcome_ = limits_.look(metrics_.expanded);

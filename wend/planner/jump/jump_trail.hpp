@@ -1,6 +1,7 @@
 #pragma once
 
-// JumpTrail: the cells where a path turns, from its goal back to its start, out of shortcuts and jumps.
+// JumpTrail: collects the cells where a path turns, from its goal back to its start, from shortcuts and
+// jumps.
 //
 //   wend::JumpTrail trail;
 //   trail.begin(goal);
@@ -8,7 +9,7 @@
 //   trail.append(start);
 //   draw(trail.from_start());
 //
-// Between two of the cells that it gives all steps go the same way.
+// Between two of these cells all steps have the same direction.
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +27,7 @@ class JumpTrail {
  public:
   void begin(Cell goal) { cells_.assign(1, goal); }
 
-  /// From there one goes to the cell before, diagonally first.
+  /// Appends a cell from which the path goes to the last one, diagonally first.
   void append(Cell from) {
     const Cell to = cells_.back();
     const Cell bend = octile_bend(from, to);
@@ -44,7 +45,7 @@ class JumpTrail {
     for (const Cell cell : passed_ | std::views::reverse) append(cell);
   }
 
-  /// All of them turned round; until the next begin().
+  /// The cells from start to goal. Valid until the next begin().
   std::span<const Cell> from_start() {
     std::reverse(cells_.begin(), cells_.end());
     return cells_;
