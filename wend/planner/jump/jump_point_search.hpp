@@ -9,9 +9,9 @@
 // A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
 // that sees a goal opens nothing: no other path is shorter. Where there is no choice the search takes a
 // shortcut over several jump points (ShortcutGraph), and looks for a goal from each of them if the
-// shortcut may see one. Open states lie in buckets whose order is inexact, so a state may be expanded again when
-// a cheaper way to it comes, and the search ends when the bucket in work is past the cheapest way
-// found.
+// shortcut may see one. Open states lie in buckets whose order is inexact, so a state may be expanded
+// again when a cheaper path to it comes, and the search ends when the current bucket is past the cost of
+// the cheapest path found.
 //
 // Optimal. 32 bytes a jump point, and what JumpGraph, JumpBoards, ShortcutGraph and DeadEnds take. One
 // thread a search; jump graph and dead ends are shared.
