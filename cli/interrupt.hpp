@@ -26,7 +26,7 @@ class Interruptible {
   static const std::atomic<bool>& cancelled();
 };
 
-/// Ctrl-C, thrown out of what cannot end otherwise.
+/// Ctrl-C as an exception, for code that cannot end otherwise.
 class Cancelled : public std::exception {};
 
 }  // namespace wend::cli

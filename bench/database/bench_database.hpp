@@ -15,8 +15,8 @@
 // Besides, `passes` has the seconds of every repetition of a run, and columns of ours come after
 // theirs. (M. Moll, I. Sucan and L. Kavraki, "Benchmarking Motion Planning Algorithms", 2015.)
 //
-// What was stored is on the disk, whatever happens to the program; an answer that is stored again
-// takes the place of the older one. One thread; several programs may have the file open.
+// Stored answers are on the disk, even if the program crashes later. Storing an answer again replaces the
+// older one. One thread; several programs may have the file open.
 //
 //   auto database = wend::BenchDatabase::open("bench.db");
 //   if (!database) return report(database.error().message());
@@ -42,7 +42,7 @@ namespace wend {
 
 class SqliteConnection;
 
-/// What tells experiments apart: times of different ones are not to be mixed.
+/// The key of an experiment: times of different experiments must not be mixed.
 struct BenchExperiment {
   std::string map = {};  // its name: what Planner Arena calls the problem
   int width = 0;
@@ -85,21 +85,21 @@ class BenchDatabase {
   BenchDatabase(BenchDatabase&&) noexcept;
   BenchDatabase& operator=(BenchDatabase&&) noexcept;
 
-  /// Its number. One that is not there yet is added; the host is not compared.
+  /// The number of an experiment, which is added if it does not exist; the host is not compared.
   Expected<std::int64_t, IoError> experiment(const BenchExperiment& experiment);
 
   /// The number of a planner, as people type it with its options. It is added if it is not there.
   Expected<std::int64_t, IoError> planner(std::string_view spec);
 
-  /// What is stored. O(answers).
+  /// The stored answers. O(answers).
   Expected<BenchRecord, IoError> record(std::int64_t experiment, std::int64_t planner) const;
 
   /// Stores answers, each of which has a pass at least: all or, after an error, none.
   Expected<void, IoError> store(std::int64_t experiment, std::int64_t planner,
                                 std::span<const BenchAnswer> answers, const BenchIndex& index = {});
 
-  /// Adds all that another one has and this one has not, or has with fewer repetitions. Doing it
-  /// again changes nothing.
+  /// Adds all answers of another database that this one lacks or has with fewer repetitions. A second
+  /// merge changes nothing.
   Expected<void, IoError> merge(const BenchDatabase& other);
 
  private:

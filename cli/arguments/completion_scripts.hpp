@@ -13,7 +13,7 @@ struct CompletedArgument {
   std::string help;                // a few words
   bool takes_value = false;
   bool takes_many = false;         // positional: the rest of the line is all this
-  std::vector<std::string> words;  // that the value can be; none: anything
+  std::vector<std::string> words;  // the possible values; empty: any value
   bool is_file = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a robot is to drive: controllers, the robot, what disturbs it, when it has arrived.
+// The arguments of driving: controllers, the robot, disturbances, and when the robot has arrived.
 
 #include <memory>
 #include <optional>
@@ -29,7 +29,8 @@ class DriveArguments {
   FollowerOptions following() const;
   MotionModel robot() const;
 
-  /// One or more. Throws InputError for those that there are not or that the robot cannot obey.
+  /// One or more controllers. Throws InputError for one that does not exist or that the robot cannot
+  /// follow.
   std::vector<ChosenController> controllers(const MotionModel& robot) const;
 
   bool compares() const { return compared_.has_value(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is to become of a path: --simplify, --smooth, --smoother, --unsafe,
+// How a path is refined: --simplify, --smooth, --smoother, --unsafe,
 // --turning-radius and --resample; and --corner-rounding, with which it is measured.
 
 #include <optional>
@@ -54,18 +54,18 @@ void add_corner_rounding(Parser& app, std::optional<double>& rounding);
 double corner_rounding_in_cells(const std::optional<double>& rounding,
                                 const Coordinates& coordinates);
 
-/// A smoother by name, options may follow: "curvature:turning_radius=0.4". Throws InputError for one that there
-/// is not.
+/// A smoother by name, options may follow: "curvature:turning_radius=0.4". Throws InputError if it does
+/// not exist.
 SmootherChoice parse_smoother(std::string_view text);
 
 /// Simplifies, smooths and resamples a path. Throws InputError where that cannot be done.
 RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
                    double corner_rounding);
 
-/// What there is to draw of it: as it was, and what became of it.
+/// What is drawn: the path before and after.
 std::vector<SceneLine> lines_of(const RefinedPath& path);
 
-/// How the path was before and is now, and what smoothing did: lines.
+/// The metrics of the path before and after, and the result of smoothing, as lines of text.
 std::string refined_text(const RefinedPath& path, const Coordinates& coordinates);
 
 }  // namespace wend::cli

@@ -36,7 +36,7 @@ struct LimitArguments {
   Limits limits(ProgressBar& progress) const;
 };
 
-/// Seconds of a clock that never goes back.
+/// Seconds of a monotonic clock.
 double steady_seconds();
 
 }  // namespace wend::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-// What to tell a user whose command line could not be parsed.
+// The message for a command line that could not be parsed.
 
 #include <string>
 

@@ -16,7 +16,7 @@
 
 namespace wend::cli {
 
-/// Where a query goes from and to.
+/// The start and the goals of a query.
 struct Ends {
   Place start;
   Place goal;
@@ -56,7 +56,7 @@ class Explainer {
   GridMoves moves_;
 };
 
-/// Did a search end because it had no more of something, or because somebody cancelled it?
+/// Did a search end at a limit, or because it was cancelled?
 bool is_limit(Status status);
 
 /// Why a search was stopped: "gave up after 1000 expansions, the limit".
@@ -74,7 +74,7 @@ Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> go
 Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
                     const Coordinates& coordinates, const NoPath& why);
 
-/// What a way needs: "path for a robot of 0.45 m through unknown cells".
+/// What a path needs: "path for a robot of 0.45 m through unknown cells".
 std::string describe(const Way& way, const Coordinates& coordinates);
 
 }  // namespace wend::cli

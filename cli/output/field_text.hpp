@@ -1,6 +1,6 @@
 #pragma once
 
-// A cost-to-go field for people: costs and moves of a small map, and what the field is like.
+// A cost-to-go field as text: costs and moves on a small map, and a summary.
 
 #include <string>
 

@@ -9,7 +9,7 @@
 
 namespace wend::cli {
 
-/// What a file's name asks for. Throws InputError for a name that is no plot's.
+/// The format that a file's extension names. Throws InputError if it is not a format of plots.
 PlotKind plot_kind_of(const std::string& file);
 
 PlotColours plot_colours_of(StyleName style);
@@ -17,7 +17,7 @@ PlotColours plot_colours_of(StyleName style);
 /// Throws InputError if gnuplot is not installed.
 void require_gnuplot();
 
-/// The bytes that gnuplot writes for a script. Throws InputError with what it complains about.
+/// The bytes that gnuplot writes for a script. Throws InputError with gnuplot's message.
 std::string drawn_by_gnuplot(const std::string& script);
 
 }  // namespace wend::cli

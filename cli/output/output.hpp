@@ -19,11 +19,11 @@ void print(std::string_view text);
 /// Writes a line for people to standard error: "wend: <text>".
 void complain(std::string_view text);
 
-/// Writes what is still buffered. False if results were lost, but for a reader who went away
-/// (`wend ... | head`): that is no error.
+/// Writes the buffered output. False if results were lost. A reader that closed the pipe
+/// (`wend ... | head`) is not an error.
 bool finish_output();
 
-/// Writes a file; what went wrong, empty if nothing did.
+/// Writes a file. Returns the error message, empty on success.
 using FileWriter = std::function<std::string(const std::string& file)>;
 
 /// Throws InputError if a file that is about to be written is one of `inputs`: the map would be
@@ -31,14 +31,14 @@ using FileWriter = std::function<std::string(const std::string& file)>;
 void check_not_among(const std::vector<std::filesystem::path>& inputs,
                      const std::filesystem::path& file, const std::string& name);
 
-/// Throws InputError if a file is to lie in a folder that is not there.
+/// Throws InputError if the folder of a file does not exist.
 void check_folder(const std::filesystem::path& file, const std::string& name);
 
 /// The name that stands for standard output.
 inline constexpr std::string_view kStandardOutput = "-";
 
-/// Writes text or bytes, to standard output where that is the name; what went wrong, empty if
-/// nothing did.
+/// Writes text or bytes to a file, or to standard output if that is the name. Returns the error message,
+/// empty on success.
 std::string write_bytes(const std::string& file, const std::string& bytes);
 
 class OutputFiles {

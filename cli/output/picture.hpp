@@ -66,13 +66,13 @@ std::string large_picture(const Scene& scene, const Screen& screen,
 std::string large_picture(const Scene& scene, const Screen& screen,
                           const PictureArguments& arguments, int rows);
 
-/// What pictures can be written as.
+/// The extensions of picture files.
 std::vector<std::string> picture_extensions();
 
 /// Writers that draw the panels side by side; they copy what they are given.
 std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);
 
-/// Writes a picture, if it could be drawn; what went wrong, empty if nothing did.
+/// Writes a picture if it could be drawn. Returns the error message, empty on success.
 std::string write_picture(const std::string& file,
                           const Expected<std::string, RenderError>& picture);
 

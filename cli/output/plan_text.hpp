@@ -1,6 +1,6 @@
 #pragma once
 
-// A plan for people.
+// A plan as text.
 
 #include <string>
 

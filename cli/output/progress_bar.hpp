@@ -1,7 +1,7 @@
 #pragma once
 
-// A progress bar on standard error, for what takes long. It shows after half a second, goes away
-// when the work is done, and is off where standard error is no terminal.
+// A progress bar on standard error for long work. It appears after half a second, disappears when the
+// work is done, and is off if standard error is not a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -11,8 +11,8 @@ namespace wend::cli {
 
 class ProgressBar {
  public:
-  /// `total` is how much there is to do, as far as one can tell: work may end earlier, and goes on
-  /// without a bar beyond it.
+  /// `total` is the estimated amount of work: the work may end earlier, and continues without a bar
+  /// beyond it.
   ProgressBar(std::string label, std::uint64_t total);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;

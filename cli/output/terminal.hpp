@@ -1,6 +1,6 @@
 #pragma once
 
-// What the program writes to: a terminal or not, and how large it is.
+// The output of the program: whether it is a terminal, and its size.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ namespace wend::cli {
 
 struct Screen {
   bool is_terminal = false;
-  int columns = 80;  // where it is no terminal, as wide as one mostly is
+  int columns = 80;  // the usual width if it is not a terminal
   int rows = 60;
   Terminal terminal;  // ASCII without colours if the output is not a terminal
 };
@@ -20,13 +20,13 @@ struct Screen {
 /// Standard output. NO_COLOR is respected.
 Screen detect_screen();
 
-/// Does it draw pictures with pixels of their own, over which no text can stand?
+/// Does it draw pictures in pixels, over which it cannot write text?
 bool has_pixels(const Terminal& terminal);
 
 /// Is somebody watching standard error?
 bool progress_is_seen();
 
-/// How many columns of a terminal a line takes: UTF-8, one column a character, colours none.
+/// The number of terminal columns of a line: UTF-8, one column per character, none for colours.
 int columns_of(std::string_view line);
 
 /// The text, broken into lines of at most `columns`; lines after the first are indented. A word longer
@@ -37,7 +37,7 @@ std::string folded(std::string_view text, int columns, int indent = 0);
 /// wider than `columns` is split into bands below each other; a line above each names its cells.
 std::string folded_grid(std::string_view grid, int columns_a_cell, int columns);
 
-/// Of the widest line.
+/// The number of columns of the widest line.
 int columns_of_all(std::string_view text);
 
 inline constexpr int kGapBetweenBlocks = 3;
