@@ -9,7 +9,7 @@
 namespace wend::cli {
 namespace {
 
-// Signal handlers reach nothing but globals.
+// Signal handlers can only reach globals.
 std::atomic<bool> came = false;
 std::atomic<int> interruptibles = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);

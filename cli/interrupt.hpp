@@ -1,7 +1,7 @@
 #pragma once
 
-// Ctrl-C ends the program at once, with exit code 130. What has something to put in order first (a
-// terminal, a database) or something to say of what it did until then makes an Interruptible.
+// Ctrl-C ends the program at once, with exit code 130. Code that must first restore something (a
+// terminal, a database) or report what it has done makes an Interruptible.
 //
 // No file is left half-written either way: see write_file().
 
@@ -10,11 +10,11 @@
 
 namespace wend::cli {
 
-/// From now on Ctrl-C ends the program; also where it was started with Ctrl-C ignored.
+/// From now on Ctrl-C ends the program, even if it was started with Ctrl-C ignored.
 void end_on_interrupt();
 
-/// While there is one, the first Ctrl-C sets a flag, at which whoever made it looks every few
-/// milliseconds. A second one ends the program.
+/// While one exists, the first Ctrl-C sets a flag, which its owner checks every few milliseconds. A
+/// second one ends the program.
 class Interruptible {
  public:
   Interruptible();
@@ -22,7 +22,7 @@ class Interruptible {
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Has Ctrl-C come? Then the program ends with ExitCode::interrupted, whatever it still found.
+  /// Was Ctrl-C pressed? Then the program ends with ExitCode::interrupted, whatever it still found.
   static const std::atomic<bool>& cancelled();
 };
 

@@ -89,7 +89,7 @@ int run_app(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader who has seen enough (`wend ... | head`) ends nothing: see finish_output().
+  // A reader that closes the pipe (`wend ... | head`) must not end the program: see finish_output().
   std::signal(SIGPIPE, SIG_IGN);
   end_on_interrupt();
   try {

@@ -1,6 +1,6 @@
 #pragma once
 
-// BoostAStar: Boost.Graph's astar_search as its users write it, the yardstick of our benchmark.
+// BoostAStar: Boost.Graph's astar_search as its users write it, the baseline of our benchmark.
 //
 // The grid is a compressed sparse row graph with one vertex a cell and no corner cutting, the
 // heuristic is octile, the search ends at the goal. Boost initialises every vertex at every query.

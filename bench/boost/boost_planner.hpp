@@ -6,8 +6,8 @@
 
 namespace wend::bench {
 
-/// It takes one goal, no terrain and no limits, and knows nothing of connected components: where there
-/// is no path it searches all it can reach.
+/// It supports one goal, no terrain and no limits. It does not use connected components: if there is
+/// no path, it searches everything reachable.
 PlannerInfo boost_astar_planner();
 
 }  // namespace wend::bench

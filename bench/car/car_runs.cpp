@@ -21,7 +21,7 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// What a new planner takes for its first search, by the states that this reaches.
+/// Memory that a new planner takes for its first search, per generated state.
 double bytes_a_state(const Yard& yard, const PlannerSpec& spec) {
   const auto planner = make_planner(spec.name, yard.space, spec.options);
   Plan plan;

@@ -16,7 +16,7 @@ struct CarTiming {
   double seconds = 0;  // the fastest of the rounds
   double expanded = 0;
   double expanded_a_second = 0;  // over all drives together
-  double bytes_a_state = 0;      // that the drive from corner to corner touched
+  double bytes_a_state = 0;      // of memory touched by the drive from corner to corner
   double fuel = 0;
   double length = 0;
   std::size_t failed = 0;

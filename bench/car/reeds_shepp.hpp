@@ -3,8 +3,8 @@
 // OMPL's planners for a car with a turning radius of one cell, on the same yards: what a user would
 // pick otherwise. They drive Reeds-Shepp curves, anywhere and with any heading.
 //
-// A state is valid where its point lies in no obstacle cell: our car, which stays off every corner
-// that an obstacle touches, has the harder task.
+// A state is valid if its point is not in an obstacle cell. Our car has the harder task: it avoids
+// every vertex that an obstacle touches.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace wend::bench {
 
-/// To the first solution. Means over the drives that were solved.
+/// Time to the first solution. Means over the solved drives.
 struct ReedsSheppTiming {
   std::string planner;
   double seconds = 0;
@@ -23,7 +23,7 @@ struct ReedsSheppTiming {
   std::size_t drives = 0;
 };
 
-/// Once, before all others: OMPL's random numbers, and no messages but of errors.
+/// Call once, first: seeds OMPL's random numbers and silences all messages except errors.
 void prepare_reeds_shepp(std::uint32_t seed);
 
 /// "RRTConnect", "RRT", "KPIECE1"

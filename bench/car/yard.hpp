@@ -1,6 +1,6 @@
 #pragma once
 
-// The yards that the car is timed on, each with the same drives for all who drive there.
+// The yards that the car is timed on. All planners get the same drives on a yard.
 
 #include <cstddef>
 #include <cstdint>

@@ -2,11 +2,10 @@
 
 // Comparison: how planners did on the same queries, one or many, for people and for programs.
 //
-// With many queries it is their statistics that are compared: the median, the mean and the 99th
-// percentile over the queries that every planner solved, so that all are measured by the same.
-// Percentiles are one of the values, the nearest rank (see statistics.hpp). The 99th is what 99 of
-// 100 queries do not exceed; of the clearance and the like, of which little is bad, it is the 1st,
-// below which 1 of 100 queries lies.
+// Many queries are compared by statistics: the median, the mean and the 99th percentile over the
+// queries that every planner solved, so that all are measured on the same queries. A percentile is
+// one of the values, by nearest rank (see statistics.hpp). 99 of 100 queries do not exceed the 99th.
+// Where more is better, as for the clearance, it is the 1st: 1 of 100 queries lies below it.
 
 #include <cstdint>
 #include <string>
@@ -33,10 +32,10 @@ struct ComparisonRow {
   double smallest_clearance = 0;  // cells; infinite without obstacles
   double mean_clearance = 0;      // the same, over the path's length
   std::uint64_t steps = 0;        // moves
-  std::uint64_t reversals = 0;    // how often a car changes from ahead to reverse or back
+  std::uint64_t reversals = 0;    // how often a car changes between forward and reverse
   std::uint64_t expanded = 0;
   std::uint64_t generated = 0;
-  std::uint64_t max_frontier = 0;  // the most states that were open
+  std::uint64_t max_frontier = 0;  // the largest number of open states
   QueryTimes times{};
 
   bool found() const { return status == Status::found; }
@@ -55,12 +54,12 @@ struct Comparison {
   Motion motion = Motion::cells;  // of all planners
 };
 
-/// For people. Of one query: a line for each planner with what its path is, then one with what its
-/// search took, then why some found nothing; tables that are too wide go on below. Of many: a block
-/// for each measure, with a line for each planner. At most 80 columns where no option that a
-/// planner's name has is longer than 24 characters. The best of what is compared is marked, unless all are equal; only
-/// those that found a path compete. Lengths are in metres where people mean metres, in cells where
-/// they do not. Cars are compared by steps and reversals too.
+/// For people. For one query: a line for each planner about its path, then one about its search, then
+/// why some found nothing; tables that are too wide continue below. For many: a block for each
+/// measure, with a line for each planner. At most 80 columns unless an option in a planner's name is
+/// longer than 24 characters. The best values are marked, unless all are equal; only planners that
+/// found a path compete. Lengths are in the user's unit, metres or cells. Cars are also compared by
+/// steps and reversals.
 std::string comparison_table(const Comparison& comparison);
 
 /// {"schema", "queries": [{"start", "goal", "planners": [{"planner", "status", "cost",
@@ -68,16 +67,16 @@ std::string comparison_table(const Comparison& comparison);
 /// "turning_radius_cells", "turning_radius_m", "clearance_cells", "clearance_m",
 /// "mean_clearance_cells", "mean_clearance_m", "metrics", "times": {"preparation_us", "first_query_us", "later_query_us"}}]}],
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
-/// ...}]}; of clearances and the turning radius "p1" instead of "p99". A failure has a "reason", and
-/// null for what is not known of it, as for what is infinite.
+/// ...}]}; clearances and the turning radius have "p1" instead of "p99". A failure has a "reason".
+/// Its unknown values are null, as are infinite values.
 /// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y];
 /// for cars they are [x,y,"E"] in grid coordinates (a heading that is not one of the four is in
 /// radians; "any": any heading), and rows also have "steps" and "reversals". One line with its line
 /// end.
 std::string comparison_json(const Comparison& comparison);
 
-/// A line for each query and planner with the same columns, the names of the columns first. Fields of failures that mean
-/// nothing are empty; "inf" is infinite. Quotes as in RFC 4180.
+/// A line for each query and planner with the same columns, after a line of their names. Fields that
+/// mean nothing for a failure are empty; "inf" is infinite. Quotes as in RFC 4180.
 std::string comparison_csv(const Comparison& comparison);
 
 }  // namespace wend

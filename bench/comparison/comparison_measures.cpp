@@ -23,7 +23,7 @@ double length(const ComparedQuery&, const ComparisonRow& row) { return row.lengt
 double radius(const ComparedQuery&, const ComparisonRow& row) { return 1 / row.largest_curvature; }
 double clearance(const ComparedQuery&, const ComparisonRow& row) { return row.smallest_clearance; }
 
-/// Of a row, as a number.
+/// A member of a row, as a number.
 template <auto kMember>
 double value(const ComparedQuery&, const ComparisonRow& row) {
   return static_cast<double>(row.*kMember);

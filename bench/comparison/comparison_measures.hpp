@@ -21,19 +21,19 @@ struct Measure {
   bool of_path = false;     // meaningless without a path
   bool of_cars = false;     // shown only for cars
   bool more_is_better = false;
-  bool in_metres = false;  // what `value` gives is in cells and to be multiplied by the resolution
-  bool per_metre = false;  // it is in 1 / cells and to be divided by it
+  bool in_metres = false;  // `value` is in cells and must be multiplied by the resolution
+  bool per_metre = false;  // `value` is in 1 / cells and must be divided by it
   double (*value)(const ComparedQuery&, const ComparisonRow&);
 
-  /// Does it count in metres, or in cells? Neither of those without a length in their unit.
+  /// Is its unit in metres, or in cells? Neither if the unit has no length.
   bool metric() const { return in_metres || per_metre; }
   bool of_cells() const { return unit == "cells" || unit == "1/cells"; }
 
-  /// Of one planner on one query. NaN if it has no meaning.
+  /// The value for one planner on one query. NaN if it has no meaning.
   double of(const Comparison& comparison, const ComparedQuery& query, std::size_t planner) const;
 };
 
-/// All that are of interest for what is compared, in the order in which people read them.
+/// The measures that matter for the comparison, in display order.
 std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison);
 
 /// The measure with that key, which must exist.
@@ -45,8 +45,8 @@ std::vector<std::string> planners_of(const Comparison& comparison);
 std::size_t solved_by(const Comparison& comparison, std::size_t planner);
 std::size_t solved_by_all(const Comparison& comparison);
 
-/// Over the queries that every planner solved; `p99` is what 99 of 100 of them do no worse than: of a
-/// measure of which more is better the 1st percentile.
+/// Over the queries that every planner solved. 99 of 100 of them are no worse than `p99`: it is the
+/// 1st percentile of a measure for which more is better.
 Summary summary_of(const Comparison& comparison, const Measure& measure, std::size_t planner);
 
 }  // namespace wend

@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-/// Of each planner, over the queries that it solved.
+/// The values of each planner over the queries that it solved.
 std::vector<PlotValues> values_of(const Comparison& comparison, std::string_view key) {
   std::vector<PlotValues> values(planners_of(comparison).size());
   for (const ComparedQuery& query : comparison.queries) {

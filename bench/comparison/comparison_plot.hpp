@@ -18,7 +18,7 @@
 
 namespace wend {
 
-/// The text of the script. Queries that a planner did not solve are in no plot of it, and its share
+/// The text of the script. Queries that a planner did not solve are not in its plots, and its share
 /// of solved ones stays below 100 %. O(n log n) in the rows.
 std::string comparison_plot(const Comparison& comparison, PlotKind kind,
                             const PlotColours& colours = kLightPlot);

@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-/// Planners that are slower one after the other; the last one fails often.
+/// Each planner is slower than the one before; the last one fails often.
 Comparison made_up(const std::vector<std::string>& planners, int queries, double spread) {
   Random random(3);
   Comparison comparison{{.resolution = 0.05, .metric = true}, {}};

@@ -19,7 +19,7 @@ double without_rounding(double degrees) {
   return std::round(degrees * kDigits) / kDigits;
 }
 
-/// What the planners move; nothing if that differs.
+/// The motion of the planners; nothing if they differ.
 std::optional<Motion> motion_of(std::span<const PlannerSpec> specs) {
   std::optional<Motion> motion;
   for (const PlannerSpec& spec : specs) {
@@ -101,7 +101,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   return row;
 }
 
-/// Runs a search again as far as it went: one that was stopped by the clock may go no further.
+/// Repeats a search as far as it went: a search that the clock stopped may go no further.
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparedQuery& asked = comparison_.queries[query];
   Query same{asked.start, {asked.goal}};

@@ -29,27 +29,27 @@ namespace wend {
 
 class ComparisonRun {
  public:
-  /// Fails for a planner that does not take its options, and for planners of different motions; one
-  /// that cannot be made for another reason answers every query with that.
+  /// Fails if a planner rejects its options, or if the planners have different motions. A planner that
+  /// cannot be made for another reason answers every query with that reason.
   static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
                                                     std::vector<PlannerSpec> specs,
                                                     const Clock& clock,
                                                     const RepetitionRule& rule = {});
 
-  /// Every planner's answer to one query, added to the comparison. Limits are for each planner, each
-  /// time that it is asked.
+  /// Adds every planner's answer to one query to the comparison. Limits apply to each run of each
+  /// planner.
   void answer(const CellPair& cells, const Limits& limits = {});
 
-  /// The same of a query with one goal, in the grid coordinates of any motion, and its limits.
+  /// The same for a query with one goal, in the grid coordinates of any motion, with its limits.
   void answer(Query query);
 
-  /// `reason` is set for cars, of other planners only for those that could not be made.
+  /// `reason` is set for cars; for other planners only if they could not be made.
   Comparison& comparison() { return comparison_; }
   const Comparison& comparison() const { return comparison_; }
 
   const std::vector<PlannerSpec>& planners() const { return specs_; }
 
-  /// What a planner's search of an answered query looks like, as far as it went.
+  /// Records a planner's search of an answered query, as far as it went.
   SearchRecorder record(std::size_t planner, std::size_t query) const;
 
   /// The path that the planner finds for it; empty if it finds none.

@@ -16,7 +16,7 @@
 namespace wend {
 namespace {
 
-/// Every look at it is a second later.
+/// A clock that advances by a second at each reading.
 Clock ticking_clock() {
   return [now = 0.0]() mutable { return now += 1; };
 }
@@ -188,7 +188,7 @@ TEST(ComparisonRun, ComparesCars) {
 }
 
 TEST(ComparisonRun, CountsHowOftenACarReverses) {
-  const FreeSpace space = test::drawn_space("....\n");  // no room to turn but at its end
+  const FreeSpace space = test::drawn_space("....\n");  // no room to turn except at its end
   ComparisonRun run = run_of(space, "car");
   run.answer(Query{{0, 0, 0}, {Pose{4, 0, 0}}});
   run.answer(Query{{4, 0, 0}, {Pose{0, 0, 0}}});

@@ -20,7 +20,7 @@ struct Column {
   std::vector<double> values;
   std::vector<bool> best;  // empty: nothing is compared
 
-  /// A word a line.
+  /// One word per line.
   std::string title() const {
     std::string text(measure.title);
     if (!measure.unit.empty()) text.append(" ").append(measure.unit);
@@ -30,7 +30,7 @@ struct Column {
     return has_marks() ? title + ' ' : title;
   }
 
-  /// Digits stand below digits, marks below marks.
+  /// Digits line up with digits, marks with marks.
   std::string field(std::size_t row) const {
     const double value = values[row];
     if (std::isnan(value)) return has_marks() ? "- " : "-";
@@ -46,7 +46,7 @@ bool has_marks(const std::vector<Column>& columns) {
                      [](const Column& column) { return column.has_marks(); });
 }
 
-/// Who found no path takes no part in what is compared.
+/// Planners that found no path are not compared.
 Column column_of(const Comparison& comparison, const ComparedQuery& query, const Measure& measure) {
   Column column{measure, {}, {}};
   std::vector<double> competing;
@@ -58,7 +58,7 @@ Column column_of(const Comparison& comparison, const ComparedQuery& query, const
   return column;
 }
 
-/// A line for each status and reason, after the planners that it stopped.
+/// A line for each status and reason, with the planners that failed with it first.
 std::string failures_of(const ComparedQuery& query) {
   std::vector<std::pair<std::string, std::string>> lines;  // why, the planners
   for (const ComparisonRow& row : query.rows) {
@@ -78,12 +78,12 @@ std::string failures_of(const ComparedQuery& query) {
   return text;
 }
 
-/// In the unit that people mean.
+/// Is the measure in the user's unit?
 bool has_wanted_unit(const Measure& measure, bool metric) {
   return metric ? !measure.of_cells() : !measure.metric();
 }
 
-/// Of one query: what paths are, or what searches took, as far as there is room.
+/// For one query: the measures of paths, or of searches, as far as there is room.
 bool is_shown_of_one(const Measure& measure, bool of_path, Motion motion) {
   if (measure.key == "cost_ratio" || measure.title == "turning radius") return false;
   if (measure.title == "mean clearance" && motion == Motion::car) return false;
@@ -112,7 +112,7 @@ TextTable table_of(const ComparedQuery& query, const std::vector<Column>& column
   return table;
 }
 
-/// Columns for which there is no room go into tables below.
+/// Columns that do not fit go into further tables below.
 std::string tables_of(const ComparedQuery& query, const std::vector<Column>& columns) {
   std::string text;
   std::vector<Column> beside;
@@ -128,13 +128,13 @@ std::string tables_of(const ComparedQuery& query, const std::vector<Column>& col
   return text + table_of(query, beside).text();
 }
 
-/// What the curvatures are.
+/// Explains the curvatures.
 std::string curvature_note() {
   return fmt::format("Curvatures and turning radii: corners are rounded within {} cells.\n",
                      kCornerRounding);
 }
 
-/// What the times are.
+/// Explains the times.
 std::string_view times_note() {
   static const std::string note = fmt::format(
       "Times are {}. prepare: to make the planner for the map. first query: one\n"
@@ -155,8 +155,8 @@ std::string table_of_one(const Comparison& comparison) {
   return text.append(times_note());
 }
 
-/// Median, mean and percentile of every planner. There is no mean of what is infinite, as the turning
-/// radius of a straight path is.
+/// Median, mean and percentile of every planner. An infinite mean is left out: the turning
+/// radius of a straight path is infinite.
 std::vector<Column> columns_of(const Comparison& comparison, const Measure& measure) {
   std::vector<Column> columns(3, Column{measure, {}, {}});
   for (std::size_t i = 0; i < planners_of(comparison).size(); ++i) {
@@ -178,7 +178,7 @@ std::string solved_table(const Comparison& comparison, const std::vector<bool>& 
   return table.text();
 }
 
-/// Who solved most queries.
+/// The planners that solved most queries.
 std::vector<bool> best_solvers(const Comparison& comparison) {
   std::vector<double> solved;
   for (std::size_t i = 0; i < planners_of(comparison).size(); ++i) {
@@ -198,7 +198,7 @@ std::string title_with_unit(const Measure& measure) {
   return title;
 }
 
-/// The three columns of a measure, for every measure of which more is better, or less.
+/// The three columns of each measure for which more is better, or for which less is.
 std::string statistics_table(const std::vector<std::string>& planners,
                              const std::vector<std::vector<Column>>& blocks, bool more_is_better) {
   TextTable table({{"measure"},

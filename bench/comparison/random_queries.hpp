@@ -1,6 +1,6 @@
 #pragma once
 
-// Random queries that have a path, or most likely have one: what comparisons and benchmarks ask.
+// Random queries that have a path, or most likely have one, for comparisons and benchmarks.
 
 #include <cstdint>
 #include <vector>

@@ -57,8 +57,8 @@ void TimedPlanner::answer_first(const Query& query, Plan& plan, QueryTimes& time
   if (is_new_) {
     is_new_ = false;
     ask(*planner_);
-    // The program's own code is read when it is first needed: that is not the planner's time, and
-    // only beside a short one it can be seen.
+    // The program's own code is loaded on first use. That is not the planner's time, and it only
+    // shows if the planner's time is short.
     const bool is_short = preparation_ + times.first < rule_.fill_seconds;
     if (!is_short) return;
     if (auto again = make()) {

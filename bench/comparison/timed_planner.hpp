@@ -28,7 +28,7 @@ namespace wend {
 /// In seconds; NaN if it was not measured.
 struct QueryTimes {
   double preparation =
-      std::numeric_limits<double>::quiet_NaN();  // making the planner, its index too
+      std::numeric_limits<double>::quiet_NaN();  // making the planner, with its index
   double first = std::numeric_limits<double>::quiet_NaN();
   double later = std::numeric_limits<double>::quiet_NaN();
 };

@@ -16,7 +16,7 @@ FreeSpace ring() {
       "........\n");
 }
 
-/// Every look at the clock is so much later.
+/// A clock that advances by `tick` at each reading.
 Clock ticking_clock(double tick) {
   return [now = 0.0, tick]() mutable { return now += tick; };
 }

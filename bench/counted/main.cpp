@@ -30,7 +30,7 @@ std::vector<CountedMap> counted_maps() {
   return {{"office", {}}, {"maze", {}}, {"random", {{"density", "0.35"}}}, {"rooms", {}}};
 }
 
-/// Those that are to be counted: all that find a cheapest path of cells, as they are by default.
+/// The planners to count: all that find a cheapest path of cells with default options.
 std::vector<std::string> counted_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
@@ -52,7 +52,7 @@ std::string toolchain() {
 
 }  // namespace
 
-/// What is counted: valgrind finds it by its name. The costs of all paths together.
+/// What valgrind counts, found by its name. Returns the sum of the costs of all paths.
 [[gnu::noinline]] double counted_answers(Planner& planner, const std::vector<Query>& queries,
                                          Plan& plan) {
   double cost = 0;

@@ -12,7 +12,7 @@
 namespace wend {
 namespace {
 
-/// What Planner Arena shows as an experiment's setup; with the other columns it tells it apart.
+/// An experiment's setup in Planner Arena; with the other columns it identifies the experiment.
 std::string setup_of(const BenchExperiment& experiment) {
   return fmt::format("scenario {}\nfingerprint {:016x}\n{}\ncommit {}\n", experiment.scenario,
                      experiment.fingerprint, experiment.conditions, experiment.commit);
@@ -38,7 +38,7 @@ IoError error_of(const std::filesystem::path& file, std::string what) {
   return {file.string(), 0, std::move(what)};
 }
 
-/// Leaves out what is known with as many repetitions. Both are in the order of their lines.
+/// Removes answers that are known with at least as many repetitions. Both are sorted by line.
 void forget_known(std::vector<BenchAnswer>& answers, std::span<const BenchAnswer> known) {
   auto at = known.begin();
   std::erase_if(answers, [&](const BenchAnswer& answer) {

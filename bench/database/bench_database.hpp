@@ -12,8 +12,8 @@
 //   bestPlannerConfigsPerExperiment, bestPlannerConfigs
 //                   views: how much planners solve and how fast, by name, as OMPL defines it
 //
-// Besides, `passes` has the seconds of every repetition of a run, and columns of ours come after
-// theirs. (M. Moll, I. Sucan and L. Kavraki, "Benchmarking Motion Planning Algorithms", 2015.)
+// Besides, `passes` has the seconds of every repetition of a run; our columns come after theirs.
+// (M. Moll, I. Sucan and L. Kavraki, "Benchmarking Motion Planning Algorithms", 2015.)
 //
 // Stored answers are on the disk, even if the program crashes later. Storing an answer again replaces the
 // older one. One thread; several programs may have the file open.
@@ -52,16 +52,16 @@ struct BenchExperiment {
   std::uint64_t fingerprint = 0;  // of the map's cells and the scenario's queries
   unsigned threads = 1;
   std::string version = {};     // of the program: "wend 0.1.0"
-  std::string commit = {};      // that it was built from
+  std::string commit = {};      // from which the program was built
   std::string conditions = {};  // the robot, its moves and what else changes times, in words
-  double limit_s = 0;           // that a query may take; 0: no limit
+  double limit_s = 0;           // time limit of a query; 0: none
   std::string host = {};        // the machine's name
   std::string machine = {};     // its processor and the compiler
 
   friend bool operator==(const BenchExperiment&, const BenchExperiment&) = default;
 };
 
-/// What a planner needs of a map beside it.
+/// What a planner needs in addition to the map.
 struct BenchIndex {
   double build_s = 0;
   std::uint64_t bytes = 0;
@@ -75,8 +75,8 @@ struct BenchRecord {
 
 class BenchDatabase {
  public:
-  /// Makes the file if it is not there or empty. An error, and nothing is written, if it is no
-  /// database, if it is damaged, or the database of something else. O(bytes).
+  /// Creates the file if it is missing or empty. Fails, and writes nothing, if the file is not a
+  /// database, is damaged, or is the database of something else. O(bytes).
   static Expected<BenchDatabase, IoError> open(const std::filesystem::path& file);
 
   ~BenchDatabase();
@@ -88,7 +88,7 @@ class BenchDatabase {
   /// The number of an experiment, which is added if it does not exist; the host is not compared.
   Expected<std::int64_t, IoError> experiment(const BenchExperiment& experiment);
 
-  /// The number of a planner, as people type it with its options. It is added if it is not there.
+  /// The number of a planner, typed with its options. A new planner is added.
   Expected<std::int64_t, IoError> planner(std::string_view spec);
 
   /// The stored answers. O(answers).

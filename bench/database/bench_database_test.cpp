@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// SQLite without any code of ours: all rows of a query, fields with bars between.
+/// All rows of a query, read with plain SQLite without our code; bars separate the fields.
 std::vector<std::string> rows_of(const fs::path& file, const std::string& query) {
   sqlite3* database = nullptr;
   EXPECT_EQ(sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
@@ -78,7 +78,7 @@ class BenchDatabaseTest : public testing::Test {
     return database ? "" : database.error().message();
   }
 
-  /// A database with an experiment and a planner, whose answers these are.
+  /// Fills a database with one experiment, one planner and these answers.
   static void fill(const fs::path& file, const std::string& planner,
                    const std::vector<BenchAnswer>& answers) {
     BenchDatabase database = open(file);

@@ -11,7 +11,7 @@ constexpr std::int64_t kApplication = 0x77656E64;  // "wend"
 constexpr std::int64_t kDatabaseSchema = 2;        // of this file
 constexpr int kStatuses = static_cast<int>(Status::index_mismatch) + 1;
 
-// The columns up to `setup` are the twelve that Planner Arena knows. It takes those behind them for
+// The columns up to `setup` are the twelve that Planner Arena knows. It treats later columns as
 // parameters of a problem, and asks `progress` for a best cost.
 constexpr const char* kTables = R"(
 CREATE TABLE experiments (
@@ -82,7 +82,7 @@ CREATE TABLE progress (
 );
 )";
 
-// What OMPL's script says with nested selections; our runs have no time of simplification to add.
+// The same as OMPL's script with nested selections; our runs have no simplification time to add.
 constexpr const char* kViews = R"(
 CREATE VIEW bestPlannerConfigsPerExperiment AS
   WITH averages AS (
@@ -128,7 +128,7 @@ void make_tables(SqliteConnection& connection) {
   transaction.commit();
 }
 
-/// What is wrong with the tables that are there.
+/// What is wrong with the existing tables.
 std::string fault_of(SqliteConnection& connection) {
   if (number_of(connection, "PRAGMA application_id") != kApplication) {
     return "it is the database of something else, not of `wend bench`";

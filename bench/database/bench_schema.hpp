@@ -8,8 +8,8 @@
 
 namespace wend {
 
-/// Makes the tables in a new database, and checks one that is not new. What is wrong with it, empty
-/// if nothing is; then nothing was written.
+/// Creates the tables of a new database, and checks an existing one. Returns what is wrong with it,
+/// or empty; if something is wrong, nothing was written.
 std::string prepare_bench_schema(SqliteConnection& connection);
 
 /// Sets what an experiment (?1) says of all its runs.

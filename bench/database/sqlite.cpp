@@ -3,7 +3,7 @@
 namespace wend {
 namespace {
 
-constexpr int kPatience = 10'000;  // milliseconds that somebody else may be writing
+constexpr int kPatience = 10'000;  // milliseconds to wait while somebody else writes
 
 }  // namespace
 
@@ -64,7 +64,7 @@ std::string SqliteStatement::text(int column) const {
   return text == nullptr ? std::string() : text;
 }
 
-// An error of the last run was told by next().
+// next() has already reported an error of the last run.
 void SqliteStatement::reset() { sqlite3_reset(statement_.get()); }
 
 void SqliteStatement::bind(int parameter, std::int64_t value) {

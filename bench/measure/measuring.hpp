@@ -4,8 +4,8 @@
 
 namespace wend::bench {
 
-/// Seconds since some fixed moment, never going back: for work that several threads share. All else is
-/// measured in CPU time (wend/base/thread_time.hpp).
+/// Seconds of a monotonic clock, for work that several threads share. All else is measured in CPU
+/// time (wend/base/thread_time.hpp).
 double wall_seconds();
 
 /// Keeps this process on the processor that it runs on, as far as the system lets it.

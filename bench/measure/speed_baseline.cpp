@@ -38,12 +38,12 @@ constexpr std::array kMeasures{Measure{"later queries", &SpeedRatios::later},
                                Measure{"first query", &SpeedRatios::first},
                                Measure{"preparation", &SpeedRatios::prepare}};
 
-/// Three digits of what is small.
+/// Three digits for small ratios.
 std::string digits(double ratio) {
   return ratio < 10 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.1f}", ratio);
 }
 
-/// "+12 %" of what is faster, "-12 %" of what is slower.
+/// "+12 %" if faster, "-12 %" if slower.
 std::string change(double now, double before) {
   return fmt::format("{:+.0f} %", 100 * (now / before - 1));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// SpeedBaseline: how many times as fast as Boost's A* our planners were, kept in a file, and what became of
-// it. Ratios of one run are compared with ratios of another, never times.
+// SpeedBaseline: our planners' speed relative to Boost's A*, kept in a file, and how it has changed
+// since. Ratios of one run are compared with ratios of another, never times.
 
 #include <cstddef>
 #include <filesystem>

@@ -1,14 +1,14 @@
 #pragma once
 
-// What many values come to.
+// Statistics of many values.
 
 #include <span>
 #include <vector>
 
 namespace wend {
 
-/// The least of the values that is not exceeded by so large a share of them, 0 to 1 (the nearest
-/// rank; nothing is interpolated). `sorted` is ascending and not empty. O(1).
+/// The least value that at least a share (0 to 1) of the values does not exceed (nearest rank; nothing
+/// is interpolated). `sorted` is ascending and not empty. O(1).
 double quantile(std::span<const double> sorted, double share);
 
 struct Summary {

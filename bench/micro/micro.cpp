@@ -29,7 +29,7 @@ GridMap noisy_map(int side) {
   return GridMap(cells);
 }
 
-/// A path of 20 cells: it must not pay for the map's size.
+/// A path of 20 cells: its cost must not depend on the map's size.
 void short_query(benchmark::State& state) {
   const int side = static_cast<int>(state.range(0));
   const auto planner = make_planner("astar", FreeSpace(free_map(side)));
@@ -54,7 +54,7 @@ void unreachable_query(benchmark::State& state) {
 }
 BENCHMARK(unreachable_query)->Unit(benchmark::kMicrosecond);
 
-/// From a PNG file to where a robot of 3 cells radius may be.
+/// From a PNG file to the free space of a robot with a radius of 3 cells.
 void load_png_and_free_space(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "wend-micro-4096.png";
   if (const auto saved = save_map(noisy_map(kSide), file); !saved) {

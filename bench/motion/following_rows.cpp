@@ -21,7 +21,7 @@ struct Office {
   Path path;        // for one of 0.3 m, longer than a minute
 };
 
-/// Every cell of 10 cm made four of 5 cm, as map servers have them.
+/// Splits every cell of 10 cm into four of 5 cm, as map servers have them.
 Office office() {
   constexpr int kSide = 1000;
   const auto coarse = generators().find("office")->make(kSide / 2, kSide / 2, 1, {});
@@ -58,8 +58,8 @@ MotionRow simulating(const Office& office, const ControllerInfo& info, int round
   return row;
 }
 
-/// The steps of that minute again, without a simulation around them; each with a share of the copy of
-/// the route that the follower takes.
+/// Repeats the steps of that minute without the simulation. Each step includes a share of the
+/// follower's copy of the route.
 MotionRow stepping(const Office& office, const ControllerInfo& info, int rounds) {
   const auto controller = info.make({}).value();
   const Frame& frame = office.space.map().frame();

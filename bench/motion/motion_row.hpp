@@ -14,7 +14,7 @@ namespace wend::bench {
 struct MotionRow {
   std::string name;
   double seconds = 0;      // of CPU time; the fastest of several rounds
-  double bar_seconds = 0;  // what it must stay below; 0: nothing
+  double bar_seconds = 0;  // must stay below it; 0: no bar
   std::string note;        // what was done in that time
 };
 

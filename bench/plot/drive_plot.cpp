@@ -34,7 +34,7 @@ constexpr std::array<Curve, 3> kCurves{{
     {"cross-track error, m", [](const DriveSample& sample) { return sample.cross_track; }},
 }};
 
-/// From 0, or from below it where values are.
+/// From 0, or lower if values are negative.
 PlotAxis axis_of(std::span<const ControlledDrive> drives, const Curve& curve) {
   double least = 0;
   double greatest = 0;

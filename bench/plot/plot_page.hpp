@@ -1,7 +1,7 @@
 #pragma once
 
-// PlotPage: the gnuplot script of a page of panels, with a headline and a legend above them. Whoever
-// plots puts its data and plots in between.
+// PlotPage: the gnuplot script of a page of panels, with a headline and a legend above them. The
+// caller puts its data and plots in between.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace wend {
 
 struct PlotAxis {
   std::string label;
-  double unit = 1;  // times this a value of the measure is in the label's unit
+  double unit = 1;  // factor from a value of the measure to the label's unit
   std::string format = "%g";
   bool logarithmic = false;
   double least = 0;
@@ -38,7 +38,7 @@ class PlotPage {
  public:
   static constexpr double kWidth = 1400;  // pixels
 
-  /// `panels` is what the panels need of the page's height; `names` are what is compared.
+  /// `panels` is the height that the panels need; `names` are what is compared.
   PlotPage(PlotKind kind, const PlotColours& colours, std::vector<std::string> names,
            double panels);
 
@@ -47,16 +47,16 @@ class PlotPage {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
   }
 
-  /// Comes first: terminal, size, colours.
+  /// Call first: sets terminal, size, colours.
   void put_page();
 
   void put_panel(const PlotRectangle& place, const PlotAxis& x, const PlotAxis& y);
   void put_axis(char name, const PlotAxis& axis);
 
-  /// Above all panels, with a headline. It comes with every panel until the labels are unset.
+  /// Puts the legend and a headline above all panels; every panel shows them until they are unset.
   void put_legend(std::string_view headline);
 
-  /// How a name's points look, and its lines: for gnuplot's plot.
+  /// The style of a name's points and of its lines, for gnuplot's plot.
   std::string point_look(std::size_t name) const;
   std::string line_look(std::size_t name) const;
 
@@ -69,7 +69,7 @@ class PlotPage {
   double legend_rows() const;
   std::string colour_of(std::size_t name) const;
 
-  /// What gnuplot's terminals call by the same name has not the same size in all of them.
+  /// The same size setting gives different sizes in different gnuplot terminals.
   struct Terminal {
     std::string_view name;
     double pixels_per_unit;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What panels of plots have in common: where they lie, axes that fit their values, points and
-// cumulative distributions.
+// What plot panels have in common: their places, axes that fit their values, points and cumulative
+// distributions.
 
 #include <string_view>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// The values of a measure: of one planner, one a query; NaN where it has none.
+/// One planner's values of a measure, one per query; NaN if there is none.
 using PlotValues = std::vector<double>;
 
 enum class PlotScale {
@@ -20,8 +20,8 @@ enum class PlotScale {
 
 void fit(PlotAxis& axis, PlotScale scale, const std::vector<PlotValues>& values);
 
-/// Of microseconds: in these, milliseconds or seconds, so that the numbers are neither small nor
-/// large.
+/// The axis of microseconds, in microseconds, milliseconds or seconds, so that the numbers are
+/// neither small nor large.
 PlotAxis time_axis(const std::vector<PlotValues>& microseconds);
 
 /// Panels lie in two columns; row 0 is the lowest.

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 15> kOwn{{
     {"pure_pursuit", 3},
 }};
 
-/// Of "car:weight=2" that of "car".
+/// "car:weight=2" has the colour of "car".
 std::optional<std::size_t> own_colour(std::string_view name) {
   const std::string_view base = name.substr(0, name.find(':'));
   const auto* const own = std::ranges::find(kOwn, base, &decltype(kOwn)::value_type::first);

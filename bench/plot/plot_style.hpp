@@ -38,9 +38,9 @@ inline constexpr PlotColours kDarkPlot{
 /// Dark grid lines and ink, for paper.
 inline constexpr PlotColours kPrintPlot{0xFFFFFF, 0x000000, 0xC8C8C8, kLightPlot.names};
 
-/// For each of the names that a plot compares, the number of its colour: a planner's or controller's
-/// own, whatever else is in the plot. A name that is unknown or comes again with other options takes
-/// the first that is free; where there are none left, colours come again.
+/// The colour number of each name that a plot compares. A planner or controller has its own colour in
+/// every plot. A name that is unknown or repeated with other options takes the first free colour; if
+/// none is left, colours repeat.
 std::vector<std::size_t> plot_colours_of(std::span<const std::string> names);
 
 }  // namespace wend

@@ -29,7 +29,7 @@ inline std::uint64_t private_bytes() {
   return kKilobyte * kilobytes;
 }
 
-/// What `work()` gives, computed in a child; nothing if the child died.
+/// The result of `work()`, computed in a child process; nothing if the child died.
 template <class Work>
 auto in_child(Work&& work) -> std::optional<std::invoke_result_t<Work>> {
   using Result = std::invoke_result_t<Work>;

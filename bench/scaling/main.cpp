@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPicture = "images/scaling.svg";
 
-/// What a gnuplot script draws, straight into a file. False if gnuplot fails, or is not there.
+/// Draws a gnuplot script into a file. False if gnuplot fails or is not installed.
 bool draw(const std::string& script, const fs::path& file) {
   const std::string command = fmt::format("gnuplot > '{}'", file.string());
   // NOLINTNEXTLINE(bugprone-command-processor): the folder comes from who runs this

@@ -59,7 +59,7 @@ std::string map_name(const MapScale& map) {
   return fmt::format("{0}, {1} x {1}", map.kind.name, map.size);
 }
 
-/// A row a map, a column a planner.
+/// One row per map, one column per planner.
 std::string section(const ScalingPlan& plan, const std::vector<MapScale>& maps,
                     std::string_view title, const Field& field, bool indexed = false) {
   const std::vector<std::size_t> places = planner_places(maps, indexed);

@@ -1,6 +1,6 @@
 #pragma once
 
-// docs/performance.md: what was measured of growing maps, as tables and as a picture.
+// docs/performance.md: the measurements on growing maps, as tables and as a picture.
 
 #include <string>
 #include <vector>

@@ -29,12 +29,12 @@ using Error = Unexpected<std::string>;
 constexpr std::uint64_t kSeed = 7;
 constexpr std::size_t kMostQueries = 200;
 constexpr std::size_t kNewPlanners = 10;  // that are asked one query
-constexpr double kGrowth = 6;  // of a build from a size to the next, to be on the safe side
+constexpr double kGrowth = 6;             // of a build time from one size to the next, conservative
 constexpr double kMilliseconds = 1e3;
 constexpr double kMicroseconds = 1e6;
 constexpr const char* kBoost = "boost-astar";
 
-/// What a child finds out.
+/// What a child process measures.
 struct Measured {
   PlannerScale scale{};
   std::array<double, kMostQueries> costs{};
@@ -44,7 +44,7 @@ PlannerInfo info_of(const std::string& planner) {
   return planner == kBoost ? boost_astar_planner() : *planners().find(planner);
 }
 
-/// A planner's planners on one map.
+/// Makes instances of one planner on one map.
 class Team {
  public:
   /// Builds the index, if the planner needs one. Ends the process if the build fails.
@@ -74,8 +74,8 @@ class Team {
   double build_s_ = 0;
 };
 
-/// Asks as many of the queries as there is time for, and then those again. Sets their number, the time of
-/// later queries, and costs.
+/// Asks as many queries as there is time for, then repeats them. Sets their number, the time of later
+/// queries, and the costs.
 void ask(Planner& planner, const std::vector<Query>& queries, double seconds, Measured& measured) {
   Plan plan;
   std::size_t count = 0;
@@ -114,8 +114,8 @@ void ask_first(const Team& team, std::span<const Query> queries, double seconds,
   scale.first_us = kMicroseconds * total / static_cast<double>(asked);
 }
 
-/// Microseconds a query of the wall's clock when threads share them, each with a new planner. Quick
-/// queries go to them many at a time, so that it is not the sharing that is measured.
+/// Wall-clock microseconds per query when threads share the queries, each with a new planner. Quick
+/// queries are handed out in batches, so that the overhead of sharing is not measured.
 double ask_on(unsigned threads, const Team& team, std::span<const Query> queries, double query_us) {
   constexpr double kTask = 20'000;  // microseconds
   constexpr std::size_t kTasks = 10;
@@ -206,7 +206,7 @@ class KindRun {
     const PlannerInfo info = info_of(name);
     auto measured = in_child([&] { return measure(info, space, queries, plan_.query_seconds); });
     if (!measured) {
-      last_build = plan_.most_build_seconds;  // nor will a larger map do
+      last_build = plan_.most_build_seconds;  // a larger map would fail, too
       return std::nullopt;
     }
     last_build = measured->scale.build_s;

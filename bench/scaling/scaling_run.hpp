@@ -1,6 +1,6 @@
 #pragma once
 
-// How planners grow with the map: measured on generated maps of growing size.
+// How planners scale with the map size, measured on generated maps.
 
 #include <cstdint>
 #include <functional>
@@ -26,7 +26,7 @@ struct ScalingPlan {
   std::vector<std::string> planners{};  // "boost-astar" among them
   int largest_for_boost = 4096;
   double most_build_seconds = 60;  // an index that would take longer is left out
-  double query_seconds = 2;        // of a planner on a map, after which no new query is asked
+  double query_seconds = 2;        // per planner and map; after it no new query is asked
   double most_query_seconds = 1;   // a planner that needs more is left out on larger maps
   std::uint64_t queries = 100;     // at most
 };
@@ -35,12 +35,12 @@ struct ScalingPlan {
 struct PlannerScale {
   double build_s = 0;  // of its index, on one core
   std::uint64_t index_bytes = 0;
-  std::uint64_t memory_bytes = 0;  // all that it needs beside the map
+  std::uint64_t memory_bytes = 0;  // all that it needs in addition to the map
   std::size_t queries = 0;
-  double prepare_ms = 0;        // to make a planner, its index apart
+  double prepare_ms = 0;        // to make a planner, without its index
   double first_us = 0;          // the first query of a planner
   double later_us = 0;          // a query after those that were asked before
-  double two_threads_gain = 0;  // how many times as fast two threads answer all, by the wall
+  double two_threads_gain = 0;  // speedup of two threads, in wall-clock time
   bool wrong = false;           // some path was longer or shorter than another planner's
 };
 
@@ -59,7 +59,7 @@ struct MapScale {
 Expected<std::vector<MapScale>, std::string> run_scaling(
     const ScalingPlan& plan, const std::function<void(const std::string&)>& progress);
 
-/// All of ours that find a cheapest path, as they are by default, and Boost's A*.
+/// All our planners that find a cheapest path by default, and Boost's A*.
 std::vector<std::string> optimal_planners();
 
 }  // namespace wend::bench

@@ -14,20 +14,20 @@
 
 namespace wend {
 
-/// A query that a new planner is asked, one run.
+/// One run of a query with a new planner.
 struct FirstQuery {
-  double prepare_s = 0;  // seconds to make the planner, without an index that it was given
+  double prepare_s = 0;  // seconds to make the planner, without its index
   double seconds = 0;    // of the query
 };
 
 struct BenchAnswer {
-  std::size_t line = 0;  // of the query in the scenario's file: tells the queries apart
+  std::size_t line = 0;  // of the query in the scenario's file: identifies the query
   Status status = Status::found;
   double length = 0;  // of the path, in cells, or its cost on terrain; 0 without one
   std::uint64_t expanded = 0;
   bool wrong = false;
   std::vector<double> seconds{};      // of every repetition; planners repeat their answers
-  std::optional<FirstQuery> first{};  // where it was measured
+  std::optional<FirstQuery> first{};  // if it was measured
 
   bool found() const { return status == Status::found; }
 

@@ -17,7 +17,7 @@ constexpr double kMicroseconds = 1e6;      // in a second
 constexpr std::size_t kMostPoints = 2000;  // of a planner
 using TimesBySize = std::map<std::uint64_t, PlotValues>;
 
-/// What planners answered on all maps together: entries of a planner lie at its place.
+/// The planners' answers on all maps; entry i of each vector belongs to planner i.
 struct Series {
   std::vector<std::string> planners{};
   std::vector<PlotValues> lengths{};  // over the queries that it solved

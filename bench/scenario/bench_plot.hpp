@@ -14,9 +14,9 @@
 
 namespace wend {
 
-/// The text of the script. Queries that a planner did not solve are in no plot of it, and its share
-/// of solved ones stays below 100 %. Of more than 2000 points of a planner some are left out, evenly;
-/// the distribution has all. O(n log n) in the answers.
+/// The text of the script. Queries that a planner did not solve are not in its plots, and its share
+/// of solved ones stays below 100 %. Beyond 2000 points per planner, some are left out evenly; the
+/// distribution has all. O(n log n) in the answers.
 std::string bench_plot(std::span<const BenchedMap> maps, PlotKind kind,
                        const PlotColours& colours = kLightPlot);
 

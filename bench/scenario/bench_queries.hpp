@@ -1,6 +1,6 @@
 #pragma once
 
-// A benchmark query by query, for programs.
+// Per-query results of a benchmark, for programs.
 
 #include <span>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace wend {
 
-/// A line an answer, below a line of names: scen, line (of the query in the scenario), planner, status,
+/// One line per answer, after a header line: scen, line (of the query in the scenario), planner, status,
 /// length, expanded, wrong (0 or 1), prepare_us and first_us (empty where no new planner was asked),
 /// later_us (of the fastest repetition; empty where every query had a new planner), passes. Quotes
 /// as in RFC 4180. Times are microseconds.

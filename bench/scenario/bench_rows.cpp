@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;  // in a second
 
-/// Microseconds a query, of every repetition that all queries have.
+/// Mean microseconds per query, for each repetition that all queries have.
 std::vector<double> pass_means(std::span<const BenchAnswer> answers, std::size_t passes) {
   std::vector<double> means(passes);
   for (const BenchAnswer& answer : answers) {
@@ -56,7 +56,7 @@ std::string csv_text(const Json& value) {
   return value.is_number_float() ? format_number(value.get<double>()) : value.dump();
 }
 
-/// Sets what new planners took: the means over the queries that they were asked first.
+/// Sets the mean times of new planners over their first queries.
 void set_first(BenchRow& row, std::span<const BenchAnswer> answers) {
   double prepare = 0;
   double first = 0;

@@ -18,21 +18,21 @@ struct BenchConditions {
   std::string machine;  // its processor and the compiler
   std::string robot;    // and its moves: "a point, 8 neighbours, no corner cutting"
   bool fresh = false;   // a new planner for every query
-  double limit_s = 0;   // a query may take; 0: no limit
+  double limit_s = 0;   // time limit of a query; 0: none
 };
 
 struct BenchRow {
   std::string scen{};
   std::string planner{};  // with its options: "astar:weight=2"
-  unsigned threads = 1;   // that answered queries at the same time
-  double build_s = 0;     // seconds that building its index took; 0 of a planner without one
+  unsigned threads = 1;   // that answered queries in parallel
+  double build_s = 0;     // seconds to build its index; 0 without an index
   std::uint64_t index_bytes = 0;
 
   std::uint64_t queries = 0;
   std::uint64_t solved = 0;
   std::uint64_t timed_out = 0;
   std::uint64_t wrong = 0;
-  std::uint64_t first_queries = 0;  // that new planners were asked
+  std::uint64_t first_queries = 0;  // asked of new planners
   double prepare_us = 0;            // microseconds to make a planner, without its index; mean
   double first_us = 0;              // microseconds of its first query; mean
   double mean_us = 0;  // microseconds a query, solved or not, in its fastest repetition
@@ -44,26 +44,26 @@ struct BenchRow {
   double fastest_pass_us = 0;  // microseconds a query in the fastest repetition of all queries
   double slowest_pass_us = 0;
 
-  /// Sets what follows from the answers, which have at least one repetition; 0 without answers.
+  /// Computes the statistics of the answers, which have at least one repetition; 0 without answers.
   void set_answers(std::span<const BenchAnswer> answers);
 
   /// How much slower the slowest repetition was than the fastest: 0.03 is 3 %.
   double spread() const;
 
-  /// Milliseconds before the first query: of the index, if there is one, and of the planner.
+  /// Milliseconds of preparation before the first query: index, if any, and planner.
   double prepare_ms() const { return 1e3 * build_s + 1e-3 * prepare_us; }
 };
 
-/// An object with the conditions and "rows", a list with an object a row, its keys the names above. One
-/// line with its line end.
+/// An object with the conditions and "rows": a list with one object per row, keyed by the names above.
+/// One line with its line end.
 std::string bench_json(const BenchConditions& conditions, std::span<const BenchRow> rows);
 
-/// The same names and values as a line a row, below a line of the names. Quotes as in RFC 4180.
+/// The same names and values, one line per row after a line of names. Quotes as in RFC 4180.
 std::string bench_csv(const BenchConditions& conditions, std::span<const BenchRow> rows);
 
 /// The same for people, 80 columns wide: the rows of a scenario below its name, without the folder
-/// that all scenarios share. The spread of passes and the size of indexes show where there are several,
-/// and any.
+/// that all scenarios share. Shows the spread if there are several passes, and index sizes if there
+/// are indexes.
 std::string bench_table(const BenchConditions& conditions, std::span<const BenchRow> rows);
 
 }  // namespace wend

@@ -122,7 +122,7 @@ TEST(BenchRows, AreCsv) {
             "\"a,b.scen\",astar,0,0,0,0,0,0,0,0.5,0,0,0,0,1,0,0,0,0,0,0,false,0.2.0,0123abc\n");
 }
 
-/// As wide as rows get.
+/// A row of the greatest width.
 BenchRow wide_row(const std::string& planner) {
   return {.scen = "maps/sets/random512-35-0.map.scen",
           .planner = planner,

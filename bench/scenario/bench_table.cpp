@@ -12,17 +12,17 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kWidest = 16;  // of a planner's name beside its numbers
+constexpr std::size_t kWidest = 16;  // longest planner name beside its numbers
 constexpr const char* kIndent = "  ";
 
-/// Four digits, of large numbers all before the point.
+/// Four digits; a larger number keeps all its digits before the point.
 std::string digits(double value) {
   constexpr int kDigits = 4;
   const int before = value >= 1 ? static_cast<int>(std::log10(value)) + 1 : 1;
   return fmt::format("{:.{}f}", value, std::clamp(kDigits - before, 0, kDigits - 1));
 }
 
-/// How many letters of all names are the folder that they share, its slash included.
+/// Length of the folder that all names share, including its slash.
 std::size_t common_folder(std::span<const BenchRow> rows) {
   if (rows.empty()) return 0;
   const std::string& first = rows.front().scen;
@@ -112,8 +112,8 @@ class BenchTable {
     return text + "\n";
   }
 
-  /// Puts a line above the rows of every scenario, the names that are too long above theirs, and
-  /// what there is to remark behind them.
+  /// Puts a line above the rows of every scenario, names that are too long above their rows, and
+  /// remarks after the rows.
   std::string with_scenarios(const std::string& table) const {
     std::size_t at = 0;
     const auto next_line = [&] {

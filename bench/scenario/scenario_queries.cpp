@@ -24,7 +24,7 @@ std::vector<Cell> passable_cells(const FreeSpace& space) {
   return cells;
 }
 
-/// As the file will have it.
+/// Rounded as in the file.
 double rounded(double cost) {
   const double unit = std::pow(10, -kDecimals);
   return std::round(cost / unit) * unit;

@@ -23,16 +23,16 @@
 
 namespace wend {
 
-/// What a bucket covers, in cells.
+/// Width of a bucket, in cells.
 inline constexpr double kBucketLength = 4;
 
 struct ScenarioPlan {
   std::uint64_t seed = 1;
-  std::size_t buckets = std::numeric_limits<std::size_t>::max();  // at most, from the shortest on
+  std::size_t buckets = std::numeric_limits<std::size_t>::max();  // at most, shortest paths first
   std::size_t per_bucket = 10;                                    // queries
 };
 
-/// Queries between different cells that a path joins, each with the cost of a cheapest one, rounded
+/// Queries between different connected cells, each with the cost of a cheapest path, rounded
 /// to 8 decimals, by bucket. The same arguments give the same queries on every platform. `map`,
 /// `line` are left empty. Fails with the limit that was reached. O(per_bucket * cells * log cells).
 Expected<std::vector<ScenarioQuery>, Status> scenario_queries(const FreeSpace& space,

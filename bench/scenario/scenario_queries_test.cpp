@@ -19,7 +19,7 @@ GridMap generated(const std::string& kind, int size, const OptionValues& options
   return *generators().find(kind)->make(size, size, 3, options);
 }
 
-/// Holds every query to what brute force says.
+/// Compares every query with brute force.
 void check_queries(const GridMap& map, const FreeSpaceOptions& options, GridMoves moves,
                    const std::vector<ScenarioQuery>& queries) {
   const int corners = moves.corner_rule == CornerRule::none  ? 0

@@ -12,7 +12,7 @@
 
 namespace wend {
 
-/// What is wrong with an answer, or empty. Wrong are: no path although the query has a length, a
+/// What is wrong with an answer, or empty. Wrong answers: no path although the query has a length, a
 /// path although the query says that there is no path, a path that does not join start and goal or
 /// is not valid cell by cell, and a path of another length. On terrain the length is a cost. An
 /// answer that ran out of time is not wrong. O(length).

@@ -85,7 +85,7 @@ void save(const std::vector<MapTimings>& maps, const Arguments& arguments) {
   if (!written) throw Refused{written.error().message()};
 }
 
-/// The planners of the baseline on the generated maps, now and then.
+/// Compares the baseline's planners on the generated maps with the baseline.
 int compare(Arguments arguments) {
   const SpeedBaseline baseline = value_or_refuse(read_baseline(arguments.baseline));
   for (const BaselineRow& row : baseline.rows) {

@@ -15,7 +15,7 @@ namespace wend::bench {
 struct SpeedMap {
   std::string name;
   GridMap map;
-  std::vector<ScenarioQuery> queries;  // one at least
+  std::vector<ScenarioQuery> queries;  // at least one
 };
 
 /// The maps of a folder with MovingAI scenarios. An error names the file and what is wrong with it.

@@ -35,8 +35,8 @@ class Entry {
     timing_.name = std::move(name);
   }
 
-  /// Builds the index, if there is one, and makes the planner that later queries are asked. What is
-  /// wrong, empty if nothing is.
+  /// Builds the index, if there is one, and makes the planner for later queries. Returns what is
+  /// wrong, or empty.
   std::string prepare() {
     if (info_.index_support) {
       Expected<IndexBytes, PlannerError> index;
@@ -52,7 +52,7 @@ class Entry {
     return {};
   }
 
-  /// Each query by a new planner.
+  /// Asks each query of a new planner.
   void time_first(const std::vector<ScenarioQuery>& queries) {
     double prepare = 0;
     double first = 0;
@@ -68,7 +68,7 @@ class Entry {
     timing_.first_us = kMicroseconds * first / count;
   }
 
-  /// What the kept planner answers, not timed. Sets how many cells the paths have.
+  /// Checks the kept planner's answers, not timed. Sets how many cells the paths have.
   void check(const std::vector<ScenarioQuery>& queries, double& path_cells) {
     path_cells = 0;
     const auto count = static_cast<double>(queries.size());
@@ -80,8 +80,8 @@ class Entry {
     }
   }
 
-  /// One round: all queries one after the other, as a robot asks them. The same query again and again
-  /// would be learned by heart by the processor's caches and branch predictors.
+  /// One round: all queries one after the other, as a robot asks them. If one query were
+  /// repeated, the processor's caches and branch predictors would learn it.
   void time_later(const std::vector<ScenarioQuery>& queries) {
     std::vector<Query> asked;
     asked.reserve(queries.size());

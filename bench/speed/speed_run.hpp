@@ -15,9 +15,9 @@
 
 namespace wend::bench {
 
-/// Means over the sampled queries of a map. A first query is one run of a new planner, of a few of the
-/// queries. Later queries are asked one after the other, all of them: the least of as many such runs as
-/// fill 5 ms, and of all rounds, counts.
+/// Means over the sampled queries of a map. First query: one run of a new planner, for a few of the
+/// queries. Later queries: all, one after the other; the fastest of the runs that fill 5 ms counts, over
+/// all rounds.
 struct Timing {
   std::string name;
   double prepare_us = 0;  // to make a planner, with its index if it has one

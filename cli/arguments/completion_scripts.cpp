@@ -16,7 +16,7 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return text;
 }
 
-/// Without what shells give a meaning to inside quotes and brackets.
+/// Removes the characters that shells interpret inside quotes and brackets.
 std::string plain(const std::string& text) {
   std::string kept;
   for (const char letter : text) {

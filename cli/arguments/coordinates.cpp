@@ -18,7 +18,7 @@
 namespace wend::cli {
 namespace {
 
-// Places so far away that no cell has their number are as much outside as this cell.
+// Stands for a place so far away that a cell's numbers cannot hold it.
 constexpr Cell kFarOutside{-1, -1};
 
 /// The two finite numbers of "X,Y" or "X, Y".
@@ -65,8 +65,8 @@ std::optional<double> parse_angle(std::string_view text) {
   return degrees ? radians_from(*number) : *number;
 }
 
-/// The angle in grid coordinates of one in the map's frame; that of a heading, but for rounding, is
-/// that heading's.
+/// Converts an angle from the map's frame to grid coordinates. An angle that is a heading, up to
+/// rounding, becomes exactly that heading's.
 double angle_in_grid(double angle, const Frame& frame) {
   constexpr double kRounding = 1e-9;
   const double in_grid = frame.to_grid(Pose{0, 0, angle}).heading;
@@ -160,7 +160,7 @@ std::string Coordinates::text(Point point) const {
 }
 
 std::string Coordinates::radius_argument(double cells) const {
-  // What is a whole number of these but for rounding stays one.
+  // A multiple of 1 / kDigits, up to rounding, is not rounded down.
   constexpr double kDigits = 1e4;
   const double radius = metric_ ? cells * frame_.resolution : cells;
   return format_number(std::floor(radius * kDigits * (1 + 1e-9)) / kDigits);

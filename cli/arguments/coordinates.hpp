@@ -44,11 +44,11 @@ class Coordinates {
   /// a heading too.
   Place parse(const std::string& name, const std::string& typed) const;
 
-  /// The two numbers of "X,Y" in the user's units; `what` they name if these are no metres must have
-  /// whole ones: "cell". Throws InputError for any other text.
+  /// The two numbers of "X,Y" in the user's units. Unless these are metres, the numbers must be whole:
+  /// they name a `what`, such as "cell". Throws InputError for any other text.
   Point parse_point(const std::string& name, const std::string& typed, std::string_view what) const;
 
-  /// A point in the user's units in grid coordinates; a corner but for rounding is one.
+  /// Converts a point from the user's units to grid coordinates, without rounding errors at vertices.
   Point in_grid(Point typed) const;
 
   const Frame& frame() const { return frame_; }
@@ -74,7 +74,7 @@ class Coordinates {
   /// What the map covers: "the cells with x from 0 to 9 and y from 0 to 4".
   std::string extent() const;
 
-  /// The same of its corners: from 0 to 10 and from 0 to 5.
+  /// The same for its vertices: from 0 to 10 and from 0 to 5.
   std::string extent_of_corners() const;
 
   /// A length in the user's units, in metres.
@@ -83,7 +83,7 @@ class Coordinates {
   /// The same in cells.
   double in_cells(double length) const { return metric_ ? length / frame_.resolution : length; }
 
-  /// What the user counts lengths in.
+  /// The user's unit of length.
   LengthUnit unit() const { return metric_ ? metres_of(frame_) : LengthUnit{}; }
 
  private:
@@ -95,7 +95,7 @@ class Coordinates {
   bool metric_;
 };
 
-/// Has the text a heading, right or wrong, after X,Y?
+/// Does the text have a heading, valid or not, after X,Y?
 bool has_heading(std::string_view typed);
 
 /// "(3,4)"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr NumberRange kNoise{0, 10};
 
-/// --loop says it.
+/// --loop sets it.
 bool is_closed(const OptionInfo& option) { return option.name == "closed"; }
 
 template <class Options>

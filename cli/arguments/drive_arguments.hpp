@@ -24,7 +24,7 @@ class DriveArguments {
  public:
   void add_to(Parser& app);
 
-  /// Throw InputError for what is out of range. `loop`: one lap.
+  /// Throw InputError for values out of range. `loop`: one lap.
   SimulationOptions simulation(bool loop) const;
   FollowerOptions following() const;
   MotionModel robot() const;

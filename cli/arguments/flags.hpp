@@ -33,7 +33,7 @@ enum class Format { text, json };
 /// --format text|json
 void add_format(Parser& app, Format& format);
 
-/// What tables come in.
+/// The formats of tables.
 enum class TableFormat { text, json, csv };
 
 /// --format text|json|csv
@@ -55,7 +55,7 @@ Argument add_number(Parser& app, const std::string& flags, double& value, const 
 Argument add_number(Parser& app, const std::string& flags, std::optional<double>& value,
                     const NumberRange& range, const std::string& help);
 
-/// A whole number from 0 on.
+/// A whole number, 0 or more.
 Argument add_count(Parser& app, const std::string& flags, std::uint64_t& value,
                    const std::string& help);
 
@@ -80,7 +80,7 @@ Argument add_texts(Parser& app, const std::string& flags, std::vector<std::strin
 /// The help of a flag, broken into lines.
 std::string wrapped(std::string_view text);
 
-/// The text that wrapped() broke: joins lines, except where the next word would have fitted.
+/// Undoes wrapped(): joins lines, except where the next word would have fitted.
 std::string unwrapped(std::string_view text);
 
 /// "one, two or three"

@@ -1,7 +1,7 @@
 #pragma once
 
 // HelpFormatter: what --help shows of an argument: "-o, --output FILE", "--in-place, --no-in-place",
-// "--smooth[=ALPHA,BETA]" of one whose value is optional. Spellings with underscores are taken, but
+// "--smooth[=ALPHA,BETA]" for an optional value. Spellings with underscores are accepted, but
 // not shown.
 
 #include <CLI/Formatter.hpp>

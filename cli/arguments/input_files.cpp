@@ -20,7 +20,7 @@ Expected<LoadedMap, IoError> load_map_or_stream(const std::string& file,
   const auto bytes = read_stream(file);
   if (!bytes) return Unexpected<IoError>(bytes.error());
   auto loaded = parse_map(*bytes, stream_name(file), options);
-  // What standard input was redirected from is a file that must not be written over.
+  // If standard input is redirected from a file, that file must not be overwritten.
   if (loaded) loaded->files.emplace_back(is_standard_input(file) ? "/dev/stdin" : file);
   return loaded;
 }
@@ -40,7 +40,7 @@ Expected<std::vector<QueryRow>, IoError> load_queries_or_stream(const std::strin
   return parse_query_csv(*text, stream_name(file));
 }
 
-/// What of a path does not lie on the map, if something does not.
+/// The part of a path that lies outside the map, if any.
 std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
   for (const Cell cell : path.cells()) {
     if (!space.contains(cell)) return "the cell " + cell_text(cell);

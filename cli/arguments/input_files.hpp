@@ -31,7 +31,7 @@ void add_path_file(Parser& app, std::string& file);
 /// Throws InputError if it cannot be read, NoPathError if it says why there is no path.
 Path load_path_for(const FreeSpace& space, const std::string& file, PathStage stage);
 
-/// The same, also if something of it does not lie on the map.
+/// The same; also throws if a part of the path lies outside the map.
 Path load_path_on(const FreeSpace& space, const std::string& file, PathStage stage);
 
 }  // namespace wend::cli

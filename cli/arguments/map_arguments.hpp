@@ -1,6 +1,6 @@
 #pragma once
 
-// The map file, as convert takes it too, and the robot on the map, as plan, field, info and bench do.
+// The map file argument, also of convert, and the robot arguments of plan, field, info and bench.
 
 #include <optional>
 #include <string>
@@ -24,9 +24,9 @@ struct MapFileArguments {
   LoadedMap load() const;
 };
 
-/// The robot that is to be on a map.
+/// The robot on a map.
 struct RobotArguments {
-  Footprint footprint;  // in the user's units; of --robot-radius a disc
+  Footprint footprint;  // in the user's units; a disc for --robot-radius
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside;
   std::optional<double> clearance_distance;  // in the user's units
@@ -35,7 +35,7 @@ struct RobotArguments {
 
   void add_robot_to(Parser& app);
 
-  /// --clearance-distance and --clearance-cost, for commands to which it matters what a cell costs.
+  /// --clearance-distance and --clearance-cost, for commands that use the costs of cells.
   void add_clearance_cost_to(Parser& app);
 
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
@@ -49,7 +49,7 @@ struct MapArguments : MapFileArguments, RobotArguments {
 
   void add_to(Parser& app);
 
-  /// Throws NoPathError if more bytes are needed for that map than there are.
+  /// Throws NoPathError if the map needs more bytes than there are.
   void check_memory(const GridMap& map, double need) const;
 
   /// Throws NoPathError if the free space and planners of this size do not fit into memory.

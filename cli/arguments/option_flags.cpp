@@ -35,7 +35,7 @@ bool is_numeric(const OptionInfo& option) {
   return option.kind == OptionKind::integer || option.kind == OptionKind::number;
 }
 
-/// What the flag takes: "none|one|both", "N", "NUMBER"; its name where owners have other choices.
+/// What the flag takes: "none|one|both", "N", "NUMBER"; its name if owners differ in choices.
 std::string type_of(const std::vector<OptionInfo>& options) {
   const OptionInfo& first = options.front();
   const auto all_are = [&options](auto&& property) {
@@ -90,20 +90,20 @@ std::string_view unit_in(std::string_view help) {
   return {};
 }
 
-/// What is wrong with a value; empty if nothing is, or the option's owner has to say it.
+/// What is wrong with a value; empty if nothing is, or if the option's owner checks it.
 std::string fault_of(const OptionInfo& option, const std::string& value) {
   double number = 0;
   if (option.kind != OptionKind::number) return {};
   return parse_in_range(value, number, option.least, option.greatest, unit_in(option.help));
 }
 
-/// What the option does, and, unless its type says so, its choices.
+/// What the option does, and its choices unless its type lists them.
 std::string help_of(const OptionInfo& option, bool with_choices) {
   const bool listed = with_choices && !option.choices.empty();
   return words_of(option) + (listed ? ": " + or_list(option.choices) : "");
 }
 
-/// The first owner's help, then that of owners who mean something else by it.
+/// The first owner's help, then that of owners whose help differs.
 std::string help_of(const std::vector<std::string>& owners,
                     const std::vector<OptionInfo>& options) {
   const bool with_choices = type_of(options) == upper_case(options.front().name);

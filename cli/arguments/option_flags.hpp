@@ -3,7 +3,7 @@
 // OptionFlags: the options of planners (or generators) as flags, made at run time from their
 // schemas. An option "corner_rule" is the flag --corner-rule, or --corner_rule; a yes-or-no option
 // "furniture" is --furniture and --no-furniture. Options of the same name share a flag;
-// where they have different choices, the flag takes a --heuristic HEURISTIC, say.
+// if their choices differ, help shows the value as the option's name: --heuristic HEURISTIC.
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ class OptionFlags {
   OptionFlags(const OptionFlags&) = delete;  // the app's callbacks point here
   OptionFlags& operator=(const OptionFlags&) = delete;
 
-  /// Takes up the options of one owner; an empty name is that of the only one.
+  /// Collects the options of one owner; the name is empty if it is the only one.
   void collect(const std::string& owner, const std::vector<OptionInfo>& options);
 
   /// Adds a flag for every option collected.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Parser: the arguments that a program or a subcommand takes, and Argument: one of them. They hand
-// everything to CLI11 and are the only way to it for the subcommands, because each source that sees
-// CLI11 compiles much of it anew: see parser.cpp.
+// Parser: the arguments that a program or a subcommand takes, and Argument: one of them. They pass
+// everything to CLI11. Subcommands use CLI11 only through them, because each source that includes
+// CLI11 compiles much of it again: see parser.cpp.
 
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@ class Option;
 
 namespace wend::cli {
 
-/// An argument that was added, to say more about it. A reference: copies mean the same argument.
+/// An added argument, to configure it further. A reference: copies mean the same argument.
 class Argument {
  public:
   explicit Argument(CLI::Option& option) : option_(&option) {}
@@ -26,8 +26,8 @@ class Argument {
   Argument type_name(const std::string& name) const;
   /// The heading in help under which it stands.
   Argument group(const std::string& name) const;
-  /// Its value may be left out and is empty then; it is joined by an equals sign, `--smooth=0.1,0.3`,
-  /// so that no argument that follows is ever taken for it.
+  /// Its value may be omitted and is then empty. It follows an equals sign, `--smooth=0.1,0.3`, so that
+  /// the next argument is never taken for it.
   Argument optional_value() const;
   /// An old name of another argument: accepted, unless both are given, but shown in neither help nor
   /// completion.
@@ -65,7 +65,7 @@ class Parser {
   Argument add_list(const std::string& flags, const AssignTexts& assign, const std::string& help);
 
   Argument add_flag(const std::string& flags, bool& value, const std::string& help);
-  /// Is told how often it was given; a flag that is negated ("!--no-furniture") counts down.
+  /// `assign` gets how often the flag was given; a negated flag ("!--no-furniture") counts down.
   Argument add_flag(const std::string& flags, const AssignCount& assign, const std::string& help);
 
   /// What stands below the arguments in help: examples and exit codes.
@@ -74,8 +74,8 @@ class Parser {
   /// Whether the command line named this subcommand.
   bool parsed() const;
 
-  /// A flag of it, "--style", by the name that the command line has: its own or a former one. Empty if
-  /// it is not given, or if the command has no such flag.
+  /// The name by which a flag, "--style", was given: its own or a former one. Empty if it was not
+  /// given, or if the command has no such flag.
   std::string typed(const std::string& flag) const;
   bool given(const std::string& flag) const { return !typed(flag).empty(); }
 
@@ -92,7 +92,7 @@ class Parser {
 /// The subcommands that are not hidden, in the order in which they were added.
 std::vector<const CLI::App*> visible_subcommands(const CLI::App& app);
 
-/// Throws what ends parsing with an error: the value of this flag is wrong.
+/// Ends parsing with an error: the value of this flag is wrong.
 [[noreturn]] void refuse_value(const std::string& flags, const std::string& what);
 
 }  // namespace wend::cli

@@ -55,12 +55,12 @@ std::string planners_with_index();
 /// Makes planners for one map, on one index where the planner needs one.
 class PlannerMaker {
  public:
-  /// `given`: what the planner is to plan on, if an index was given; or what is wrong with it.
+  /// `given`: the index to plan on, if one was given, or what is wrong with it.
   PlannerMaker(PlannerSpec spec, FreeSpace space,
                std::optional<Expected<GivenIndex, std::string>> given);
 
-  /// A planner with scratch memory of its own, and what it and its index took. An index that was not
-  /// given is built by the first call.
+  /// Makes a planner with its own scratch memory; sets the times of it and its index. The first call
+  /// builds an index that was not given.
   PlannerResult make(WorkTimes& times);
 
   bool built_index() const { return built_.has_value(); }

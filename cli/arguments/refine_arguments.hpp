@@ -20,7 +20,7 @@ namespace wend::cli {
 struct RefineArguments {
   std::optional<std::string> simplify;  // as typed; empty: as by default
   std::optional<std::string> smooth;    // the same: ALPHA,BETA
-  std::string smoother;                 // its name, options may follow; empty: none is named
+  std::string smoother;                 // its name, options may follow; empty: none
   bool unsafe = false;
   // In the user's units.
   std::optional<double> turning_radius;
@@ -36,10 +36,10 @@ struct RefineArguments {
   bool any() const { return simplify || smooth || !smoother.empty() || unsafe || resample; }
 
   /// --turning-radius as an option of the planner, if it has one. Throws InputError if neither it nor
-  /// the smoother has.
+  /// the smoother has it.
   void steer(PlannerSpec& planner, const Coordinates& coordinates) const;
 
-  /// Throws InputError for text that means nothing.
+  /// Throws InputError for invalid text.
   Refinement refinement(const Coordinates& coordinates, Adjacency adjacency) const;
 
   /// What paths are measured with, in cells.

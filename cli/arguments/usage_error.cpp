@@ -36,7 +36,7 @@ std::vector<std::string> shown_flags(const CLI::App& app) {
   return names;
 }
 
-/// The argument that nothing takes; of several, the first flag, since it explains the others.
+/// The argument that is not accepted; of several, the first flag, since it explains the others.
 std::string surplus(const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments) {
     if (is_flag(argument)) return argument;
@@ -48,8 +48,8 @@ std::string needs_value(const CLI::Option& option) {
   return fmt::format("{} needs a value: {}", option.get_name(), option.get_type_name());
 }
 
-/// Where a flag whose value is optional was given without one, how it takes one: what was meant as its
-/// value is an argument of its own.
+/// If a flag was given without its optional value, how to give the value: the intended value was read
+/// as a separate argument.
 std::string equals_sign_text(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     const bool value_is_optional =

@@ -16,7 +16,7 @@ namespace wend::cli {
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 /// The same where a flag was taken for the value of another, as in `--start --goal 1,2`; empty if
-/// none was. No error of the parser: values may be anything.
+/// none was. The parser reports no error, because values may be anything.
 std::string swallowed_flag(const CLI::App& app);
 
 }  // namespace wend::cli

@@ -121,7 +121,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<BenchScenario>& sc
   return files;
 }
 
-/// Every index that was given is to be used.
+/// Throws InputError if no entry uses the index.
 void check_used(const GivenIndex& index, const std::vector<BenchEntry>& entries) {
   const bool taken =
       std::ranges::any_of(entries, [&](const BenchEntry& entry) { return entry.takes(index); });
@@ -161,7 +161,7 @@ BenchInput load_input(const BenchArguments& arguments) {
   return input;
 }
 
-/// Of the scenarios, or of a share of their queries.
+/// Runs the scenarios, or a share of their queries.
 BenchResults run_scenarios(const BenchArguments& arguments, BenchInput& input, BenchStore& store,
                            BenchShare share = {}) {
   const BenchSettings& settings = arguments.settings;
@@ -202,7 +202,7 @@ void write_plot(const BenchArguments& arguments, const std::vector<BenchedMap>& 
   if (!wrong.empty()) throw InputError(wrong);
 }
 
-/// Merges what the ranks of an earlier run left, does this rank's share, and merges those of all.
+/// Merges the shards of an earlier run, does this rank's share, and merges the shards of all ranks.
 void run_share(const BenchArguments& arguments, BenchInput& input, Ranks& ranks) {
   const bool merges = ranks.rank() == 0;
   if (merges) merge_shards(arguments.database);
@@ -217,7 +217,7 @@ void run_share(const BenchArguments& arguments, BenchInput& input, Ranks& ranks)
   if (merges) merge_shards(arguments.database);
 }
 
-/// Is it for this rank to tell the results? They are all in the database then.
+/// Must this rank report the results? Then they are all in the database.
 bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
   Ranks ranks;
   try {

@@ -57,7 +57,7 @@ Car planners are compared with car planners only. The picture has a panel for
 each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0
 a path was found, 1 no path was found, 2 bad usage or input.)";
 
-/// All that move as the typed start asks for (cars have a heading), need no index and take the map.
+/// All planners that fit the typed start (cars have a heading), need no index and accept the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
   std::vector<PlannerSpec> specs;
   const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
@@ -70,7 +70,7 @@ std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace&
   return specs;
 }
 
-/// The corners that all of the planners know, where they drive cars.
+/// The spacing of the lattice vertices that all car planners share.
 int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
   std::int64_t unit = 1;
   for (const PlannerSpec& planner : planners) {
@@ -153,7 +153,7 @@ std::string reason_in_cells(const ComparedQuery& query, const ComparisonRow& row
   return Explainer(space, coordinates, moves).explain(row.status, ends, {}, {});
 }
 
-/// Says why planners found nothing, as `wend plan` does; cars have said so, but for limits.
+/// Says why planners found nothing, as `wend plan` does; cars already have reasons, except for limits.
 void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
   const Coordinates coordinates = arguments.map.coordinates(space.map());
   Limits limits;

@@ -54,7 +54,7 @@ bool is_lower_case_of(std::string_view name, std::string_view type) {
   });
 }
 
-/// What planners have to choose from where the type is an option's name, as in OptionFlags.
+/// The choices of all planners if the type is an option's name, as in OptionFlags.
 std::vector<std::string> choices_of_planners(const std::string& type) {
   std::vector<std::string> choices;
   for (const PlannerInfo& planner : planners()) {
@@ -78,7 +78,7 @@ std::vector<std::string> words_of_optional(const std::string& inner) {
   return words;
 }
 
-/// The words that complete a value of that type; none where files do, or nothing.
+/// The words that complete a value of that type; empty if files do, or nothing does.
 std::vector<std::string> words_of(const std::string& type) {
   if (type.starts_with('[')) return words_of_optional(type.substr(1, type.size() - 2));
   if (type == kPlannerType) return planners().names();
@@ -90,7 +90,7 @@ std::vector<std::string> words_of(const std::string& type) {
   return type.find('|') == std::string::npos ? choices_of_planners(type) : split(type, '|');
 }
 
-/// A flag's help up to the first thing that is put in brackets or after a colon.
+/// A flag's help up to the first bracket or colon.
 std::string in_short(std::string help) {
   std::replace(help.begin(), help.end(), '\n', ' ');
   help.erase(std::min(help.find_first_of(";:("), help.size()));
@@ -127,8 +127,8 @@ void add_arguments(Subcommand& subcommand, const CLI::App& app) {
   }
 }
 
-/// What subcommands of their own choose between is their first argument, beside the words that it
-/// can be without them; their flags are those of all.
+/// If the subcommand has subcommands, their names become choices of its first argument, besides that
+/// argument's own words, and the flags of all of them become its flags.
 void add_subcommands(Subcommand& subcommand, const CLI::App& app) {
   if (visible_subcommands(app).empty()) return;
   CompletedArgument choice;

@@ -100,7 +100,7 @@ std::string ExplainRun::component(const Place& place, std::size_t cells) const {
   return blocked.empty() ? coordinates_.area(cells) : blocked;
 }
 
-/// What is in the way, and what is not, by every reason that there could be.
+/// For every possible cause, whether it prevents a path.
 std::string ExplainRun::causes() const {
   const auto says = [this](bool Way::* change, std::string_view what, std::string_view otherwise) {
     const auto has = [change](const Way& way) { return way.*change; };

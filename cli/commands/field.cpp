@@ -50,7 +50,7 @@ show both. Exit codes: 0 there is a path from every start, 1 there is not
 /// One field, from the arguments to its report.
 class FieldRun {
  public:
-  /// `times` are those of what was done for it so far.
+  /// `times` are those of the work done for it so far.
   FieldRun(const FieldArguments& arguments, GridMoves moves, FreeSpace space,
            const WorkTimes& times)
       : arguments_(arguments),

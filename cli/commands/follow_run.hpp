@@ -42,7 +42,7 @@ struct FollowArguments {
 
 class FollowRun {
  public:
-  /// The map as the robot is, and as it is planned with a margin around it. Throws InputError for
+  /// The free space of the robot, and that for planning with a margin around it. Throws InputError for
   /// options out of range.
   FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpace planning_space);
 
@@ -51,7 +51,7 @@ class FollowRun {
 
   void drive();
 
-  /// Prints and writes what came out.
+  /// Prints and writes the results.
   ExitCode report() const;
 
  private:

@@ -55,7 +55,7 @@ void check_constant(const PlannerSpec& planner) {
   throw InputError("--constant changes nothing: it is that of --heuristic constant");
 }
 
-/// What the flags of the command say otherwise: a smoother has one, too.
+/// Options that the command sets with a flag of its own: a smoother has one, too.
 bool has_flag_of_its_own(const OptionInfo& option) { return option.name == "turning_radius"; }
 
 /// The only thing that is printed or written is the path as CSV.
@@ -107,7 +107,7 @@ void check(const PlanArguments& arguments) {
   }
 }
 
-/// Where a map does not fit into memory, files that are to hold a path say so.
+/// If a map does not fit into memory, the path files say so.
 FreeSpace space_for(const PlanArguments& arguments, const GridMap& map,
                     const PlannerSpec& planner) {
   const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;

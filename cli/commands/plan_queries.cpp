@@ -33,7 +33,7 @@ class QueryWorker {
         coordinates_(arguments.map.coordinates(space_.map())),
         planner_(std::move(planner)) {}
 
-  /// Throws nothing: a row that is wrong has an answer that says so.
+  /// Does not throw: the answer to an invalid row says so.
   QueryAnswer answer(const QueryRow& row) {
     QueryAnswer answer{
         .line = row.line, .start = row.start, .goal = row.goal, .status = {}, .reason = {}};
@@ -76,7 +76,7 @@ class QueryWorker {
                                 [&] { return planner_->plan(query, answer.plan); });
     answer.status = to_string(status);
     if (status == Status::found) return;
-    // What would help is worth a search of its own for one query, not for each of thousands.
+    // Finding the reason takes an extra search: worth it for one query, not for each of thousands.
     fail(answer, status,
          status == Status::unreachable
              ? fmt::format("{}; `wend explain` shows the reason", describe(status))
@@ -94,7 +94,7 @@ std::vector<QueryWorker> make_workers(const PlanArguments& arguments, PlannerMak
                                       const FreeSpace& space, unsigned count) {
   std::vector<QueryWorker> workers;
   for (unsigned i = 0; i < count; ++i) {
-    WorkTimes times;  // the answers tell those of the searches alone
+    WorkTimes times;  // unused: answers have only the search times
     auto planner = maker.make(times);
     if (!planner) throw InputError(planner.error().message());
     workers.emplace_back(arguments, maker.spec(), space, *std::move(planner));
@@ -130,7 +130,7 @@ std::string text_of(const PlannerSpec& planner, const std::vector<QueryAnswer>& 
   return query_answers_csv(answers, frame);
 }
 
-/// The first of the rows without a path; the answers have all of them.
+/// Reports the first rows without a path; the answers have all of them.
 void complain_of(const std::string& file, const std::vector<QueryAnswer>& answers) {
   std::size_t complaints = 0;
   for (const QueryAnswer& answer : answers) {

@@ -11,7 +11,7 @@ namespace wend::cli {
 void check_queries(const PlanArguments& arguments);
 
 /// Answers every row of the file, and prints and writes the answers. Throws InputError if the file
-/// cannot be read, not for a row of it.
+/// cannot be read, but not for an invalid row.
 ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const FreeSpace& space);
 
 }  // namespace wend::cli

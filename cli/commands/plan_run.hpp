@@ -33,7 +33,7 @@ struct PlanArguments {
   EndArguments ends;
   std::string queries;  // a file with many starts and goals, instead of `ends`
   std::uint64_t threads = ThreadWorkers().count();  // that answer them
-  std::string planner;                              // nothing: the index's, or else astar
+  std::string planner;                              // empty: the index's, or else astar
   std::string index;
   OptionFlags options{"planner"};
   LimitArguments limits;
@@ -46,19 +46,19 @@ struct PlanArguments {
   OutputFiles output;
 };
 
-/// Writes that there is no path, into the files that are to hold one, where nothing can be planned.
+/// Writes into the path files that there is no path, if nothing can be planned.
 void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
 
 class PlanRun {
  public:
-  /// `times` are those of what was done for the query so far.
+  /// `times` are those of the work done for the query so far.
   PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
           const WorkTimes& times);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
 
-  /// Prints and writes what came out.
+  /// Prints and writes the results.
   ExitCode report();
 
  private:

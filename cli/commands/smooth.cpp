@@ -53,7 +53,7 @@ smoothed, then resampled. Without --unsafe the result is clear of obstacles.
 Exit codes: 0 done, 1 the given path is not free (standard error gives the
 reason), 2 bad usage or input.)";
 
-/// What the flags of the command say otherwise.
+/// Options that the command sets with flags of its own.
 bool is_said_by_a_flag(const OptionInfo& option) {
   return option.name == "squeeze" || option.name == "radius" || option.name == "turning_radius";
 }
@@ -90,7 +90,7 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
   return choice;
 }
 
-/// What -o - is written as.
+/// The extension of the format that -o - writes.
 std::string printed_extension(Format format) { return format == Format::json ? ".json" : ".csv"; }
 
 std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
@@ -107,7 +107,7 @@ std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
   return writers;
 }
 
-/// Where a path is in the way of safe smoothing, if that is asked for.
+/// The path's collision that prevents safe smoothing, if that is asked for.
 std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& space,
                                           const Refinement& refinement) {
   if (!refinement.smoother || is_unsafe(*refinement.smoother)) return std::nullopt;

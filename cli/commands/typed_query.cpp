@@ -43,7 +43,7 @@ std::optional<Pair> nearest_pair(const FreeSpace& space, Cell first, Cell second
   return Pair{*near_first, *near_second};
 }
 
-/// Both ends moved, by the smaller sum of distances of the two ways to do it.
+/// Moves both ends, in the order that gives the smaller sum of distances.
 std::optional<Pair> nearest_ends(const FreeSpace& space, Cell start, Cell goal,
                                  Adjacency adjacency) {
   const auto from_start = nearest_pair(space, start, goal, adjacency);
@@ -208,7 +208,7 @@ std::string CarQuery::outside(const std::string& name, const TypedPose& pose) co
                      coordinates_.extent_of_corners());
 }
 
-/// Reasons are told in corners of the lattice: where these are not what people typed, that comes
+/// Reasons are given in lattice vertices. If these are not what people typed, the typed text comes
 /// first.
 std::string CarQuery::as_typed() const {
   if (!coordinates_.metric() && unit_ == 1) return {};

@@ -36,14 +36,14 @@ class TypedQuery {
   TypedQuery(const TypedQuery&) = delete;
   TypedQuery& operator=(const TypedQuery&) = delete;
 
-  /// Throws InputError for layers that there are not of such a query.
+  /// Throws InputError for layers that such a query does not have.
   virtual void check(const ShownLayers& layers) const = 0;
 
-  /// For a planner, without limits.
+  /// The query for a planner, without limits.
   virtual Query query() const = 0;
 
-  /// --nearest: plans from and to where the robot can stand. Says so, a line for each end moved.
-  /// Throws InputError where that cannot be.
+  /// --nearest: moves the ends to where the robot can stand. Returns a line for each end moved.
+  /// Throws InputError if that is impossible.
   virtual std::vector<std::string> move_to_nearest() = 0;
 
   /// The map with start and goals.
@@ -63,7 +63,7 @@ class TypedQuery {
   virtual std::string reason(const Planner& planner, Status status, const Limits& limits,
                              const SearchMetrics& metrics) const = 0;
 
-  /// The way that was found, step by step: lines; empty where that is no help on so large a map.
+  /// The path step by step, as lines; empty if the map is too large for that to help.
   virtual std::string steps(const Plan& plan, const Screen& screen) const = 0;
 
   /// What was found and what it took, a line for each thing.
@@ -73,7 +73,7 @@ class TypedQuery {
   TypedQuery() = default;
 };
 
-/// As the planner's motion has it. Throws InputError for text that is no start or goal of it.
+/// The query for the planner's motion. Throws InputError for text that is not a start or goal of it.
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends);
 
@@ -113,7 +113,7 @@ class CarQuery final : public TypedQuery {
   Query query() const override;
   std::vector<std::string> move_to_nearest() override;
   Scene scene() const override;
-  /// Components and the widest path are of discs.
+  /// Components and the widest path apply to discs only.
   Scene scene_of_failure(Status /*status*/) const override { return scene(); }
   std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
   SearchRecorder recorder() const override;

@@ -20,7 +20,7 @@ void mark_components(Scene& scene, CellRole role, std::span<const Cell> ends, Gr
   }
 }
 
-/// Marks where the robot could stand, where it cannot stand at an end.
+/// If the robot cannot stand at an end, marks the nearest cell where it can.
 void mark_nearest_free(Scene& scene, Cell end, Cell other, GridMoves moves) {
   if (!scene.space.contains(end) || scene.space.passable(end)) return;
   if (const auto cell = nearest_free(scene.space, end, other, moves)) {
@@ -40,7 +40,7 @@ void add_way(Scene& scene, const Way& way, const Coordinates& coordinates) {
   if (way.smaller_robot || way.squeeze) scene.narrowest = widest.narrowest;
 }
 
-/// Needs a way fewer changes than another, or as many and a less small robot?
+/// Does way `a` need fewer changes than `b`, or as many and allow a larger robot?
 bool is_easier(const Way& a, const Way& b) {
   if (a.changes() != b.changes()) return a.changes() < b.changes();
   return a.widest.radius > b.widest.radius;
@@ -60,7 +60,7 @@ std::optional<Way> easiest_way(const FreeSpace& space, Cell start, std::span<con
   return easiest;
 }
 
-/// All but the way.
+/// The scene without the way.
 Scene components_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                        GridMoves moves) {
   Scene scene{.space = space};

@@ -62,15 +62,15 @@ bool is_limit(Status status);
 /// Why a search was stopped: "gave up after 1000 expansions, the limit".
 std::string explain_limit(Status status, const Limits& limits, const SearchMetrics& metrics);
 
-/// The nearest cell where the robot may stand instead of a blocked one; where the robot may stand at
-/// `other`, only cells that are connected to that.
+/// The nearest cell to a blocked one where the robot may stand; if it may stand at `other`, only cells
+/// connected to that one count.
 std::optional<Cell> nearest_free(const FreeSpace& space, Cell cell, Cell other, GridMoves moves);
 
-/// Of a start and its goals, one or more; those outside the map are left out.
+/// The scene of a start and its goals, one or more; those outside the map are left out.
 Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                     GridMoves moves, const Coordinates& coordinates);
 
-/// The same, of one goal, both ends on the map, where it has been found out why there is no path.
+/// The same for one goal, both ends on the map, if it is known why there is no path.
 Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
                     const Coordinates& coordinates, const NoPath& why);
 

@@ -19,8 +19,8 @@
 namespace wend::cli {
 namespace {
 
-/// A file without a name, which goes away by itself. Unlike pipes, files cannot make two programs
-/// wait for each other.
+/// An unnamed file that is removed automatically. Unlike pipes, files cannot make two programs wait
+/// for each other.
 class ScratchFile {
  public:
   ScratchFile() : file_(std::tmpfile()) {
@@ -47,7 +47,7 @@ class ScratchFile {
   }
 
  private:
-  /// For whoever shares the descriptor, too: what was put is written first.
+  /// Flushes and rewinds, also for a process that shares the descriptor.
   void to_the_beginning() {
     if (std::fseek(file_.get(), 0, SEEK_SET) != 0) {
       throw InputError("--plot: cannot write a temporary file");

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the commands that save maps have in common: a map.yaml's picture replaces nothing that
-// belongs to something else, and every file that is written is named.
+// What the commands that save maps have in common: a map.yaml's picture never replaces a file
+// that belongs to something else, and every written file is named.
 
 #include <string>
 #include <vector>

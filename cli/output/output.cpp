@@ -55,7 +55,7 @@ void check_not_among(const std::vector<std::filesystem::path>& inputs,
                      const std::filesystem::path& file, const std::string& name) {
   for (const auto& input : inputs) {
     if (file == kStandardOutput) return;
-    std::error_code error;  // a file that is not there yet is no input
+    std::error_code error;  // a file that does not exist yet is not an input
     const auto& read = input == "-" ? std::filesystem::path("/dev/stdin") : input;
     if (!std::filesystem::equivalent(file, read, error)) continue;
     throw InputError(fmt::format(

@@ -49,7 +49,7 @@ class OutputFiles {
   void add_to(Parser& app, std::vector<std::string> extensions, const std::string& help,
               const std::string& printed = {});
 
-  /// Throws InputError for a name that no writer will take and for a folder that is not there.
+  /// Throws InputError for a name that no writer accepts and for a missing folder.
   void check() const;
 
   /// The same for each of these files.

@@ -32,7 +32,7 @@ std::string bound_text(const Plan& plan) {
 
 std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", goals); }
 
-/// "18: 10 turns, 2 in reverse"; of a drive mostly in reverse how to have another one.
+/// "18: 10 turns, 2 in reverse"; for a drive mostly in reverse, also how to get another.
 std::string steps_text(const Plan& plan) {
   int turns = 0;
   for (const std::string_view name : plan.moves) {
@@ -52,7 +52,7 @@ std::string radius_text(int unit, const Coordinates& coordinates) {
   return coordinates.metric() ? fmt::format("{}, {}", coordinates.length(unit), cells) : cells;
 }
 
-/// "1 cell and 40 degrees from what was asked"; empty for what is no more than rounding.
+/// "1 cell and 40 degrees from what was asked"; empty for a mere rounding error.
 std::string snapping_error_text(const SnappingError& error, const Coordinates& coordinates) {
   constexpr double kRounding = 1e-9;
   std::vector<std::string> parts;
@@ -64,7 +64,7 @@ std::string snapping_error_text(const SnappingError& error, const Coordinates& c
   return fmt::format("{} from what was asked", fmt::join(parts, " and "));
 }
 
-/// Where a drive begins or ends, if there is more to say of it than the steps do.
+/// Where a drive begins or ends, if the steps do not say everything about it.
 std::string end_line(std::string_view name, const Pose& pose, const SnappingError& error,
                      std::size_t ends, const Coordinates& coordinates) {
   std::vector<std::string> remarks;

@@ -19,8 +19,8 @@ std::string path_line(const Path& path);
 /// Which of several goals was reached: a line.
 std::string goal_line(const std::string& goal, std::size_t goals);
 
-/// That a planner without headings took the robot's polygon for the disc around it: a line; empty for
-/// any other robot.
+/// A line that says that a planner without headings used the disc around the robot's polygon; empty
+/// for any other robot.
 std::string robot_line(const FreeSpace& space, const Coordinates& coordinates);
 
 /// What was found and what it took, a line for each thing.
@@ -30,7 +30,7 @@ std::string plan_summary(const PlanResult& result, const Frame& frame);
 std::string drive_summary(const PlanResult& result, const Coordinates& coordinates,
                           std::size_t goals);
 
-/// What the search took and what came before it, for a failure too. `states` is what was expanded:
+/// What the search and its preparation took, also for a failure. `states` names what was expanded:
 /// "cells".
 std::string work_lines(const SearchMetrics& metrics, const WorkTimes& times,
                        const std::string& states = "cells");

@@ -42,7 +42,7 @@ int columns_of_all(std::string_view text);
 
 inline constexpr int kGapBetweenBlocks = 3;
 
-/// Each block is lines, each with its end. A block that does not fit into the columns begins
+/// Each block consists of lines with line ends. A block that does not fit into the columns begins
 /// below those before it.
 std::string side_by_side(const std::vector<std::string>& blocks, int columns);
 

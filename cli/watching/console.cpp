@@ -17,7 +17,7 @@ namespace {
 constexpr char kEscape = '\x1b';
 constexpr timespec kWithinASequence{0, 50'000'000};  // its characters come together
 
-/// Ctrl-C is held back while an object lives, but for the time spent waiting.
+/// Blocks Ctrl-C during its lifetime, except while waiting.
 class HeldInterrupts {
  public:
   HeldInterrupts() {
@@ -30,7 +30,7 @@ class HeldInterrupts {
   HeldInterrupts(const HeldInterrupts&) = delete;
   HeldInterrupts& operator=(const HeldInterrupts&) = delete;
 
-  /// Waits for input, for ever without a limit. False after that time and after Ctrl-C.
+  /// Waits for input, without a limit for ever. False after the limit and after Ctrl-C.
   bool wait(const timespec* limit) const {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     return ppoll(&input, 1, limit, &before_) > 0;

@@ -33,7 +33,7 @@ class Keyboard {
  public:
   /// From now on keys come at once and are not echoed.
   Keyboard();
-  /// As it was before.
+  /// Restores the previous settings.
   ~Keyboard();
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
@@ -58,7 +58,7 @@ class Display {
   /// Lines of text, each with its end.
   void show(const std::string& picture);
 
-  /// Takes the last picture away, where it is to stand in place.
+  /// Removes the last picture if pictures are shown in place.
   void clear();
 
   bool in_place() const { return in_place_; }

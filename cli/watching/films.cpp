@@ -20,7 +20,7 @@
 namespace wend::cli {
 namespace {
 
-constexpr double kSeconds = 6;  // that a film takes unless somebody wants another speed
+constexpr double kSeconds = 6;                   // length of a film unless a speed is given
 constexpr std::size_t kMostFilmFrames = 36'000;  // half an hour
 constexpr int kRowsBelow = 9;                    // for the summary, and the prompt after it
 constexpr std::size_t kMostGifFrames = 400;
@@ -40,7 +40,7 @@ Scene without_path(Scene scene) {
   return scene;
 }
 
-constexpr double kDriveSeconds = 8;  // that a film takes unless somebody wants another speed
+constexpr double kDriveSeconds = 8;  // length of a film unless a speed is given
 constexpr double kDriveFramesPerSecond = 20;
 constexpr std::size_t kMostFrames = 400;
 constexpr int kFrameWidth = 800;  // pixels at most
@@ -48,7 +48,7 @@ constexpr int kHeight = 680;
 constexpr int kDriveFrameHundredths = 5;
 constexpr int kDriveOutcomeHundredths = 250;
 
-/// The samples that are shown, one a frame, the last one not among them.
+/// The samples that are shown, one per frame, without the last one.
 std::vector<std::size_t> frames_of(const Drive& drive, std::optional<double> speed) {
   const double faster = speed.value_or(std::max(1.0, drive.time / kDriveSeconds));
   const double step =
@@ -88,7 +88,7 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
                                      std::size_t most) {
   const auto total = static_cast<double>(expansions);
   const double a_frame = speed ? *speed / kFramesPerSecond : total / (kSeconds * kFramesPerSecond);
-  // A frame that shows nothing new would only take time where the speed is not asked for.
+  // If no speed is given, a frame that shows nothing new would only take time.
   const double step =
       std::max({speed ? a_frame : std::max(a_frame, 1.0), total / static_cast<double>(most - 1)});
   std::vector<std::size_t> times;
@@ -101,7 +101,7 @@ std::vector<std::size_t> frame_times(std::size_t expansions, std::optional<doubl
 
 void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& screen,
           const PictureArguments& pictures, std::optional<double> speed) {
-  const Interruptible interruptible;  // the cursor is to be shown again
+  const Interruptible interruptible;  // to show the cursor again
   const auto frame = [&](const Scene& scene) {
     return frame_text(scene, {}, screen, pictures.style, kRowsBelow);
   };

@@ -17,8 +17,8 @@ namespace wend::cli {
 /// Text of at most `rows` lines, shown beside the map, or below it if it does not fit.
 using BesideMap = std::function<std::string(int rows)>;
 
-/// `rows_below` rows of the terminal stay free for what is written below. Elsewhere there is room
-/// for everything.
+/// `rows_below` rows of the terminal stay free for what is written below. Without a
+/// terminal there is room for everything.
 std::string frame_text(const Scene& scene, const std::vector<Layer>& layers, const Screen& screen,
                        StyleName style, int rows_below, const BesideMap& beside = {});
 

@@ -77,7 +77,7 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-/// What the marks mean that occur among the first entries.
+/// Explains the marks that occur among the first entries.
 std::string explained(const OpenList& list, std::size_t shown) {
   static constexpr std::array<std::pair<OpenTie, std::string_view>, 2> kMeanings{
       {{OpenTie::g, "g: same f as above; the larger g comes first\n"},

@@ -1,8 +1,8 @@
 #pragma once
 
-// SteppedSearch: a search that goes on and back, an expansion at a time. Searches are deterministic:
-// to go back is to begin again and to stop earlier, so that the recorder, the plan and the open list
-// are those of that moment.
+// SteppedSearch: a search that goes forward and back, one expansion at a time. Searches are
+// deterministic: to go back, it restarts and stops earlier, so that the recorder, the plan and the
+// open list are those of that moment.
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +36,7 @@ class ObserverList final : public SearchObserver {
   std::vector<SearchObserver*> observers_;
 };
 
-/// Passes on what an observer has not been told yet, of searches that are begun again and again.
+/// Passes only new events on to an observer, although the search restarts again and again.
 class ToldOnce final : public SearchObserver {
  public:
   /// It must outlive this.
@@ -63,21 +63,21 @@ class ToldOnce final : public SearchObserver {
   }
 
   SearchObserver& observer_;
-  std::uint64_t events_ = 0;  // of the search as it goes now
-  std::uint64_t told_ = 0;    // the most events of all
+  std::uint64_t events_ = 0;  // of the current run of the search
+  std::uint64_t told_ = 0;    // the most events of any run
 };
 
 class SteppedSearch {
  public:
-  /// Of a planner that can be stepped. `told` hears of every event once, however often the search
+  /// The planner must support stepping. `told` gets every event once, however often the search
   /// goes back. All must outlive this; the query's own observer is not used.
   SteppedSearch(Planner& planner, Query query, SearchRecorder& recorder, SearchObserver& told,
                 Plan& plan);
 
-  /// To before the first expansion. An outcome if the search is over.
+  /// Goes to before the first expansion. An outcome if the search is over.
   std::optional<Status> begin();
 
-  /// One expansion. An outcome if the search is over.
+  /// Makes one expansion. An outcome if the search is over.
   std::optional<Status> go_on();
 
   /// Goes back to the state after this number of expansions. An outcome if the search is over.
@@ -88,7 +88,7 @@ class SteppedSearch {
   /// What was expanded last; nothing before the first expansion.
   const std::optional<SearchEvent>& last_expansion() const { return last_.event(); }
 
-  /// The CPU time that the search took, with all who watch it, since it began last.
+  /// The CPU time of the search and its observers since its last start.
   double seconds() const { return seconds_; }
 
  private:

@@ -30,7 +30,7 @@ class Stepper {
   bool in_place() const { return display_.in_place(); }
 
  private:
-  Interruptible interruptible_;  // the cursor and the keyboard are to be put in order
+  Interruptible interruptible_;  // to restore the cursor and the keyboard
   Display display_;
   Keyboard keyboard_;
 };

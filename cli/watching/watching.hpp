@@ -26,7 +26,7 @@ struct WatchArguments {
   /// Throws InputError where the flags cannot be honoured.
   void check(const Screen& screen) const;
 
-  /// What the trace's name asks for.
+  /// The form that the trace's file name asks for.
   TraceForm trace_form() const;
 };
 

@@ -44,7 +44,7 @@ bool has_option(const PlannerInfo& info, const std::string& name) {
                      [&](const OptionInfo& option) { return option.name == name; });
 }
 
-/// Makes a planner move as all do: otherwise lengths would not be the same.
+/// Gives a planner the same moves as all others; otherwise the lengths would differ.
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
   if (info.motion != Motion::cells) {
     throw InputError(fmt::format(

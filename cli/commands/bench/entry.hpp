@@ -15,7 +15,7 @@
 
 namespace wend::cli {
 
-/// Throws InputError for a file that is no index, or a damaged one.
+/// Throws InputError for a file that is not an index, or a damaged one.
 std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files);
 
 /// Is it for this map?
@@ -38,7 +38,7 @@ class BenchEntry {
   /// Throws InputError if the planner does not take its options, or terrain where there is some. O(1).
   void check(const FreeSpace& space) const;
 
-  /// Is there an index that this one plans on?
+  /// Can this entry plan on that index?
   bool takes(const GivenIndex& index) const;
 
   /// What is needed before planners are made: one of the given indexes, or one that is built now.
@@ -60,8 +60,8 @@ class BenchEntry {
   const PlannerInfo& info_;
 };
 
-/// Those of a --planner list: our planners and, where the build found Boost.Graph, "boost-astar". All
-/// move as is said. Throws InputError for one that is not there, and for one that cannot move so.
+/// The entries of a --planner list: our planners and, if the build found Boost.Graph, "boost-astar". All
+/// use `moves`. Throws InputError for a planner that does not exist or cannot use them.
 std::vector<BenchEntry> parse_entries(const std::string& list, GridMoves moves);
 
 }  // namespace wend::cli

@@ -7,7 +7,7 @@ namespace wend::cli {
 
 class Ranks {
  public:
-  /// Once in a program. Throws InputError if wend was built without MPI, or if it does not start.
+  /// Make only one per program. Throws InputError if wend was built without MPI, or MPI does not start.
   Ranks();
 
   ~Ranks();
@@ -17,11 +17,11 @@ class Ranks {
   int rank() const { return rank_; }  // of this process, from 0
   int count() const { return count_; }
 
-  /// Returns when all ranks are here. Throws InputError if that cannot be.
+  /// Returns when all ranks are here. Throws InputError if that is impossible.
   void wait_for_all();
 
-  /// Ends all of them at once, this one too: for one that cannot go on, for which the others would
-  /// wait.
+  /// Ends all ranks at once, this one too: for a rank that cannot go on, while the others would wait
+  /// for it.
   [[noreturn]] void end_all(int exit_code);
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kMostComplaints = 5;  // of an entry
 constexpr std::size_t kQueriesAtOnce = 16;    // that a thread takes
-constexpr double kSlice = 1;                  // seconds until there is a moment to do other things
+constexpr double kSlice = 1;                  // seconds between pauses for other work
 
 }  // namespace
 
@@ -127,7 +127,7 @@ void BenchRun::run_pass(Runner& runner, std::uint64_t pass, BenchProgress& progr
   }
 }
 
-/// As many of the queries as a slice of time has room for.
+/// Answers as many of the queries as fit into a time slice.
 bool BenchRun::answer_some(Runner& runner, std::span<const std::size_t> queries,
                            BenchProgress& progress) {
   const double end = steady_seconds() + kSlice;
@@ -146,7 +146,7 @@ bool BenchRun::answer_some(Runner& runner, std::span<const std::size_t> queries,
   return !cancelled;
 }
 
-/// In one of the threads. False if Ctrl-C came.
+/// Runs in one of the threads. False if Ctrl-C came.
 bool BenchRun::answer(Runner& runner, unsigned thread, std::span<const std::size_t> queries) {
   return std::all_of(queries.begin(), queries.end(), [&](std::size_t i) {
     BenchWorker& worker = runner.workers[thread];

@@ -41,7 +41,7 @@ struct BenchProgress {
 
 class BenchRun {
  public:
-  /// Takes what the store knows for answered; all that it is given must outlive this.
+  /// Queries that the store knows count as answered. All arguments must outlive this.
   BenchRun(const BenchScenario& scenario, const std::vector<BenchEntry>& entries,
            const BenchSettings& settings, BenchStore& store, BenchShare share = {});
 
@@ -50,7 +50,7 @@ class BenchRun {
   /// take its options or the map.
   void run(const std::vector<GivenIndex>& indexes, BenchProgress& progress);
 
-  /// What came of it, one row per entry: of the whole scenario only.
+  /// The results, one row per entry; only for the whole scenario.
   std::vector<BenchRow> rows() const;
 
   /// The same with every answer, for plots.

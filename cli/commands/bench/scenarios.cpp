@@ -27,7 +27,7 @@ T loaded_or_throw(Expected<T, IoError> result) {
 std::vector<fs::path> scenario_files(const std::vector<std::string>& files_and_folders) {
   std::vector<fs::path> files;
   for (const std::string& name : files_and_folders) {
-    std::error_code error;  // what is not there is no folder
+    std::error_code error;  // a missing file is not a folder
     if (!fs::is_directory(name, error)) {
       files.emplace_back(name);
       continue;
@@ -78,7 +78,7 @@ BenchScenario load_bench_scenario(const fs::path& file, const std::string& map_f
 
 constexpr int kDecimals = 8;
 
-/// The options of a planner that moves so.
+/// The options of a planner with these moves.
 OptionValues options_of(GridMoves moves) {
   OptionValues values;
   for (const auto& choice : choice_names(Connectivity{})) {

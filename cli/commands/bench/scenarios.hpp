@@ -21,7 +21,7 @@ struct BenchScenario : Scenario {
   std::uint64_t fingerprint = 0;                 // of map and queries, whether sampled or not
 };
 
-/// Those of scenario files and of folders with such; `map_file` is the map of all, unless it is
+/// The scenarios of files and of folders; `map_file` is the map of all scenarios, unless it is
 /// empty. At most `sample` queries of each, evenly spread. Throws InputError.
 std::vector<BenchScenario> load_scenarios(const std::vector<std::string>& files_and_folders,
                                           const std::string& map_file, std::size_t sample);

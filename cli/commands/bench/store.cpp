@@ -26,7 +26,7 @@ std::string host_name() {
 }
 
 std::optional<BenchDatabase> open_if_there(const std::string& file) {
-  std::error_code error;  // what cannot be looked at cannot be opened either, and says why
+  std::error_code error;  // if this fails, opening the file fails too and says why
   if (!std::filesystem::exists(file, error) && !error) return std::nullopt;
   return stored(BenchDatabase::open(file));
 }
@@ -45,7 +45,7 @@ std::vector<fs::path> shards_of(const fs::path& database) {
   const std::string begin = database.filename().string() + kMark;
   const fs::path folder = database.has_parent_path() ? database.parent_path() : ".";
   std::vector<fs::path> shards;
-  std::error_code error;  // a folder that is not there has none
+  std::error_code error;  // a missing folder has no shards
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(begin) && is_number(name.substr(begin.size()))) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// BenchStore: where `wend bench` keeps answers while it runs, so that a run that was interrupted goes
-// on where it was. Without --database: nowhere. A file is made when the first answer is kept, so a
-// command that is refused leaves none behind.
+// BenchStore: where `wend bench` keeps answers while it runs, so that an interrupted run can continue.
+// Without --database: nowhere. The file is created when the first answer is kept, so a rejected
+// command leaves none behind.
 
 #include <optional>
 #include <span>
@@ -20,13 +20,13 @@ class BenchStore {
   /// Keeps nothing.
   BenchStore() = default;
 
-  /// Throws InputError, as all that follows, if the file cannot be used.
+  /// This and all functions below throw InputError if the file cannot be used.
   explicit BenchStore(const std::string& file);
 
   /// The same for a rank among many: what is known comes from the file, what is new goes to a shard.
   BenchStore(const std::string& file, const std::string& shard);
 
-  /// From now on answers are those on this scenario.
+  /// From now on, answers belong to this scenario.
   void begin(const BenchScenario& scenario, const FreeSpace& space, const BenchSettings& settings);
 
   /// What is known of an entry on the scenario.

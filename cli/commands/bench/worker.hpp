@@ -17,26 +17,26 @@ namespace wend::cli {
 /// What all queries of a worker have in common.
 struct WorkerRules {
   GridMoves moves;
-  double limit_s = 0;  // that a query may take; 0: no limit
+  double limit_s = 0;  // time limit of a query; 0: none
 };
 
 class BenchWorker {
  public:
   using Make = std::function<PlannerResult()>;
 
-  /// Told what is wrong with the answer to a query, once for each that is. From this worker's thread.
+  /// Gets what is wrong with an answer, once per query. Called in this worker's thread.
   using Complain = std::function<void(const ScenarioQuery& query, const std::string& wrong)>;
 
   /// `make` is called for every first query. `space` must outlive the worker.
   BenchWorker(const FreeSpace& space, Make make, WorkerRules rules, Complain complain);
 
-  /// The planner that later queries are asked; the query is not timed: fresh memory costs time.
+  /// Sets the planner for later queries. It answers the query untimed: fresh memory costs time.
   void keep(std::unique_ptr<Planner> planner, const ScenarioQuery& query);
 
-  /// Asks a new planner, one run. False, and nothing was done, if Ctrl-C came; as all that follow.
+  /// Times one run of a new planner. After Ctrl-C, it and those below return false and change nothing.
   bool time_first(const ScenarioQuery& query, BenchAnswer& answer);
 
-  /// Repeats a query with the kept planner: the least of as many runs as fill 5 ms.
+  /// Repeats a query with the kept planner: the fastest of the runs that fill 5 ms counts.
   bool time_later(const ScenarioQuery& query, BenchAnswer& answer);
 
   /// Repeats a query with a new planner.
