@@ -1,6 +1,6 @@
 #pragma once
 
-// An index's answers between all cells of a small board, against a plain Dijkstra.
+// Checks the answers of an index between all cells of a small board against a plain Dijkstra.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ inline std::uint64_t cost_of(const OctileSteps& steps) {
   return 33461 * std::uint64_t{steps.straight} + 47321 * std::uint64_t{steps.diagonal};
 }
 
-/// Is it a path of these many steps that are all legal?
+/// Is it a path with these numbers of steps, all of them legal?
 inline void expect_path(const BitGrid& bits, const std::vector<Cell>& cells,
                         const OctileSteps& steps, Cell start, Cell goal) {
   ASSERT_EQ(cells.front(), start);

@@ -25,7 +25,7 @@ inline bool brute_step_is_legal(const BitGrid& passable, Cell from, int dx, int 
   return free(from.x + dx, from.y + dy) && free(from.x + dx, from.y) && free(from.x, from.y + dy);
 }
 
-/// From one cell to all, without cutting corners, 33461 a straight and 47321 a diagonal step.
+/// From one cell to all, without cutting corners; a straight step costs 33461, a diagonal step 47321.
 inline Grid<std::uint64_t> brute_distances(const BitGrid& passable, Cell from) {
   Grid<std::uint64_t> distances(passable.width(), passable.height(), kUnreached);
   using Entry = std::pair<std::uint64_t, Cell>;
@@ -50,7 +50,7 @@ inline Grid<std::uint64_t> brute_distances(const BitGrid& passable, Cell from) {
   return distances;
 }
 
-/// Is the way from one cell to another free that goes diagonally first, then straight?
+/// Is the path that goes diagonally first, then straight, free?
 inline bool brute_sees(const BitGrid& passable, Cell from, Cell to) {
   while (from != to) {
     const int dx = (to.x > from.x) - (to.x < from.x);
@@ -61,7 +61,7 @@ inline bool brute_sees(const BitGrid& passable, Cell from, Cell to) {
   return true;
 }
 
-/// A row of the board a line.
+/// One line of text per row of the board.
 inline std::string text_of(const BitGrid& bits) {
   std::string text;
   for (int y = 0; y < bits.height(); ++y) {
@@ -81,7 +81,7 @@ inline std::vector<Cell> passable_cells(const BitGrid& bits) {
   return cells;
 }
 
-/// Calls check(bits) for boards of many shapes and densities, all of 3 x 3 cells among them.
+/// Calls check(bits) for boards of many shapes and densities, including all boards of 3 x 3 cells.
 template <class Check>
 void for_small_boards(int random_boards, Check&& check) {
   for (unsigned pattern = 0; pattern < 512; ++pattern) {

@@ -29,8 +29,8 @@ class EdgeScan {
  private:
   static constexpr int kUnbounded = std::numeric_limits<int>::max();
 
-  /// The corners between a diagonal and the two straight directions beside it. What a ray meets
-  /// hides what lies farther out on the rays of the cells further along.
+  /// Finds the corners between a diagonal and the two straight directions beside it. The stop of a ray
+  /// hides what lies farther out on the rays of later cells of the diagonal.
   void scan_quadrant(Direction diagonal) {
     const std::array<Direction, 2> straight = beside(diagonal);
     std::array<int, 2> reach{clear_steps(straight[0]), clear_steps(straight[1])};
@@ -45,7 +45,8 @@ class EdgeScan {
 
   int clear_steps(Direction straight) const { return steps_to_stop(from_, straight) - 1; }
 
-  /// To the next cell in a straight direction that is a corner or blocked, perhaps outside.
+  /// The number of steps to the next cell in a straight direction that is a corner or blocked; it may
+  /// lie outside the map.
   int steps_to_stop(Cell from, Direction straight) const {
     const bool along_x = straight == Direction::plus_x || straight == Direction::minus_x;
     const BitLines& stops = along_x ? rows_ : columns_;
@@ -54,8 +55,8 @@ class EdgeScan {
     return onward ? stops.distance_ahead(line, at) : stops.distance_back(line, at);
   }
 
-  /// Takes the corner that a ray stops at, if it does within `reach` steps. Says how many steps it
-  /// is clear for.
+  /// Appends the corner where a ray stops, if it stops within `reach` steps. Returns the number of clear
+  /// steps.
   int scan_ray(Cell cell, Direction straight, int reach) {
     const int steps = steps_to_stop(cell, straight);
     if (steps <= reach) append_if_corner(step(cell, straight, steps));

@@ -77,7 +77,7 @@ class CornerFrontier {
   /// The cheapest entry. The frontier must not be empty.
   Entry pop() { return min_heap::pop(heap_); }
 
-  /// Has the corner a cheaper entry by now?
+  /// Does the corner have a cheaper entry by now?
   bool is_outdated(const Entry& entry) const { return entry.cost > costs_[entry.corner]; }
 
   /// Removes all entries. O(reached corners).

@@ -90,7 +90,7 @@ TEST(CornerGraph, HasTheOppositeOfEveryEdge) {
   });
 }
 
-/// The first corners of a passable cell, looked for forwards, in ascending order.
+/// The first corners of a passable cell, found by a forward search, in ascending order.
 std::vector<std::uint32_t> first_corners_from(const Corners& corners, Cell cell) {
   const BitGrid& passable = corners.passable();
   std::vector<std::uint32_t> found;
@@ -152,7 +152,7 @@ class ThreeTerms {
     }
   }
 
-  /// `stand` is whether corners stand for themselves.
+  /// `stand`: do corners stand for themselves?
   std::uint64_t distance(Cell s, Cell t, bool stand) const {
     const Corners& corners = graph_.corners();
     const auto sees = [&](Cell a, Cell b) { return brute_sees(corners.passable(), a, b); };

@@ -40,16 +40,17 @@ inline constexpr auto kTurnSides = [] {
   return table;
 }();
 
-/// By a set of 8 bits: for each straight direction d/2 whether a path that arrives that way turns
-/// to the next straight direction counter-clockwise (bit d), or clockwise (the bit after). `block`
-/// is BitGrid::block(cell).
+/// Returns 8 bits. For each straight Direction d: may a path that arrives in direction d turn to the
+/// next straight direction counter-clockwise (bit d), or clockwise (bit d + 1)? `block` is
+/// BitGrid::block(cell).
 constexpr unsigned turn_sides(unsigned block) { return kTurnSides[block]; }
 
-/// One bit a straight direction, where a pair of sides is not empty: at bits 0, 2, 4, 6.
+/// One bit per straight direction with at least one side: bits 0, 2, 4, 6.
 constexpr unsigned turning_straights(unsigned sides) { return (sides | sides >> 1U) & 0x55U; }
 
-/// The straight directions in which a ray stops at a passable cell as at a jump point: a path that
-/// arrives that way may turn. As turning_straights(). A cell is a corner if and only if there is one.
+/// The straight directions for which a passable cell is a jump point, where rays stop: a path that
+/// arrives that way may turn. Bits as in turning_straights(). A cell is a corner if and only if there is
+/// at least one.
 constexpr unsigned jump_directions(unsigned block) { return turning_straights(turn_sides(block)); }
 
 class Corners {
@@ -75,11 +76,11 @@ class Corners {
   BitGrid bits_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t>
-      before_;  // a word of bits_ (without the border rows): corners before it
+      before_;  // by word of bits_ (without the border rows): corners before it
 };
 
 /// Visits the cells on a diagonal after `from` until a step would cut a corner or is blocked, or
-/// `visit(cell)` says false.
+/// `visit(cell)` returns false.
 template <class Visit>
 void walk_diagonal(const BitGrid& passable, Cell from, Direction diagonal, Visit&& visit) {
   for (Cell cell = from;;) {

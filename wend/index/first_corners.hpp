@@ -7,16 +7,16 @@
 // one of its four diagonals, meets the first jump point of its direction; or it never turns. The
 // cost from the cell to such a corner is octile_cost(), diagonal steps first.
 //
-// With D the distance in the CornerGraph, the distance of two cells s and t is the least of
+// With D the distance in the CornerGraph, the distance between two cells s and t is the minimum of
 //   octile(s, t)                          if the octile path that goes diagonally first, from s or
 //                                         from t, is free
 //   octile(s, a) + D(a, c) + octile(c, t) for a of first(s), c of first(t)
 //   octile(s, c) + octile(c, t)           for c of first(t), if the octile path from s to c that goes
 //                                         diagonally first is free
-// For draw a shortest path from t. If it never turns, the first term is it. Else it turns first at a
-// c of first(t). Draw its rest from s: either it turns first at an a of first(s), or it never does
-// and s sees c. The third term is not needed where s is a corner and stands for itself: then
-// first(s) may be taken as {s}, and the same holds for t.
+// Proof: draw a shortest path from t. If it never turns, the first term is its cost. Otherwise it turns
+// first at a c of first(t). Draw the rest from s: either it turns first at an a of first(s), or it never
+// turns and s sees c. If s is a corner, {s} may replace first(s), and the third term is not needed; the
+// same holds for t.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +28,7 @@
 
 namespace wend {
 
-/// The first corners of all cells. Made backwards, from the corners: O(cells + the lists).
+/// The first corners of all cells, computed backwards from the corners. O(cells + the lists).
 class AllFirstCorners {
  public:
   explicit AllFirstCorners(const Corners& corners);

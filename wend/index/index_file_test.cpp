@@ -1,4 +1,4 @@
-// What is written is read back; what is cut off, damaged or of something else is refused.
+// A written file can be read back; a truncated, damaged or foreign file is rejected.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -18,8 +18,8 @@ struct RandomGraph {
   std::uint32_t nodes = 0;
   std::vector<GraphArc> arcs;
 
-  /// Sparse and dense ones, with cheap arcs (so that many paths cost the same) and dear ones, some of
-  /// them parallel.
+  /// Makes a sparse or dense graph with cheap arcs (so that many paths cost the same) or expensive ones;
+  /// some arcs are parallel.
   explicit RandomGraph(std::uint64_t seed) {
     Random random(seed);
     nodes = static_cast<std::uint32_t>(random.between(1, 24));
@@ -33,14 +33,14 @@ struct RandomGraph {
     }
   }
 
-  /// Of all arcs: no shortest path costs more.
+  /// The cost of all arcs; no shortest path costs more.
   std::uint64_t total_cost() const {
     std::uint64_t total = 0;
     for (const GraphArc& arc : arcs) total += arc.cost;
     return total;
   }
 
-  /// Between all pairs, by Floyd and Warshall.
+  /// Between all pairs, by the Floyd-Warshall algorithm.
   std::vector<std::vector<std::uint64_t>> distances() const {
     std::vector<std::vector<std::uint64_t>> costs(nodes, std::vector(nodes, kNoWay));
     for (std::uint32_t node = 0; node < nodes; ++node) costs[node][node] = 0;
@@ -58,7 +58,7 @@ struct RandomGraph {
     return costs;
   }
 
-  /// What a path costs; kNoWay if an arc is missing.
+  /// The cost of a path; kNoWay if an arc is missing.
   std::uint64_t cost_of(const std::vector<std::uint32_t>& path) const {
     std::uint64_t sum = 0;
     for (std::size_t i = 1; i < path.size(); ++i) {

@@ -2,8 +2,8 @@
 
 // RunWriter: writes a path cell by cell from runs of steps, upwards or downwards in memory.
 //
-// A run is written eight cells at a time, past its end where there is room: what comes next
-// overwrites that. Most runs are short, and a loop of one round has no branch to mispredict.
+// It writes a run eight cells at a time, past the end of the run where there is room; later cells
+// overwrite the excess. Most runs are short, and a loop of one round has no branch to mispredict.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,8 @@ namespace wend {
 template <int kWay>
 class RunWriter {
  public:
-  /// Writes into the `room` cells from `next` on; the path has come to `at`, which is written.
+  /// Writes into the `room` cells from `next` on. The path so far ends at `at`, which is already
+  /// written.
   RunWriter(Cell* next, std::size_t room, Cell at) : next_(next), room_(room), at_(packed(at)) {}
 
   std::size_t room() const { return room_; }
@@ -83,7 +84,7 @@ class RunWriter {
   using Pair [[gnu::vector_size(2 * sizeof(std::int64_t))]] = std::int64_t;
   static constexpr std::size_t kPairs = kAtOnce / 2;
 
-  /// The distances of the cells of a run from the cell before it.
+  /// The offsets of the cells of a run from the cell before the run.
   static constexpr auto kOffsets = [] {
     std::array<std::array<Pair, kPairs>, kDirections> table{};
     for (std::size_t direction = 0; direction < table.size(); ++direction) {
@@ -143,7 +144,7 @@ class LegPath {
 
   OctileSteps steps() const { return steps_; }
 
-  /// Writes its cells, steps().cells() of them.
+  /// Writes the steps().cells() cells of the path.
   void write(std::span<Cell> cells) const;
 
  private:

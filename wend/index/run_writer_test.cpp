@@ -16,7 +16,7 @@ struct Straight {
   std::size_t steps;
 };
 
-/// Runs that stay where coordinates are positive, and the cells after (1000, 1000) on them.
+/// Runs from (1000, 1000) with positive coordinates only, and their cells after the start.
 struct Runs {
   explicit Runs(std::uint64_t seed) {
     Random random(seed);

@@ -5,12 +5,12 @@
 namespace wend {
 namespace {
 
-/// A word of a row, of the bits one place before (dx = 1) or behind (dx = -1).
+/// Word i of a row, shifted: the bits one place before (dx = 1) or behind (dx = -1).
 std::uint64_t shifted(std::span<const std::uint64_t> words, std::size_t i, int dx) {
   return dx > 0 ? bits_before(words, i) : bits_behind(words, i);
 }
 
-/// What there is for one diagonal direction: by rows.
+/// The boards of one diagonal direction, by rows.
 struct DiagonalRows {
   BitLines stops;  // beginnings, and where a step back is not legal
   BitLines met;    // the cells from which a way back meets a beginning
@@ -20,7 +20,7 @@ DiagonalRows diagonal_rows(const BitLines& passable, const BitLines& beginnings,
   const int height = passable.lines();
   DiagonalRows rows{BitLines(height, passable.length()), BitLines(height, passable.length())};
   for (int i = 0; i < height; ++i) {
-    const int y = step.y > 0 ? i : height - 1 - i;  // a row after the one that steps come from
+    const int y = step.y > 0 ? i : height - 1 - i;  // each row after the row that steps come from
     const auto here = passable.words(y);
     const auto before = passable.words(y - step.y);
     const auto begun = beginnings.words(y - step.y);
@@ -38,8 +38,8 @@ DiagonalRows diagonal_rows(const BitLines& passable, const BitLines& beginnings,
   return rows;
 }
 
-/// By quarter(), where a leg may begin that goes along a diagonal: the one between each straight
-/// direction in which a path turns and the next.
+/// By quarter() of a diagonal: the cells where a leg along it may begin. The diagonal lies between the
+/// direction of arrival at a turn and a side of the turn.
 std::array<BitLines, 4> beginnings_of_legs(const Corners& corners) {
   const BitGrid& passable = corners.passable();
   std::array<BitLines, 4> beginnings;

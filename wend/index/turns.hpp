@@ -1,14 +1,13 @@
 #pragma once
 
-// ArrivalBoards: bit boards for the search backwards from a goal: where the last leg may have begun.
+// ArrivalBoards: bit boards for the backward search from a goal; they find where the last leg may begin.
 //
-// A leg goes diagonally first, then straight. Seen from its end it goes back straight, and from
-// some cell on along a diagonal. So for each straight direction there is a board with the cells at
-// which such a way back is of interest: corners, cells from which a diagonal back meets a beginning
-// of legs, and blocked cells; and for each diagonal direction one with the beginnings of legs and
-// the cells from which there is no step back. The caller passes the beginnings.
+// A leg goes diagonally first, then straight. Followed back from its end, it goes straight and then
+// along a diagonal. So each straight direction has a board of the cells that matter on such a way back:
+// corners, cells from which a diagonal back meets a beginning of legs, and blocked cells. Each diagonal
+// direction has a board of the beginnings of legs and of the cells without a legal step back.
 //
-// Immutable. O(cells) to make, some 12 bits a cell.
+// Immutable. O(cells) to build, about 12 bits per cell.
 
 #include <array>
 #include <bit>
@@ -30,9 +29,9 @@ class ArrivalBoards {
  public:
   ArrivalBoards(const Corners& corners, const JumpBoards& boards);
 
-  /// How many steps one goes back from a cell, against a direction of travel: a straight one, before
-  /// there is something of interest; a diagonal one, to a beginning of legs or to the last cell. Then
-  /// the first step back must be legal.
+  /// The number of steps back from a cell, against a direction of travel. Straight: to the next cell
+  /// that matters. Diagonal: to a beginning of legs or to the last cell; the first step back must be
+  /// legal.
   template <Direction kDirection>
   int distance_back(Cell from) const {
     const BitLines& stops = stops_[static_cast<std::size_t>(kDirection)];
@@ -44,28 +43,27 @@ class ArrivalBoards {
   std::array<BitLines, kDirections> stops_;  // as distance_to_bit() takes them
 };
 
-// Turns: where a shortest path turns around an obstacle, and how it comes there.
+// Turns: where a shortest path turns around an obstacle, and in which direction it arrives there.
 //
-// A turn is a cell and the straight direction d in which a path arrives there, where on a side e
-// the next cell is passable and the one behind that is blocked:
+// A turn is a cell and the straight direction d in which a path arrives there. On a side e the neighbour
+// is passable and the cell behind that neighbour is blocked:
 //
 //     # e           the path comes from the left; it could not have gone to e earlier
 //     > T
 //
-// A shortest path can be drawn diagonally first: while somewhere a straight step is followed by a
-// diagonal one and the two can change places, they do. What is left has few shapes. A straight step
-// and a diagonal step, or straight steps at a right angle, follow each other only at a turn, for
-// elsewhere they can change places, or a single diagonal step is shorter. After a diagonal step
-// come the same one or one of its two straight parts: all else is longer than going straight. So
-// the path is a chain of legs, each some diagonal steps and then some straight ones (either may be
-// missing), joined at turns; and a leg from the turn (T, d) goes straight on, or to a side e of the
-// turn, or first along the diagonal between d and e. (The jump points of D. Harabor and A. Grastien,
-// "Online Graph Pruning for Pathfinding on Grid Maps", 2011, without those on diagonals; as a graph
-// they are those of D. Harabor, T. Uras, P. Stuckey and S. Koenig, "Regarding Jump Point Search and
-// Subgoal Graphs", 2019.)
+// Every shortest path has a diagonal-first form: wherever a straight step can be swapped with a diagonal
+// step that follows it, swap them. Few shapes remain. A straight and a diagonal step, or two straight
+// steps at a right angle, follow each other only at a turn: elsewhere they can be swapped, or a single
+// diagonal step is shorter. A diagonal step is followed by the same step or by one of its two straight
+// parts; anything else is longer than going straight. So the path is a chain of legs joined at turns. A
+// leg is some diagonal steps and then some straight steps (either part may be empty). From the turn
+// (T, d) a leg goes straight on, or to a side e of the turn, or first along the diagonal between d and e.
+// (The jump points of D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid Maps",
+// 2011, without those on diagonals; as a graph they are those of D. Harabor, T. Uras, P. Stuckey and S.
+// Koenig, "Regarding Jump Point Search and Subgoal Graphs", 2019.)
 //
-// That gives a directed graph of turns, which is sparse even where corners see many others: a path
-// that arrives in one direction has few ways to go on.
+// The turns form a directed graph. It is sparse even where corners see many others, because a path that
+// arrives in one direction has few ways to continue.
 
 /// The turns at a cell towards one of these sides: a subset of turn_sides().
 struct TurnChoice {
@@ -209,7 +207,7 @@ void Turns::for_each_next(std::uint32_t turn, Visit&& visit) const {
   });
 }
 
-/// The turns from which a diagonal leads here.
+/// Visits the turns from which a diagonal leads to this cell.
 template <Direction kDiagonal, class Visit>
 void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) const {
   constexpr Direction kBack = opposite(kDiagonal);
@@ -223,13 +221,13 @@ void Turns::visit_back_on_diagonal(Cell from, CornerCost cost, Visit&& visit) co
   }
 }
 
-/// The turns from which a leg leads here that ends with straight steps.
+/// Visits the turns from which a leg that ends with straight steps leads to this cell.
 template <Direction kStraight, class Visit>
 void Turns::visit_back(Cell from, Visit&& visit) const {
   constexpr unsigned kSides = right_side(left_of(kStraight)) | left_side(right_of(kStraight));
   unsigned turning = sides(from);
   CornerCost cost = 0;
-  // What comes from before a turn of this direction comes through that turn.
+  // A path from beyond a turn of this direction passes through that turn.
   while ((turning & both_sides(kStraight)) == 0) {
     const int steps = arrivals_.distance_back<kStraight>(from);
     from = step(from, opposite(kStraight), steps);

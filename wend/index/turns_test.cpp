@@ -1,4 +1,4 @@
-// Turns and the ways between them, against shortest paths by brute force.
+// Checks turns and the legs between them against shortest paths by brute force.
 
 #include "wend/index/turns.hpp"
 
@@ -21,7 +21,7 @@ using test::kUnreached;
 using test::passable_cells;
 using test::text_of;
 
-/// From a cell to each turn, by relaxing every way until nothing changes.
+/// The costs from a cell to each turn, by relaxing every leg until nothing changes.
 std::vector<std::uint64_t> costs_of_turns(const Turns& turns, Cell from) {
   std::vector<std::uint64_t> costs(turns.size(), kUnreached);
   bool changed = true;
@@ -119,7 +119,7 @@ TEST(PathBound, RefusesMapsWhosePathsMayOutgrowThirtyTwoBits) {
   EXPECT_TRUE(paths_may_be_too_long(Turns(corridor(130'000)), {}));
 }
 
-/// A snake of corridors, one cell wide: as long as its area is large.
+/// One winding corridor, one cell wide; its length is proportional to the area.
 BitGrid snake(int size) {
   BitGrid bits(size, size);
   for (int y = 0; y < size; y += 2) {

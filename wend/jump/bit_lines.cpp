@@ -20,7 +20,7 @@ void transpose(Block& block) {
   }
 }
 
-/// 64 bits of a line from `at` on; beyond its end zeros, whatever the border is.
+/// 64 bits of a line from `at` on; zeros beyond its end, whatever the border contains.
 std::uint64_t bits_at(const BitLines& board, int line, int at) {
   const auto words = board.words(line);
   const auto bit = static_cast<std::size_t>(at + 1);

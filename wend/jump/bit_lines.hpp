@@ -104,8 +104,8 @@ class BitLines {
   /// time.
   BitLines transposed() const;
 
-  /// A line for each diagonal of the grid whose rows these lines are, and a bit for each row:
-  /// cell (at, line) is bit `line` of the line that diagonal_line() says.
+  /// Returns one line per diagonal of the grid with these rows, and one bit per row: cell (at, line)
+  /// becomes bit `line` of line diagonal_line().
   enum class Diagonals { falling_right, falling_left };
   BitLines diagonals(Diagonals which) const;
 
@@ -141,7 +141,7 @@ constexpr int diagonal_line(BitLines::Diagonals which, Cell cell, int rows) {
   return which == BitLines::Diagonals::falling_right ? cell.x - cell.y + rows - 1 : cell.x + cell.y;
 }
 
-/// On which lines of cells a diagonal direction runs.
+/// The kind of diagonal lines that a diagonal direction follows.
 constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
   return diagonal == Direction::plus_x_plus_y || diagonal == Direction::minus_x_minus_y
              ? BitLines::Diagonals::falling_right
@@ -162,7 +162,7 @@ int distance_to_bit(const BitLines& lines, Cell from, int rows) {
   return kAhead ? lines.distance_ahead(line, at) : lines.distance_back(line, at);
 }
 
-/// The words of a board from words of another one, around each place.
+/// A board of the same size as `board`, whose words are word_at(line, i).
 template <class WordAt>
 BitLines mapped(const BitLines& board, WordAt&& word_at) {
   BitLines made(board.lines(), board.length());
@@ -180,12 +180,12 @@ inline BitLines with_blocked(const BitLines& board, const BitLines& passable) {
   });
 }
 
-/// Word i of a line, but of the bits one place before (`at - 1`).
+/// Word i of a line, shifted to the bits one place before (`at - 1`).
 inline std::uint64_t bits_before(std::span<const std::uint64_t> words, std::size_t i) {
   return words[i] << 1U | (i > 0 ? words[i - 1] >> 63U : 0);
 }
 
-/// The same of the bits one place behind (`at + 1`).
+/// The same for the bits one place behind (`at + 1`).
 inline std::uint64_t bits_behind(std::span<const std::uint64_t> words, std::size_t i) {
   return words[i] >> 1U | (i + 1 < words.size() ? words[i + 1] << 63U : 0);
 }

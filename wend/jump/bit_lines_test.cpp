@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// Sizes around those of words.
+/// Sizes around multiples of the word size.
 const std::vector<std::pair<int, int>>& sizes() {
   static const std::vector<std::pair<int, int>> all{{1, 1},   {1, 200},  {3, 61},  {5, 62},
                                                     {7, 63},  {9, 64},   {64, 65}, {65, 127},

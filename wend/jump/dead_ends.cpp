@@ -12,7 +12,7 @@ struct Run {
   int last;
 };
 
-/// The runs of some lines, and which touch which.
+/// The runs of some lines, and which of them touch.
 class Runs {
  public:
   explicit Runs(const BitLines& lines) : begins_(static_cast<std::size_t>(lines.lines()) + 1) {
@@ -30,7 +30,7 @@ class Runs {
   std::size_t size() const { return runs_.size(); }
   const Run& operator[](std::size_t run) const { return runs_[run]; }
 
-  /// How many runs touch it that have not been taken away.
+  /// The number of remaining runs that touch it.
   std::uint32_t degree(std::size_t run) const { return degrees_[run]; }
 
   /// The one run that touches a run of degree 1.
@@ -58,7 +58,7 @@ class Runs {
 
   void add_runs(const BitLines& lines, int line) {
     const auto words = lines.words(line);
-    int begin = -1;  // of the run in work
+    int begin = -1;  // of the current run
     for (std::size_t i = 0; i < words.size(); ++i) {
       std::uint64_t word = words[i];
       for (int bit = 0; bit < 64;) {
@@ -81,7 +81,7 @@ class Runs {
     }
   }
 
-  /// Notes which runs of two neighbouring lines touch, from left to right.
+  /// Records which runs of two neighbouring lines touch, from left to right.
   void join(int one_line, int other_line) {
     std::size_t other = begins_[static_cast<std::size_t>(other_line)];
     const std::size_t end = begins_[static_cast<std::size_t>(other_line) + 1];
@@ -106,7 +106,7 @@ class Runs {
   std::vector<std::uint32_t> degrees_;
 };
 
-/// A run that was taken away, and where it touched the one that it led to.
+/// A removed run, and where it touched the run that it led to.
 struct Record {
   bool is_row;  // else a column
   int line;
@@ -119,12 +119,12 @@ struct Record {
 
 Cell cell_at(bool is_row, int line, int at) { return is_row ? Cell{at, line} : Cell{line, at}; }
 
-/// Takes dead ends away, by rows and by columns in turns.
+/// Removes dead ends, alternating between rows and columns.
 class Peeling {
  public:
   explicit Peeling(const BitLines& rows)
       : core_(rows), numbers_(rows.length(), rows.lines(), DeadEnds::kCore) {
-    // A round that takes away little is not worth its time.
+    // A round that removes little is not worth its time.
     constexpr std::size_t kLeastShare = 400;
     const std::size_t least = numbers_.size() / kLeastShare;
     bool by_rows = true;
@@ -138,7 +138,7 @@ class Peeling {
   Grid<std::uint32_t>& numbers() { return numbers_; }
 
  private:
-  /// One round; how many cells that were.
+  /// Runs one round. Returns the number of cells removed.
   std::size_t peel(bool by_rows) {
     Runs runs(by_rows ? core_ : core_.transposed());
     std::vector<std::size_t> leaves;
@@ -149,7 +149,7 @@ class Peeling {
     while (!leaves.empty()) {
       const std::size_t leaf = leaves.back();
       leaves.pop_back();
-      if (runs.degree(leaf) != 1) continue;  // its neighbour was taken away
+      if (runs.degree(leaf) != 1) continue;  // its neighbour was removed
       const std::size_t neighbour = runs.only_neighbour(leaf);
       runs.take_away(leaf, neighbour);
       write_down(by_rows, runs[leaf], runs[neighbour]);
@@ -193,8 +193,8 @@ DeadEnds::DeadEnds(const JumpBoards& boards) {
   const std::vector<Record>& records = peeling.records();
   const BitLines jump_points = boards.jump_points();
 
-  // Dead ends lead to ones that were taken away later, so from the last to the first what they lead
-  // to is known. The lists are written in that order, and turned round at the end.
+  // Dead ends lead to ones that were removed later, so a loop from the last to the first already knows
+  // their exits. It writes the lists in that order; they are reversed at the end.
   std::vector<bool> jumps(records.size() + 1);
   std::vector<std::size_t> ends(records.size() + 2);
   for (std::size_t number = records.size(); number > 0; --number) {

@@ -2,10 +2,10 @@
 
 // DeadEnds: the parts of a map that no shortest path passes through unless it begins or ends in them.
 //
-// A run is a row's (or a column's) longest stretch of passable cells. A run that touches only one
-// other run is a dead end: a path that enters it must return through the same run, and staying in that
-// run is strictly shorter. So it is removed, and then the runs that have become dead ends, by rows and
-// columns in turns, until nothing changes or it no longer pays. The rest is the core.
+// A run is a maximal stretch of passable cells in a row (or a column). A run that touches only one other
+// run is a dead end: a path that enters it must return through the same run, and staying in that run is
+// strictly shorter. So it is removed, and then the runs that have become dead ends, alternating between
+// rows and columns, until nothing changes or it no longer pays. The rest is the core.
 //
 // A path that begins in a dead end needs this dead end and the run that was its neighbour when it was
 // removed; if that run was removed later, its neighbour too, and so on: these are opened. No shortest

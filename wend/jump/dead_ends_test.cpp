@@ -25,7 +25,7 @@ BitGrid random_cells(Random& random) {
   return cells;
 }
 
-/// A maze of passages one or two wide, dead ends all over.
+/// A maze of passages one or two cells wide, with many dead ends.
 BitGrid random_maze(Random& random) {
   constexpr int kRooms = 6;
   const int unit = random.between(2, 3);

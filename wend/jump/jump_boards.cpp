@@ -32,9 +32,9 @@ std::uint64_t reversed(std::uint64_t word) {
   return __builtin_bswap64(word);
 }
 
-/// The places from which a run reaches a jump point at its first stop. Adding a jump point to the
-/// line's places without a stop carries a one through all of them up to the next stop: these are the
-/// places from which a run towards smaller numbers finds it. The other way round bits are reversed.
+/// The places from which a run reaches a jump point at its first stop. Adding a jump point to the line's
+/// places without a stop carries a one through all of them up to the next stop: these are the places
+/// from which a run towards smaller numbers finds it. For the other direction the bits are reversed.
 BitLines places_with_ray(const BitLines& jumps, const BitLines& stops, bool ahead) {
   BitLines rays(jumps.lines(), jumps.length());
   for (int line = 0; line < jumps.lines(); ++line) {
@@ -89,8 +89,8 @@ std::uint64_t eight_bits(const BitLines& board, int line, int at) {
   return bits & 0xFFU;
 }
 
-/// A byte for each of eight cells from a byte for each of eight boards. (H. Warren, "Hacker's
-/// Delight", 7-3.)
+/// Transposes one byte per board, for eight boards, into one byte per cell, for eight cells. (H. Warren,
+/// "Hacker's Delight", 7-3.)
 std::uint64_t transposed_bytes(std::uint64_t bits) {
   std::uint64_t swapped = (bits ^ bits >> 7U) & 0x00AA00AA00AA00AAU;
   bits ^= swapped ^ swapped << 7U;
@@ -100,7 +100,7 @@ std::uint64_t transposed_bytes(std::uint64_t bits) {
   return bits ^ swapped ^ swapped << 28U;
 }
 
-/// By direction: a bit of each board for every cell.
+/// For each cell, the set of directions whose board has its bit.
 Grid<DirectionSet> sets_of(const std::array<const BitLines*, kDirections>& boards, int width,
                            int height) {
   Grid<DirectionSet> sets(width, height);
@@ -131,7 +131,7 @@ Sight::Sight(const BitGrid& passable) : rows_(passable), columns_(rows_.transpos
 
 bool Sight::sees(Cell from, Cell to) const {
   const Cell bend = octile_bend(from, to);
-  // Most ways that are not free fail in their straight part, which is read faster.
+  // Most blocked paths are blocked in their straight part, which is read faster.
   return straight_is_free(bend, to) && diagonal_is_free(from, bend);
 }
 

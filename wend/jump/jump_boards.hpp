@@ -3,16 +3,15 @@
 // JumpBoards: a map as bit boards on which a jump point search finds the next jump points.
 //
 // Steps go to the 8 neighbours and do not cut corners. A shortest path can always take its diagonal
-// steps first and its straight ones after them, unless an obstacle makes it turn: where a straight
-// run passes a cell beside it that is free though the one behind that is blocked. Such a cell of
-// the run is a jump point for its direction of travel (D. Harabor and A. Grastien, "Online Graph
-// Pruning for Pathfinding on Grid Maps", 2011; without cutting corners: "Improving Jump Point
-// Search", 2014). For each straight direction there is a board with the cells where a run stops,
-// blocked ones or jump points, and one bit a cell that says whether the next stop is a jump point: a
-// ray. A diagonal run is of interest where one of its two straight directions has such a ray, so it
-// stops there, or at its last cell.
+// steps first and its straight steps after them, unless an obstacle makes it turn: a straight run passes
+// a free cell beside it, and the cell behind that one is blocked. That cell of the run is a jump point
+// for its direction of travel (D. Harabor and A. Grastien, "Online Graph Pruning for Pathfinding on Grid
+// Maps", 2011; without cutting corners: "Improving Jump Point Search", 2014). Each straight direction
+// has a board of the cells where a run stops (blocked cells and jump points), and one bit per cell that
+// says whether the next stop is a jump point: a ray. A diagonal run matters only where one of its two
+// straight directions has a ray, so it stops there, or at its last cell.
 //
-// Immutable. O(cells) to make, some 26 bits a cell.
+// Immutable. O(cells) to build, about 26 bits per cell.
 
 #include <array>
 
@@ -27,13 +26,13 @@ namespace wend {
 // Sight: is the path between two cells that takes its diagonal steps first, then its straight steps,
 // free?
 //
-// A few words of bits a question: along rows and columns the passable cells, along both diagonals
-// the squares of 2 x 2 passable cells, for a diagonal step that cuts no corner needs all four.
+// A query reads a few words of bits: the passable cells along rows and columns, and the squares of 2 x 2
+// passable cells along both diagonals, because a diagonal step without corner cutting needs all four.
 // Immutable.
 
 class Sight {
  public:
-  /// O(cells); half a byte a cell, and a fourth of a byte for each in a square around the map.
+  /// O(cells); half a byte per cell, and a quarter of a byte for each cell in a square around the map.
   explicit Sight(const BitGrid& passable);
 
   /// The passable cells, by rows and by columns.
@@ -49,7 +48,7 @@ class Sight {
 
   BitLines rows_;
   BitLines columns_;
-  BitLines falling_right_;  // squares by their left upper cell
+  BitLines falling_right_;  // squares by their upper left cell
   BitLines falling_left_;
 };
 

@@ -34,7 +34,7 @@ void JumpGraph::number_word(int y, std::size_t word) {
   }
 }
 
-/// Which obstacles beside a cell one can turn around, for each direction it is reached in.
+/// The obstacles beside a cell that a path can turn around, for each direction of arrival.
 std::uint8_t JumpGraph::forced_at(Cell cell) const {
   unsigned forced = 0;
   for (unsigned arrival = 0; arrival < kArrivals; ++arrival) {

@@ -9,8 +9,8 @@
 //   const wend::JumpGraph graph(boards);
 //   graph.append_jumps(graph.cell(jump.number()), graph.directions(jump), jumps);
 //
-// Jump points are numbered tile by tile, so that near ones lie near each other in memory. Immutable.
-// 12 bytes for 64 cells and 9 a jump point, of which there may be 2^29.
+// Jump points are numbered tile by tile, so that near ones lie near each other in memory. Immutable. 12
+// bytes per 64 cells and 9 per jump point; at most 2^29 jump points.
 
 #include <array>
 #include <bit>
@@ -99,11 +99,10 @@ class JumpGraph {
   bool sweep(Cell from, Visit& visit) const;
 
   std::shared_ptr<const JumpBoards> boards_;
-  BitLines board_;  // the jump points, by rows
-  std::vector<std::uint32_t>
-      before_;                        // by word of the board: what its first jump point's number is
-  std::vector<Cell> cells_;           // by number
-  std::vector<std::uint8_t> forced_;  // by number: two bits for each arrival
+  BitLines board_;                     // the jump points, by rows
+  std::vector<std::uint32_t> before_;  // by word of the board: the number of its first jump point
+  std::vector<Cell> cells_;            // by number
+  std::vector<std::uint8_t> forced_;   // by number: two bits for each arrival
 };
 
 inline std::uint32_t JumpGraph::number_of(Cell cell) const {
@@ -122,7 +121,7 @@ Jump JumpGraph::shoot(Cell from) const {
   return {number_of(stop), static_cast<unsigned>(quarter(kStraight))};
 }
 
-/// A diagonal run sends out straight ones along its way; where it turns no search has to stop.
+/// A diagonal run casts straight runs along its way; a search need not stop where the path turns.
 template <Direction kDiagonal, class Visit>
 bool JumpGraph::sweep(Cell from, Visit& visit) const {
   constexpr Direction kOne = turned(kDiagonal, -1);

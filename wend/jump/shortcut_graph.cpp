@@ -8,7 +8,7 @@ Shortcut::Shortcut(Jump jump, Cell from, Cell to) : first_(jump), last_(jump) {
   lengthen(from, to);
 }
 
-/// False if there are too many steps to be counted.
+/// False if there are too many steps to count.
 bool Shortcut::lengthen(Cell from, Cell to) {
   const OctileWay way = octile_way(from, to);
   const int straight = straight_ + way.straight;
@@ -24,7 +24,7 @@ ShortcutGraph::ShortcutGraph(std::shared_ptr<const JumpGraph> jumps)
       raster_(jumps_->boards().width(), jumps_->boards().height()),
       links_(kArrivals * jumps_->size(), kUnknown) {}
 
-/// Finds whether anything comes next, and whether there is a choice.
+/// Finds whether there are no, one or several successors.
 ShortcutGraph::Link ShortcutGraph::find(Jump jump) {
   Link link = kNone;
   jumps_->visit_jumps(jumps_->cell(jump.number()), jumps_->directions(jump), [&](Jump next) {
@@ -34,8 +34,8 @@ ShortcutGraph::Link ShortcutGraph::find(Jump jump) {
   return links_[jump.code()] = link;
 }
 
-/// Also where there is no choice, if a search stops there. Dead shortcuts come behind the others: a search
-/// seldom mispredicts which they are.
+/// A single successor gets a list too, if a search stops there. Dead shortcuts come after the others, so
+/// that branches on them are seldom mispredicted.
 ShortcutGraph::Link ShortcutGraph::make_list(Jump from) {
   next_.clear();
   const Cell cell = jumps_->cell(from.number());
@@ -52,11 +52,11 @@ ShortcutGraph::Link ShortcutGraph::make_list(Jump from) {
   return links_[from.code()] = list;
 }
 
-/// Goes on from its first jump while there is no choice; chains that go round in circles end before
-/// they come back.
+/// Extends a shortcut from its first jump while there is only one successor; a cyclic chain ends before
+/// it repeats.
 void ShortcutGraph::extend(Shortcut& shortcut) {
   shortcut.last_ = shortcut.first_;
-  if (shortcut.straight_ + shortcut.diagonal_ == 0) return;  // too far to be counted
+  if (shortcut.straight_ + shortcut.diagonal_ == 0) return;  // too long to count
   passed_.assign(1, shortcut.first_);
   while (passed_.size() < kMostPassed) {
     const Link link = link_of(shortcut.last_);
@@ -73,7 +73,7 @@ void ShortcutGraph::extend(Shortcut& shortcut) {
   }
 }
 
-/// Includes all that is in sight of a jump point, where no other one that comes next sees it as well.
+/// Includes all cells in sight of a jump point, except where a successor sees them as well.
 void ShortcutGraph::look_around(Jump jump, CoarseBox& seen) const {
   using enum Direction;
   const Cell from = jumps_->cell(jump.number());
@@ -95,7 +95,7 @@ void ShortcutGraph::look_ahead(Cell from, CoarseBox& seen) const {
   seen.include(raster_.place(step(from, kStraight, steps)));
 }
 
-/// A long diagonal is not gone along to its end: all that lies that way may be seen.
+/// Does not follow a long diagonal to its end: then all cells in that direction may be seen.
 template <Direction kDiagonal>
 void ShortcutGraph::look_along_diagonal(Cell from, CoarseBox& seen) const {
   constexpr int kLongest = 24;

@@ -12,7 +12,7 @@
 //   wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
 //   for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
 //
-// 16 bytes a jump point, and 16 for each shortcut found where there is a choice. One thread.
+// 16 bytes per jump point, and 16 for each shortcut found where there is a choice. One thread.
 
 #include <algorithm>
 #include <cassert>
@@ -88,16 +88,16 @@ class CoarseBox {
  private:
   static constexpr std::uint32_t kHighest = 0x80808080U;
 
-  std::uint32_t least_ = 0x7F7F7F7FU;  // by byte; no place is as great everywhere
+  std::uint32_t least_ = 0x7F7F7F7FU;  // by byte; no place is as large in all bytes
 };
 
 class Shortcut {
  public:
-  /// A jump alone, between two cells. It sees nothing on its way.
+  /// A single jump between two cells. It sees nothing on its way.
   Shortcut(Jump jump, Cell from, Cell to);
 
   Jump first() const { return first_; }
-  /// The first one, or what a chain of jumps from there leads to.
+  /// The first jump, or the end of a chain of jumps from there.
   Jump last() const { return last_; }
 
   /// Has the last jump point no successor?
@@ -121,7 +121,7 @@ class Shortcut {
 
   bool lengthen(Cell from, Cell to);
 
-  static constexpr int kMostSteps = (1 << 15) - 1;  // of a kind; one jump that has more counts none
+  static constexpr int kMostSteps = (1 << 15) - 1;  // of each kind; a jump with more stores 0
 
   Jump first_;
   Jump last_;
@@ -166,7 +166,7 @@ class ShortcutGraph {
   const JumpGraph& jumps() const { return *jumps_; }
   const CoarseRaster& raster() const { return raster_; }
 
-  /// From a jump point. Holds until the next call.
+  /// The shortcuts from a jump point. Valid until the next call.
   ShortcutList shortcuts(Jump from) {
     Link link = link_of(from);
     if (link == kNone) return ShortcutList(nullptr);
@@ -190,9 +190,9 @@ class ShortcutGraph {
   }
 
  private:
-  /// What comes next: nothing, one jump (its code, with the highest bit), several jumps, or the number
-  /// of the first shortcut of a list of all. What comes after a jump point that a shortcut ends at is not
-  /// looked for before a search gets there.
+  /// The successors: none, one jump (its code, with the highest bit set), several jumps, or the number
+  /// of the first shortcut in a list of all. The successors of the end of a shortcut are not computed
+  /// before a search gets there.
   using Link = std::uint32_t;
   static constexpr Link kIsJump = Link{1} << 31U;
   static constexpr Link kUnknown = ~Link{0};
@@ -224,9 +224,9 @@ class ShortcutGraph {
   CoarseRaster raster_;
   std::vector<Link> links_;          // by the code of a jump
   std::vector<Shortcut> shortcuts_;  // lists
-  std::vector<Jump> next_;           // of the list in work
-  std::vector<Shortcut> dead_;       // of the list in work
-  std::vector<Jump> passed_;         // by the shortcut in work
+  std::vector<Jump> next_;           // of the list being made
+  std::vector<Shortcut> dead_;       // of the list being made
+  std::vector<Jump> passed_;         // by the shortcut being made
 };
 
 }  // namespace wend

@@ -35,7 +35,7 @@ BitGrid corridors(int width, int height) {
   return cells;
 }
 
-/// A map's shortcuts beside its jumps, one by one.
+/// The shortcuts of a map and its single jumps.
 class Map {
  public:
   explicit Map(const BitGrid& cells)
@@ -54,7 +54,7 @@ class Map {
   }
   Cell cell(Jump jump) const { return jumps_->cell(jump.number()); }
 
-  /// Calls visit(jump) for each that a search could come to.
+  /// Calls visit(jump) for each jump that a search could reach.
   template <class Visit>
   void for_each_jump(Visit&& visit) const {
     std::vector<Jump> jumps;
@@ -77,7 +77,7 @@ class Map {
     }
   }
 
-  /// Is a cell in sight of a jump point, one of the ways that it is left?
+  /// Is a cell in sight of a jump point, in a direction in which a path leaves it?
   bool sees(Jump jump, Cell goal) const {
     const Cell from = cell(jump);
     if (goal == from) return true;
@@ -110,7 +110,7 @@ std::vector<Jump> chain_of(const ShortcutGraph& shortcuts, const Shortcut& short
   return chain;
 }
 
-/// A shortcut goes where there is no choice, and costs what its jumps do.
+/// A shortcut follows single successors, and costs as much as its jumps.
 void expect_chain(Map& map, Jump from, const Shortcut& shortcut) {
   const std::vector<Jump> chain = chain_of(map.shortcuts(), shortcut);
   Cost cost = 0;
@@ -147,7 +147,7 @@ void expect_right_shortcuts(const BitGrid& cells, int& passed, int& dead) {
   map.for_each_jump([&](Jump from) {
     SCOPED_TRACE("jump point " + std::to_string(from.number()) + ", reached in " +
                  std::to_string(from.arrival()));
-    std::vector<Shortcut> shortcuts;  // apart: to look at them asks for more
+    std::vector<Shortcut> shortcuts;  // a copy: the checks below request more shortcuts
     for (const Shortcut& shortcut : map.shortcuts().shortcuts(from)) shortcuts.push_back(shortcut);
     std::vector<Jump> firsts;
     for (const Shortcut& shortcut : shortcuts) {
@@ -175,7 +175,7 @@ TEST(ShortcutGraph, ShortcutsGoWhereThereIsNoChoice) {
   EXPECT_GT(dead, test::share_of(500));
 }
 
-/// Around a block in a narrow room one goes in circles: every jump point has one that comes next.
+/// Paths around a block in a narrow room are cyclic: every jump point has one successor.
 TEST(ShortcutGraph, CirclesEndSomewhere) {
   BitGrid cells(9, 9);
   for (int i = 0; i < 9; ++i) {

@@ -5,7 +5,7 @@
 namespace wend {
 namespace {
 
-/// Checks arrays piece by piece, each piece after what it relies on.
+/// Checks the arrays part by part, each part after those that it relies on.
 class Inspection {
  public:
   explicit Inspection(const ContractionHierarchy& hierarchy) : hierarchy_(hierarchy) {}
@@ -47,7 +47,7 @@ class Inspection {
   }
 
  private:
-  /// Or it enters its owner.
+  /// True if the arc leaves its owner, false if it enters it.
   bool leaves(std::uint32_t number) const {
     return number < hierarchy_.nodes[owners_[number]].entering;
   }

@@ -25,7 +25,7 @@ namespace wend {
 
 using HierarchyCost = std::uint32_t;
 
-/// An arc as its owner keeps it: where it leads to (leaving) or comes from (entering).
+/// An arc as its owner stores it: `node` is where it leads to (leaving) or comes from (entering).
 struct HierarchyArc {
   std::uint32_t node = 0;
   HierarchyCost cost = 0;
@@ -33,8 +33,8 @@ struct HierarchyArc {
   friend bool operator==(const HierarchyArc&, const HierarchyArc&) = default;
 };
 
-/// What an arc represents. A shortcut: two arcs by their numbers, one that enters a lower node and one
-/// that leaves it. An arc of the graph: kNoArc, and its head.
+/// What an arc represents. A shortcut stores the numbers of two arcs: one enters a lower node and one
+/// leaves it. An arc of the graph stores kNoArc and its head.
 struct HierarchyVia {
   static constexpr std::uint32_t kNoArc = static_cast<std::uint32_t>(-1);
 
@@ -73,8 +73,8 @@ struct ContractionHierarchy {
   }
 };
 
-/// What is wrong with arrays from an untrusted file; nothing if a search may use them: all numbers are in
-/// range, arcs climb, shortcuts consist of arcs of a lower node and cost the sum of these, and no arc
+/// What is wrong with arrays from an untrusted file; nullopt if a search may use them: all numbers are
+/// in range, arcs climb, shortcuts consist of arcs of a lower node and cost the sum of these, and no arc
 /// costs 0. O(nodes + arcs).
 std::optional<std::string> fault_of(const ContractionHierarchy& hierarchy);
 

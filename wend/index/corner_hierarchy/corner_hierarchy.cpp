@@ -35,7 +35,7 @@ std::vector<GraphArc> arcs_of(const Turns& turns) {
   return arcs;
 }
 
-/// The numbers of a file, as far as they are read there.
+/// The arrays that are read in place from a file.
 struct StoredHierarchy {
   std::span<const std::uint32_t> heights;
   ContractionHierarchy hierarchy;
@@ -60,7 +60,7 @@ std::optional<StoredHierarchy> read_hierarchy(const IndexReader& reader) {
   return stored;
 }
 
-/// The cells of the turns by height; nothing if the heights are no permutation of them.
+/// The cells of the turns by height; nullopt if the heights are not a permutation of the turns.
 std::optional<std::vector<Cell>> cells_by_height(const Turns& turns,
                                                  std::span<const std::uint32_t> heights) {
   constexpr Cell kNowhere{-1, -1};
@@ -73,7 +73,8 @@ std::optional<std::vector<Cell>> cells_by_height(const Turns& turns,
   return cells;
 }
 
-/// Do arcs cost at least what the way between their cells does, and those of the graph just that?
+/// Do shortcuts cost at least the octile distance between their cells, and arcs of the graph exactly
+/// that?
 bool costs_fit(const ContractionHierarchy& hierarchy, std::span<const Cell> cells) {
   for (std::uint32_t node = 0; node < hierarchy.size(); ++node) {
     const std::uint32_t end = hierarchy.nodes[node + 1].leaving;
@@ -177,7 +178,7 @@ class CornerHierarchyEngine final : public IndexEngine {
     turns_.for_each_of(choice, [&](std::uint32_t turn) { visit(heights_[turn]); });
   }
 
-  IndexReader reader_;  // holds what the spans show
+  IndexReader reader_;  // owns the memory of the spans
   Turns turns_;
   std::span<const std::uint32_t> heights_;  // by turn
   std::vector<Cell> cells_;                 // by height
@@ -199,7 +200,7 @@ struct Entry {
   friend bool operator<(const Entry& a, const Entry& b) { return a.cost < b.cost; }
 };
 
-/// Where paths from a cell turn, farther and farther away.
+/// Dijkstra's algorithm over the turns, from a cell.
 class Spread {
  public:
   Spread(const Turns& turns, std::span<const GraphArc> arcs)
@@ -208,7 +209,7 @@ class Spread {
     for (std::uint32_t turn = 0; turn < turns.size(); ++turn) begins_[turn + 1] += begins_[turn];
   }
 
-  /// What the farthest turn costs.
+  /// The cost of the farthest turn.
   std::uint64_t from(Cell cell) {
     turns_.for_each_first(cell, [&](const TurnChoice& choice, CornerCost cost) {
       turns_.for_each_of(choice, [&](std::uint32_t turn) { reach(turn, cost); });
@@ -257,7 +258,7 @@ bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs) {
     const std::uint64_t farthest = spread.from(turns.cell(turn)) + longest_leg;
     if (2 * farthest >= kMost) return true;
   }
-  return longest_leg >= kMost;  // where nothing turns
+  return longest_leg >= kMost;  // for paths without turns
 }
 
 Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,

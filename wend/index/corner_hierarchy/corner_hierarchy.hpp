@@ -8,8 +8,7 @@
 // the climbing. The file contains the hierarchy; opening it computes the turns again, which takes a
 // few milliseconds.
 //
-// Costs are 32-bit: maps on which a path may cost more than 2^32 - 1, some 128,000 cells, are
-// rejected.
+// Costs are 32-bit: maps on which a path may cost more than 2^32 - 1, about 128,000 cells, are rejected.
 
 #include <memory>
 #include <span>

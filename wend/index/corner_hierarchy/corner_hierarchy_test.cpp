@@ -1,4 +1,4 @@
-// The index on all pairs of cells of small boards, saved and opened, shared and damaged.
+// Tests the index on all pairs of cells of small boards, and saved, opened, shared and damaged indexes.
 
 #include "wend/index/corner_hierarchy/corner_hierarchy.hpp"
 
@@ -35,7 +35,7 @@ std::unique_ptr<IndexEngine> opened(const IndexBytes& index, const BitGrid& bits
 TEST(CornerHierarchy, AnswersAllPairsOfSmallBoards) {
   std::uint64_t board = 0;
   for_small_boards(120, [&](const BitGrid& bits) {
-    constexpr std::uint64_t kWork[] = {2000, 0, 30};  // all taken out, none, some
+    constexpr std::uint64_t kWork[] = {2000, 0, 30};  // all removed, none, some
     const auto engine = opened(built(bits, {.work_per_node = kWork[++board % 3]}), bits);
     expect_all_pairs(bits, *engine);
   });
@@ -76,8 +76,8 @@ TEST(CornerHierarchy, RefusesTheIndexOfAnotherMapAndWhatIsCutOff) {
   }
 }
 
-/// Files that were changed and given a checksum again: they are refused, or they answer something
-/// without reading what is not theirs.
+/// Changed files with a corrected checksum are rejected, or give some answer without reading out of
+/// bounds.
 TEST(CornerHierarchy, IsNotLedAstrayByForgedFiles) {
   const BitGrid bits = noise(9, 14, 14, 0.8);
   const IndexBytes index = built(bits);

@@ -11,18 +11,18 @@ namespace wend {
 namespace {
 
 constexpr std::uint64_t kMostCost = std::numeric_limits<HierarchyCost>::max();
-constexpr std::uint64_t kWorkPerNode = 4;  // what settling a node takes besides its arcs, in arcs
+constexpr std::uint64_t kWorkPerNode = 4;  // cost of settling a node besides its arcs, in arcs
 
 std::uint64_t entry(std::uint64_t cost, std::uint32_t node) { return cost << 32U | node; }
 
-/// Which shortcuts a graph needs if a node is taken out: those between two neighbours for which no
-/// way around the node was found that is as short as the way through it.
+/// Finds the shortcuts that a graph needs if a node is removed. Two neighbours need one if no path
+/// around the node was found that is as short as the path through it.
 class WitnessSearch {
  public:
   explicit WitnessSearch(std::uint32_t nodes) : labels_(nodes) {}
 
-  /// Replaces `shortcuts` by what is needed without the node. From each neighbour, a search settles
-  /// at most `most_settled` nodes.
+  /// Replaces `shortcuts` by those needed without the node. From each neighbour, a search settles at
+  /// most `most_settled` nodes.
   void find_shortcuts(const ShrinkingGraph& graph, std::uint32_t node, std::uint32_t most_settled,
                       std::vector<GraphArc>& shortcuts) {
     shortcuts.clear();
@@ -43,7 +43,7 @@ class WitnessSearch {
       for (const auto& head : heads) {
         const Label& label = labels_[head.node];
         const std::uint64_t through = std::uint64_t{tail.cost} + head.cost;
-        // A way that costs more than 32 bits hold is no shortest one.
+        // A path that costs more than 32 bits hold is not a shortest path.
         if (label.target != search_ || through >= kMostCost) continue;
         if (label.search == search_ && label.cost <= through) continue;
         shortcuts.push_back({tail.node, head.node, static_cast<HierarchyCost>(through)});
@@ -51,7 +51,7 @@ class WitnessSearch {
     }
   }
 
-  /// Arcs looked at until now, and what else takes time.
+  /// The number of arcs scanned so far, plus other work.
   std::uint64_t work() const { return work_; }
 
  private:
@@ -104,7 +104,7 @@ class WitnessSearch {
   std::uint64_t work_ = 0;
 };
 
-/// Who is taken out next: the node with the least priority, of these the one numbered lowest.
+/// The next node to remove has the least priority and, among equals, the lowest number.
 struct Candidate {
   std::int64_t priority;
   std::uint32_t node;
@@ -155,14 +155,14 @@ class Contraction {
 
   void rank_all() {
     for (std::uint32_t node = 0; node < is_out_.size(); ++node) {
-      if (witnesses_.work() >= most_work_) return;  // nothing will be taken out
+      if (witnesses_.work() >= most_work_) return;  // no node will be removed
       queue_.push_back({priority_of(node), node});
     }
     min_heap::make(queue_);
   }
 
-  /// How many arcs there will be for each that goes, and how many nodes were taken out below this
-  /// one in a chain: so that they are taken out evenly all over the graph.
+  /// The number of new arcs per removed arc, plus the number of removed nodes in a chain below this
+  /// node, so that nodes are removed evenly all over the graph.
   std::int64_t priority_of(std::uint32_t node) {
     constexpr std::int64_t kUnit = 1024;
     witnesses_.find_shortcuts(graph_, node, effort_.settled_to_rank, shortcuts_);
@@ -191,7 +191,7 @@ class Contraction {
   ShrinkingGraph graph_;
   WitnessSearch witnesses_;
   std::vector<Candidate> queue_;
-  std::vector<std::uint32_t> depths_;  // nodes taken out in a chain below a node
+  std::vector<std::uint32_t> depths_;  // removed nodes in a chain below a node
   std::vector<bool> is_out_;
   std::vector<std::uint32_t> taken_out_;  // in this order
   std::vector<GraphArc> shortcuts_;

@@ -26,8 +26,8 @@ struct GraphArc {
 };
 
 struct ContractionEffort {
-  std::uint32_t settled_to_rank = 30;      // nodes, by a search, when nodes are ranked
-  std::uint32_t settled_to_contract = 60;  // nodes, by a search, when a node is contracted
+  std::uint32_t settled_to_rank = 30;      // nodes per search, when nodes are ranked
+  std::uint32_t settled_to_contract = 60;  // nodes per search, when a node is contracted
   std::uint64_t work_per_node = 2000;      // arcs; the limit is this times the number of nodes
 };
 

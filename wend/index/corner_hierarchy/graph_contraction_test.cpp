@@ -1,4 +1,4 @@
-// Random graphs are contracted, wholly, in part and not at all, and searched between all pairs.
+// Contracts random graphs fully, partly or not at all, and searches them between all pairs.
 
 #include "wend/index/corner_hierarchy/graph_contraction.hpp"
 
@@ -20,7 +20,7 @@ using test::RandomGraph;
 constexpr std::uint64_t kGraphs = 300;
 constexpr ContractionEffort kSmall{3, 5, 1'000'000};  // misses most witnesses
 constexpr ContractionEffort kNothing{30, 60, 0};      // all is core
-constexpr ContractionEffort kInPart{30, 60, 40};      // the work ends on the way
+constexpr ContractionEffort kInPart{30, 60, 40};      // stops part-way
 constexpr ContractionEffort kEfforts[] = {{}, kSmall, kNothing, kInPart};
 
 ContractedGraph contracted(const RandomGraph& graph, const ContractionEffort& effort) {
@@ -46,7 +46,7 @@ struct PlainQuery {
   }
 };
 
-/// Two thirds of the true distances from one node and to another, which is as consistent as they.
+/// Estimates two thirds of the true distances from one node and to another, which is consistent as well.
 struct GuidedQuery {
   const std::vector<std::vector<std::uint64_t>>& distances;  // by height
   std::uint32_t start;
@@ -67,7 +67,7 @@ struct GuidedQuery {
   }
 };
 
-/// Where arcs are dear, so that a search has few buckets.
+/// More bits if arcs are expensive, so that a search has few buckets.
 unsigned unordered_bits(const RandomGraph& graph, std::uint64_t seed) {
   constexpr HierarchyCost kCheap = 100;
   const bool dear = std::any_of(graph.arcs.begin(), graph.arcs.end(),
@@ -204,7 +204,7 @@ TEST(GraphContraction, TellsHowFarItIs) {
   EXPECT_LE(shares.back(), 1);
 }
 
-/// Whatever numbers are changed: what is still called sound can be searched, and ends.
+/// Changes random numbers: a hierarchy that still passes the check can be searched, and the search ends.
 TEST(ContractionHierarchy, OfRandomNumbersIsRefusedOrHarmless) {
   int refused = 0;
   constexpr int kTries = 4000;

@@ -6,7 +6,7 @@
 namespace wend {
 namespace {
 
-/// All searches come to the topmost nodes: these stay together.
+/// All searches reach the topmost nodes, so these stay together.
 constexpr std::size_t kTopShare = 16;
 
 std::vector<std::uint32_t> heights_of(std::span<const std::uint32_t> order) {
@@ -15,7 +15,7 @@ std::vector<std::uint32_t> heights_of(std::span<const std::uint32_t> order) {
   return heights;
 }
 
-/// For each node those right below it: it is the upper end of an arc of theirs.
+/// For each node, the nodes directly below it: those with an arc whose upper end is this node.
 class NodesBelow {
  public:
   NodesBelow(const ShrinkingGraph& graph, std::span<const std::uint32_t> taken_out,
@@ -48,8 +48,8 @@ class NodesBelow {
   std::vector<std::uint32_t> below_;
 };
 
-/// Puts the nodes below the topmost ones in another order: before each node those right below it
-/// that have no place yet, and before these what is below them. Arcs still climb.
+/// Reorders the nodes below the topmost ones in post-order: each node comes after the nodes directly
+/// below it that have no place yet, and these after the nodes below them. Arcs still climb.
 class Gathering {
  public:
   Gathering(const ShrinkingGraph& graph, std::vector<std::uint32_t>& order,
@@ -69,7 +69,7 @@ class Gathering {
  private:
   struct Visited {
     std::uint32_t node;
-    std::size_t next = 0;  // of those below it
+    std::size_t next = 0;  // index among the nodes below it
   };
 
   void place(std::uint32_t node) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// ShrinkingGraph: a directed graph from which nodes are taken out while shortcuts are put in.
+// ShrinkingGraph: a directed graph from which nodes are removed while shortcuts are added.
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@ class ShrinkingGraph {
   struct Arc {
     std::uint32_t node;  // at the other end
     HierarchyCost cost;
-    std::uint32_t middle;  // of a shortcut the node that was taken out, else kNoMiddle
+    std::uint32_t middle;  // the removed node that a shortcut replaces, else kNoMiddle
   };
 
   ShrinkingGraph(std::uint32_t nodes, std::span<const GraphArc> arcs)
@@ -25,17 +25,18 @@ class ShrinkingGraph {
     for (const GraphArc& arc : arcs) add(arc, kNoMiddle);
   }
 
-  /// The arcs to and from nodes that are not taken out; of a node that is, those it had then.
+  /// The arcs of a node to and from remaining nodes; for a removed node, the arcs that it had at its
+  /// removal.
   std::span<const Arc> leaving(std::uint32_t node) const { return leaving_[node]; }
   std::span<const Arc> entering(std::uint32_t node) const { return entering_[node]; }
 
-  /// Of two arcs between the same nodes the cheaper one stays.
+  /// Keeps only the cheaper of two arcs between the same nodes.
   void add(const GraphArc& arc, std::uint32_t middle) {
     keep_cheaper(leaving_[arc.tail], {arc.head, arc.cost, middle});
     keep_cheaper(entering_[arc.head], {arc.tail, arc.cost, middle});
   }
 
-  /// Takes a node out: its neighbours forget it.
+  /// Removes a node from the lists of its neighbours.
   void detach(std::uint32_t node) {
     for (const Arc& arc : leaving_[node]) forget(entering_[arc.node], node);
     for (const Arc& arc : entering_[node]) forget(leaving_[arc.node], node);
@@ -64,11 +65,11 @@ class ShrinkingGraph {
   std::vector<std::vector<Arc>> entering_;
 };
 
-// The last step of a contraction: from the nodes in the order in which they were taken out, and the
-// arcs that they had then, to the flat arrays of a ContractionHierarchy.
+// The last step of a contraction: makes the flat arrays of a ContractionHierarchy from the nodes in the
+// order of their removal and the arcs that they had then.
 
-/// `order` has all nodes, those of the core last, from `core_begin` on. Nodes may change places in
-/// it, so that those lie near each other whose arcs are put together to paths.
+/// `order` contains all nodes; those of the core come last, from `core_begin` on. It may be changed so
+/// that nodes whose arcs form paths together lie near each other.
 ContractedGraph assemble(const ShrinkingGraph& graph, std::vector<std::uint32_t> order,
                          std::uint32_t core_begin);
 

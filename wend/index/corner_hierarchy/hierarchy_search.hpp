@@ -2,11 +2,11 @@
 
 // HierarchySearch: shortest paths in a ContractionHierarchy, from many starts to many goals.
 //
-// Two searches climb, one along leaving arcs from the starts and one along entering arcs from the
-// goals, and meet at the top of the path. In the core only the forward one goes on. Both are A*,
-// each guided by an estimate of the rest, which must be consistent, and stop where their keys reach
-// the cost of the best path so far. (To look whether a node is reached more cheaply from above, as
-// is often done, takes longer here than it saves: the estimates keep the climbs narrow.)
+// Two searches climb, one along leaving arcs from the starts and one along entering arcs from the goals,
+// and meet at the top of the path. In the core only the forward one goes on. Both are A*, each guided by
+// an estimate of the rest, which must be consistent, and stop where their keys reach the cost of the
+// best path so far. (Stall-on-demand, the usual check whether a node is reached more cheaply from above,
+// costs more than it saves here: the estimates keep the climbs narrow.)
 //
 // The search asks for starts and goals only when it needs them; most are never needed.
 //
@@ -29,7 +29,7 @@ namespace wend {
 /// Where a search begins or ends.
 struct HierarchyEnd {
   HierarchyCost cost = 0;  // from the start to it, or from it to the goal
-  HierarchyCost key = 0;   // at most what a path costs that begins or ends there; at least `cost`
+  HierarchyCost key = 0;   // a lower bound on paths that begin or end there; at least `cost`
 };
 
 class HierarchySearch {
@@ -40,12 +40,12 @@ class HierarchySearch {
   explicit HierarchySearch(const ContractionHierarchy& hierarchy, unsigned unordered_bits)
       : hierarchy_(hierarchy), unordered_bits_(unordered_bits), labels_(hierarchy.size()) {}
 
-  /// The cost of the cheapest path, its ends' costs included, if it is less than `bound`; else
-  /// `bound`. The query says where:
+  /// The cost of the cheapest path, its ends' costs included, if it is less than `bound`; else `bound`.
+  /// The query provides:
   ///   for_each_start(i, visit)  visit(node) of each node that starts[i] stands for; for_each_goal too
   ///   to_goal(node)             at most what leads from a node to a goal and on; consistent
   ///   to_start(node)            at most what leads from the starts to it; consistent
-  /// An end's key is its cost and what one of these says, or less.
+  /// The key of an end is at most its cost plus the estimate by one of these.
   template <class HierarchyQuery>
   HierarchyCost find(std::span<const HierarchyEnd> starts, std::span<const HierarchyEnd> goals,
                      HierarchyCost bound, const HierarchyQuery& query);
@@ -108,7 +108,7 @@ class HierarchySearch {
   unsigned unordered_bits_;
   std::vector<Label> labels_;
   std::vector<std::uint32_t> touched_;
-  JumpQueue<HierarchyCost> queues_[2];  // of nodes, and behind their numbers of ends
+  JumpQueue<HierarchyCost> queues_[2];  // numbers of nodes, and after these numbers of ends
   HierarchyCost keys_[2] = {};          // popped last
   std::vector<std::uint32_t> climb_;
   std::vector<std::uint32_t> pieces_;  // arcs to unpack
@@ -159,7 +159,7 @@ void HierarchySearch::expand_least(const View<kSide, HierarchyQuery>& view) {
   const auto [key, id] = queue.pop();
   keys_[kSide] = key;
   if (key >= best_) {
-    if (queue.bucket_is_behind(best_)) queue.begin(key, unordered_bits_);  // as all the others
+    if (queue.bucket_is_behind(best_)) queue.begin(key, unordered_bits_);  // no other is better
     return;
   }
   if (id < hierarchy_.size()) {
@@ -187,7 +187,8 @@ void HierarchySearch::expand(std::uint32_t node, const View<kSide, HierarchyQuer
   }
 }
 
-/// Does a path reach the node more cheaply, and may it be part of a better one than the best?
+/// Records a path to the node if it is cheaper and may be part of a path better than the best. Returns
+/// whether it did.
 template <HierarchySearch::Side kSide>
 bool HierarchySearch::improve(std::uint32_t node, std::uint64_t cost, std::uint64_t key,
                               std::uint32_t from) {
@@ -228,7 +229,7 @@ inline void HierarchySearch::append_nodes(std::vector<std::uint32_t>& nodes) {
   }
 }
 
-/// Appends the nodes of the arc to `to`, or from it, without its tail.
+/// Appends the nodes of the arc to or from `to`, without its tail.
 inline void HierarchySearch::append_arc(std::span<const HierarchyArc> arcs, std::uint32_t to,
                                         std::vector<std::uint32_t>& nodes) {
   const HierarchyArc* arc = arcs.data();

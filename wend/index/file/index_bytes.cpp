@@ -11,19 +11,18 @@
 namespace wend {
 namespace {
 
-// Huge pages are memory in pieces of 2 MiB instead of 4 KiB, so that reading large tables here and
-// there misses the cache for addresses less often.
+// Huge pages have 2 MiB instead of 4 KiB, so that random reads from large tables cause fewer TLB misses.
 constexpr std::size_t kHugePage = std::size_t{1} << 21U;
 
-/// Asks the system for huge pages, before the memory is touched for the first time. Where there are
-/// none, nothing happens.
+/// Requests huge pages; call it before the memory is first touched. It does nothing if the system has
+/// none.
 void ask_for_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
-  static_cast<void>(::madvise(begin, bytes, MADV_HUGEPAGE));  // a refusal costs nothing but speed
+  static_cast<void>(::madvise(begin, bytes, MADV_HUGEPAGE));  // failure costs only speed
 #endif
 }
 
-/// Mixes words into 64 bits: a multiplication and a shift each, as splitmix64 ends with.
+/// Mixes words into 64 bits, each with a multiplication and a shift as at the end of splitmix64.
 class Hash {
  public:
   void add(std::uint64_t word) {

@@ -39,7 +39,8 @@ class IndexBytes {
   std::span<const std::byte> bytes_;
 };
 
-// IndexHeader: how the file of an index begins: what it is, for which map, and whether it is whole.
+// IndexHeader: the beginning of an index file. It identifies the index and the map, and shows whether
+// the file is complete.
 //
 // The header is followed by sections, each an array of numbers (little-endian) that begins at a
 // multiple of IndexBytes::kAlignment; each kind of index defines the contents of its sections. The
@@ -60,7 +61,7 @@ struct IndexHeader {
   std::uint64_t checksum = 0;
   std::uint32_t format = kFormat;
   std::uint32_t version = 0;                 // of the planner's sections
-  std::array<char, kLongestName> planner{};  // filled up with zeros
+  std::array<char, kLongestName> planner{};  // padded with zeros
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::uint64_t passable_cells = 0;
@@ -72,11 +73,11 @@ struct IndexHeader {
   std::string_view planner_name() const;
 };
 
-/// A hash of the passable cells: two maps that differ have the same one with a probability of 2^-64.
+/// A hash of the passable cells: two different maps have the same hash with a probability of 2^-64.
 std::uint64_t map_hash(const BitGrid& passable);
 
-/// The header of a complete file: its sections lie within the file and the checksum is right; or what is
-/// wrong. O(bytes).
+/// Returns the header of a complete file (its sections lie within the file and the checksum is right),
+/// or what is wrong. O(bytes).
 Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
 
 /// Why the index does not match a map; empty if it matches.
@@ -85,7 +86,7 @@ std::string index_fault(const IndexHeader& header, std::string_view planner, std
 
 namespace index_file {
 
-/// Over all bytes behind the checksum itself.
+/// The checksum of all bytes after the checksum field.
 std::uint64_t checksum_of(std::span<const std::byte> file);
 
 }  // namespace index_file

@@ -22,14 +22,14 @@ namespace wend {
 
 class IndexReader {
  public:
-  /// Or why the index does not match (Status::index_mismatch).
+  /// Returns a reader, or why the index does not match (Status::index_mismatch).
   static Expected<IndexReader, std::string> open(IndexBytes index, std::string_view planner,
                                                  std::uint32_t version, const BitGrid& passable);
 
   std::size_t sections() const { return static_cast<std::size_t>(header_.sections); }
 
-  /// The section with that number, in the order in which they were added; nothing if it does not
-  /// exist or is not an array of T. It lives as long as the index.
+  /// The section with this number, counted in the order of add(); nullopt if it does not exist or is not
+  /// an array of T. It is valid as long as the index.
   template <class T>
   std::optional<std::span<const T>> section(std::size_t number) const {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= IndexBytes::kAlignment);
@@ -57,10 +57,10 @@ class IndexReader {
 
 class IndexWriter {
  public:
-  /// `version` is that of the sections. The name has at most IndexHeader::kLongestName letters.
+  /// `version` is the version of the sections. The name has at most IndexHeader::kLongestName letters.
   IndexWriter(std::string_view planner, std::uint32_t version, const BitGrid& passable);
 
-  /// The next section: numbers, or structs of numbers without gaps.
+  /// Appends a section: numbers, or structs of numbers without padding.
   template <class T>
   void add(std::span<const T> section) {
     static_assert(std::is_trivially_copyable_v<T> && std::has_unique_object_representations_v<T>);

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// The place in a record of the corner by which its i-th hub is reached.
+/// The index in a record of the corner by which its i-th hub is reached.
 template <class Record>
 std::uint32_t corner_of(const Record& record, std::uint32_t i) {
   std::uint32_t corner = 0;
@@ -18,7 +18,7 @@ std::uint32_t corner_of(const Record& record, std::uint32_t i) {
   return corner;
 }
 
-/// Asks for what lies there, if it lies there.
+/// Prefetches an element if it exists.
 template <class T>
 void prefetch(std::span<const T> array, std::size_t place) {
   if (place < array.size()) __builtin_prefetch(array.data() + place);
@@ -39,7 +39,7 @@ void for_costs(const Record& record, Cell cell, Visit&& visit) {
 template <class Hub>
 class HubEngine final : public IndexEngine {
  public:
-  /// Keeps the bytes, where the sections lie.
+  /// Keeps the bytes that contain the sections.
   HubEngine(IndexBytes index, const HubSections& sections, const BitGrid& passable)
       : index_(std::move(index)),
         sections_(sections),
@@ -77,7 +77,7 @@ class HubEngine final : public IndexEngine {
   }
 
   void write(std::span<Cell> cells) override {
-    // Both are looked up before anything is written, so that one does not wait for the other.
+    // Looks up both before writing anything, so that one does not wait for the other.
     const std::uint32_t up = way_.hub ? place_of(way_.first, *way_.hub) : run_word::kHub;
     const std::uint32_t down = way_.hub ? place_of(way_.last, *way_.hub) : run_word::kHub;
     prefetch(sections_.runs, up);
@@ -87,8 +87,8 @@ class HubEngine final : public IndexEngine {
     RunWriter<1> upwards(cells.data() + 1, steps, start_);
     upwards.go_to(way_.first);
     follow(up, upwards);
-    cells.back() = goal_;  // upwards was written beyond
-    // What has no room any more upwards is not to be written over from above.
+    cells.back() = goal_;  // the upward writer may have overwritten it
+    // The downward writer must not overwrite the upward part.
     const std::size_t met = octile_steps_of(way_.cost_to_middle).cells() - 1;
     RunWriter<-1> downwards(&cells.back() - 1, steps - std::min(met, steps), goal_);
     downwards.go_to(way_.last);
@@ -100,13 +100,13 @@ class HubEngine final : public IndexEngine {
  private:
   using Record = HubRecord<Hub>;
 
-  /// A cost in the upper half, and in the lower one which hub of the record it is to.
+  /// A cost in the upper half; in the lower half, the index in the record of the hub that it leads to.
   using Sum = std::uint64_t;
   static constexpr Sum kNoSum = Sum{1} << 63U;
   static constexpr unsigned kHalf = 32;  // bits
 
-  /// Diagonally first from the start to `first` and from the goal to `last`; between these by a hub,
-  /// or they are the same cell.
+  /// A path that goes diagonally first from the start to `first` and from the goal to `last`. In between
+  /// it passes a hub, or these are the same cell.
   struct Way {
     CornerCost cost = kUnreachedCost;
     Cell first;
@@ -153,7 +153,7 @@ class HubEngine final : public IndexEngine {
     for (const Hub hub : from.hubs()) sums_[hub] = kNoSum;
   }
 
-  /// Takes the way by a first corner of one end that the other end sees, if it is shorter.
+  /// Takes the path by a first corner of one end that the other end sees, if it is shorter.
   void improve_by_sight(const Record& seen, Cell own, Cell other, Way& way) const {
     for (std::uint32_t i = 0; i < seen.corner_count(); ++i) {
       const Cell corner = seen.cell(i);

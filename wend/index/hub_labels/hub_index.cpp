@@ -17,10 +17,10 @@ namespace {
 
 using Failure = Unexpected<IndexError>;
 
-constexpr int kMostRows = 65536;                 // cells are kept in twice 16 bits
+constexpr int kMostRows = 65536;                 // a cell is stored in two times 16 bits
 constexpr std::size_t kMostCounted = 65535;      // hubs and corners of a record
-constexpr double kLabelsShare = 0.9;             // of the work, about
-constexpr std::uint32_t kHubsBetweenLooks = 64;  // at whether to stop
+constexpr double kLabelsShare = 0.9;             // of the work, approximately
+constexpr std::uint32_t kHubsBetweenLooks = 64;  // between checks whether to stop
 constexpr std::size_t kComponentsATask = 256;
 
 Failure unsupported(std::string what) {
@@ -44,7 +44,7 @@ bool label_corners(const CornerGraph& graph, const AllFirstCorners& first, HubLa
   return !building.cancelled();
 }
 
-/// The records of all corners and components, and which cell has which.
+/// Writes the records of all corners and components, and which cell has which record.
 template <class Hub>
 class RecordWriter {
  public:
@@ -150,7 +150,7 @@ Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const All
   return writer.finish();
 }
 
-/// What a record cannot hold, if there is anything.
+/// What records cannot store; nullopt if they can store everything.
 std::optional<std::string> fault_of(const CornerGraph& graph, const HubLabelling& labelling) {
   const BitGrid& passable = graph.corners().passable();
   const auto across = octile_cost<CornerCost>({0, 0}, {passable.width(), passable.height()});

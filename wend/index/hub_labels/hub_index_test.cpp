@@ -74,7 +74,7 @@ TEST(HubIndex, AnswersThreadsThatShareIt) {
   for (std::thread& thread : threads) thread.join();
 }
 
-/// Runs tasks backwards, and says that it has several workers.
+/// Runs tasks in reverse order, and reports several workers.
 class BackwardWorkers final : public Workers {
  public:
   unsigned count() const override { return 3; }
@@ -120,7 +120,7 @@ TEST(HubIndex, RefusesBoardsThatAreTooWide) {
   EXPECT_THAT(index.error().what, HasSubstr("32768"));
 }
 
-/// Rows that lead to and fro, as one way.
+/// One corridor that runs to and fro, row by row.
 BitGrid serpentine(int width, int rows) {
   BitGrid bits(width, 2 * rows - 1);
   for (int row = 0; row < rows; ++row) {
@@ -171,13 +171,13 @@ TEST(HubIndex, RefusesDamagedFiles) {
   }
 }
 
-/// Puts the right checksum on whatever bytes.
+/// Sets the right checksum for arbitrary bytes.
 void forge(std::vector<std::byte>& file) {
   const std::uint64_t checksum = index_file::checksum_of(file);
   std::memcpy(file.data() + offsetof(IndexHeader, checksum), &checksum, sizeof checksum);
 }
 
-// What a forged index answers does not matter; that it reads and writes where it may only, does.
+// A forged index may give any answer, but must not read or write out of bounds.
 TEST(HubIndex, NeverLeavesAForgedFile) {
   const BitGrid bits = random_board(11, 14, 10, 0.65);
   const std::vector<Cell> cells = passable_cells(bits);

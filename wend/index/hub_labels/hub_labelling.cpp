@@ -13,7 +13,7 @@ void HubLabelling::add_hub(std::uint32_t corner) {
   const auto hub = static_cast<std::uint32_t>(hubs());
   hub_corners_.push_back(corner);
   is_hub_[corner] = 1;
-  // What add_hub() appends to the label of `corner` itself comes last and is not in here.
+  // This copy does not contain the last entry, which add_hub() appends to the label of `corner` itself.
   const std::vector<HubEntry> before = labels_[corner];
   for (const HubEntry& entry : before) from_root_[entry.hub] = entry.cost;
   spread(hub, corner);

@@ -3,11 +3,10 @@
 // HubLabelling: for every corner some hubs and the exact costs of the paths to them, so that a
 // shortest path between any two corners passes a hub that both have.
 //
-// Hubs are added one by one, the most important first. A hub spreads over the corner graph as in
-// Dijkstra's algorithm and goes no farther where hubs before it give the cost already. (T. Akiba,
-// Y. Iwata and Y. Yoshida, "Fast Exact Shortest-Path Distance Queries on Large Networks by Pruned
-// Landmark Labeling", 2013.) Which corners to take first decides how small the labels become: see
-// label_order.hpp.
+// Hubs are added one by one, the most important first. Each hub spreads over the corner graph by
+// Dijkstra's algorithm, pruned where earlier hubs already give the cost. (T. Akiba, Y. Iwata and Y.
+// Yoshida, "Fast Exact Shortest-Path Distance Queries on Large Networks by Pruned Landmark Labeling",
+// 2013.) The order of the hubs decides how small the labels become: see label_order.hpp.
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +25,8 @@ struct HubEntry {
   CornerCost cost;
 };
 
-/// Does a hub of the label, at these costs by hub from elsewhere, give a way at no more than `cost`?
+/// Does a hub of the label give a path of at most `cost`? `by_hub`: the costs from the other end to each
+/// hub.
 inline bool covers(std::span<const HubEntry> label, std::span<const CornerCost> by_hub,
                    CornerCost cost) {
   return std::any_of(label.begin(), label.end(),
@@ -57,7 +57,7 @@ class HubLabelling {
     return std::span(nodes_).subspan(trees_[hub], trees_[hub + 1] - trees_[hub]);
   }
 
-  /// The largest cost that was met: costs are right if it is below kUnreachedCost.
+  /// The largest cost so far; costs are right if it is below kUnreachedCost.
   CornerCost greatest_cost() const { return greatest_cost_; }
 
   /// Makes a corner the next hub; it must not be a hub yet.
@@ -75,17 +75,17 @@ class HubLabelling {
   std::vector<std::size_t> trees_{0};          // by hub: where its tree begins, and the end
   CornerCost greatest_cost_ = 0;
 
-  // Of the hub that spreads.
+  // State of the hub that spreads.
   std::vector<CornerCost> from_root_;  // by hub before it
   CornerFrontier frontier_;
 };
 
 // ComponentHubs: which hubs the cells of a component need, by which of their first corners.
 //
-// A cell reaches a hub at the least cost over its first corners. It does not need a hub if the way
-// there can pass a more important one that it reaches: then that one serves every goal as well. A
-// hub is kept for a component if any of its cells needs it, by a corner that gives the least cost to a
-// cell that does; testing some of the cells only would be wrong.
+// A cell reaches a hub at the least cost over its first corners. It does not need a hub if the path
+// there can pass a more important hub that it reaches: that one serves every goal as well. A component
+// keeps a hub if any of its cells needs it, by a corner that gives the least cost to such a cell;
+// testing only some of the cells would be wrong.
 
 class ComponentHubs {
  public:
@@ -100,11 +100,11 @@ class ComponentHubs {
  private:
   static constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
 
-  /// How a hub is reached from the cell in hand.
+  /// How a hub is reached from the current cell.
   struct Reached {
     CornerCost cost;
     CornerCost from_corner;
-    std::uint32_t by;  // the place of a first corner
+    std::uint32_t by;  // the index of a first corner
   };
 
   void list_hubs(std::span<const std::uint32_t> first);

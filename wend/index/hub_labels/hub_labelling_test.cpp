@@ -17,7 +17,7 @@ using test::for_small_boards;
 using test::kUnreached;
 using test::text_of;
 
-/// A board with all that leads to labels.
+/// The labelling of a board, with the graph and first corners that it needs.
 struct Labelled {
   explicit Labelled(const BitGrid& bits)
       : graph(Corners(bits)), first(graph.corners()), labelling(graph) {
@@ -51,7 +51,7 @@ TEST(LabelOrder, TakesTheOnlyWayThroughFirst) {
   EXPECT_EQ(std::abs(map.graph.corners().cell(map.labelling.corner_of(0)).x - 20), 1);
 }
 
-/// The least sum over the hubs of both.
+/// The least sum over the hubs of both labels.
 std::uint64_t cost_by_hubs(std::span<const HubEntry> from, std::span<const HubEntry> to) {
   std::uint64_t least = kUnreached;
   for (const HubEntry& a : from) {
@@ -100,7 +100,7 @@ TEST(HubLabelling, KeepsTheTreeOfEveryHubInTheOrderOfCosts) {
   });
 }
 
-/// Where the runs from a place lead from a cell, and what they cost.
+/// The end and the cost of the runs from a place, followed from a cell.
 struct Walk {
   Cell end;
   std::uint64_t cost = 0;

@@ -11,7 +11,7 @@ using Fault = Unexpected<std::string>;
 
 constexpr std::size_t kJointWords = 3;
 
-/// Goes through the records from one to the next, and remembers where they begin.
+/// Checks one record after the other, and remembers where they begin.
 template <class Hub>
 class RecordCheck {
  public:
@@ -51,7 +51,7 @@ class RecordCheck {
     return true;
   }
 
-  /// Do passable cells, and no others, have a record?
+  /// Do exactly the passable cells have a record?
   bool cells_pass() const {
     std::size_t number = 0;
     for (const Cell cell : every_cell(passable_)) {
@@ -90,8 +90,8 @@ bool records_pass(const HubSections& sections, const BitGrid& passable) {
              : RecordCheck<std::uint32_t>(sections, passable).passes();
 }
 
-/// Reading on goes forwards but at joints, where the engine looks: so a joint must come before the
-/// end, wherever reading begins.
+/// The engine reads forwards without checks until a joint. So a joint must come before the end, wherever
+/// reading begins.
 bool runs_pass(std::span<const RunWord> runs) {
   return runs.size() >= kJointWords &&
          std::all_of(runs.end() - kJointWords, runs.end(),

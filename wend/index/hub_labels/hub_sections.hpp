@@ -1,13 +1,13 @@
 #pragma once
 
-// HubRecord: what a label index keeps of the cells of a component, or of a corner: the corners where
-// ways from there may turn first, and hubs behind them with the costs from these corners.
+// HubRecord: the record of a component's cells, or of a corner, in a label index. It names the corners
+// where paths from there may turn first, and the hubs behind them with the costs from these corners.
 //
-// A record is an array of 32-bit words: how many corners and how many hubs it names; the corners'
-// cells, x in the lower half; for each corner how many hubs are reached by it (16 bits each); the
-// hubs, corner after corner (16 bits each where the map has no more than 65536 hubs); their costs;
-// and, of a corner, where the ways to its hubs begin in the HeavyPaths. A corner's record names
-// itself only. Arrays of 16 bits are filled up to whole words.
+// A record is an array of 32-bit words: how many corners and how many hubs it names; the corners' cells,
+// x in the lower half; for each corner how many hubs are reached by it (16 bits each); the hubs, corner
+// after corner (16 bits each where the map has no more than 65536 hubs); their costs; and, for a corner,
+// where the paths to its hubs begin in the HeavyPaths. The record of a corner names only that corner.
+// Arrays of 16 bits are padded to whole words.
 
 #include <cstddef>
 #include <cstdint>
@@ -45,12 +45,12 @@ class HubRecord {
   std::uint32_t corner_count() const { return corner_count_; }
   std::uint32_t hub_count() const { return hub_count_; }
 
-  /// Is it of a corner, not of a component?
+  /// Is it the record of a corner, not of a component?
   bool is_corner() const { return is_corner_; }
 
   Cell cell(std::uint32_t corner) const { return unpacked(cells_[corner]); }
 
-  /// How many hubs are reached by a corner.
+  /// The number of hubs reached by a corner.
   std::uint32_t count(std::uint32_t corner) const {
     return reinterpret_cast<const std::uint16_t*>(counts_)[corner];
   }
@@ -59,24 +59,24 @@ class HubRecord {
 
   std::span<const Hub> hubs() const { return {reinterpret_cast<const Hub*>(hubs_), hub_count_}; }
 
-  /// Of a corner's record: where the way to a hub begins in the HeavyPaths.
+  /// Only for the record of a corner: where the path to a hub begins in the HeavyPaths.
   std::uint32_t place(std::uint32_t i) const { return costs_[hub_count_ + i]; }
 
-  /// How many words the record is long.
+  /// The length of the record in words.
   std::size_t size() const {
     const std::size_t per_hub = is_corner_ ? 2 : 1;
     return kHeaderWords + corner_count_ + words_of<std::uint16_t>(corner_count_) +
            words_of<Hub>(hub_count_) + per_hub * hub_count_;
   }
 
-  /// A corner of a record that is written, with what is reached by it.
+  /// A corner of a record to write, with the hubs reached by it.
   struct Part {
     Cell cell;
     std::vector<Hub> hubs;
     std::vector<CornerCost> costs;
   };
 
-  /// Appends the record of a component, or of a corner, which has places.
+  /// Appends the record of a component or of a corner; only a corner has places.
   static void append(std::vector<std::uint32_t>& words, std::span<const Part> parts,
                      std::span<const std::uint32_t> places, bool is_corner) {
     std::vector<std::uint32_t> cells;
@@ -130,16 +130,16 @@ class HubRecord {
   bool is_corner_;
 };
 
-// HeavyPaths: the ways from corners to their hubs as runs of steps, to be written down cell by cell
+// HeavyPaths: the paths from corners to their hubs as runs of steps, which can be written cell by cell
 // without a search.
 //
-// The tree of shortest ways to a hub is cut into paths: each goes on from a corner to the child
-// that has most below it. A path is a string of runs from its far end towards the hub; where it
-// joins the path of its parent, a joint says where to read on. So a way to a hub is read from few
+// The shortest-path tree of a hub is split into heavy paths: each continues from a corner to the child
+// with the largest subtree. A heavy path is a string of runs from its far end towards the hub; where it
+// joins the heavy path of its parent, a joint says where to read on. So a path to a hub is read from few
 // places in memory.
 //
-// A string is of 16-bit words: a run is its steps times 8 plus its Direction; a joint is a 0
-// followed by the place to read on at, lower half first, kHub at the hub.
+// A string consists of 16-bit words. A run is its steps times 8 plus its Direction. A joint is a 0
+// followed by the place where reading continues, lower half first; this is kHub at the hub.
 
 using RunWord = std::uint16_t;
 
@@ -159,13 +159,13 @@ constexpr Direction direction(RunWord word) { return static_cast<Direction>(word
 
 class HeavyPaths {
  public:
-  /// Of a complete labelling. O(its entries).
+  /// Needs a complete labelling. O(its entries).
   HeavyPaths(const Corners& corners, const HubLabelling& labelling);
 
   std::span<const RunWord> words() const { return words_; }
 
-  /// Where the ways from a corner to its hubs begin in words(), in the order of its label; kHub
-  /// where the corner is the hub.
+  /// Where the paths from a corner to its hubs begin in words(), in the order of its label; kHub where
+  /// the corner is the hub.
   std::span<const std::uint32_t> places(std::uint32_t corner) const {
     return std::span(places_).subspan(begins_[corner], begins_[corner + 1] - begins_[corner]);
   }
@@ -181,15 +181,15 @@ class HeavyPaths {
   std::vector<std::size_t> begins_;    // by corner, and the end: in places_
   std::vector<std::uint32_t> places_;  // by corner, label after label
 
-  // Of the tree that is added, by node.
+  // State of the tree that is being added, by node.
   std::vector<std::uint32_t> below_;   // nodes in its subtree
-  std::vector<std::uint32_t> heavy_;   // the child with most below it
-  std::vector<std::uint32_t> starts_;  // where its way begins
+  std::vector<std::uint32_t> heavy_;   // the child with the largest subtree
+  std::vector<std::uint32_t> starts_;  // where its path begins
   std::vector<std::uint32_t> path_;
   std::vector<std::size_t> next_;  // by corner: the next of its places to fill
 };
 
-// HubSections: what a label index is made of, where it lies in the index's file.
+// HubSections: the sections of a label index, read in place from its file.
 
 struct HubSections {
   static constexpr std::uint32_t kVersion = 1;
@@ -204,14 +204,14 @@ struct HubSections {
   std::span<const std::uint32_t> records;         // HubRecords
   std::span<const RunWord> runs;                  // HeavyPaths::words()
 
-  /// The sections of an index, so checked that reading them as the engine does stays inside of them
-  /// whatever they say. Or what is wrong.
+  /// Returns the sections of an index, or what is wrong. They are checked so that the engine never reads
+  /// out of bounds, whatever they contain.
   static Expected<HubSections, std::string> of(const IndexReader& reader, const BitGrid& passable);
 };
 
 // hub_engine.cpp: the engine that answers queries from these sections.
 
-/// Keeps the bytes, where the sections lie.
+/// Keeps the bytes that contain the sections.
 std::unique_ptr<IndexEngine> make_hub_engine(IndexBytes index, const HubSections& sections,
                                              const BitGrid& passable);
 

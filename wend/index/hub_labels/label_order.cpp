@@ -10,23 +10,23 @@ namespace {
 
 constexpr std::size_t kFirstTrees = 16;
 constexpr std::size_t kNodesPerCorner = 16;
-constexpr double kFewNodes = 20;        // a tree
+constexpr double kFewNodes = 20;        // per tree
 constexpr double kMemoryOfMean = 0.99;  // of the running mean
 
 }  // namespace
 
-// SampledTrees: shortest-path trees from random cells to the corners of a map, without what the
-// hubs chosen so far cover. They tell how many shortest ways pass a corner.
+// SampledTrees: shortest-path trees from random cells to the corners of a map, without what the hubs
+// chosen so far cover. They estimate how many shortest paths pass a corner.
 //
-// A node weighs what hangs below it: for each corner there, the cells that may turn first at it. A
-// corner's total is the weight of its nodes in all trees: about how many ways between cells it would
-// cover as the next hub. (D. Delling, A. Goldberg, T. Pajor and R. Werneck, "Robust Distance Queries
-// on Massive Networks", 2014, sample from the nodes of the graph; sampling cells, and weighing by
-// cells, makes smaller labels.)
+// The weight of a node counts, for each corner in its subtree, the cells that may turn first at it. The
+// total of a corner is the weight of its nodes in all trees: roughly the number of paths between cells
+// that it would cover as the next hub. (D. Delling, A. Goldberg, T. Pajor and R. Werneck, "Robust
+// Distance Queries on Massive Networks", 2014, sample from the nodes of the graph; sampling cells, and
+// weighing by cells, makes smaller labels.)
 
 class SampledTrees {
  public:
-  /// No tree yet. All three must outlive it.
+  /// Has no trees yet. All three must outlive it.
   SampledTrees(const CornerGraph& graph, const AllFirstCorners& first,
                const HubLabelling& labelling)
       : graph_(graph),
@@ -44,12 +44,12 @@ class SampledTrees {
     }
   }
 
-  /// Nodes of all trees.
+  /// The number of nodes in all trees.
   std::size_t size() const { return alive_; }
   std::uint64_t total(std::uint32_t corner) const { return totals_[corner]; }
 
-  /// Grows a tree from a random cell; calls grew(corner) for the corners whose total it raised. Says
-  /// how many.
+  /// Grows a tree from a random cell; calls grew(corner) for the corners whose total it raised. Returns
+  /// their number.
   template <class Grew>
   std::size_t grow(Grew&& grew) {
     const std::size_t begin = grow_nodes();
@@ -57,7 +57,7 @@ class SampledTrees {
     return nodes_.size() - begin;
   }
 
-  /// Cuts off the nodes of a corner, with all below them.
+  /// Cuts off the subtrees of all nodes of a corner.
   void cut(std::uint32_t corner) {
     for (std::uint32_t root = first_nodes_[corner]; root != kNone;
          root = nodes_[root].same_corner) {
@@ -185,9 +185,9 @@ class SampledTrees {
   std::vector<std::uint32_t> first_nodes_;  // by corner
   std::vector<std::uint64_t> totals_;       // by corner
 
-  // Of the tree that grows.
+  // State of the tree that is being grown.
   std::vector<CornerCost> from_root_;  // by hub
-  std::vector<std::uint32_t> hubs_;    // of the corners that the root's ways turn first at
+  std::vector<std::uint32_t> hubs_;    // of the corners where paths from the root turn first
   CornerFrontier frontier_;
   std::vector<std::uint32_t> stack_;
 };
@@ -206,7 +206,7 @@ std::uint32_t LabelOrder::next() {
   grow_trees();
   while (!queue_.empty()) {
     const Candidate best = min_heap::pop(queue_);
-    if (best.total != queued_[best.corner]) continue;  // it was queued again, with more
+    if (best.total != queued_[best.corner]) continue;  // it was queued again with a larger total
     queued_[best.corner] = 0;
     const std::uint64_t total = trees_->total(best.corner);
     if (total == best.total) {
@@ -223,7 +223,7 @@ void LabelOrder::grow_trees() {
   while (!all_told_ && (grown_ < kFirstTrees || trees_->size() < wanted_nodes_)) {
     const std::size_t nodes = trees_->grow([&](std::uint32_t corner) {
       const std::uint64_t total = trees_->total(corner);
-      // With room to grow, so that not every tree queues it again.
+      // Leaves room to grow, so that not every tree queues the corner again.
       if (total > queued_[corner]) push(corner, total + total / 4);
     });
     ++grown_;

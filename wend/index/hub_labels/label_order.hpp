@@ -1,11 +1,11 @@
 #pragma once
 
-// LabelOrder: which corner should be the next hub, so that labels become small: the one that
-// most shortest ways pass that no hub covers yet, as SampledTrees tell.
+// LabelOrder: chooses the next hub so that labels become small: the corner on the most shortest paths
+// that no hub covers yet, as SampledTrees estimate.
 //
-// The number of nodes in the trees is kept up: as hubs cut them short, more are grown. Once new
-// trees have a few nodes only, which is when nearly all ways are covered, the rest of the order
-// matters little, and what the trees tell is used up. The order is the same at every run.
+// As hubs cut trees short, new trees keep up the number of nodes. Once new trees have only a few nodes,
+// nearly all paths are covered and the rest of the order matters little; then the remaining trees are
+// used up. The order is the same in every run.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +31,7 @@ class LabelOrder {
 
  private:
   struct Candidate {
-    std::uint64_t total;  // at least the corner's
+    std::uint64_t total;  // at least the total of the corner
     std::uint32_t corner;
 
     friend bool operator<(const Candidate& a, const Candidate& b) {
@@ -46,7 +46,7 @@ class LabelOrder {
   std::unique_ptr<SampledTrees> trees_;
   std::size_t wanted_nodes_;
   std::size_t grown_ = 0;
-  double nodes_of_late_;  // a tree, in the running mean
+  double nodes_of_late_;  // per tree, as a running mean
   bool all_told_ = false;
   std::vector<Candidate> queue_;
   std::vector<std::uint64_t> queued_;  // by corner: its total in the queue, 0 if it is in none

@@ -12,7 +12,7 @@ Unexpected<PlannerError> index_failure(Status status, std::string what) {
   return Unexpected<PlannerError>({status, std::move(what)});
 }
 
-/// What a limit of the query says before there is any work.
+/// The status if a limit stops the query before any work.
 std::optional<Status> stopped(const Limits& limits) {
   if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {
     return Status::cancelled;
@@ -50,7 +50,7 @@ class IndexPlanner final : public Planner {
       out.metrics = {1, 1, 1};
       out.cost = 0;
     } else {
-      // No shortest path visits a cell twice: an index that says so was forged.
+      // A shortest path never visits a cell twice: an index that says so was forged.
       if (steps.cells() > most_cells_) return Status::index_mismatch;
       engine_->write(out.path.make_cells(steps.cells()));
       out.cost = steps.cost();
@@ -87,7 +87,7 @@ class IndexPlanner final : public Planner {
   }
 
   void do_update(std::span<const Cell> /*changed*/) override {
-    engine_.reset();  // its memory first
+    engine_.reset();  // frees its memory first
     most_cells_ = free_space().passable().count();
     auto made = make_engine_(free_space());
     if (made) {
@@ -124,7 +124,7 @@ class MethodSupport final : public IndexSupport {
     }
     auto engine = open(space, std::move(index));
     if (!engine) return Unexpected<PlannerError>(engine.error());
-    // The planner may outlive this.
+    // The planner may outlive this object.
     const auto make_engine = [method = method_, name = planner_](const FreeSpace& other) {
       const MethodSupport self(method, name);
       auto built = self.build(other, {});

@@ -22,8 +22,8 @@ struct IndexMethod {
       open;
 };
 
-/// The info of a planner without options that answers by an index: sets make and index_support,
-/// and what is true of all of them.
+/// Completes the info of an index planner without options: sets make and index_support, and what all
+/// such planners have in common.
 PlannerInfo with_index(PlannerInfo info, const IndexMethod& method);
 
 }  // namespace wend

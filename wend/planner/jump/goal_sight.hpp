@@ -23,8 +23,8 @@
 
 namespace wend {
 
-/// The direction in which the path to a cell begins that takes its diagonal steps first; none for the
-/// cell itself.
+/// The first direction of the path to a cell that takes its diagonal steps first; none for the cell
+/// itself.
 constexpr DirectionSet first_direction(Cell from, Cell to) {
   using enum Direction;
   constexpr std::array<DirectionSet, 9> kByNeighbour{set_of(minus_x_minus_y),
@@ -81,9 +81,9 @@ class GoalSight {
     return may;
   }
 
-  /// Which goals are in sight from a cell that is reached at this cost? If the nearest one is, no way
-  /// from there is shorter than the straight one to it. Goals in other directions than these are
-  /// reached as cheaply by other ways.
+  /// Finds the goals in sight of a cell that is reached at cost g. If the nearest goal is in sight, no
+  /// path from there is shorter than the direct one to it. Goals outside `directions` are reached as
+  /// cheaply by other paths.
   View look(const Sight& sight, Cell from, DirectionSet directions, Cost g) {
     View view;
     goals_.for_each([&](Cell goal) {

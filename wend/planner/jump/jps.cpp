@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// JumpPointSearch behind the face of a GridEngine: writes every cell of the paths.
+/// JumpPointSearch as a GridEngine: writes every cell of the paths.
 template <class Cost>
 class JumpEngine final : public GridEngine {
  public:

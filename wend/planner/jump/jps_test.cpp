@@ -1,4 +1,4 @@
-// What is special about jump point search: its states, its way-points, its counters that run out.
+// Tests what is special about jump point search: its states, its waypoints, its counters that run out.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
   }
 }
 
-/// A corridor there and back again, so long that its costs outgrow 32 bits.
+/// A corridor that runs to and fro, so long that its costs exceed 32 bits.
 GridMap serpentine(int width, int turns) {
   Grid<CellState> cells(width, 2 * turns + 1, CellState::free);
   for (int turn = 0; turn < turns; ++turn) {
@@ -137,7 +137,7 @@ TEST(Jps, FindsPathsThatOutgrow32Bits) {
   EXPECT_EQ(plan->cost, astar->cost);
 }
 
-/// So wide that the distance of two cells may outgrow 32 bits.
+/// A map so wide that the distance between two cells may exceed 32 bits.
 TEST(Jps, PlansOnMapsThatAreVeryWide) {
   constexpr int kWidth = 150000;
   Grid<CellState> cells(kWidth, 3, CellState::free);

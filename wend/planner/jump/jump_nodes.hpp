@@ -29,10 +29,10 @@ class JumpNodes {
     Stamp stamp = kNever;
     Cell cell;
     StateId parent = 0;
-    Jump first;                  // on the way from the parent
+    Jump first;                  // on the path from the parent
     std::uint32_t dead_end = 0;  // its number
-    std::uint8_t pending = 0;    // arrivals to be expanded, a bit each
-    std::uint8_t done = 0;       // arrivals that were, as cheaply
+    std::uint8_t pending = 0;    // arrivals to be expanded, one bit each
+    std::uint8_t done = 0;       // arrivals already expanded, at the same cost
 
     Cost g() const { return static_cast<Cost>(stamp); }
   };

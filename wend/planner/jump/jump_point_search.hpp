@@ -7,14 +7,14 @@
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
 // A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
-// that sees a goal opens nothing: no other path is shorter. Where there is no choice the search takes a
+// that sees a goal opens nothing: no other path is shorter. Where there is no choice, the search takes a
 // shortcut over several jump points (ShortcutGraph), and looks for a goal from each of them if the
-// shortcut may see one. Open states lie in buckets whose order is inexact, so a state may be expanded
-// again when a cheaper path to it comes, and the search ends when the current bucket is past the cost of
-// the cheapest path found.
+// shortcut may see one. Open states lie in buckets that are not sorted exactly, so a state may be
+// expanded again when a cheaper path to it is found. The search ends when the current bucket is past the
+// cost of the cheapest path found.
 //
-// Optimal. 32 bytes a jump point, and what JumpGraph, JumpBoards, ShortcutGraph and DeadEnds take. One
-// thread a search; jump graph and dead ends are shared.
+// Optimal. 32 bytes per jump point, plus JumpGraph, JumpBoards, ShortcutGraph and DeadEnds. One thread
+// per search; searches may share the jump graph and the dead ends.
 
 #include <algorithm>
 #include <array>
@@ -60,8 +60,8 @@ class JumpPointSearch {
   JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
                   std::shared_ptr<const DeadEnds> dead_ends);
 
-  /// Forgets the last search. Cells are passable; `limits` must live as long as the
-  /// search. A watcher is told cells, the cells they were reached from (of the start: itself) and g.
+  /// Forgets the last search. Cells are passable; `limits` must live as long as the search. A watcher
+  /// receives each cell, its parent (for the start: itself) and g.
   template <class Watcher = NoJumpWatcher>
   void begin(Cell start, std::span<const Cell> goals, const Limits& limits, Watcher&& watcher = {});
 
@@ -69,7 +69,7 @@ class JumpPointSearch {
   template <class Watcher = NoJumpWatcher>
   void step(Watcher&& watcher = {});
 
-  /// Goes on until there is an outcome.
+  /// Runs until there is an outcome.
   template <class Watcher = NoJumpWatcher>
   SearchOutcome run(Watcher&& watcher = {}) {
     while (outcome_ == SearchOutcome::running) step(watcher);
@@ -79,14 +79,14 @@ class JumpPointSearch {
   SearchOutcome outcome() const { return outcome_; }
   const SearchMetrics& metrics() const { return metrics_; }
 
-  /// Of a search that found a way: its start, the cells where it turns, its goal. Between two of
-  /// them all steps go the same way. Replaced by the next call.
+  /// The start, the turning cells and the goal of the path found. Between two of them all steps have the
+  /// same direction. Valid until the next call.
   std::span<const Cell> waypoints();
 
-  /// Calls visit(cell, parent, g, newest) for the states that would be expanded next, in that order,
-  /// at most `most` of them: cell and parent, of the start the parent is itself; newest:
-  /// it lies in the bucket of the one before, where the newest comes first. Returns how many states
-  /// are open. On a copy of the queue: O(its entries).
+  /// Calls visit(cell, parent, g, newest) for the states that would be expanded next, in that order, at
+  /// most `most` of them. The parent of the start is itself. newest: the state lies in the same bucket
+  /// as the one before, where the newest comes first. Returns the number of open states. Works on a copy
+  /// of the queue: O(its entries).
   template <class Visit>
   std::uint64_t for_each_open(std::size_t most, Visit&& visit) const;
 
@@ -109,7 +109,7 @@ class JumpPointSearch {
     Jump last = kNoJump;
   };
 
-  /// The start is the node behind the jump points.
+  /// The start is the node after the jump points.
   StateId start_id() const { return static_cast<StateId>(nodes_.size() - 1); }
 
   View look(Cell from, DirectionSet directions, Cost g) {
@@ -289,7 +289,7 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Shortcut& shortcut, co
   const auto stamp = nodes_.stamp(g);
   if (stamp > node.stamp) return;
   if (stamp < node.stamp && !open_.contains(node.dead_end)) return;
-  // No branch: what a node was left with by searches before is hard to foresee.
+  // No branch: what earlier searches left in a node is hard to predict.
   const bool open = nodes_.reached(node) & (node.pending != 0);
   const auto arrival = static_cast<std::uint8_t>(1U << jump.arrival());
   if (stamp < node.stamp) {
@@ -299,7 +299,7 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Shortcut& shortcut, co
     node.pending = arrival;
     node.done = 0;
   } else {
-    // A new direction counts where the way is as cheap.
+    // At equal cost only a new direction counts.
     if ((arrival & (node.pending | node.done)) != 0) return;
     node.pending |= arrival;
     if (open) return;
@@ -321,7 +321,7 @@ std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
                                                               Visit&& visit) const {
   if (outcome_ != SearchOutcome::running) return 0;
   JumpQueue<Cost> rest = queue_;
-  std::unordered_set<StateId> open;  // older entries of a state are passed over
+  std::unordered_set<StateId> open;  // older entries of a state are skipped
   std::optional<std::size_t> bucket;
   while (!rest.empty()) {
     const auto entry = rest.pop();
@@ -340,8 +340,8 @@ std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
   return open.size() + 1;
 }
 
-/// Looks for goals from the jump points that a shortcut passes, and from its end if nothing comes after
-/// that. True if no way that goes on is shorter.
+/// Looks for goals from the jump points that a shortcut passes, and from its end if that has no
+/// successor. True if no path that continues is shorter.
 template <class Cost, std::uint32_t kSearches>
 bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Shortcut& shortcut, const Node& from,
                                                         StateId parent) {

@@ -35,7 +35,7 @@ class JumpTrail {
     if (from != to) cells_.push_back(from);
   }
 
-  /// The jump points of a shortcut: backwards from the one with the number `end` to its first.
+  /// Appends the jump points of a shortcut, backwards from the one with the number `end` to its first.
   void append_shortcut(const ShortcutGraph& shortcuts, Jump first, std::uint32_t end) {
     passed_.clear();
     for (Jump jump = first; jump.number() != end; jump = shortcuts.only_next(jump)) {
@@ -53,7 +53,7 @@ class JumpTrail {
 
  private:
   std::vector<Cell> cells_;
-  std::vector<Cell> passed_;  // by the shortcut in work
+  std::vector<Cell> passed_;  // by the current shortcut
 };
 
 }  // namespace wend
