@@ -123,14 +123,16 @@ void CarConformance::expect_guarantees_on_random_yards(std::uint64_t yards) cons
   EXPECT_GT(turned_away, yards / 20);
 }
 
-TEST_P(CarConformance, KeepsItsPromisesOnRandomYards) { expect_guarantees_on_random_yards(kYards); }
+TEST_P(CarConformance, KeepsItsGuaranteesOnRandomYards) {
+  expect_guarantees_on_random_yards(kYards);
+}
 
-TEST_P(CarConformance, KeepsItsPromisesOnManyRandomYardsInALongRun) {
+TEST_P(CarConformance, KeepsItsGuaranteesOnManyRandomYardsInALongRun) {
   expect_guarantees_on_random_yards(kYardsOfALongRun);
 }
 
 /// All 512 yards of 3 x 3 cells, from everywhere on two sides to everywhere.
-TEST_P(CarConformance, KeepsItsPromisesOnEveryYardOfNineCells) {
+TEST_P(CarConformance, KeepsItsGuaranteesOnEveryYardOfNineCells) {
   for (unsigned bits = 0; bits < 512 && !HasFailure(); ++bits) {
     Grid<CellState> states(3, 3, CellState::free);
     for (int i = 0; i < 9; ++i) {

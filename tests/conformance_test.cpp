@@ -106,14 +106,14 @@ void Conformance::expect_guarantees_on_random_maps(std::uint64_t maps) const {
   EXPECT_GT(found, maps / 2) << "too few paths to say anything";
 }
 
-TEST_P(Conformance, KeepsItsPromisesOnRandomMaps) { expect_guarantees_on_random_maps(kMaps); }
+TEST_P(Conformance, KeepsItsGuaranteesOnRandomMaps) { expect_guarantees_on_random_maps(kMaps); }
 
-TEST_P(Conformance, KeepsItsPromisesOnManyRandomMapsInALongRun) {
+TEST_P(Conformance, KeepsItsGuaranteesOnManyRandomMapsInALongRun) {
   expect_guarantees_on_random_maps(kMapsOfALongRun);
 }
 
 /// All 512 maps of 3 x 3 cells, from the middle and from a corner to everywhere.
-TEST_P(Conformance, KeepsItsPromisesOnEveryMapOfNineCells) {
+TEST_P(Conformance, KeepsItsGuaranteesOnEveryMapOfNineCells) {
   for (unsigned bits = 0; bits < 512 && !HasFailure(); ++bits) {
     Grid<CellState> states(3, 3, CellState::free);
     for (int i = 0; i < 9; ++i) {

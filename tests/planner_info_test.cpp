@@ -50,7 +50,7 @@ TEST_P(EveryPlanner, SaysWhatItIs) {
 }
 
 /// A bound that is guaranteed with consistent options is there with the defaults.
-TEST_P(EveryPlanner, IsBoundedByDefaultIfItPromisesABound) {
+TEST_P(EveryPlanner, IsBoundedByDefaultIfItGuaranteesABound) {
   const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_TRUE(planner);

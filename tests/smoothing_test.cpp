@@ -103,7 +103,7 @@ void expect_sampled_free(const Path& path, const Trial& trial) {
 }
 
 /// What is true of every safe smoother.
-void expect_promise_kept(const Smoothed& smoothed, const Trial& trial) {
+void expect_guarantee_kept(const Smoothed& smoothed, const Trial& trial) {
   const auto points = smoothed.path.points();
   ASSERT_GE(points.size(), trial.path.size());
   ASSERT_EQ(points.front(), trial.path.points().front());
@@ -191,7 +191,7 @@ TEST(Smoothing, IsSafeByGradientWhateverTheWeights) {
     const auto smoothed =
         smooth_by_gradient(trial.path, trial.space, random_weights(random, trial));
     ASSERT_TRUE(smoothed) << smoothed.error().message();
-    expect_promise_kept(*smoothed, trial);
+    expect_guarantee_kept(*smoothed, trial);
     ASSERT_EQ(smoothed->path.size(), trial.path.size());
     if (trial.path.size() > 2) ++(smoothed->held > 0 ? held : unheld);
     squeezing += first_collision(smoothed->path, trial.space) ? 1 : 0;
@@ -207,7 +207,7 @@ TEST(Smoothing, IsSafeWithEverySmootherAsItComes) {
       SCOPED_TRACE(smoother.name);
       const auto smoothed = smoother.smooth(trial.path, trial.space, squeezing(trial));
       ASSERT_TRUE(smoothed) << smoothed.error().message();
-      expect_promise_kept(*smoothed, trial);
+      expect_guarantee_kept(*smoothed, trial);
     }
   });
 }

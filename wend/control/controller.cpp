@@ -38,9 +38,9 @@ TrackingError tracking_error_of(const ControllerInput& input) {
           way_left(route, input.along, input.pose.point())};
 }
 
-Velocity while_turning(double linear, double angular, const TrackingError& aim,
+Velocity while_turning(double linear, double angular, const TrackingError& error,
                        double standing_angle, const VelocityLimits& limits) {
-  const double share = std::max(1 - std::abs(aim.heading) / standing_angle, 0.0);
+  const double share = std::max(1 - std::abs(error.heading) / standing_angle, 0.0);
   return {std::clamp(linear, 0.0, limits.speed) * share, angular};
 }
 

@@ -99,7 +99,7 @@ TrackingError tracking_error_of(const ControllerInput& input);
 
 /// Drives at `linear`, slower with a larger heading error, and stands still from `standing_angle`
 /// on; turns at `angular`.
-Velocity while_turning(double linear, double angular, const TrackingError& aim,
+Velocity while_turning(double linear, double angular, const TrackingError& error,
                        double standing_angle, const VelocityLimits& limits);
 
 }  // namespace wend

@@ -37,10 +37,10 @@ class PController final : public Controller {
   }
 
   Velocity command(const ControllerInput& input) override {
-    const TrackingError aim = tracking_error_of(input);
-    turning_ = std::abs(aim.heading) > (turning_ ? options_.drive_below : options_.turn_above);
-    return {turning_ ? 0 : options_.distance_gain * aim.distance,
-            options_.heading_gain * aim.heading};
+    const TrackingError error = tracking_error_of(input);
+    turning_ = std::abs(error.heading) > (turning_ ? options_.drive_below : options_.turn_above);
+    return {turning_ ? 0 : options_.distance_gain * error.distance,
+            options_.heading_gain * error.heading};
   }
 
  private:

@@ -31,9 +31,10 @@ class PMovingController final : public Controller {
   void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
   Velocity command(const ControllerInput& input) override {
-    const TrackingError aim = tracking_error_of(input);
-    return while_turning(options_.distance_gain * aim.distance, options_.heading_gain * aim.heading,
-                         aim, options_.standing_angle, input.limits);
+    const TrackingError error = tracking_error_of(input);
+    return while_turning(options_.distance_gain * error.distance,
+                         options_.heading_gain * error.heading, error, options_.standing_angle,
+                         input.limits);
   }
 
  private:

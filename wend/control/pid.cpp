@@ -52,15 +52,15 @@ class PidController final : public Controller {
   }
 
   Velocity command(const ControllerInput& input) override {
-    const TrackingError aim = tracking_error_of(input);
+    const TrackingError error = tracking_error_of(input);
     const VelocityLimits& limits = input.limits;
-    const double linear =
-        distance_.output(aim.distance, aim.distance - last_.distance, input.seconds, limits.speed);
+    const double linear = distance_.output(error.distance, error.distance - last_.distance,
+                                           input.seconds, limits.speed);
     const double angular =
-        heading_.output(aim.heading, normalized_angle(aim.heading - last_.heading), input.seconds,
-                        limits.turn_rate);
-    last_ = aim;
-    return while_turning(linear, angular, aim, standing_angle_, limits);
+        heading_.output(error.heading, normalized_angle(error.heading - last_.heading),
+                        input.seconds, limits.turn_rate);
+    last_ = error;
+    return while_turning(linear, angular, error, standing_angle_, limits);
   }
 
  private:

@@ -38,8 +38,8 @@ class ConnectedComponents {
   }
 
   bool connected(Cell a, Cell b, Adjacency adjacency) const {
-    const std::uint32_t region_of_a = component(a, adjacency);
-    return region_of_a != 0 && region_of_a == component(b, adjacency);
+    const std::uint32_t component_of_a = component(a, adjacency);
+    return component_of_a != 0 && component_of_a == component(b, adjacency);
   }
 
   /// How many cells the component of a cell has; 0 if the cell is not set.

@@ -45,7 +45,7 @@ TEST(Bfs, IsWithinSqrtTwoOnEightNeighbours) {
   EXPECT_EQ(plan_of("bfs", uniform(), {0, 0}, {4, 3}).bound, std::numbers::sqrt2);
 }
 
-TEST(Bfs, PromisesNothingAboutCostsOnTerrain) {
+TEST(Bfs, GuaranteesNothingAboutCostsOnTerrain) {
   EXPECT_EQ(plan_of("bfs", rough(), {0, 1}, {4, 1}).bound, Plan::kNoBound);
 }
 
@@ -56,7 +56,7 @@ TEST(Bfs, TakesTheFewestStepsEvenThroughTheRough) {
   EXPECT_EQ(plan.cost, 5 + 9 + 9 + 5);
 }
 
-TEST(Dfs, PromisesNothingAboutCosts) {
+TEST(Dfs, GuaranteesNothingAboutCosts) {
   EXPECT_EQ(plan_of("dfs", uniform(), {0, 0}, {4, 3}).bound, Plan::kNoBound);
 }
 
@@ -66,7 +66,7 @@ TEST(Dfs, FollowsTheSuccessorThatCameLast) {
   EXPECT_EQ(plan.path.cells()[1], (Cell{0, 2})) << "down-left is the last direction";
 }
 
-TEST(Greedy, PromisesNothingAboutCosts) {
+TEST(Greedy, GuaranteesNothingAboutCosts) {
   for (const char* heuristic : {"auto", "zero", "constant", "manhattan", "octile", "euclidean"}) {
     const Plan plan = plan_of("greedy", uniform(), {0, 0}, {4, 3}, {{"heuristic", heuristic}});
     EXPECT_EQ(plan.bound, Plan::kNoBound) << heuristic;

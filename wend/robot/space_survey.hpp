@@ -12,7 +12,7 @@ namespace wend {
 
 struct SpaceSurvey {
   std::size_t passable = 0;
-  std::size_t near_obstacles = 0;     // of them: those that keep-away makes cost more
+  std::size_t near_obstacles = 0;     // of them: those that the clearance cost makes cost more
   std::size_t components = 0;         // components of them, joined by edges
   std::size_t largest_component = 0;  // cells
   double least_terrain = 1;           // of the map, in passable cells
