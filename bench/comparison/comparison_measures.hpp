@@ -45,8 +45,8 @@ std::vector<std::string> planners_of(const Comparison& comparison);
 std::size_t solved_by(const Comparison& comparison, std::size_t planner);
 std::size_t solved_by_all(const Comparison& comparison);
 
-/// Over the queries that every planner solved. 99 of 100 of them are no worse than `p99`: it is the
-/// 1st percentile of a measure for which more is better.
+/// Statistics over the queries that every planner solved. `p99` is the 99th percentile; for a measure
+/// whose larger values are better it is the 1st percentile.
 Summary summary_of(const Comparison& comparison, const Measure& measure, std::size_t planner);
 
 }  // namespace wend

@@ -39,8 +39,8 @@ inline constexpr PlotColours kDarkPlot{
 inline constexpr PlotColours kPrintPlot{0xFFFFFF, 0x000000, 0xC8C8C8, kLightPlot.names};
 
 /// The colour number of each name that a plot compares. A planner or controller has its own colour in
-/// every plot. A name that is unknown or repeated with other options takes the first free colour; if
-/// none is left, colours repeat.
+/// every plot. A name that is unknown or repeated with other options takes the first free colour.
+/// Colours repeat after the last one.
 std::vector<std::size_t> plot_colours_of(std::span<const std::string> names);
 
 }  // namespace wend

@@ -46,7 +46,7 @@ struct PlanArguments {
   OutputFiles output;
 };
 
-/// Writes into the path files that there is no path, if nothing can be planned.
+/// Writes the reason of a failed plan to the path files, in place of an old path.
 void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
 
 class PlanRun {

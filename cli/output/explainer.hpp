@@ -70,7 +70,7 @@ std::optional<Cell> nearest_free(const FreeSpace& space, Cell cell, Cell other, 
 Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
                     GridMoves moves, const Coordinates& coordinates);
 
-/// The same for one goal, both ends on the map, if it is known why there is no path.
+/// The same for one goal and a known reason. Start and goal must be on the map.
 Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
                     const Coordinates& coordinates, const NoPath& why);
 

@@ -4,7 +4,7 @@
 
 namespace wend::test {
 
-/// All of them; a third under the address sanitizer, where a case takes about five times as long.
+/// All of them; a third under the address sanitizer, where a case takes several times as long.
 template <class Count>
 constexpr Count share_of(Count cases) {
 #ifdef __SANITIZE_ADDRESS__

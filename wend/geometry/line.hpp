@@ -20,7 +20,7 @@ struct Line {
   Point to;
 
   double length() const { return distance(from, to); }
-  /// Of the direction in which it goes; 0 if both ends are one point.
+  /// The direction from `from` to `to` in radians; 0 if both are the same point.
   double heading() const { return std::atan2(to.y - from.y, to.x - from.x); }
   Point middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
   Point at(double share) const {

@@ -15,7 +15,7 @@
 
 namespace wend::cli {
 
-/// Throws InputError for a file that is not an index, or a damaged one.
+/// Throws InputError if a file is damaged or is not an index.
 std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files);
 
 /// Is it for this map?

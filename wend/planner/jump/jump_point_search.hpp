@@ -7,11 +7,11 @@
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
 // A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
-// that sees a goal opens nothing: no other path is shorter. Where there is no choice, the search takes a
-// shortcut over several jump points (ShortcutGraph), and looks for a goal from each of them if the
-// shortcut may see one. Open states lie in buckets that are not sorted exactly, so a state may be
-// expanded again when a cheaper path to it is found. The search ends when the current bucket is past the
-// cost of the cheapest path found.
+// that sees a goal opens no states, because no other path is shorter. Where there is no choice, the
+// search takes a shortcut over several jump points (ShortcutGraph), and looks for a goal from each of
+// them if the shortcut may see one. Open states lie in buckets that are not sorted exactly, so a state
+// may be expanded again when a cheaper path to it is found. The search ends when the current bucket is
+// past the cost of the cheapest path found.
 //
 // Optimal. 32 bytes per jump point, plus JumpGraph, JumpBoards, ShortcutGraph and DeadEnds. One thread
 // per search; searches may share the jump graph and the dead ends.
