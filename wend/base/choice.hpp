@@ -1,7 +1,7 @@
 #pragma once
 
-// Choice: a value of an enum and its name. An enum that is an option, or is shown, has a function
-// `choice_names(Enum)` that returns an array of them.
+// Choice: a value of an enum and its name. An enum that is an option, or that users see, has a
+// function `choice_names(Enum)` that returns an array of Choices.
 
 #include <array>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 
-// Error: why a value could not be made from what a user gave: what kind of problem it is, a sentence
-// that says what is wrong and what would be right, and the part of the input that is wrong.
+// Error: why user input is invalid. It holds the kind of problem, a sentence that says what is wrong
+// and what would be right, and the part of the input that is wrong.
 //
 //   const auto footprint = wend::parse_footprint(text);
 //   if (!footprint) return report(footprint.error().message);
@@ -16,8 +16,8 @@ namespace wend {
 
 struct Error {
   Status status = Status::invalid_option;
-  std::string message;     // a sentence without its full stop
-  std::string where = {};  // a name of the wrong part ("corner 3"), or empty
+  std::string message;     // a sentence without a full stop
+  std::string where = {};  // the name of the wrong part ("corner 3"), or empty
 };
 
 /// For `return`, from every function that returns an Expected<..., Error>.

@@ -35,7 +35,7 @@
 
 namespace wend {
 
-/// What a person reads about one option.
+/// The names and the help text of one option.
 struct OptionText {
   std::string_view name;
   std::string_view help;
@@ -53,8 +53,8 @@ struct OptionInfo {
   std::vector<std::string> aliases;
   OptionKind kind;
   std::string default_value;
-  std::vector<std::string> choices;  // of a choice
-  double least = 0;                  // of an integer or a number
+  std::vector<std::string> choices;  // for a choice
+  double least = 0;                  // for an integer or a number
   double greatest = 0;
   std::string help;
   std::string former = {};  // an old name, or empty: parsed, but not shown
@@ -73,7 +73,7 @@ struct OptionError {
   }
 };
 
-/// Checks and converts the text of one option; each returns what is wrong, empty if nothing is.
+/// Functions that check and convert the text of one option. Each returns an error text, empty on success.
 namespace option_text {
 std::string parse(std::string_view text, bool& value, OptionRange range = {});
 std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
@@ -97,7 +97,7 @@ std::string parse(std::string_view text, Enum& value, OptionRange /*range*/) {
 }
 }  // namespace option_text
 
-/// Collects the schema of an option struct, its defaults read from a default-made one.
+/// Collects the schema of an option struct. The defaults come from a default-constructed struct.
 class SchemaBuilder {
  public:
   void operator()(const OptionText& text, bool& value) {
@@ -133,7 +133,7 @@ class OptionParser {
  public:
   explicit OptionParser(const OptionValues& values) : values_(values) {}
 
-  /// A range counts for numbers only.
+  /// The range applies only to numbers.
   template <class Value>
   void operator()(const OptionText& text, Value& value, OptionRange range = {}) {
     known_.emplace_back(text.name);
@@ -148,7 +148,7 @@ class OptionParser {
     }
   }
 
-  /// The first thing wrong, if any: a name that no field has, else a bad value.
+  /// The first error, if any: an unknown name, else a bad value.
   std::optional<OptionError> error() const;
 
  private:
@@ -173,8 +173,8 @@ std::vector<OptionInfo> option_schema() {
   return builder.take();
 }
 
-/// The defaults with `values` applied; an error for an unknown name, a text that is no value, or a
-/// number out of range. Where a name is given twice the last one counts.
+/// The defaults with `values` applied. Fails for an unknown name, an invalid value, or a number out of
+/// range. If a name is given twice, the last value counts.
 template <class Options>
 Expected<Options, OptionError> parse_options(const OptionValues& values) {
   Options options;
@@ -184,7 +184,7 @@ Expected<Options, OptionError> parse_options(const OptionValues& values) {
   return options;
 }
 
-/// A thing of a registry and its options in one word, as people type them in lists:
+/// An entry of a registry and its options in one word, as users type them in lists:
 ///
 ///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 struct OptionSpec {
@@ -193,9 +193,9 @@ struct OptionSpec {
   OptionValues options{};
 };
 
-/// The things of a list, of those with these names; `kind` is what they are called: "planner". Fails
-/// for another name, a word that is not name=value, and an empty list; whether the options fit is not
-/// checked.
+/// Parses a list of entries with these names. `kind` says what an entry is: "planner". Fails for an
+/// unknown name, a word that is not name=value, and an empty list. Does not check whether the options
+/// are valid.
 Expected<std::vector<OptionSpec>, std::string> parse_option_specs(
     std::string_view list, std::string_view kind, const std::vector<std::string>& names);
 

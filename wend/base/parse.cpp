@@ -7,14 +7,14 @@
 namespace wend {
 namespace {
 
-/// Why the whole text is not a number that a double holds; nothing (std::errc{}) if it is.
+/// Parses the whole text. Returns why it is not a number that a double holds, std::errc{} if it is.
 std::errc read_number(std::string_view text, double& value) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return stop == end ? error : std::errc::invalid_argument;
 }
 
-/// A number that a double cannot hold because it is too large: "1e999".
+/// Is the text a number that is too large for a double: "1e999"?
 bool is_too_large(std::string_view text) {
   double value = 0;
   const bool small =

@@ -1,7 +1,7 @@
 #pragma once
 
-// Text to numbers and back, the same in every locale. A parser takes the whole text or nothing:
-// "12x", " 12" and "" are no numbers.
+// Converts text to numbers and back, the same in every locale. A parser reads the whole text or fails:
+// "12x", " 12" and "" are not numbers.
 
 #include <charconv>
 #include <concepts>
@@ -25,9 +25,9 @@ std::optional<Integer> parse_integer(std::string_view text) {
 /// Nothing for numbers that a double cannot hold (1e999).
 std::optional<double> parse_number(std::string_view text);
 
-/// Reads a number that has to be in a range, both ends included. Sets `value` and returns an empty
-/// text; or returns what is wrong: "'9' is not between 0 and 5 m", "'0,2' is not a number: the decimal
-/// point is a dot, did you mean 0.2?". Numbers that a double cannot hold are out of every range.
+/// Reads a number in a closed range. Sets `value` and returns an empty text, or returns what is wrong:
+/// "'9' is not between 0 and 5 m", "'0,2' is not a number: the decimal point is a dot, did you mean
+/// 0.2?". Numbers that a double cannot hold are out of every range.
 std::string parse_in_range(std::string_view text, double& value, double least, double greatest,
                            std::string_view unit = {});
 

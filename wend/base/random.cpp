@@ -30,7 +30,7 @@ std::uint64_t Random::bits() {
 
 std::uint64_t Random::below(std::uint64_t bound) {
   assert(bound > 0);
-  // Numbers under 2^64 mod bound would make the low results likelier: draw again.
+  // Numbers below 2^64 mod bound would make low results more likely, so they are drawn again.
   const std::uint64_t surplus = (0 - bound) % bound;
   std::uint64_t drawn = bits();
   while (drawn < surplus) drawn = bits();
@@ -44,8 +44,8 @@ int Random::between(int least, int greatest) {
 }
 
 double Random::gaussian() {
-  // Marsaglia's polar method: from a point in the unit disc, all equally likely. That would give a
-  // second number; keeping it would make the next one depend on what was called before.
+  // Marsaglia's polar method: from a uniformly random point in the unit disc. It also gives a second
+  // number, which is not kept: the next result would depend on earlier calls.
   for (;;) {
     const double x = 2 * uniform() - 1;
     const double y = 2 * uniform() - 1;

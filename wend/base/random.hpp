@@ -18,17 +18,17 @@ class Random {
   /// The next 64 random bits.
   std::uint64_t bits();
 
-  /// A whole number in [0, bound), every one equally likely. bound must be positive.
+  /// A uniformly random integer in [0, bound). bound must be positive.
   std::uint64_t below(std::uint64_t bound);
 
-  /// A whole number in [least, greatest].
+  /// A uniformly random integer in [least, greatest].
   int between(int least, int greatest);
 
   /// A number in [0, 1).
   double uniform();
 
-  /// A number of the normal distribution with mean 0 and standard deviation 1: the same on every
-  /// platform, except for the last bit of logarithm and square root.
+  /// A number from the normal distribution with mean 0 and standard deviation 1. It is the same on
+  /// every platform, except for the last bit of logarithm and square root.
   double gaussian();
 
   /// True with the given probability.

@@ -12,7 +12,7 @@
 namespace wend {
 namespace {
 
-/// xoshiro256** and splitmix64 written down once more, from the words of their papers.
+/// A second implementation of xoshiro256** and splitmix64, written from the text of their papers.
 class Reference {
  public:
   explicit Reference(std::uint64_t seed) {
@@ -56,7 +56,7 @@ RC_GTEST_PROP(Random, IsXoshiro256StarStarSeededBySplitmix64, (std::uint64_t see
 }
 
 TEST(Random, GivesTheSameOnEveryPlatform) {
-  // These must never change: golden files and generated maps hang on them.
+  // These must never change: golden files and generated maps depend on them.
   Random random(42);
   EXPECT_EQ(random.bits(), 1546998764402558742U);
   EXPECT_EQ(random.bits(), 6990951692964543102U);
@@ -122,7 +122,7 @@ TEST(Random, BelowDrawsEveryNumberEquallyOften) {
 }
 
 TEST(Random, BelowIsUnbiasedWhereTheBoundDoesNotDivideTheRange) {
-  // A remainder without drawing again would give the lower half twice as often as the upper one.
+  // A plain remainder, without rejection, would give the lower half twice as often as the upper one.
   const std::uint64_t bound = (std::uint64_t{1} << 63) + (std::uint64_t{1} << 62);
   Random random(7);
   int lower_third = 0;

@@ -6,7 +6,7 @@
 namespace wend {
 namespace {
 
-/// Letters put in, left out, changed, or swapped with their neighbour (optimal string alignment).
+/// Counts letters inserted, deleted, changed, or swapped with a neighbour (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1);  // the row two above
   std::vector<std::size_t> above(b.size() + 1);

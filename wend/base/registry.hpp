@@ -1,7 +1,7 @@
 #pragma once
 
-// Registry: a list of named things that can be chosen at run time (planners, generators, smoothers,
-// controllers), and what to tell a user who misspells a name.
+// Registry: a list of named entries that can be chosen at run time (planners, generators, smoothers,
+// controllers), and suggestions for users who misspell a name.
 
 #include <optional>
 #include <span>
@@ -12,15 +12,14 @@
 
 namespace wend {
 
-/// The name with the smallest edit distance to `typed` (letters put in, left out, changed or swapped
-/// with their neighbour), if at most a third of its letters differ. O(|typed| * total length of
-/// names).
+/// The name with the smallest edit distance to `typed` (letters inserted, deleted, changed or swapped
+/// with a neighbour), if at most a third of its letters differ. O(|typed| * total length of names).
 std::optional<std::string> closest_name(std::string_view typed, std::span<const std::string> names);
 
 /// "astar, bfs, dfs".
 std::string listed(std::span<const std::string> names);
 
-/// "did you mean 'astar'?", or "choose from astar, bfs, dfs" where no name is near.
+/// "did you mean 'astar'?", or "choose from astar, bfs, dfs" if no name is similar.
 std::string suggestion(std::string_view typed, std::span<const std::string> names);
 
 /// "there is no planner 'astr': did you mean 'astar'?"
@@ -34,7 +33,7 @@ class Registry {
   /// The order of the entries is the order in which front ends list them.
   explicit Registry(std::vector<T> entries) : entries_(std::move(entries)) {}
 
-  /// The entry of that name, or null.
+  /// The entry with this name, or null.
   const T* find(std::string_view name) const {
     for (const T& entry : entries_) {
       if (entry.name == name) return &entry;

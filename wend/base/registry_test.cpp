@@ -47,7 +47,7 @@ TEST(Registry, ListsAllNamesWhereNoneIsNear) {
 const std::vector<std::string> kPlanners{"bfs",      "dfs",   "greedy",
                                          "dijkstra", "astar", "random_walk"};
 
-/// The edit distance as it is defined, by recursion.
+/// The edit distance by its recursive definition.
 std::size_t edits(std::string_view a, std::string_view b) {
   if (a.empty() || b.empty()) return std::max(a.size(), b.size());
   if (a.front() == b.front()) return edits(a.substr(1), b.substr(1));
@@ -78,7 +78,7 @@ TEST(ClosestName, TakesTheFirstOfEquallyNearNames) {
   EXPECT_EQ(closest_name("mapx", std::vector<std::string>{"mapa", "mapb"}), "mapa");
 }
 
-/// A word with a letter put in, taken out, changed, or swapped with the next one.
+/// A word with a letter inserted, deleted, changed, or swapped with the next one.
 std::string misspelt(std::string word) {
   const auto at = *rc::gen::inRange<std::size_t>(0, word.size() + 1);
   const auto change = *rc::gen::inRange(0, 4);

@@ -12,6 +12,6 @@ using StateId = std::uint32_t;
 /// How a state was reached: the number of a move of its space, below kNoMove.
 using Move = std::uint8_t;
 inline constexpr unsigned kMoveBits = 4;
-inline constexpr Move kNoMove = (1U << kMoveBits) - 1;  // of a start
+inline constexpr Move kNoMove = (1U << kMoveBits) - 1;  // for a start
 
 }  // namespace wend

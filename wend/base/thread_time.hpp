@@ -6,9 +6,9 @@
 //   const double first = wend::seconds_of(clock, [&] { planner->plan(query, plan); });
 //   const double later = wend::least_seconds(clock, [&] { planner->plan(query, plan); });
 //
-// On a busy machine wall time counts the work of other processes; CPU time does not. What still
-// disturbs it, such as caches that others emptied, only adds time, so the least of several runs is
-// nearest to what the work costs.
+// On a busy machine wall time includes the work of other processes; CPU time does not. Remaining
+// disturbances, such as caches that other processes emptied, only add time, so the fastest of several
+// runs is the best estimate of the cost.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace wend {
 /// seconds of the monotonic clock where the system has no CLOCK_THREAD_CPUTIME_ID (POSIX).
 double thread_cpu_seconds();
 
-/// CPU seconds of all threads of the program, for work that threads share. Falls back likewise.
+/// CPU seconds of all threads of the program, for work that threads share. Has the same fallback.
 double process_cpu_seconds();
 
 /// What these clocks count on this system: "CPU time", or "wall time" if they fall back.
@@ -31,11 +31,10 @@ std::string_view thread_time_name();
 
 /// How often a measured function runs.
 struct RepetitionRule {
-  double fill_seconds = 5e-3;  // runs are repeated until they took this long together
-  /// Runs that are shorter than this are timed several at a time, because reading the clock takes
-  /// up to a microsecond.
+  double fill_seconds = 5e-3;  // runs are repeated until they take this long in total
+  /// Shorter runs are timed several at a time, because reading the clock takes up to a microsecond.
   double shortest_seconds = 50e-6;
-  std::uint64_t most_runs = std::uint64_t{1} << 14U;  // whatever the clock says
+  std::uint64_t most_runs = std::uint64_t{1} << 14U;  // regardless of the clock
 };
 
 /// The seconds of one run.
@@ -55,8 +54,8 @@ auto timed(const Clock& clock, double& seconds, Run&& run) {
   return result;
 }
 
-/// The time of the fastest of the runs that fill the rule's time. A function that takes longer runs
-/// once. For runs that are timed together the mean counts.
+/// The time of the fastest run, among runs that fill the rule's time. A function that takes longer runs
+/// once. For runs that are timed together, the mean counts.
 template <class Run>
 double least_seconds(const Clock& clock, Run&& run, const RepetitionRule& rule = {}) {
   constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -8,11 +8,11 @@
 namespace wend {
 namespace {
 
-/// A clock that only runs make go, and runs of which one takes as long as is said.
+/// A clock that only runs advance, and runs with given durations.
 struct Work {
   double now = 0;
   std::uint64_t runs = 0;
-  std::vector<double> seconds;  // of one run after the other; the last goes on
+  std::vector<double> seconds;  // of each run in order; the last one repeats
 
   Clock clock() {
     return [this] { return now; };

@@ -1,6 +1,6 @@
 #pragma once
 
-// ThreadWorkers: Workers that are threads. They live as long as a run() does.
+// ThreadWorkers: Workers that are threads. The threads live only during a run().
 
 #include "wend/base/workers.hpp"
 
@@ -8,7 +8,7 @@ namespace wend {
 
 class ThreadWorkers final : public Workers {
  public:
-  /// 0: as many as the machine runs at once.
+  /// 0: as many threads as the machine runs at once.
   explicit ThreadWorkers(unsigned count = 0);
 
   unsigned count() const override { return count_; }

@@ -15,8 +15,8 @@ namespace wend {
 
 class Workers {
  public:
-  /// `worker` is less than count(); two tasks at the same time have different workers, so it can be the
-  /// index of scratch memory.
+  /// `worker` is less than count(). Tasks that run at the same time have different workers, so `worker`
+  /// can be the index of scratch memory.
   using Action = std::function<void(std::size_t task, unsigned worker)>;
 
   virtual ~Workers() = default;

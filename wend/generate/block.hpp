@@ -1,6 +1,6 @@
 #pragma once
 
-// Block: a rectangle of cells, what generators draw with.
+// Block: a rectangle of cells, the drawing primitive of generators.
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ Block clipped(const Grid<T>& grid, const Block& block) {
           std::max(0, std::min(block.y_end(), grid.height()) - y)};
 }
 
-/// Sets the cells of a block, as far as they lie on the grid.
+/// Sets the cells of a block that lie on the grid.
 template <class T>
 void fill(Grid<T>& grid, const Block& block, T value) {
   const Block on_grid = clipped(grid, block);
@@ -41,7 +41,7 @@ void fill(Grid<T>& grid, const Block& block, T value) {
   }
 }
 
-/// Does the block lie on the grid, and are all its cells as `value`?
+/// Does the block lie on the grid, and are all its cells equal to `value`?
 template <class T>
 bool all_equal(const Grid<T>& grid, const Block& block, T value) {
   const Block on_grid = clipped(grid, block);

@@ -23,7 +23,7 @@ struct CarOptions {
 
   MapSize least_size() const { return {1, 1}; }
 
-  /// A start and a goal stay as they are: two cells, or the only one.
+  /// The number of cells that may change: start and goal, or the only cell, stay free.
   static std::int64_t room(MapSize size) { return std::max<std::int64_t>(cells_of(size) - 2, 0); }
 
   std::string shortage(MapSize size) const {

@@ -5,7 +5,7 @@
 namespace wend {
 namespace {
 
-/// Where walls stand along one axis: at both ends, and between chambers, evenly.
+/// The positions of walls along one axis: at both ends, and evenly between chambers.
 std::vector<int> wall_lines(int size, int chamber) {
   const int chambers = std::max(1, (size - 1) / (chamber + 1));
   std::vector<int> lines;

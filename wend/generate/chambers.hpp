@@ -13,7 +13,7 @@ namespace wend {
 
 class Chambers {
  public:
-  /// As many chambers of at least `chamber` x `chamber` cells as fit; where the size leaves a
+  /// Makes as many chambers of at least `chamber` x `chamber` cells as fit. If the size leaves a
   /// remainder, some are a little larger.
   Chambers(int width, int height, int chamber);
 
@@ -32,7 +32,7 @@ class Chambers {
 };
 
 /// Pairs of neighbours (the second one right of or below the first) that join all cells of a
-/// columns x rows grid into a tree, drawn by a random depth-first walk: long winding ways.
+/// columns x rows grid into a tree, made by a random depth-first walk: long winding paths.
 std::vector<std::pair<Cell, Cell>> random_spanning_tree(int columns, int rows, Random& random);
 
 }  // namespace wend

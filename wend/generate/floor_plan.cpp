@@ -72,7 +72,7 @@ bool FloorPlan::place_round(Cell centre, int radius) {
       !all_equal(kept_free_, square, static_cast<unsigned char>(0))) {
     return false;
   }
-  // Circles of whole cells look round with a little more than the radius.
+  // Circles of cells look round if the radius is slightly larger.
   const auto within = [&](int x, int y, int r) {
     const int dx = x - centre.x;
     const int dy = y - centre.y;

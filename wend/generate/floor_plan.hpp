@@ -15,10 +15,10 @@ class FloorPlan {
  public:
   static constexpr double kMetresPerCell = 0.1;
   static constexpr int kOuterWall = 3;
-  static constexpr int kInnerWall = 2;  // to leave between two floors
+  static constexpr int kInnerWall = 2;  // between two floors
 
-  /// From the map's edge to the floor of a building that fills it: a strip of the outside, and the
-  /// outer wall.
+  /// The distance from the map's edge to the floor of a building that fills the map: a strip of the
+  /// outside, and the outer wall.
   static constexpr int kMargin = 3 + kOuterWall;
 
   /// The distance of start and goal from the map's edge; the floor around them is free.
@@ -26,20 +26,20 @@ class FloorPlan {
 
   FloorPlan(int width, int height);
 
-  /// Floors, and walls around all of them.
+  /// Draws floors, and walls around all of them.
   void build(std::span<const Block> floors);
 
-  /// Windows in the parts of a floor's walls behind which the outside lies.
+  /// Cuts windows into those parts of a floor's walls that border the outside.
   void cut_windows(const Block& floor);
 
-  /// One window, or a closed gate: two panes with nothing known between them. `inner` is the row of
-  /// wall cells next to the floor. Does nothing where there is no outer wall there.
+  /// Cuts one window, or a closed gate: two panes with unknown cells between them. `inner` is the row
+  /// of wall cells next to the floor. Does nothing if there is no outer wall.
   void cut_window(const Block& inner, Cell outwards);
 
-  /// Breaks through walls.
+  /// Opens a door in walls.
   void open(const Block& door) { fill(cells_, door, CellState::free); }
 
-  /// Keeps furniture away.
+  /// Keeps a block free of furniture.
   void keep_free(const Block& block) { fill(kept_free_, block, kKeptFree); }
 
   void draw_wall(const Block& wall) { fill(cells_, wall, CellState::occupied); }
@@ -52,7 +52,7 @@ class FloorPlan {
 
   const Grid<CellState>& cells() const { return cells_; }
 
-  /// Mirrored at its diagonal: x becomes y.
+  /// Mirrors the plan at its diagonal: x becomes y.
   void transpose();
 
   /// The plan as a map, y up, its lower left corner at (0, 0) m.

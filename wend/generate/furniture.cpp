@@ -12,7 +12,7 @@ constexpr int kChair = 2;    // radius
 constexpr int kShelf = 4;    // depth
 constexpr int kStairs = 22;  // width of a staircase
 
-/// Draws into one room, in its own coordinates.
+/// Draws into one room, in the coordinates of the room.
 class Decorator {
  public:
   Decorator(FloorPlan& plan, const Room& room) : plan_(plan), room_(room) {}
@@ -25,20 +25,20 @@ class Decorator {
     const Block centre = room_.to_plan({u, v, 1, 1});
     return plan_.place_round({centre.x, centre.y}, radius);
   }
-  /// A piece along v, left out where it would be very short.
+  /// Places a piece along v, unless it would be very short.
   void shelf(const Block& piece) {
     if (piece.height >= 8) place(piece);
   }
   void chair(int u, int v) { place_round(u, v, kChair); }
   void draw_wall(const Block& wall) { plan_.draw_wall(room_.to_plan(wall)); }
 
-  /// A gap in the corridor's wall.
+  /// Cuts a gap in the corridor's wall.
   void opening(int u, int width) {
     plan_.open(room_.to_plan({u, -FloorPlan::kInnerWall, width, FloorPlan::kInnerWall}));
     plan_.keep_free(room_.to_plan({u, 0, width, kDoorSpace}));
   }
 
-  /// A door that stands open, with its leaf in the room, at the side `u` of the gap.
+  /// Draws an open door, with its leaf in the room, at the side `u` of the gap.
   void door(int u, bool leaf_first) {
     opening(u, kDoor);
     draw_wall({leaf_first ? u - 1 : u + kDoor, 0, 1, kDoor - 1});

@@ -1,6 +1,6 @@
 #pragma once
 
-// What stands in the rooms of an office.
+// The furniture in the rooms of an office.
 
 #include "wend/base/random.hpp"
 #include "wend/generate/floor_plan.hpp"
@@ -10,7 +10,7 @@ namespace wend {
 enum class RoomKind { office, meeting, open_plan, kitchen, restroom, storage, core, lobby };
 
 /// A room and the corridor it opens to. Inside, u runs along the corridor's wall and v from there
-/// to the windows, so that furniture is arranged once for all rooms.
+/// to the windows, so that one arrangement of furniture serves all rooms.
 struct Room {
   Block floor;
   RoomKind kind;
@@ -26,10 +26,10 @@ struct Room {
   }
 };
 
-/// Doors, or a wide opening, in the wall towards the corridor; the floor behind is kept free.
+/// Makes doors, or a wide opening, in the wall towards the corridor. The floor behind is kept free.
 void open_to_corridor(FloorPlan& plan, const Room& room);
 
-/// Puts in what belongs into such a room.
+/// Places the furniture of a room.
 void furnish(FloorPlan& plan, const Room& room, Random& random);
 
 }  // namespace wend

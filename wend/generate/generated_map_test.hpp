@@ -1,6 +1,6 @@
 #pragma once
 
-// Generated maps, and how they look, for the tests of the generators.
+// Generated maps, and their drawings as text, for the tests of the generators.
 
 #include <string>
 
@@ -19,7 +19,7 @@ inline std::string error_of(const std::string& name, int width, int height,
   return map ? "no error" : map.error().message();
 }
 
-/// As people write grids: # for occupied, ? for unknown, digits for what costs more than 1.
+/// Draws a map as a text grid: # for occupied, ? for unknown, digits for cells that cost more than 1.
 inline std::string drawn(const GridMap& map) {
   std::string text;
   for (int y = 0; y < map.height(); ++y) {

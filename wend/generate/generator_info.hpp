@@ -1,6 +1,6 @@
 #pragma once
 
-// How a generator is described and made from its options; what the files of generators.def share.
+// How a generator is described and made from its options: code that the files of generators.def share.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// What a step on a rough road costs, as `~` in text grids.
+/// The cost of a step on a rough road, as `~` in text grids.
 inline constexpr double kRoughRoad = 2;
 
 struct MapSize {
@@ -19,16 +19,16 @@ struct MapSize {
   int height;
 };
 
-/// What is wrong with a size, "too small: it needs at least 3 x 3"; empty if nothing is.
+/// The error in a size, "too small: it needs at least 3 x 3"; empty if the size is valid.
 std::string fault_of(MapSize size, MapSize least);
 
 /// "a map of kind 'maze' with 2 x 9 cells is too small: ...".
 GeneratorError size_error(std::string_view name, MapSize size, std::string_view fault);
 
-/// What every generator has in common. Options is an option struct that also has a
+/// The common part of every generator. Options is an option struct that also has a
 /// `MapSize least_size() const`, and a `std::string shortage(MapSize) const` if a map can be too
-/// small for it in another way: "too small: ..." or empty. `generate` is called with checked
-/// options and sizes only.
+/// small for it in another way: "too small: ..." or empty. `generate` is called only with valid
+/// options and sizes.
 template <class Options>
 GeneratorInfo generator_info(const std::string& name, std::string summary,
                              GridMap (*generate)(MapSize, const Options&, Random&)) {

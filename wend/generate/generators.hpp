@@ -19,7 +19,7 @@
 
 namespace wend {
 
-/// The most columns or rows that a generated map can have.
+/// The largest number of columns or rows of a generated map.
 inline constexpr int kMostGeneratedCells = 16384;
 
 /// Why a map could not be made: a wrong option, or a size that is too small or too large.
@@ -43,9 +43,9 @@ struct GeneratorInfo {
   bool connected = true;
 
   /// A start and a goal for demos: the cells (free_corner, free_corner) and, counted from the
-  /// opposite corner, (width-1-free_corner, height-1-free_corner) are free where the map has them.
-  /// In the office and the warehouse, which are in metres, a robot with a radius of 0.3 m gets from
-  /// one (1 m, 1 m) to the other.
+  /// opposite corner, (width-1-free_corner, height-1-free_corner) are free if the map has them.
+  /// In the office and the warehouse, which are in metres, a robot with a radius of 0.3 m can drive
+  /// from one (1 m, 1 m) to the other.
   int free_corner = 1;
 
   std::vector<OptionInfo> options;
@@ -53,10 +53,10 @@ struct GeneratorInfo {
       make;
 };
 
-/// The generators of generators.def; a new one is one file and one line. The office and the warehouse
-/// are in metres, 0.1 m a cell, y up, the lower left corner at (0, 0) and unknown cells around and
-/// inside what stands there; the others have a plain frame. A car and a parking yard are for cars that
-/// stand on corners of cells and turn with a radius of one cell; rough road costs 2.
+/// The generators of generators.def; a new one takes one file and one line. The office and the warehouse
+/// are in metres, 0.1 m a cell, y up, with the lower left corner at (0, 0) and unknown cells around the
+/// building and inside obstacles; the others have a plain frame. `car` and the parking yard are for cars
+/// that stand on corners of cells and turn with a radius of one cell; rough road costs 2.
 const Registry<GeneratorInfo>& generators();
 
 }  // namespace wend

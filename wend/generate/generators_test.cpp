@@ -87,7 +87,7 @@ TEST_P(EachGenerator, RefusesSizesThatAreTooSmall) {
   const auto error = info().make(info().least_width - 1, info().least_height - 1, 1, {});
   ASSERT_FALSE(error.has_value());
   EXPECT_NE(error.error().message().find("too small: it needs at least"), std::string::npos);
-  if (info().name != "car") {  // which needs a number of cells, in any shape
+  if (info().name != "car") {  // it needs a number of cells, in any shape
     EXPECT_FALSE(info().make(info().least_width - 1, info().least_height, 1, {}).has_value());
     EXPECT_FALSE(info().make(info().least_width, info().least_height - 1, 1, {}).has_value());
   }
@@ -119,7 +119,7 @@ TEST_P(EachGenerator, TakesBothEndsOfEveryRange) {
       if (option.kind == OptionKind::flag || option.kind == OptionKind::choice) continue;
       SCOPED_TRACE(testing::Message() << option.name << " = " << value);
       const auto map = info().make(1100, 1100, 3, {{option.name, format_number(value)}});
-      if (!map) continue;  // a corridor as wide as that needs a larger map
+      if (!map) continue;  // a corridor this wide needs a larger map
       const Cell corner = start();
       EXPECT_EQ(map->state(corner), CellState::free);
     }
@@ -165,7 +165,7 @@ TEST(MazeGenerator, LooksTheSameOnEveryPlatform) {
 }
 
 TEST(MazeGenerator, LeavesOneWayBetweenAnyTwoPlaces) {
-  // Connected, and as many openings as a tree of its chambers has edges.
+  // The map is connected, and has as many openings as a tree of its chambers has edges.
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);

@@ -9,7 +9,7 @@ using Height = std::uint16_t;
 using Heights = Grid<Height>;
 constexpr std::size_t kHeights = UINT16_MAX + std::size_t{1};
 
-/// Random heights at the nodes of a lattice `spacing` cells wide, and smooth between them.
+/// Random heights at the nodes of a lattice `spacing` cells wide, interpolated smoothly between them.
 class Waves {
  public:
   Waves(int width, int height, int spacing, Random& random)
@@ -53,7 +53,7 @@ Heights landscape(int width, int height, int spacing, Random& random) {
   return heights;
 }
 
-/// For each height the share of cells that lie lower, in [0, 1).
+/// For each height, the fraction of cells that lie lower, in [0, 1).
 std::vector<double> shares_below(const Heights& heights) {
   std::vector<std::size_t> cells_of_height(kHeights, 0);
   for (const Height height : heights.values()) ++cells_of_height[height];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Hills: a smooth random landscape, for terrain and for patches of whatever a generator strews.
+// Hills: a smooth random landscape, for terrain and for patches of anything that a generator places.
 
 #include <cstdint>
 #include <vector>
@@ -12,11 +12,11 @@ namespace wend {
 
 class Hills {
  public:
-  /// Hills that are `spacing` cells apart, roughly, with smaller ones on them.
+  /// Makes hills that are roughly `spacing` cells apart, with smaller ones on them.
   Hills(int width, int height, int spacing, Random& random);
 
-  /// The share of all cells that lie lower than this one, in [0, 1). The cells from 1 - s on are a
-  /// share of s, in patches.
+  /// The fraction of all cells that lie lower than this one, in [0, 1). The cells from 1 - s on are a
+  /// fraction s of the map, in patches.
   double share_below(Cell cell) const { return share_below_[heights_[cell]]; }
 
  private:

@@ -1,4 +1,4 @@
-// A perfect maze: exactly one way between any two passages.
+// A perfect maze: exactly one path between any two passages.
 
 #include "wend/generate/chambers.hpp"
 #include "wend/generate/generator_info.hpp"

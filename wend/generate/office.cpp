@@ -1,5 +1,5 @@
 // A floor of an office building, in cells of 0.1 m: corridors with rooms on both sides, windows all
-// around. Long floors have cross corridors, deep ones several corridors with courtyards between.
+// around. Long floors have cross corridors; deep ones have several corridors with courtyards between.
 
 #include <algorithm>
 
@@ -55,7 +55,7 @@ struct KindOfRoom {
   RoomKind kind;
   int least_width;
   int greatest_width;
-  int weight;  // how often it comes
+  int weight;  // relative frequency
 };
 
 constexpr std::array kKinds{
@@ -74,7 +74,7 @@ const KindOfRoom& drawn_kind(Random& random) {
   return kKinds[i];
 }
 
-/// Kinds that a row has once at most.
+/// Does a row have at most one room of this kind?
 bool is_service(RoomKind kind) {
   return kind == RoomKind::kitchen || kind == RoomKind::restroom || kind == RoomKind::storage ||
          kind == RoomKind::core;
@@ -85,7 +85,7 @@ struct WantedRoom {
   int width;
 };
 
-/// Rooms that fill a row, offices at both ends, all a little wider or narrower than drawn.
+/// The rooms that fill a row, with offices at both ends. All are a little wider or narrower than drawn.
 std::vector<WantedRoom> wanted_rooms(int length, bool with_lobby, Random& random) {
   std::vector<WantedRoom> rooms;
   rooms.push_back({RoomKind::office, random.between(27, 40)});
@@ -172,8 +172,8 @@ Layout layout(MapSize size, Random& random) {
     divide(plan.rows[i], i == entrance && plan.rows[i].x.length() > 140, random);
   }
 
-  // Courtyards: two rows back to back that are not built, one of them at most between two stripes
-  // and never one behind the other.
+  // Courtyards: two rows back to back that are not built; at most one between two stripes, and never
+  // one behind the other.
   std::size_t last_wing = wings.size();
   for (std::size_t stripe = 0; stripe + 1 < static_cast<std::size_t>(stripes); ++stripe) {
     const std::size_t wing = random.below(wings.size());

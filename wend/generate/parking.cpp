@@ -1,9 +1,9 @@
 // A parking yard seen from above: rows of bays with parked cars, kerbs at the ends of the rows,
 // aisles between them, roads across, patches of worn road. Some parts are busier than others.
 //
-// A car that drives stands on a corner of four cells and turns on quarter circles with a radius of
-// one cell; a corner that touches an obstacle is closed to it. So it is as good as two cells wide,
-// and a way between obstacles that is n cells wide has n - 1 lines of corners to drive along. Hence
+// A driving car stands on a corner of four cells and turns on quarter circles with a radius of one
+// cell; it cannot use a corner that touches an obstacle. So it is effectively two cells wide, and a
+// passage between obstacles that is n cells wide has n - 1 lines of corners to drive along. Hence
 //
 //   a parked car   2 cells wide and 4 or 3 long.
 //   a bay          3 cells wide, the car and a gap of one cell: nothing gets through between two
@@ -30,10 +30,10 @@ constexpr int kBayWidth = kCarWidth + kGap;
 constexpr int kBayDepth = kLongCar;
 constexpr int kAisle = 4;
 constexpr int kKerb = 1;
-constexpr int kEnds = 2 * kKerb + kGap;  // of a row: its kerbs, and the gap before the first car
-constexpr int kMostBays = 16;            // of a row; then comes a road
-constexpr int kPatches = 9;              // from one patch of worn road to the next, roughly
-constexpr int kQuarters = 90;            // from a busy part of the yard to the next
+constexpr int kEnds = 2 * kKerb + kGap;  // in a row: its kerbs, and the gap before the first car
+constexpr int kMostBays = 16;            // in a row; then comes a road
+constexpr int kPatches = 9;              // rough distance between patches of worn road
+constexpr int kQuarters = 90;            // rough distance between busy parts of the yard
 
 struct ParkingOptions {
   double occupied = 0.7;
@@ -52,7 +52,7 @@ struct ParkingOptions {
   }
 };
 
-/// The size of the i-th of `parts` parts of `total`, all about equal.
+/// The size of part i if `total` is divided into `parts` about equal parts.
 int part(int i, int parts, int total) { return (i + 1) * total / parts - i * total / parts; }
 
 /// The first cells of rows of bays, from the upper edge down. Even rows have their aisle below, odd
@@ -83,7 +83,7 @@ struct Wing {
   int width() const { return kEnds + bays * kBayWidth; }
 };
 
-/// Roads along both sides, and as many between as rows are too long.
+/// Places roads along both sides, and as many between as are needed to shorten the rows.
 std::vector<Wing> wings_of(int width) {
   constexpr int kLongest = kEnds + kMostBays * kBayWidth + kAisle;
   const int wings = (width - kAisle + kLongest - 1) / kLongest;
@@ -112,7 +112,7 @@ class Occupancy {
 
  private:
   double mean_;
-  double spread_;  // as far as it goes to both sides alike
+  double spread_;  // limited so that it is the same in both directions
   Hills quarters_;
 };
 
@@ -145,7 +145,7 @@ Grid<CellState> cells_of(MapSize size, double occupied, Random& random) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const bool aisle_below = i % 2 == 0;
       park(cells, wing, rows[i], aisle_below, occupancy, random);
-      if (i > 0 && aisle_below) continue;  // the row before had the kerbs of both
+      if (i > 0 && aisle_below) continue;  // the previous row has the kerbs of both
       const bool is_double = !aisle_below && i + 1 < rows.size();
       place_kerbs(cells, wing, rows[i], (is_double ? rows[i + 1] : rows[i]) + kBayDepth);
     }

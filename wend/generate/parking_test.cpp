@@ -18,8 +18,8 @@ using test::all_cells;
 using test::drawn;
 using test::made;
 
-/// A car by the book, which shares nothing with the library's: it stands on corners that touch no
-/// obstacle and makes six moves. Goes wherever it can from the corner (0, 0), at first to the east.
+/// A reference car that shares no code with the library's: it stands on corners that touch no obstacle
+/// and makes six moves. It visits every pose that it can reach from the corner (0, 0), facing east.
 class Car {
  public:
   explicit Car(const GridMap& map) : map_(map), headings_(map.width() + 1, map.height() + 1) {
@@ -121,7 +121,7 @@ TEST(ParkingGenerator, LetsACarOntoEveryCornerThatTouchesNoObstacle) {
   }
 }
 
-/// The corners at the yard's upper edge that a car gets to: where a road ends, and in the bays.
+/// The number of corners at the yard's upper edge that a car reaches: where a road ends, and in the bays.
 int reached_at_upper_edge(const GridMap& map) {
   const Car car(map);
   int reached = 0;

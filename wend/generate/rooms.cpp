@@ -24,7 +24,7 @@ struct RoomsOptions {
   MapSize least_size() const { return {3, 3}; }
 };
 
-/// A door somewhere in a wall that has none.
+/// Makes a door at a random place in a wall that has none.
 void open_door(Grid<CellState>& cells, const Block& wall, Random& random) {
   const int x = random.between(wall.x, wall.x_end() - 1);
   const int y = random.between(wall.y, wall.y_end() - 1);

@@ -24,7 +24,7 @@ struct RoughOptions {
   MapSize least_size() const { return {3, 3}; }
 };
 
-/// 1 up to the share of easy cells, then 2 to 9 in bands of the same size.
+/// The cost: 1 up to the share of easy cells, then 2 to 9 in bands of equal size.
 double cost_of_share(double share, double roughness) {
   const double easy = 1 - roughness;
   return share < easy ? 1 : 2 + std::floor(8 * (share - easy) / roughness);

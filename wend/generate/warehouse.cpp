@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kRack = 11;          // depth of a rack
 constexpr int kBay = 27;           // between two of its uprights
-constexpr int kLongestRack = 280;  // then comes a cross aisle
+constexpr int kLongestRack = 280;  // cross aisles divide longer ones
 constexpr int kShortestRack = kBay;
 constexpr int kPalletLength = 12;
 constexpr int kPalletWidth = 8;
@@ -55,7 +55,7 @@ void fill_rack(FloorPlan& plan, const Block& rack, double stock, Random& random)
   }
 }
 
-/// Racks that run from the loading zone to the far wall: single ones at the side walls, double ones
+/// Places racks from the loading zone to the far wall: single ones at the side walls, double ones
 /// between aisles.
 void place_racks(FloorPlan& plan, const Block& area, const WarehouseOptions& options,
                  Random& random) {
@@ -79,7 +79,7 @@ void place_racks(FloorPlan& plan, const Block& area, const WarehouseOptions& opt
   }
 }
 
-/// Pallets that wait in front of a dock door, two abreast.
+/// Places pallets that wait in front of a dock door, two side by side.
 void place_pallets(FloorPlan& plan, const Block& lane, double stock, Random& random) {
   constexpr int kPalletGap = 3;
   for (int y = lane.y; y + kPalletLength <= lane.y_end(); y += kPalletLength + kPalletGap) {
@@ -97,7 +97,7 @@ void lay_out_loading_zone(FloorPlan& plan, const Block& zone, double stock, Rand
   for (int i = 0; i < docks; ++i) {
     const int middle = zone.x + (2 * i + 1) * zone.width / (2 * docks);
     plan.cut_window({middle - kDock / 2, zone.y - 1, kDock, 1}, {0, -1});
-    // Room to turn in front of the door, and of the racks.
+    // Leaves room to turn in front of the door and in front of the racks.
     place_pallets(plan, {middle - kLane / 2, zone.y + 8, kLane, zone.height - 18}, stock, random);
   }
 }

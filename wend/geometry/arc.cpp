@@ -14,7 +14,7 @@ Arc arc_to(const Pose& from, Point to) {
   const double along = cosine * dx + sine * dy;
   const double across = cosine * dy - sine * dx;
   const double squared = dx * dx + dy * dy;
-  // What is a hair off the line is on it: its circle would have no use.
+  // A point this near the line counts as on it: the circle through it would be useless.
   constexpr double kStraight = 1e-12;
   if (std::abs(across) <= kStraight * std::sqrt(squared)) return {from, along, 0};
   const double curvature = 2 * across / squared;
@@ -24,7 +24,7 @@ Arc arc_to(const Pose& from, Point to) {
 
 Point point_on(const Arc& arc, double length) {
   const Pose& from = arc.from;
-  // The chord is as long as the arc times sin(turn / 2) / (turn / 2), and points half the turn on.
+  // The chord has the length of the arc times sin(turn / 2) / (turn / 2), rotated by half the turn.
   const double half = length * arc.curvature / 2;
   const double shrink = half == 0 ? 1 : std::sin(half) / half;
   const double chord = length * shrink;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Arc: a curve of constant curvature, as a car drives with constant steering: a piece of a circle,
-// or of a line if the curvature is 0. Driven forwards or in reverse.
+// Arc: a curve of constant curvature, as a car drives with constant steering: a circular arc, or a
+// line segment if the curvature is 0. It is driven forwards or in reverse.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
 //   const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
@@ -24,19 +24,19 @@ struct Arc {
 /// the point. For a point beside the pose: a half circle.
 Arc arc_to(const Pose& from, Point to);
 
-/// The pose after driving `length` of an arc, from 0 to arc.length; the heading is in (-pi, pi].
+/// The point or pose after driving `length` of an arc, from 0 to arc.length; headings are in (-pi, pi].
 Point point_on(const Arc& arc, double length);
 Pose pose_on(const Arc& arc, double length);
 
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
 
-/// From a pose by so many radians, counter-clockwise where positive: an arc of radius 0.
+/// A rotation from a pose by `angle` radians, counter-clockwise if positive: an arc of radius 0.
 struct TurnInPlace {
   Pose from;
   double angle = 0;
 };
 
-/// In the course of a turn; the heading is not normalised.
+/// The pose after turning by `angle`; the heading is not normalised.
 inline Pose pose_on(const TurnInPlace& turn, double angle) {
   return {turn.from.x, turn.from.y, turn.from.heading + angle};
 }

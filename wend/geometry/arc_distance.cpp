@@ -17,21 +17,21 @@ double without_rounding(double distance) { return distance < kTouching ? 0 : dis
 
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 
-/// Quicker than hypot(): no length here is so large or so small that its square is not a number.
+/// Faster than hypot(): no length here is so large or so small that its square is not a number.
 double norm(Point point) { return std::sqrt(dot(point, point)); }
 
 double distance_to_interval(double low, double high, double value) {
   return std::max({low - value, value - high, 0.0});
 }
 
-/// To the closed unit square whose corner of least coordinates this is.
+/// The distance to the closed unit square whose corner with the least coordinates is `low`.
 double distance_to_unit_square(Point low, Point point) {
   return norm({distance_to_interval(low.x, low.x + 1, point.x),
                distance_to_interval(low.y, low.y + 1, point.y)});
 }
 
-/// An arc in coordinates of its own: it leaves (0, 0) along +x and bends towards +y, around the
-/// centre (0, 1 / curvature). What is computed stays near the arc, however far its centre is.
+/// An arc in its own coordinates: it leaves (0, 0) along +x and bends towards +y, around the
+/// centre (0, 1 / curvature). All computed points stay near the arc, however far its centre is.
 class OwnFrame {
  public:
   explicit OwnFrame(const Arc& arc)
@@ -39,7 +39,7 @@ class OwnFrame {
         curvature_(arc.length == 0 ? 0 : std::abs(arc.curvature)),
         turn_(std::abs(arc.turn())) {
     assert(turn_ <= 2 * kPi + 1e-9);
-    // In reverse, it leaves against its heading; and it bends to the other side then.
+    // In reverse it leaves against its heading, and it bends to the other side.
     const double gear = arc.length < 0 ? -1 : 1;
     const double side = gear * arc.curvature < 0 ? -1 : 1;
     along_ = {gear * std::cos(arc.from.heading), gear * std::sin(arc.from.heading)};
@@ -71,14 +71,14 @@ class OwnFrame {
   }
 
  private:
-  // Between own coordinates and offsets from the start in those of the grid.
+  // Convert between own coordinates and offsets from the start in grid coordinates.
   Point own(Point offset) const { return {dot(offset, along_), dot(offset, across_)}; }
   Point seen(Point point) const {
     return {point.x * along_.x + point.y * across_.x, point.x * along_.y + point.y * across_.y};
   }
 
-  /// Does the ray from the centre through this point meet the arc? It is after the ray through the
-  /// start and before the one through the end, which two cross products tell.
+  /// Does the ray from the centre through this point meet the arc? Two cross products tell: the ray
+  /// must be after the ray through the start and before the one through the end.
   bool passes_abreast(Point point) const {
     const bool after_start = point.x >= 0;
     const bool before_end =
@@ -104,9 +104,9 @@ class OwnFrame {
     return {direction.x / curvature_, rest / curvature_};
   }
 
-  /// Does the line between two points a unit apart go into the circle, and on the arc? Where the arc
-  /// cuts through a square, a stretch of the border between the two cuts is inside of the circle;
-  /// so on the way around the square one of the cuts goes into it.
+  /// Does the line between two points a unit apart enter the circle, at a point of the arc? Where the
+  /// arc cuts through a square, the part of the border between the two cuts is inside the circle; so
+  /// on the way around the square one of the cuts enters it.
   bool goes_in(Point a, Point b) const {
     const Point step{b.x - a.x, b.y - a.y};
     // a + t step is on the circle where curvature t^2 + 2 half t + outside(a) is 0.

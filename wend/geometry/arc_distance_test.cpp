@@ -27,15 +27,15 @@ Cell random_square(Random& random, const Arc& arc) {
           static_cast<int>(std::floor(near.y)) + random.between(-1, 1)};
 }
 
-/// Sometimes a corner of the grid.
+/// A random point, sometimes a corner of the grid.
 Point random_point(Random& random) {
   const Point point{test::number_between(random, -3, kSize + 3),
                     test::number_between(random, -3, kSize + 3)};
   return random.chance(0.5) ? point : Point{std::round(point.x), std::round(point.y)};
 }
 
-/// The least over an arc of a distance, by sampling, and by ternary search around each sample that
-/// is lower than its neighbours.
+/// The least distance along an arc: by sampling, and by ternary search around each sample that is
+/// lower than its neighbours.
 double brute_force(const Arc& arc, const std::function<double(Point)>& distance_from) {
   constexpr int kSamples = 400;
   constexpr int kThirds = 45;
@@ -102,7 +102,7 @@ TEST(ArcDistance, ToASquareIsThatOfTheNearestPointOfTheArc) {
   EXPECT_GT(apart, 500);
 }
 
-/// One that is driven the other way has the same points.
+/// An arc that is driven backwards has the same points.
 TEST(ArcDistance, IsTheSameDrivenBack) {
   for (std::uint64_t seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
     Random random(seed);

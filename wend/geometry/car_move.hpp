@@ -8,7 +8,7 @@
 // side, in reverse to the other one. So reversing to a side undoes the forward turn to that side.
 //
 // Sides are in grid coordinates: plus is the side that headings grow towards, from +x towards +y.
-// Whether people call it right or left is said by compass.hpp.
+// compass.hpp says whether users call it right or left.
 //
 //   const wend::CornerPose from{{1, 0}, wend::Heading::plus_x};
 //   const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_plus);  // (2,1) facing +y
@@ -26,7 +26,7 @@
 
 namespace wend {
 
-/// In the order in which successors are generated.
+/// The moves, in the order in which successors are generated.
 enum class CarMove : std::uint8_t { fwd, fwd_plus, fwd_minus, rev, rev_plus, rev_minus };
 
 inline constexpr int kCarMoves = 6;
@@ -43,7 +43,7 @@ constexpr int side_of(CarMove move) {
 constexpr bool is_turn(CarMove move) { return side_of(move) != 0; }
 constexpr bool is_reverse(CarMove move) { return gear_of(move) < 0; }
 
-/// In units: 1 or pi / 2.
+/// The length in units: 1 or pi / 2.
 constexpr double length_of(CarMove move) { return is_turn(move) ? kPi / 2 : 1; }
 
 /// The move that leads back.
@@ -51,7 +51,7 @@ constexpr CarMove inverse(CarMove move) {
   return static_cast<CarMove>((static_cast<unsigned>(move) + kCarMoves / 2) % kCarMoves);
 }
 
-/// Where a car stands: on a corner (the point with these grid coordinates), facing a heading.
+/// The place of a car: a corner (the point with these grid coordinates) and a heading.
 struct CornerPose {
   Cell corner;
   Heading heading = Heading::plus_x;
@@ -72,14 +72,14 @@ constexpr CornerPose moved(const CornerPose& from, CarMove move, int unit = 1) {
   return {corner, gear == side ? plus : opposite(plus)};
 }
 
-/// The same as a pose in grid coordinates.
+/// Converts to a pose in grid coordinates.
 inline Pose pose_of(const CornerPose& place) {
   return {static_cast<double>(place.corner.x), static_cast<double>(place.corner.y),
           radians_of(place.heading)};
 }
 
-/// The corner of the lattice and the heading nearest to a pose in grid coordinates, all finite. It
-/// may lie outside any map; nothing where its numbers are too large for a corner.
+/// The lattice vertex and the heading nearest to a finite pose in grid coordinates. It may lie outside
+/// any map. Nothing if the coordinates are too large for a vertex.
 inline std::optional<CornerPose> nearest_corner_pose(const Pose& pose, int unit = 1) {
   const double x = unit * std::round(pose.x / unit);
   const double y = unit * std::round(pose.y / unit);

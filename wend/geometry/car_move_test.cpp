@@ -37,7 +37,7 @@ TEST(CarMove, IsUndoneByItsInverse) {
   }
 }
 
-/// The car drives the arc: the end that the table gives is that of a circle of radius one.
+/// The car drives an arc: the end pose in the table is that of a circle of radius one.
 TEST(CarMove, IsAnArcOfItsLength) {
   for (int number = 0; number < kCarMoves; ++number) {
     const auto move = static_cast<CarMove>(number);

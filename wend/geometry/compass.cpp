@@ -3,7 +3,7 @@
 namespace wend {
 namespace {
 
-// By what they are on a page.
+// Indexed by the direction on a page.
 constexpr std::array<std::string_view, kDirections> kDirectionNames{
     "down", "down_right", "right", "up_right", "up", "up_left", "left", "down_left"};
 constexpr std::array<std::string_view, kHeadings> kLetters{"N", "W", "E", "S"};

@@ -1,9 +1,8 @@
 #pragma once
 
-// Names of directions, headings and car moves: up and down, N and S, right and left are those of
-// the map on a page. Row 0 is the page's bottom row where the frame has y up, its top
-// row elsewhere. Everything that people read or type goes through here; all else is in grid
-// coordinates.
+// Names of directions, headings and car moves: up and down, N and S, right and left as the map is
+// drawn on a page. Row 0 is the bottom row of the page if the frame has y up, else its top row.
+// Everything that people read or type goes through this file; all other code uses grid coordinates.
 //
 //   const wend::Frame frame{.y_up = true};
 //   const std::string_view up = wend::name_of(wend::Direction::plus_y, frame);     // "up"
@@ -18,7 +17,7 @@
 
 namespace wend {
 
-/// The same where +y is -y.
+/// Mirrors: swaps +y and -y.
 constexpr Direction mirrored(Direction direction) {
   return turned(Direction::minus_y, -static_cast<int>(direction));
 }
@@ -29,7 +28,7 @@ constexpr CarMove mirrored(CarMove move) {
   return static_cast<CarMove>(static_cast<int>(move) + side_of(move));
 }
 
-/// What a direction, heading or move is on a page, where y grows downwards; and back.
+/// Converts a direction, heading or move to the page, where y grows downwards, and back.
 template <class T>
 constexpr T on_page(T in_grid, const Frame& frame) {
   return frame.y_up ? mirrored(in_grid) : in_grid;
@@ -41,13 +40,13 @@ std::string_view name_of(Direction direction, const Frame& frame);
 /// "FWD", "FWD_RIGHT", "FWD_LEFT", "REV", "REV_RIGHT" or "REV_LEFT".
 std::string_view name_of(CarMove move, const Frame& frame);
 
-/// The move of that name on a page: on_page() makes it one of the grid. Nothing for any other text.
+/// The move with this name on a page: on_page() converts it to the grid. Nothing for any other text.
 std::optional<CarMove> parse_car_move(std::string_view name);
 
 /// "N", "W", "E" or "S"
 std::string_view letter_of(Heading heading, const Frame& frame);
 
-/// N, W, E, S, in capitals or not, or their numbers 0, 1, 2, 3; nothing for any other text.
+/// Reads N, W, E, S in upper or lower case, or their numbers 0, 1, 2, 3; nothing for any other text.
 std::optional<Heading> parse_heading(std::string_view text, const Frame& frame);
 
 }  // namespace wend

@@ -14,7 +14,7 @@ constexpr Frame kYDown{};
 constexpr Frame kYUp{.y_up = true};
 constexpr std::array<Frame, 2> kBothWays{kYDown, kYUp};
 
-/// A step of the grid as one on a page, up positive.
+/// Converts a grid step to a step on a page, where up is positive.
 Cell seen(Cell step, const Frame& frame) { return {step.x, frame.y_up ? step.y : -step.y}; }
 
 TEST(Compass, NamesDirectionsAsAPageShowsThem) {

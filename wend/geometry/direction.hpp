@@ -1,10 +1,10 @@
 #pragma once
 
-// Direction: a step from a cell to one of its eight neighbours. Heading: one of the four ways in
-// which a car on the corners of a grid can face.
+// Direction: a step from a cell to one of its eight neighbours. Heading: one of the four directions
+// that a car on the corners of a grid can face.
 //
-// Both are in grid coordinates and know nothing of pictures: which of them is up, and what people
-// call it, is said by compass.hpp.
+// Both are in grid coordinates, independent of how the map is drawn. compass.hpp says which of them is
+// up, and how people call it.
 //
 //   const wend::Cell next = wend::step({3, 4}, wend::Direction::plus_x);  // (4,4)
 //   const wend::Cell ahead = wend::ahead(wend::Heading::minus_y);         // (0,-1)
@@ -20,8 +20,8 @@
 
 namespace wend {
 
-/// In the one fixed order in which wend generates successors. Even ones are straight, odd ones
-/// diagonal; each is an eighth of a turn from +y towards +x after the one before.
+/// Directions in the fixed order in which wend generates successors. Even ones are straight, odd ones
+/// diagonal. Each is an eighth of a turn after the previous one, from +y towards +x.
 enum class Direction : std::uint8_t {
   plus_y,
   plus_x_plus_y,
@@ -46,7 +46,7 @@ inline constexpr std::array<Direction, 4> kDiagonalDirections{
     Direction::plus_x_plus_y, Direction::plus_x_minus_y, Direction::minus_x_minus_y,
     Direction::minus_x_plus_y};
 
-/// The number of a straight direction among the straight ones, of a diagonal one among its own.
+/// The index of a straight direction among the straight ones, or of a diagonal one among the diagonals.
 constexpr std::size_t quarter(Direction direction) {
   return static_cast<std::size_t>(direction) / 2;
 }
@@ -91,7 +91,7 @@ constexpr Direction direction_of(Cell step) {
   return kByStep[static_cast<std::size_t>(3 * (step.y + 1) + step.x + 1)];
 }
 
-/// The direction nearest to the way from one cell to another, which is another one.
+/// The direction nearest to the way from one cell to a different one.
 inline Direction nearest_direction(Cell from, Cell to) {
   const double x = static_cast<double>(to.x) - from.x;
   const double y = static_cast<double>(to.y) - from.y;
@@ -120,7 +120,7 @@ constexpr Heading opposite(Heading heading) {
   return static_cast<Heading>(kHeadings - 1 - static_cast<int>(heading));
 }
 
-/// A quarter turn on, from +x towards +y, as angles grow.
+/// The heading after a quarter turn from +x towards +y, as angles grow.
 constexpr Heading quarter_turned(Heading heading) {
   constexpr std::array<Heading, kHeadings> kNext{Heading::plus_x, Heading::minus_y, Heading::plus_y,
                                                  Heading::minus_x};
@@ -136,10 +136,10 @@ constexpr Cell ahead(Heading heading) {
 /// The angle from +x towards +y: a multiple of pi / 2 in (-pi, pi].
 double radians_of(Heading heading);
 
-/// The heading nearest to an angle, which is finite.
+/// The heading nearest to a finite angle.
 Heading nearest_heading(double radians);
 
-/// The heading that has exactly this angle, as radians_of() gives it; nothing for any other.
+/// The heading with exactly this angle, as radians_of() gives it; nothing for other angles.
 std::optional<Heading> exact_heading(double radians);
 
 }  // namespace wend

@@ -14,7 +14,7 @@ namespace {
 
 Direction direction(int i) { return static_cast<Direction>(i); }
 
-// This order is what makes expansion orders the same everywhere.
+// Because of this fixed order, expansion orders are the same everywhere.
 TEST(Direction, BeginsWithPlusYAndTurnsTowardsPlusX) {
   for (int i = 0; i < kDirections; ++i) {
     const Cell to = step({0, 0}, direction(i));

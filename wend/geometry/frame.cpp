@@ -46,7 +46,7 @@ std::optional<Cell> Frame::cell_at(Point metres) const {
   const double border = kBorderMetres / resolution;
   const double x = std::floor(grid.x + border);
   const double y = std::floor(grid.y + border);
-  // Written so that it also refuses numbers that are not finite.
+  // Written so that it also rejects numbers that are not finite.
   if (!(std::abs(x) <= kLargestCell && std::abs(y) <= kLargestCell)) return std::nullopt;
   return Cell{static_cast<int>(x), static_cast<int>(y)};
 }

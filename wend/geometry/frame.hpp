@@ -19,7 +19,7 @@ struct Frame {
   double resolution = 1;  // metres a cell, > 0
   Pose origin{};          // metres, radians
   bool y_up = false;      // row 0 is drawn at the bottom
-  bool metric = false;    // the file gave a resolution: people mean metres when they give numbers
+  bool metric = false;    // the file gave a resolution: numbers from users are in metres
 
   /// Grid coordinates to metres.
   Point to_metres(Point grid) const;

@@ -100,7 +100,7 @@ RC_GTEST_PROP(CellAt, GivesPointsCloseToABorderToTheGreaterSide, ()) {
 
 TEST(CellAt, ForgivesRoundingInDecimals) {
   const Frame frame{.resolution = 0.1};
-  EXPECT_LT(0.3 / 0.1, 3);  // what makes it necessary
+  EXPECT_LT(0.3 / 0.1, 3);  // the reason for the tolerance
   EXPECT_EQ(frame.cell_at({0.3, 0.7}), (Cell{3, 7}));
   for (int i = -3000; i < 3000; ++i) {
     ASSERT_EQ(frame.cell_at({i * 0.1, i / 10.0}), (Cell{i, i}));

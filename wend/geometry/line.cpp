@@ -46,7 +46,7 @@ double distance(const Line& line, Cell square) {
       std::max(line.from.y, line.to.y) < low || std::min(line.from.y, line.to.y) > high;
   // Neither an axis nor the line itself separates them.
   if (!apart && least_side <= 0 && greatest_side >= 0) return 0;
-  // Two points that are nearest to each other: an end of the line, or a corner.
+  // The nearest pair of points includes an end of the line or a corner of the square.
   const auto to_square = [&](Point point) {
     return squared({std::max({left - point.x, point.x - right, 0.0}),
                     std::max({low - point.y, point.y - high, 0.0})});

@@ -1,11 +1,11 @@
 #pragma once
 
-// Line: the straight line between two points, and how far it is from points and squares of cells.
+// Line: the line segment between two points, and its distance to points and to squares of cells.
 //
 //   const wend::Line line{{0.5, 0.5}, {3.5, 0.5}};
 //   const double gap = wend::distance(line, wend::Cell{2, 2});  // 1.5
 //
-// O(1), exact up to rounding. The ends may be one point.
+// O(1), exact up to rounding. Both ends may be the same point.
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ struct Line {
 
 double distance(const Line& line, Point point);
 
-/// To the closed square of a cell; 0 where the line touches it, crosses it or lies inside.
+/// The distance to the closed square of a cell; 0 if the line touches it, crosses it or lies inside.
 double distance(const Line& line, Cell square);
 
 }  // namespace wend

@@ -43,7 +43,7 @@ bool touch(const Line& a, const Line& b) {
          on(other_to, a, b.to);
 }
 
-/// Does b, which begins where a ends, go back along it?
+/// Does b, which begins at the end of a, go back along a?
 bool goes_back(const Line& a, const Line& b) {
   const double along =
       (a.to.x - a.from.x) * (b.to.x - b.from.x) + (a.to.y - a.from.y) * (b.to.y - b.from.y);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Point and Pose: where something is, and which way it faces. Whether the numbers are grid
-// coordinates (cells) or map coordinates (metres) is said wherever they are used.
+// Point and Pose: a position, and a position with a heading. Each use says whether the numbers are grid
+// coordinates (cells) or map coordinates (metres).
 
 #include <cmath>
 
@@ -29,7 +29,7 @@ struct Pose {
 /// The centre of a cell, in grid coordinates.
 constexpr Point centre_of(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
 
-/// The cell that a point in grid coordinates lies in; its numbers are finite and fit one.
+/// The cell that contains a point in grid coordinates. The coordinates are finite and fit into a Cell.
 inline Cell cell_at(Point point) {
   return {static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
 }

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 using Bytes = std::optional<std::uint64_t>;
 
-/// The number after a name in a file, or the one that is all of the file; nothing for "max".
+/// The number after a name in a file, or the number that is the whole file; nothing for "max".
 Bytes number_in(const fs::path& file, std::string_view name = {}) {
   std::ifstream stream(file);
   for (std::string word; stream >> word;) {
@@ -25,7 +25,7 @@ Bytes number_in(const fs::path& file, std::string_view name = {}) {
   return std::nullopt;
 }
 
-/// How the two versions of control groups call their files.
+/// The names of files in the two versions of control groups.
 struct GroupFiles {
   std::string_view folder;
   std::string_view limit;
@@ -48,7 +48,8 @@ Bytes left_in(const fs::path& group, const GroupFiles& files) {
 
 Bytes least(Bytes a, Bytes b) { return a && b ? std::min(*a, *b) : a ? a : b; }
 
-/// The least of a group and those around it. In a container the outermost that it sees is its own.
+/// The least memory left in a group and its parents. In a container the outermost visible group is its
+/// own.
 Bytes left_in_groups(const fs::path& top, const fs::path& group, const GroupFiles& files) {
   Bytes left = left_in(top, files);
   fs::path inner = top;

@@ -1,7 +1,7 @@
 #pragma once
 
-// How much memory a program can still take before the system swaps or ends it: what Linux says is
-// available, and what is left below the limits of the control groups (containers) it runs in.
+// How much memory a program can still allocate before the system swaps or kills it: the memory that
+// Linux reports as available, and the rest below the limits of its control groups (containers).
 
 #include <cstdint>
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace wend {
 
-/// Bytes; nothing where the system does not say. Files that the system keeps in memory count as
-/// available. `root` is where proc and sys lie.
+/// Available bytes; nothing if the system does not report them. The file cache counts as available.
+/// `root` is the folder of proc and sys.
 std::optional<std::uint64_t> available_memory(const std::filesystem::path& root = "/");
 
 }  // namespace wend

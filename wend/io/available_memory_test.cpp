@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with files as Linux has them in / .
+/// A folder with files like those of Linux in / .
 class AvailableMemory : public testing::Test {
  protected:
   void write(const std::string& file, const std::string& text) const {

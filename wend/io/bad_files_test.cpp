@@ -51,7 +51,7 @@ std::vector<BadFile> bad_files() {
   return files;
 }
 
-/// The error that a person would see for this file, "no error" if it loads. Scenarios are for the
+/// The error that a user sees for this file, "no error" if it loads. Scenarios are for the
 /// 5x4 map ok.map.
 std::string error_for(const std::string& file) {
   const fs::path path = bad_folder() / file;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(, BadFileTest, testing::ValuesIn(bad_files()), [](const
   return name;
 });
 
-/// What the files that load mean.
+/// The content of the files that load.
 class OddFile : public testing::Test {
  protected:
   void SetUp() override {

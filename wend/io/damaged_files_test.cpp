@@ -1,5 +1,5 @@
-// Damaged files are refused or load, and the error is short: cut at every byte, and with every
-// byte changed. That nothing else happens is for the sanitizers to see.
+// Damaged files, cut at every byte and with every byte changed, are rejected with a short error or
+// load. The sanitizers check that nothing else happens.
 
 #include <gmock/gmock.h>
 
@@ -122,7 +122,7 @@ TEST_P(DamagedFile, IsRefusedOrLoadsWhenAByteIsMissing) {
 INSTANTIATE_TEST_SUITE_P(, DamagedFile, testing::ValuesIn(samples()),
                          [](const auto& sample) { return sample.param.name; });
 
-/// Checksums hide a PNG's other checks from random damage, so here they are right again.
+/// Checksums would hide a PNG's other checks from random damage, so this test corrects them.
 TEST(DamagedPng, WithGoodChecksumsIsRefusedOrLoads) {
   const std::string header = "\0\0\0\3\0\0\0\2\10\0\0\0\0"s;
   for (std::size_t at = 0; at < header.size(); ++at) {

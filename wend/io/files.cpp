@@ -36,7 +36,7 @@ class Descriptor {
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
 
-  /// Closes it; false if that fails, as it may where the last bytes cannot be written.
+  /// Closes the file; false if that fails, for example because the last bytes cannot be written.
   bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
@@ -49,7 +49,7 @@ Unexpected<IoError> failure_of(const fs::path& file, std::string what) {
 
 std::string cannot_be_written(int error) { return "cannot be written: " + message_of(error); }
 
-/// What went wrong, empty if nothing did.
+/// Writes the bytes and returns an error, empty on success.
 std::string write_bytes(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -68,8 +68,8 @@ std::string write_bytes(const fs::path& file, std::string_view bytes) {
   return wrong;
 }
 
-/// Writes a file that gets its name only when it is whole, so that nothing is left of it where the
-/// program is ended before. False where the file system has no files without a name.
+/// Writes a file that gets its name only when it is complete, so that nothing remains if the program is
+/// killed before. False if the file system does not support files without a name.
 bool write_unnamed(const fs::path& file, std::string_view bytes, std::string& wrong) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const Descriptor open_file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));

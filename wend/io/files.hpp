@@ -2,9 +2,9 @@
 
 // Reading and writing whole files, standard input and pipes; mapping the files of indexes.
 //
-// Loaders that take the name of a file read only regular files: a folder, a pipe or a device such as
-// /dev/zero is refused before it is opened, so that no loader waits or reads for ever. What can be read
-// only once, from front to end, has functions of its own:
+// Loaders that take a file name read only regular files. They reject a folder, a pipe or a device such
+// as /dev/zero before it is opened, so that no loader waits or reads for ever. Streams, which can be read
+// only once and in order, have their own functions:
 //
 //   if (wend::is_stream(name)) {
 //     const auto bytes = wend::read_stream(name);
@@ -24,24 +24,24 @@
 
 namespace wend {
 
-/// Larger files are refused: the largest map with one byte a cell, and room for line ends.
+/// Larger files are rejected. Holds the largest map with one byte a cell, and room for line ends.
 inline constexpr std::size_t kLargestFile = std::size_t{3} << 30;
 
-/// The bytes of `file`, at most `largest` of them; an error too if memory does not suffice.
+/// The bytes of `file`, at most `largest` of them. Also fails if there is not enough memory.
 Expected<std::string, IoError> read_file(const std::filesystem::path& file,
                                          std::size_t largest = kLargestFile);
 
-/// A file read piece by piece, for what is larger than the memory it becomes.
+/// A file read piece by piece, for files that are larger than the data made from them.
 class FilePieces {
  public:
-  /// The errors of read_file().
+  /// Fails with the errors of read_file().
   static Expected<FilePieces, IoError> open(const std::filesystem::path& file,
                                             std::size_t largest = kLargestFile);
 
   std::size_t size() const { return size_; }
 
-  /// The next bytes, valid until the call after; none at the end of the file, and where it cannot
-  /// be read further: then failed().
+  /// The next bytes, valid until the next call. None at the end of the file or after a read error; in
+  /// the second case failed() is true.
   std::string_view next();
   bool failed() const { return stream_.bad(); }
 
@@ -53,11 +53,11 @@ class FilePieces {
   std::string piece_;
 };
 
-/// "-" or /dev/stdin: what the program is given as its input.
+/// Is the file standard input: "-" or /dev/stdin?
 bool is_standard_input(const std::filesystem::path& file);
 
-/// Standard input, an open file by its number (/dev/fd/63, as shells name `<(command)`), or a named
-/// pipe.
+/// Is the file standard input, an open file by its number (/dev/fd/63, as shells name `<(command)`), or
+/// a named pipe?
 bool is_stream(const std::filesystem::path& file);
 
 /// The name of a stream in error messages: "standard input", or the name of its file.
@@ -67,17 +67,17 @@ std::string stream_name(const std::filesystem::path& file);
 Expected<std::string, IoError> read_stream(const std::filesystem::path& file,
                                            std::size_t largest = kLargestFile);
 
-/// Writes a file whole or not at all: the bytes go into a temporary file beside it, which then takes its
-/// name. A failure leaves what was there before, and so does a program that ends meanwhile, by Ctrl-C or
-/// by kill: on Linux the temporary file has no name until it is whole (O_TMPFILE), where the file system
-/// allows that. A symbolic link stays one: its target is replaced. What is not a regular file (a pipe,
-/// /dev/stdout) is written directly.
+/// Writes a file atomically: the bytes go into a temporary file beside it, which then takes its name. If
+/// writing fails, or the program is ended meanwhile by Ctrl-C or kill, the old file stays: on Linux the
+/// temporary file has no name until it is complete (O_TMPFILE), if the file system allows that. A
+/// symbolic link stays one: its target is replaced. A file that is not regular (a pipe, /dev/stdout) is
+/// written directly.
 Expected<void, IoError> write_file(const std::filesystem::path& file, std::string_view bytes);
 Expected<void, IoError> write_index(const std::filesystem::path& file, const IndexBytes& index);
 
-/// Maps an index: what a query does not touch is not read, and programs share the memory. Its reader says
-/// whether it is an index, and of what. The file must not be written to while it is open; a new one that
-/// takes its name does no harm.
+/// Maps an index into memory: parts that a query does not touch are not read, and programs share the
+/// memory. The reader of the bytes checks whether they are an index, and of what. The file must not be
+/// modified while it is open; it may be replaced by a new file with its name.
 Expected<IndexBytes, IoError> open_index(const std::filesystem::path& file);
 
 }  // namespace wend

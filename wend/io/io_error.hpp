@@ -21,9 +21,9 @@ struct FailedPlan {
 
 struct IoError {
   std::string file;
-  std::size_t line = 0;                        // from 1; 0 where a line makes no sense
+  std::size_t line = 0;                        // from 1; 0 if no line applies
   std::string what;                            // "row 3 has 2 columns, the header says 5"
-  std::optional<FailedPlan> failed_plan = {};  // nothing is wrong with the file, but it has no path
+  std::optional<FailedPlan> failed_plan = {};  // set if the file is valid but has no path
 
   /// "office.map:7: row 3 has 2 columns, the header says 5"
   std::string message() const {

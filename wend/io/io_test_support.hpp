@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of this folder share.
+// Helpers that the tests of this folder share.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@
 
 namespace wend {
 
-/// A folder that is there for one test.
+/// A folder that exists for one test.
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_(std::filesystem::path(testing::TempDir()) / name()) {
@@ -70,7 +70,7 @@ inline bool same_map(const GridMap& a, const GridMap& b) {
          a.frame() == b.frame();
 }
 
-/// "file:line: what" of what was expected to fail, "no error" if it did not.
+/// "file:line: what" of a result that should be an error, "no error" if it is not.
 template <class T>
 std::string error_of(const Expected<T, IoError>& result) {
   return result ? "no error" : result.error().message();

@@ -1,4 +1,4 @@
-// Real maps and scenarios of the shared data load, as large and as free as its README says.
+// Real maps and scenarios of the shared data load, with the sizes and free cells that its README gives.
 
 #include <gmock/gmock.h>
 
@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the README's tables say about a file; what they leave out is empty.
+/// What the README's tables say about a file; missing values are empty.
 struct Described {
   std::string size;  // "49x49"
-  std::string free;  // percent, as all of these
+  std::string free;  // percent, like the fields below
   std::string occupied;
   std::string unknown;
 };

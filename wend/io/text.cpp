@@ -21,7 +21,7 @@ bool is_control(unsigned byte) {
   return (byte < ' ' && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F;
 }
 
-/// How many bytes the character that begins with `lead` has; 0 if none begins so.
+/// The number of bytes of a character that begins with `lead`; 0 if no character begins with it.
 std::size_t length_of_character(unsigned lead) {
   if (lead < 0x80) return 1;
   if (lead >= 0xC2 && lead <= 0xDF) return 2;
@@ -29,7 +29,7 @@ std::size_t length_of_character(unsigned lead) {
   return lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
 }
 
-/// A well-formed character of two to four bytes: no overlong form, no surrogate, at most U+10FFFF.
+/// Is it a well-formed character of two to four bytes: not overlong, not a surrogate, at most U+10FFFF?
 bool is_character(std::string_view bytes) {
   std::uint32_t code = byte_of(bytes[0]) & (0x7FU >> bytes.size());
   for (const char next : bytes.substr(1)) {
@@ -142,7 +142,7 @@ std::optional<std::string_view> LineReader::next() {
   return line;
 }
 
-/// Up to the next line end, which may lie in a later piece.
+/// The text up to the next line end, which may lie in a later piece.
 std::string_view LineReader::rest_of_line() {
   std::size_t end = rest_.find('\n');
   const auto take = [this, &end] {

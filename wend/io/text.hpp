@@ -1,7 +1,7 @@
 #pragma once
 
-// What readers of files do with text: split it into lines and words, check that it is UTF-8, and quote it
-// in error messages. Letters are ASCII letters, the same in every locale; blanks are blanks and tabs.
+// Text functions for file readers: split text into lines and words, check that it is UTF-8, and quote it
+// in error messages. Letters are ASCII letters, the same in every locale; blanks are spaces and tabs.
 
 #include <cstddef>
 #include <functional>
@@ -18,16 +18,16 @@ constexpr char lower_case(char letter) {
 }
 std::string lower_case(std::string text);
 
-/// Without the blanks around it.
+/// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
 /// Whether a line has only blanks.
 bool is_blank(std::string_view line);
 
-/// The words of a line: what stands between blanks.
+/// The words of a line, separated by blanks.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// What stands between separators: one field more than there are separators.
+/// The fields between separators: one more than there are separators.
 std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
 /// "a, b or c"
@@ -37,7 +37,7 @@ std::string either_of(const std::vector<std::string>& names);
 /// line ends. Nothing if all bytes are text. O(n).
 std::optional<std::size_t> first_non_text(std::string_view bytes);
 
-/// Without the mark that some editors put before a text: EF BB BF.
+/// The text without the byte-order mark that some editors put before it: EF BB BF.
 std::string_view without_byte_order_mark(std::string_view text);
 
 /// 'text' in single quotes, for error messages: at most the first 40 bytes, then "..."; bytes that are
@@ -60,15 +60,15 @@ std::string text_line(std::string_view text, std::size_t longest);
 ///   while (const auto line = lines.next()) ...  // lines.number() is the line's number, from 1
 class LineReader {
  public:
-  /// Gives the text piece by piece, an empty one at its end. A piece stays as it is until the next.
+  /// Gives the text piece by piece, an empty piece at its end. A piece is valid until the next call.
   using Pieces = std::function<std::string_view()>;
 
   /// The text must outlive the reader and the lines that it returned.
   explicit LineReader(std::string_view text)
       : rest_(without_byte_order_mark(text)), size_(text.size()) {}
 
-  /// Of a text of about `size` bytes that is not in memory as a whole: a line is valid until the
-  /// next one is asked for.
+  /// Reads a text of about `size` bytes that is not in memory as a whole. A line is valid until the
+  /// next one is read.
   LineReader(Pieces pieces, std::size_t size)
       : pieces_(std::move(pieces)), rest_(without_byte_order_mark(pieces_())), size_(size) {}
 
@@ -76,7 +76,7 @@ class LineReader {
   /// end of the text starts no further line.
   std::optional<std::string_view> next();
 
-  /// How many bytes the whole text has, about.
+  /// The approximate number of bytes of the whole text.
   std::size_t size() const { return size_; }
 
   /// The number of the line that next() returned last, from 1; 0 before the first.

@@ -4,14 +4,14 @@
 
 namespace wend {
 
-// Loads of a few bytes from the word array read neighbouring bits only on such machines.
+// Only on little-endian machines, loads of a few bytes from the word array read neighbouring bits.
 static_assert(std::endian::native == std::endian::little);
 
 BitGrid::BitGrid(int width, int height)
     : width_(width),
       height_(height),
       words_per_row_((static_cast<std::size_t>(width) + 2 + 63) / 64),
-      // One more word, so that a load that begins in the last byte stays inside.
+      // One extra word, so that a load that begins in the last byte stays in bounds.
       words_(words_per_row_ * (static_cast<std::size_t>(height) + 2) + 1) {}
 
 std::span<std::uint64_t> BitGrid::append_row() {

@@ -1,7 +1,7 @@
 #pragma once
 
-// BitGrid: one bit for every cell of a map, inside a border of zeros, so that the hot loops read
-// the neighbours of any cell without checking for the map's edge.
+// BitGrid: one bit for every cell of a map, inside a border of zeros, so that hot loops read the
+// neighbours of any cell without checking for the map's edge.
 
 #include <cassert>
 #include <cstddef>
@@ -57,7 +57,7 @@ class BitGrid {
     return three(middle + row_bytes) | three(middle) << 3U | three(middle - row_bytes) << 6U;
   }
 
-  /// The words of a row, -1 and height included. Cell x is bit x+1 of them; all bits outside the
+  /// The words of a row; rows -1 and `height` are valid too. Cell x is bit x+1; all bits outside the
   /// map are zero.
   std::span<const std::uint64_t> row_words(int y) const {
     return {words_.data() + row_begin(y), words_per_row_};
@@ -66,7 +66,7 @@ class BitGrid {
     return {words_.data() + row_begin(y), words_per_row_};
   }
 
-  /// One row more at the end, all false, whose words are returned. O(width) amortized.
+  /// Appends a row of zeros and returns its words. O(width) amortized.
   std::span<std::uint64_t> append_row();
 
   /// Makes room for `height` rows.
@@ -86,7 +86,8 @@ class BitGrid {
   std::vector<std::uint64_t> words_;
 };
 
-/// Sets in a row (BitGrid::row_words(), all false) the cells of which this holds, 64 at a time.
+/// Sets the bits of the cells that satisfy the predicate in a row (BitGrid::row_words(), all false), 64
+/// at a time.
 template <class T, class Predicate>
 void set_row(std::span<std::uint64_t> words, std::span<const T> values, Predicate&& is_set) {
   for (std::size_t x = 0; x < values.size(); ++x) {

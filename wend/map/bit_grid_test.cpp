@@ -9,7 +9,7 @@
 namespace wend {
 namespace {
 
-/// Widths around those where the border makes a row one word longer.
+/// Widths near those at which the border makes a row one word longer.
 const std::vector<int> kWidths{1, 2, 61, 62, 63, 64, 65, 66, 125, 126, 127, 128, 129, 130};
 
 class BitGridOfWidth : public testing::TestWithParam<int> {};

@@ -6,8 +6,8 @@
 namespace wend {
 namespace {
 
-/// Sets that are joined, with path halving. The smaller root wins, so that sets are numbered in the
-/// order in which they were added. Almost O(1) for each call.
+/// Union-find with path halving. The smaller root wins, so that sets are numbered in the order in which
+/// they were added. Almost O(1) for each call.
 class DisjointSets {
  public:
   /// `count` sets of one element each.
@@ -72,8 +72,8 @@ Runs runs_of(const BitGrid& cells) {
   return all;
 }
 
-/// Calls join(upper, lower) for every pair of runs of two rows that overlap, once both are
-/// stretched by `slack` cells together.
+/// Calls join(upper, lower) for every pair of runs in two rows that overlap once they are extended by
+/// `slack` cells in total.
 template <class Join>
 void for_touching(std::span<const RowRun> upper, std::span<RowRun> lower, int slack, Join&& join) {
   std::size_t i = 0;
@@ -85,7 +85,7 @@ void for_touching(std::span<const RowRun> upper, std::span<RowRun> lower, int sl
   }
 }
 
-/// Puts every run of a row into its 4-connected set; those of the row above are in theirs.
+/// Puts every run of a row into its 4-connected set. The runs of the row above already are in theirs.
 void link(std::span<const RowRun> above, std::span<RowRun> row, DisjointSets& sets) {
   for_touching(above, row, 0, [&](const RowRun& upper, RowRun& run) {
     if (run.component == RowRun::kNoComponent) {

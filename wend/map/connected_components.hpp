@@ -1,9 +1,9 @@
 #pragma once
 
-// Connected components: which cells can reach which, known before any search.
+// Connected components: which cells can reach each other, known before any search.
 //
-// Without cutting corners (and where one corner may be cut) two cells are connected if they are
-// 4-connected; where both corners may be cut, if they are 8-connected. One label a cell serves
+// Without corner cutting (and if one corner may be cut) two cells are connected if they are
+// 4-connected; if both corners may be cut, if they are 8-connected. One label for each cell serves
 // both: 8-connected components are unions of 4-connected ones.
 
 #include <algorithm>
@@ -30,8 +30,8 @@ class ConnectedComponents {
   /// The components of the set cells. O(cells).
   explicit ConnectedComponents(const BitGrid& cells);
 
-  /// The component of a cell: 0 for a cell that is not set, else from 1 on. Labels of the two
-  /// adjacencies are not to be mixed.
+  /// The component of a cell: 0 for a cell that is not set, else from 1 on. Do not mix labels of the
+  /// two adjacencies.
   std::uint32_t component(Cell cell, Adjacency adjacency) const {
     const std::uint32_t label = labels_[cell];
     return adjacency == Adjacency::edges ? label : merged_[label];
@@ -66,11 +66,11 @@ struct RowRun {
 
   int begin;
   int end;
-  std::uint32_t component = kNoComponent;  // as whoever labels runs numbers them
+  std::uint32_t component = kNoComponent;  // numbered by the code that labels runs
 };
 
-/// The first cell from x on whose bit is `value`, or width. `words` are those of a row, in which
-/// cell x is bit x+1.
+/// The first cell from x on whose bit is `value`, or width. In `words`, the words of a row, cell x is
+/// bit x+1.
 inline int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value) {
   const auto first = static_cast<std::size_t>(x) + 1;
   std::size_t word = first / 64;
@@ -93,8 +93,8 @@ void for_each_run(std::span<const std::uint64_t> words, int width, Take&& take) 
   }
 }
 
-/// How many 4-connected components the set cells of a grid make, and how large the largest is, told
-/// row by row in the memory of two rows.
+/// Counts the 4-connected components of the set cells of a grid and finds the size of the largest. Takes
+/// the grid row by row, in the memory of two rows.
 class ComponentCounter {
  public:
   explicit ComponentCounter(int width) : width_(width) {}
@@ -102,14 +102,14 @@ class ComponentCounter {
   /// The words of the next row, as BitGrid::row_words() has them. O(width).
   void add_row(std::span<const std::uint64_t> words);
 
-  /// Of all rows so far.
+  /// The components of all rows so far.
   std::size_t count() const { return closed_ + open_.size(); }
   std::size_t largest() const;
 
  private:
   int width_;
-  std::vector<RowRun> above_;      // of the row that came last; their components are those of open_
-  std::vector<std::size_t> open_;  // sizes of the components that reach that row
+  std::vector<RowRun> above_;      // of the last row; their components are indices into open_
+  std::vector<std::size_t> open_;  // sizes of the components that reach this row
   std::size_t closed_ = 0;         // how many end above it
   std::size_t largest_closed_ = 0;
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Adjacency kAdjacencies[] = {Adjacency::edges, Adjacency::edges_and_corners};
 
-/// Components by flooding from one cell after the other: 0 where nothing is set, else 1, 2, ...
+/// Components by flood fill from each cell in turn: 0 where nothing is set, else 1, 2, ...
 Grid<int> flooded(const BitGrid& bits, Adjacency adjacency) {
   Grid<int> components(bits.width(), bits.height(), 0);
   int count = 0;

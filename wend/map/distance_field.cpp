@@ -54,17 +54,17 @@ std::int64_t floor_quotient(std::int64_t dividend, std::int64_t divisor) {
   return quotient - static_cast<std::int64_t>(dividend % divisor < 0);
 }
 
-/// From a cell's centre to a closed square `cells` columns or rows away, in half-cells.
+/// Squared distance from a cell's centre to a closed square `cells` columns or rows away, in half-cells.
 std::int64_t squared_axis_distance(std::int64_t cells) {
   const std::int64_t half_cells = cells == 0 ? 0 : 2 * std::abs(cells) - 1;
   return half_cells * half_cells;
 }
 
-/// A column whose nearest obstacle is the nearest one for some stretch of the row.
+/// A column whose nearest obstacle is the nearest one for some segment of the row.
 struct Column {
   std::int64_t x;
-  std::int64_t squared;     // squared distance within the column
-  std::int64_t first_cell;  // where its stretch begins
+  std::int64_t squared;     // squared distance in the column
+  std::int64_t first_cell;  // where its segment begins
 
   std::int64_t squared_distance_from(std::int64_t cell) const {
     return squared_axis_distance(cell - x) + squared;
@@ -73,7 +73,7 @@ struct Column {
 
 /// The last cell that is at least as near to `left` as to `right`: the largest i with
 /// axis(i - left)^2 - axis(i - right)^2 <= right.squared - left.squared. The left side grows with i
-/// and is linear in i but for a kink at each of the two columns.
+/// and is linear in i except for a kink at each of the two columns.
 std::int64_t last_cell_nearer_left(const Column& left, const Column& right) {
   const std::int64_t gap = right.x - left.x;
   const std::int64_t sum = left.x + right.x;
@@ -89,7 +89,7 @@ std::int64_t last_cell_nearer_left(const Column& left, const Column& right) {
   return (floor_quotient(quarter, gap) + sum - 1) >> 1;
 }
 
-/// The columns that matter to a row, in order, each with its stretch (a lower envelope).
+/// The columns that matter to a row, in order, each with its segment (a lower envelope).
 void nearest_columns(std::span<const CellCount> in_column, std::vector<Column>& envelope) {
   const auto last_cell = static_cast<std::int64_t>(in_column.size()) - 1;
   envelope.clear();

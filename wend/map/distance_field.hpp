@@ -1,8 +1,8 @@
 #pragma once
 
-// Exact distances from the centre of every cell to the nearest closed blocked square.
+// Exact distances from the centre of each cell to the nearest closed blocked square.
 //
-// In half-cell units these distances have whole-number squares: a square k columns and l rows away
+// In half-cell units the squares of these distances are integers: a square k columns and l rows away
 // lies max(0, 2k-1) and max(0, 2l-1) half-cells from the centre. So they can be compared exactly. A
 // field of distances between cell centres would be wrong by up to 0.7 cells.
 
@@ -13,14 +13,14 @@
 
 namespace wend {
 
-/// Farther than any distance that a field holds (32768 cells): there is no obstacle, or none near.
+/// Larger than any distance that a field holds (32768 cells): there is no obstacle, or none near.
 inline constexpr std::uint32_t kNoObstacle = UINT32_MAX;
 
-/// Such a squared distance as a distance in cells; infinite for kNoObstacle.
+/// Converts such a squared distance to a distance in cells; infinite for kNoObstacle.
 double distance_in_cells(std::uint32_t squared_half_cells);
 
-/// For every cell the squared distance, in half-cell units, from its centre to the nearest set cell
-/// of `blocked` as a closed square; 0 in a set cell. The outside of the map does not count.
+/// For each cell the squared distance, in half-cell units, from its centre to the nearest closed square
+/// of a set cell of `blocked`; 0 in a set cell. The outside of the map does not count.
 ///
 /// O(cells): two passes, columns and then rows, as in A. Meijster, J. Roerdink and W. Hesselink, "A
 /// General Algorithm for Computing Distance Transforms in Linear Time", 2000.

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// From the definition: the least over all blocked squares, in whole half-cells.
+/// By the definition: the minimum over all blocked squares, in whole half-cells.
 std::uint32_t nearest_square(const std::vector<Cell>& blocked, Cell from) {
   std::uint32_t least = kNoObstacle;
   for (const Cell square : blocked) {
@@ -43,7 +43,7 @@ TEST(DistanceField, IsExactOnMapsOfEveryShape) {
 }
 
 TEST(DistanceField, IsExactAroundFewObstacles) {
-  // Far from obstacles, where the borders between what is nearest are long and slanted.
+  // Far from obstacles, where the borders between nearest-obstacle regions are long and slanted.
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);

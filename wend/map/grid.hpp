@@ -24,7 +24,7 @@ class Grid {
         height_(height),
         values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value) {}
 
-  /// Of values row by row, as many as there are cells.
+  /// Takes one value for each cell, row by row.
   Grid(int width, int height, std::vector<T> values)
       : width_(width), height_(height), values_(std::move(values)) {
     assert(values_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -7,7 +7,7 @@
 namespace wend {
 namespace {
 
-/// Sets in a row of a plane, all false, the cells of one state.
+/// Sets the cells of one state in a row of a bit plane that is all false.
 void set_state(std::span<std::uint64_t> words, std::span<const CellState> row, CellState state) {
   set_row(words, row, [state](CellState here) { return here == state; });
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-// GridMap: the content of a map file. Every cell is free, occupied or unknown and has a terrain
+// GridMap: the content of a map file. Each cell is free, occupied or unknown and has a terrain
 // multiplier; the frame is the grid's position and resolution in the world. FreeSpace adds a robot.
 //
-// Immutable and cheap to copy: copies share the cells, also between threads. Two bits a cell, and
-// eight bytes more where the map has terrain.
+// Immutable and cheap to copy: copies share the cells, also between threads. A cell takes two bits, and
+// eight more bytes if the map has terrain.
 //
 //   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
 //   cells[{3, 4}] = wend::CellState::occupied;
@@ -30,11 +30,11 @@ class GridMap {
   /// The most cells a map can have; loaders reject larger ones.
   static constexpr std::size_t kMaxCells = std::size_t{1} << 30;
 
-  /// `terrain` is empty for a map that costs the same everywhere, else as large as `cells`, every
-  /// multiplier finite and at least 1. The map has at least one cell.
+  /// `terrain` is empty for uniform cost, else as large as `cells`, with every multiplier finite and at
+  /// least 1. The map has at least one cell.
   explicit GridMap(const Grid<CellState>& cells, Frame frame = {}, Grid<double> terrain = {});
 
-  /// The same from two bit planes of one size that have no set cell in common.
+  /// The same from two bit planes of the same size that have no set cell in common.
   GridMap(BitGrid occupied, BitGrid unknown, Frame frame = {}, Grid<double> terrain = {});
 
   int width() const { return data_->occupied.width(); }
@@ -91,15 +91,15 @@ class GridMapBuilder {
   /// Reserves memory for `height` rows. Without it, memory grows with the rows.
   void reserve(int height);
 
-  /// Appends a row. `terrain` has a multiplier for each cell, finite and at least 1; empty: they
-  /// are all 1.
+  /// Appends a row. `terrain` has a multiplier for each cell, finite and at least 1. If it is empty,
+  /// all multipliers are 1.
   void append(std::span<const CellState> states, std::span<const double> terrain = {});
 
   int width() const { return occupied_.width(); }
   int height() const { return occupied_.height(); }
 
-  /// The map of the rows, one or more. The first one is the map's top row as drawn: row 0 of a frame
-  /// with y down, the last one of a frame with y up.
+  /// Makes the map from one or more rows. The first appended row is the top row as drawn: row 0 in a
+  /// frame with y down, the last row in a frame with y up.
   GridMap finish(Frame frame = {}) &&;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Rows of cells as runs, and rows of runs as few rectangles: equal runs in rows that follow each other
+// Turns rows of cells into runs, and rows of runs into few rectangles: equal runs in consecutive rows
 // are joined.
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace wend {
 
-/// Calls visit(x, length, value) for the runs of equal values in a row of so many cells.
+/// Calls visit(x, length, value) for the runs of equal values in a row of `width` cells.
 template <class ValueAt, class Visit>
 void for_runs(int width, const ValueAt& value_at, const Visit& visit) {
   for (int x = 0; x < width;) {
@@ -21,14 +21,14 @@ void for_runs(int width, const ValueAt& value_at, const Visit& visit) {
   }
 }
 
-/// `runs_of_row(y)` gives the rectangles of row y, one cell high, from left to right;
-/// `alike(a, b)` says whether two that cover the same columns may be joined. Nothing if more than
-/// `most` remain. O(runs), in the memory of the rectangles.
+/// `runs_of_row(y)` gives the rectangles of row y, one cell high, from left to right. `alike(a, b)`
+/// says whether two rectangles that cover the same columns may be joined. Returns nothing if more than
+/// `most` remain. O(runs) in time; the memory is that of the rectangles.
 template <class Rectangle, class RunsOfRow, class Alike>
 std::optional<std::vector<Rectangle>> joined_rows(int height, std::size_t most,
                                                   RunsOfRow&& runs_of_row, Alike&& alike) {
   std::vector<Rectangle> done;
-  std::vector<Rectangle> open;  // those that reach down to the row before, from left to right
+  std::vector<Rectangle> open;  // those that reach the previous row, from left to right
   for (int y = 0; y < height; ++y) {
     std::vector<Rectangle> runs = runs_of_row(y);
     auto above = open.begin();

@@ -18,14 +18,14 @@ BitGrid blocked_cells(const GridMap& map, UnknownPolicy unknown) {
   return blocked;
 }
 
-/// From a cell's centre to the map's edge, squared, in half-cells.
+/// The squared distance from a cell's centre to the map's edge, in half-cells.
 std::uint32_t squared_half_cells_to_edge(const BitGrid& map, Cell cell) {
   const std::int64_t cells =
       std::min({cell.x, map.width() - 1 - cell.x, cell.y, map.height() - 1 - cell.y});
   return static_cast<std::uint32_t>((2 * cells + 1) * (2 * cells + 1));
 }
 
-/// From the centre of every cell to what is nearest: a blocked cell or, if it counts, the map's edge.
+/// The clearance of each cell's centre: to the nearest blocked cell or, if it counts, the map's edge.
 Grid<std::uint32_t> clearance_of(const BitGrid& blocked, OutsidePolicy outside) {
   Grid<std::uint32_t> clearance = squared_half_cell_distances(blocked);
   if (outside == OutsidePolicy::free) return clearance;

@@ -1,10 +1,10 @@
 #pragma once
 
-// Obstacles: what blocks on a map, whatever robot drives there: occupied cells, unknown cells if those
-// are blocked, and the outside of the map if that is; and the exact distance from every cell to it.
+// Obstacles: what is blocked on a map for every robot (occupied cells, unknown cells and the outside of
+// the map if the policies block them), and the exact distance from each cell to it.
 //
 // Immutable and cheap to copy: copies share everything, also between threads, so that the free spaces
-// of several robots on a map share one distance field. Made in O(cells); 4.1 bytes a cell.
+// of several robots on a map share one distance field. Built in O(cells); takes 4.1 bytes for each cell.
 //
 //   const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
 //   const wend::FreeSpace small(obstacles, {.footprint = wend::Footprint::disc(0.2)});
@@ -27,7 +27,7 @@ enum class UnknownPolicy { blocked, free };
 enum class OutsidePolicy { blocked, free };
 
 /// The default policy: blocked for a map in metres (Frame::metric), which shows a part of the world;
-/// free for a map in cells, which is all of it.
+/// free for a map in cells, which shows all of its world.
 OutsidePolicy default_outside_policy(const Frame& frame);
 
 struct ObstacleOptions {
@@ -45,17 +45,17 @@ class Obstacles {
   UnknownPolicy unknown() const { return data_->unknown; }
   OutsidePolicy outside() const { return data_->outside; }
 
-  /// The cells that block.
+  /// The blocked cells.
   const BitGrid& blocked() const { return data_->blocked; }
 
-  /// From a cell's centre to the nearest blocked square, or to the map's edge if the outside is
-  /// blocked, in cells; infinite where there is neither (or none within 32768 cells).
+  /// The distance from a cell's centre to the nearest blocked square, or to the map's edge if the
+  /// outside is blocked, in cells; infinite if there is neither (or none within 32768 cells).
   double clearance(Cell cell) const;
 
   /// The same for all cells, squared and in half-cells, exact (see distance_field.hpp).
   const Grid<std::uint32_t>& squared_half_cell_clearance() const { return data_->clearance; }
 
-  /// Is the map's edge nearer to the centre of a cell than any blocked square, or as near?
+  /// Is the map's edge at least as near to the centre of a cell as every blocked square?
   bool edge_is_nearest(Cell cell) const;
 
  private:

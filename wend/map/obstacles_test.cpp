@@ -11,7 +11,7 @@
 namespace wend {
 namespace {
 
-/// By brute force: from the centre of a cell to the nearest blocked square, and to the edge.
+/// Brute-force distances from the centre of a cell to the nearest blocked square, and to the edge.
 struct Nearest {
   double square = test::kInfinite;
   double edge = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Analyses of a map for programs: a cost-to-go field, with paths taken from it, and why there is no path.
+// Analyses of a map for programs: a cost-to-go field with paths from it, and why there is no path.
 
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct FieldReport {
   std::vector<Cell> goals;
   Status status = Status::found;  // why there is no field
   std::string reason;             // the same for people
-  SearchMetrics metrics;          // of making it
+  SearchMetrics metrics;          // of computing the field
   WorkTimes times{};              // no planner and no index
   std::vector<FieldStart> starts;
 };
@@ -37,7 +37,7 @@ std::string field_json(const FieldReport& report, const Frame& frame, const Cost
 /// goal.
 std::string field_csv(const CostToGo& field, const Frame& frame);
 
-/// Why there is no path:
+/// Explains why there is no path:
 ///
 ///   {"schema": 1, "status": "unreachable", "start_region": 57, "goal_region": 12,
 ///    "widest": {"radius_cells": 3.5, "radius_m": 0.18, "narrowest": [64.5,82.5],

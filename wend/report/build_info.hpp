@@ -1,6 +1,6 @@
 #pragma once
 
-// Which wend this is. Results that are kept say so.
+// The version of wend, for results that are stored.
 
 #include <string_view>
 
@@ -9,8 +9,8 @@ namespace wend {
 /// "0.2.0"
 std::string_view wend_version();
 
-/// The commit that was built, "-dirty" behind it if files had been changed; "unknown" outside of a git
-/// checkout. (Its source is written by cmake/commit.cmake.)
+/// The commit that was built, followed by "-dirty" if files had been changed; "unknown" outside a git
+/// checkout. (cmake/commit.cmake writes its source.)
 std::string_view wend_commit();
 
 }  // namespace wend

@@ -13,13 +13,13 @@
 namespace wend {
 namespace {
 
-/// What drives are compared by.
+/// A measure for the comparison of drives.
 struct DriveMeasure {
   std::string_view title;
   std::string_view unit;
   int decimals;
   double (*value)(const Drive&);
-  std::string_view heading;  // of its column where drives are compared; empty: it has none
+  std::string_view heading;  // of its column in a comparison; empty: no column
 };
 
 constexpr std::array<DriveMeasure, 8> kDriveMeasures{{
@@ -54,7 +54,7 @@ std::string table_of_one(const ControlledDrive& driven) {
   return text.substr(text.find('\n') + 1);  // no titles
 }
 
-/// With room for the marks of a column that has any.
+/// The heading of a column, with room for marks if the column has any.
 std::string heading_of(const DriveMeasure& measure, bool marked) {
   const std::string end = marked ? " " : "";
   std::string lines;

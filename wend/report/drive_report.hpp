@@ -1,7 +1,7 @@
 #pragma once
 
-// How robots drove along a path: controllers beside each other, for people and for programs. See
-// simulation.hpp for what each number is.
+// How robots drove along a path: a comparison of controllers, for people and for programs. See
+// simulation.hpp for the meaning of each number.
 
 #include <span>
 #include <string>
@@ -13,13 +13,13 @@
 namespace wend {
 
 struct ControlledDrive {
-  std::string controller;  // as it was typed: "pid:heading_gain=3"
+  std::string controller;  // as typed: "pid:heading_gain=3"
   Drive drive;
 };
 
-/// Of one drive a line for each thing; of several a line for each controller, the best of each column
-/// marked among those that reached the goal. At most 80 columns where names have no more than 16 and
-/// drives take less than 1000 s.
+/// For one drive, a line for each value. For several, a line for each controller; in each column the best
+/// of those that reached the goal is marked. At most 80 columns if names have no more than 16 and drives
+/// take less than 1000 s.
 std::string drive_table(std::span<const ControlledDrive> drives);
 
 enum class DriveSamples { none, all };
@@ -28,13 +28,13 @@ enum class DriveSamples { none, all };
 /// "cross_track_rms_m", "cross_track_largest_m", "final_error_m", "final_heading_error_degrees",
 /// "swings", "collisions", "first_collision", "first_collision_m", "samples": {"time_s", "x_m", "y_m", "yaw",
 /// "linear_m_s", "angular_rad_s", "heading_error_degrees", "cross_track_m"}}]}. Collisions are
-/// points in grid coordinates and in metres, null if unset; of the samples, each a list,
-/// the poses are in the map's frame. What smoothing_json() says of the path comes first. One line
-/// with its line end.
+/// points in grid coordinates and in metres, null if unset. Each of the samples is a list; their poses
+/// are in the map's frame. The keys of smoothing_json() for the path come first. One line with its line
+/// end.
 std::string drive_json(const RefinedPath& path, std::span<const ControlledDrive> drives,
                        const Frame& frame, DriveSamples samples);
 
-/// The samples of all drives, a line each, the names of the columns first: "controller,time_s,x_m,
+/// The samples of all drives, a line each, after the names of the columns: "controller,time_s,x_m,
 /// y_m,yaw,linear_m_s,angular_rad_s,heading_error_rad,cross_track_m".
 std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& frame);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the JSON reports have in common. Only for sources: the headers of the reports themselves need
-// no JSON library.
+// Common code of the JSON reports. Include it only in sources: the headers of the reports do not need a
+// JSON library.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -28,14 +28,14 @@ using Json = nlohmann::ordered_json;
 /// [x, y]
 Json json_of(Cell cell);
 
-/// [x, y] of a point in grid coordinates: [3, 4] of a corner, else [2.5, 4.0].
+/// [x, y] of a point in grid coordinates: [3, 4] for a corner, else [2.5, 4.0].
 Json json_of(Point point);
 
-/// [x, y], [[x, y], ...]: all as numbers with a fraction.
+/// [x, y], [[x, y], ...]: all numbers have a fraction.
 Json json_of_fractions(Point point);
 Json json_of(const std::vector<Point>& points);
 
-/// "E" of one of the four headings, else radians in grid coordinates.
+/// A letter such as "E" for one of the four headings, else radians in grid coordinates.
 Json json_of_heading(double radians, const Frame& frame);
 
 /// [[x, y], ...]
@@ -44,7 +44,7 @@ Json json_of(std::span<const Cell> cells);
 /// A list of rows, row 0 first. Numbers that are not finite are null.
 Json json_of(const Grid<double>& numbers);
 
-/// The same of directions, by name; null for a cell without one.
+/// The same for directions, by name; null for a cell without one.
 Json json_of(const Grid<std::optional<Direction>>& directions, const Frame& frame);
 
 /// {"name", "aliases", "kind", "default", "choices" or "least" and "greatest", "help"}
@@ -53,18 +53,18 @@ Json json_of(const OptionInfo& option);
 /// {"expanded", "generated", "max_frontier"}
 Json json_of(const SearchMetrics& metrics);
 
-/// Microseconds to the nanosecond; null of what is not finite.
+/// Microseconds to the nanosecond; null if not finite.
 Json in_microseconds(double seconds);
 
-/// {"load_us", "free_space_us", "planner_us", "index_us", "search_us"}; null of what there was not.
+/// {"load_us", "free_space_us", "planner_us", "index_us", "search_us"}; null for steps that did not occur.
 Json json_of(const WorkTimes& times);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; without a path, null and empty.
 /// For a car also "steps", "headings", "moves" and "yaw", as in plan_json().
 void put_path(Json& json, const Plan& plan, const Frame& frame, Motion motion = Motion::cells);
 
-// What path_report.hpp describes: the lengths of a path, what smoothing_json() has besides the path as it
-// was, and that too.
+// JSON of path_report.hpp: the lengths of a path, what smoothing_json() has besides the original path, and
+// the original path too.
 Json json_of(const MeasuredPath& path, const Frame& frame);
 void put_refined(Json& json, const RefinedPath& path, const Frame& frame);
 void put_paths(Json& json, const RefinedPath& path, const Frame& frame);
@@ -74,7 +74,7 @@ void put_paths(Json& json, const RefinedPath& path, const Frame& frame);
 inline constexpr int kJsonSchema = 1;
 
 /// A report: one line that begins with its "schema", unless the report is a list. Numbers that JSON
-/// has no words for are null, invalid UTF-8 is replaced.
+/// cannot express are null, invalid UTF-8 is replaced.
 std::string text_of(const Json& report);
 
 }  // namespace wend

@@ -1,6 +1,6 @@
 #pragma once
 
-// MapInfo: what a map file holds, and what it is to one robot.
+// MapInfo: the content of a map file, and what it means for one robot.
 
 #include <cstddef>
 #include <string>
@@ -21,19 +21,19 @@ struct MapInfo {
   std::size_t unknown = 0;
   Footprint footprint;  // metres (cells, where the map has no resolution)
   OutsidePolicy outside = OutsidePolicy::free;
-  double clearance_distance = 0;  // units as the footprint
-  SpaceSurvey space;              // of the cells where the robot may be
+  double clearance_distance = 0;  // same unit as the footprint
+  SpaceSurvey space;              // the cells where the robot may be
   Frame frame;
-  std::vector<std::string> notes;  // what was odd in the file
+  std::vector<std::string> notes;  // what was unusual in the file
 };
 
-/// In little more memory than the map itself.
+/// Needs little more memory than the map itself.
 MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptions& robot);
 
 /// One line with its line end.
 std::string map_info_json(const MapInfo& info);
 
-/// The same for people, a line for each thing.
+/// The same for people, a line for each value.
 std::string map_info_text(const MapInfo& info);
 
 }  // namespace wend

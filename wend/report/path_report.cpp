@@ -17,7 +17,7 @@ std::string number(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
 }
 
-/// As many decimals as make a hundredth of a cell visible where people count in metres.
+/// The number of decimals: enough to show a hundredth of a cell if the unit is metres.
 int decimals_of(const LengthUnit& unit) { return unit.per_cell < 0.5 ? 3 : 2; }
 
 struct Row {

@@ -1,7 +1,6 @@
 #pragma once
 
-// Paths for people and for programs: what can be measured of them, where they collide, what smoothing
-// did to them.
+// Paths for people and for programs: their metrics, where they collide, and how smoothing changed them.
 //
 //   const std::vector<wend::MeasuredPath> paths{wend::measured("planned", plan->path, space),
 //                                               wend::measured("smoothed", refined->path, space)};
@@ -16,8 +15,8 @@
 //    "smallest_clearance_cells": 1.0, "smallest_clearance_m": 0.05, "mean_clearance_cells": 1.5,
 //    "mean_clearance_m": 0.075, "reversals": 0}
 //
-// What is infinite is null: the turning radius of a line, the clearance where nothing is near. The
-// radii are those of PathMetrics: without rounding a corner has 0.
+// Infinite values are null: the turning radius of a line, the clearance if nothing is near. The radii
+// are those of PathMetrics: without rounding a corner has radius 0.
 
 #include <cstddef>
 #include <optional>
@@ -35,7 +34,7 @@
 
 namespace wend {
 
-/// What people count lengths in.
+/// The unit of lengths for people.
 struct LengthUnit {
   std::string_view name = "cells";
   double per_cell = 1;
@@ -49,15 +48,15 @@ struct MeasuredPath {
   PathMetrics metrics{};
 };
 
-/// Of a path that is not empty; it may leave the map. Corners are rounded as measure() does.
+/// Measures a path that is not empty; it may leave the map. Corners are rounded as in measure().
 MeasuredPath measured(std::string title, const Path& path, const FreeSpace& space,
                       double corner_rounding = kCornerRounding);
 
-/// A line for each thing that is measured, a column for each path, with their titles above if there
-/// are several. All are measured with the same corner rounding.
+/// A line for each metric, a column for each path, with the titles above if there are several paths. All
+/// are measured with the same corner rounding.
 std::string metrics_table(std::span<const MeasuredPath> paths, const LengthUnit& unit);
 
-/// The kind as programs call it: "too_close".
+/// The name of the kind for programs: "too_close".
 std::string_view to_string(CollisionKind kind);
 
 /// {"schema": 1, "free": false, "collision": {"kind": "too_close", "along_cells", "along_m", "point": [x,y],
@@ -66,7 +65,7 @@ std::string_view to_string(CollisionKind kind);
 std::string check_json(const MeasuredPath& path, const std::optional<PathCollision>& collision,
                        const Frame& frame);
 
-/// What a path was and what became of it.
+/// A path before and after refinement.
 struct RefinedPath {
   Path before;
   Refinement wanted;
@@ -78,17 +77,17 @@ struct RefinedPath {
 RefinedPath refined_path(Path before, const Refinement& wanted, Refined refined,
                          const FreeSpace& space, double corner_rounding = kCornerRounding);
 
-/// What smoothing did, a line for each thing; empty if nothing was smoothed.
+/// The result of smoothing, a line for each value; empty if nothing was smoothed.
 std::string smoothing_text(const RefinedPath& path);
 
 /// {"schema", "path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
 /// "converged", "held", "returned", "within_bound"}, "path_metrics", "path_smoothed_metrics"}.
-/// `path` are cells, and left out of a path that has none; `path_smoothed` are waypoints in grid
-/// coordinates; `smoothing` is null if nothing was. One line with its line end.
+/// `path` are cells, and is left out for a path without cells; `path_smoothed` are waypoints in grid
+/// coordinates; `smoothing` is null if nothing was smoothed. One line with its line end.
 std::string smoothing_json(const RefinedPath& path, const Frame& frame);
 
-/// {"schema": 1, "status": "not_free", "reason": "...", "path": [], "path_m": []}: what takes the
-/// place of a path that is not there. load_path() reads the status and the reason back.
+/// {"schema": 1, "status": "not_free", "reason": "...", "path": [], "path_m": []}: replaces a path that
+/// does not exist. load_path() reads the status and the reason back.
 std::string failed_plan_json(const FailedPlan& plan);
 
 }  // namespace wend

@@ -17,7 +17,7 @@ using testing::Not;
 
 constexpr Frame kPathFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true, .metric = true};
 
-/// Without anything that clearance could be to.
+/// A space without anything that limits clearance.
 FreeSpace open_space() {
   return FreeSpace(GridMap(Grid<CellState>(8, 6), kPathFrame), {.outside = OutsidePolicy::free});
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kTitleWidth = 15;
 constexpr std::size_t kLineWidth = 80;
 
-/// The head and the text, with the words of a long text below one another.
+/// The head and the text; a long text is wrapped and indented.
 std::string paragraph(const std::string& head, std::string_view text) {
   std::string lines = head;
   std::size_t column = head.size();

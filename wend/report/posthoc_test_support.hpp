@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of traces share: reading them, their rules, and a witness of a search.
+// Helpers of the trace tests: reading traces, their rules, and an observer that records a search.
 
 #include <yaml-cpp/yaml.h>
 
@@ -67,7 +67,7 @@ inline void check_head(const json& trace) {
           trace.at("pivot"));
 }
 
-/// Throws where a trace breaks a rule of the format or of the order of its events.
+/// Throws if a trace breaks a rule of the format or of the order of its events.
 inline void check_trace(const json& trace) {
   check_head(trace);
   const std::set<std::string> types{"map",       "source",   "destination", "generating",
@@ -103,7 +103,7 @@ inline std::vector<json> events_of(const json& trace, const std::set<std::string
   return events;
 }
 
-/// From "events:" on.
+/// The text from "events:" on.
 inline std::string tail(const std::string& text) { return text.substr(text.find("\nevents:") + 1); }
 
 struct Seen {
@@ -111,7 +111,7 @@ struct Seen {
   SearchEvent event;
 };
 
-/// Writes down a search as a trace should tell it.
+/// Records a search as a trace should describe it.
 class Witness final : public SearchObserver {
  public:
   void on_generate(const SearchEvent& event) override { seen_.push_back({"generating", event}); }

@@ -12,7 +12,7 @@
 namespace wend {
 namespace {
 
-constexpr std::size_t kMostRectangles = 10'000;  // 100 KB, and soon drawn
+constexpr std::size_t kMostRectangles = 10'000;  // 100 KB, and quickly drawn
 
 struct Rectangle {
   int x;
@@ -46,7 +46,7 @@ constexpr std::string_view kViewOfCells =
     R"(  {"$": "rect", "$if": "${{ $.type != 'map' }}", "x": "${{ $.x }}", "y": "${{ $.y }}",
    "width": 1, "height": 1, "fill": "${{ color[$.type] }}"}]})";
 
-// Of a unit: how far a dot lies from its corner, and how large it is, so that four have room.
+// In units: the distance of a dot from its corner, and its size, so that four dots fit.
 constexpr double kDotDistance = 0.22;
 constexpr double kDotRadius = 0.14;
 
@@ -180,7 +180,7 @@ bool PosthocTrace::contains(Cell cell) const {
   return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
 }
 
-/// How many places there are before it.
+/// The number of places before this one.
 std::uint64_t PosthocTrace::number(const Place& place) const {
   const auto number =
       static_cast<std::uint64_t>(place.cell.y) * static_cast<std::uint64_t>(width_) +
@@ -188,7 +188,7 @@ std::uint64_t PosthocTrace::number(const Place& place) const {
   return place.heading ? number * kHeadings + static_cast<std::uint64_t>(*place.heading) : number;
 }
 
-/// Where a car in that pose is on its lattice.
+/// The place on the lattice of a car in this pose.
 std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) const {
   const auto nearest = nearest_corner_pose(pose, unit_);
   if (!nearest) return std::nullopt;
@@ -199,7 +199,7 @@ PosthocTrace::Node& PosthocTrace::node_of(const Place& place) {
   return nodes_.try_emplace(number(place), Node{number(place)}).first->second;
 }
 
-/// Is there room for one more event? Once there was none, nothing is kept any more.
+/// Is there room for one more event? Once there is none, no further events are kept.
 bool PosthocTrace::keep_one() {
   if (room_ == 0) {
     ++dropped_;
@@ -214,7 +214,7 @@ void PosthocTrace::on_generate(const SearchEvent& event) {
   const std::uint64_t id = number({event.cell, event.heading});
   const auto [place, is_first] = nodes_.try_emplace(id, Node{id});
   Node& node = place->second;
-  // A walk that comes back to a cell.
+  // A walk that returns to a cell.
   if (!is_first)
     node.id += static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
   put_event("generating", event, node);

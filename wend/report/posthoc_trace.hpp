@@ -9,21 +9,21 @@
 //   const std::string text = trace.finish(plan.path);
 //
 // The events: the map, if few rectangles show where the robot cannot be (for a car: obstacles);
-// source and destination; then, as the search does it, generating, expanding, updating (reached
+// source and destination; then, in the order of the search, generating, expanding, updating (reached
 // again, more cheaply) and closing (when its successors have been generated); and end, if there is
 // a path. Each has the number of its cell as `id` and that of its parent as `pId`: from the end the
-// parents lead back to the source. A walk that comes back to a cell gets a new id there at each
-// visit, the last one plus the number of cells of the map.
+// parents lead back to the source. A walk that returns to a cell gets a new id there at each visit:
+// the last one plus the number of cells of the map.
 //
-// A car is traced on its corners: a state is a corner with a heading, and has an id of its own and a
-// `heading`, "N", "W", "E" or "S". A goal with any heading is four destinations.
+// A car is traced on its corners: a state is a corner with a heading, and has its own id and a
+// `heading`, "N", "W", "E" or "S". A goal without a fixed heading gives four destinations.
 //
 //   wend::PosthocTrace driven(space, query, 1, wend::TraceForm::json, 100'000);
 //
-// Posthoc draws y down. Where a map has y up, its rows are counted from the top, so that the
-// picture looks as the source file does. Costs f, g and h are as in Plan::cost.
+// Posthoc draws y down. If a map has y up, its rows are counted from the top, so that the picture
+// looks like the source file. Costs f, g and h are as in Plan::cost.
 //
-// Watching takes O(1) an event, about 100 bytes for each that is kept.
+// Observing takes O(1) for each event, and about 100 bytes for each event that is kept.
 
 #include <cstdint>
 #include <optional>
@@ -52,7 +52,7 @@ class PosthocText {
   /// `unit` is the lattice resolution of a car in cells; 0: cells.
   explicit PosthocText(TraceForm form, int unit = 0);
 
-  /// An event, `id` being JSON. Everything that is put until the next one belongs to it.
+  /// Begins an event; `id` is JSON. Everything that is put until the next event belongs to it.
   void begin_event(std::string_view type, std::string_view id);
 
   /// `json` is valid JSON on one line.
@@ -60,7 +60,7 @@ class PosthocText {
   void put(std::string_view key, std::uint64_t value);
   void put(std::string_view key, double value);  // null if it is not finite
 
-  /// The whole text. Nothing may be put any more.
+  /// Returns the whole text. Afterwards nothing may be put.
   std::string finish();
 
  private:
@@ -87,11 +87,11 @@ class PosthocTrace final : public SearchObserver {
   void on_expand(const SearchEvent& event) override;
   void on_relax(const SearchEvent& event) override;
 
-  /// How many events of the search came after the last that was kept. What was kept is then the
-  /// beginning of a search; its end has a parent only if that is known by then.
+  /// The number of events of the search after the last one that was kept. If it is not 0, the trace is
+  /// only the beginning of a search, and its end has a parent only if that is known by then.
   std::uint64_t dropped() const { return dropped_; }
 
-  /// The text of the file. `path` is the one that was found, or empty. To be called once.
+  /// The text of the file. `path` is the path found, or empty. To be called once.
   std::string finish(const Path& path);
 
  private:
@@ -101,7 +101,7 @@ class PosthocTrace final : public SearchObserver {
     std::optional<Heading> heading{};
   };
 
-  /// What the trace says of a place so far.
+  /// What the trace says about a place so far.
   struct Node {
     std::uint64_t id = 0;
     std::optional<std::uint64_t> parent{};  // its id
@@ -124,13 +124,13 @@ class PosthocTrace final : public SearchObserver {
 
   int map_height_;
   int unit_;   // 0: cells
-  int width_;  // of the places: cells, or corners
+  int width_;  // in places: cells, or corners
   int height_;
   Frame frame_;
-  std::uint64_t room_;  // how many more events may be kept
+  std::uint64_t room_;  // the number of events that may still be kept
   std::uint64_t dropped_ = 0;
   std::unordered_map<std::uint64_t, Node> nodes_;  // by the number of the place
-  std::optional<Place> expanded_;                  // to be closed
+  std::optional<Place> expanded_;                  // not yet closed
   PosthocText text_;
 };
 

@@ -1,5 +1,4 @@
-// Traces against the rules of the format and against a replay of the search that writes down what
-// it sees for itself.
+// Compares traces with the rules of the format and with an independent record of a replayed search.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -50,7 +49,7 @@ struct Search {
   }
 };
 
-/// Are these the events that a witness saw, as far as they go?
+/// Checks that the trace begins with the events that a witness saw, as far as it goes.
 void check_against(const std::vector<Seen>& seen, const json& trace, const FreeSpace& space) {
   std::map<json, Cell> cells;
   const auto events = events_of(trace, {"generating", "expanding", "updating", "closing"});
@@ -118,7 +117,7 @@ void check_map(const json& trace, const FreeSpace& space) {
   }
 }
 
-/// Those that search from cell to neighbouring cell: their parents are the path.
+/// The planners that search from cell to neighbouring cell: their parents are the path.
 std::vector<std::string> walking_planners() {
   std::vector<std::string> names = planner_names(Motion::cells);
   std::erase_if(names, [](const std::string& name) { return planners().find(name)->jumps; });

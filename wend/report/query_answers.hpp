@@ -31,10 +31,10 @@ inline constexpr std::string_view kInvalidQuery = "invalid_query";
 
 struct QueryAnswer {
   std::size_t line = 0;  // of the query in its file
-  std::string start;     // as it stands there
+  std::string start;     // as written there
   std::string goal;
   std::string status;  // a name of the enum Status, or kInvalidQuery
-  std::string reason;  // of a failure; else what was changed about the query, if anything was
+  std::string reason;  // of a failure; else what was changed in the query, if anything
   Plan plan{};         // of a failure: its metrics
   double seconds = 0;  // CPU time of the search
 
@@ -46,7 +46,7 @@ std::string query_answers_csv(std::span<const QueryAnswer> answers, const Frame&
 std::string query_answers_json(std::string_view planner, std::span<const QueryAnswer> answers,
                                const Frame& frame, Motion motion);
 
-/// A table for people, then how many answers there are of each status.
+/// A table for people, then the number of answers with each status.
 std::string query_answers_text(std::span<const QueryAnswer> answers, const Frame& frame);
 
 }  // namespace wend

@@ -10,7 +10,7 @@
 namespace wend {
 namespace {
 
-/// Characters of a UTF-8 text.
+/// The number of characters of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   const auto is_first_byte = [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
@@ -18,7 +18,7 @@ std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_first_byte));
 }
 
-/// The titles as rows; those of fewer lines than others stand at the bottom.
+/// The titles as rows; titles with fewer lines than others are aligned at the bottom.
 std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::Column>& columns) {
   std::size_t height = 1;
   for (const TextTable::Column& column : columns) {
@@ -37,7 +37,7 @@ std::vector<std::vector<std::string>> title_lines(const std::vector<TextTable::C
   return lines;
 }
 
-/// Broken after commas into lines of at most `longest` characters, where possible.
+/// Breaks a field after commas into lines of at most `longest` characters, where possible.
 std::vector<std::string> broken(const std::string& field, std::size_t longest) {
   constexpr std::string_view kIndent = "  ";
   std::vector<std::string> lines{""};
@@ -74,7 +74,7 @@ void TextTable::add(std::vector<std::string> row) {
   rows_.insert(rows_.end(), lines.begin(), lines.end());
 }
 
-/// Of each column. The further lines of a row have nothing beside them that they could push aside.
+/// The width of each column. Continuation lines of a row are ignored: nothing stands beside them.
 std::vector<std::size_t> TextTable::widths(
     const std::vector<std::vector<std::string>>& lines) const {
   std::vector<std::size_t> widths(columns_.size(), 0);

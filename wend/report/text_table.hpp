@@ -20,18 +20,18 @@ class TextTable {
   struct Column {
     std::string title;  // may have several lines
     Align align = Align::left;
-    /// Longer fields are broken after commas; their other lines are indented, and may reach below
-    /// the columns beside. 0: never.
+    /// Longer fields are broken after commas; their further lines are indented, and may extend below
+    /// the next columns. 0: never.
     std::size_t longest = 0;
   };
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  /// As many fields as there are columns; UTF-8, one character a column of the terminal. What is
-  /// beside a field of several lines stands in the first.
+  /// Adds as many fields as there are columns; UTF-8, one terminal column for each character. Beside a
+  /// field of several lines, the other fields stand in the first line.
   void add(std::vector<std::string> row);
 
-  /// Of the longest line.
+  /// The width of the longest line.
   std::size_t width() const;
 
   /// The titles, then the rows, each with its line end.

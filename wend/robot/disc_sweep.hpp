@@ -2,8 +2,8 @@
 
 // DiscSweep: moves the (circumscribed) disc of a robot along lines and arcs, exactly.
 //
-// Along an arc clearance changes by no more than the way, and so between a point and the centre of a
-// cell. So the clearance of one cell, which is exact, tells much of all points near it.
+// Clearance changes by no more than the distance moved, along an arc or between a point and the centre
+// of a cell. So the exact clearance of one cell bounds the clearance of all points near it.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ namespace wend {
 
 class DiscSweep {
  public:
-  /// The space outlives the sweep.
+  /// The space must outlive the sweep.
   explicit DiscSweep(const FreeSpace& space) : space_(space), radius_(space.radius_in_cells()) {}
 
   bool fits_at(Point point) const {
@@ -29,7 +29,7 @@ class DiscSweep {
                          [&](Cell square) { return !far_enough(distance(point, square)); });
   }
 
-  /// Its first point fits.
+  /// Requires that its first point fits.
   template <class Way>
   bool fits(const Way& way) const {
     if (turns_far(way)) return halves_fit(way);

@@ -26,7 +26,7 @@ bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& op
 }
 
 bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options) {
-  // A disc that touches something fits, and its polygon then does: the polygon's sweep alone does not
+  // If the disc fits, even touching something, so does its polygon. The polygon's sweep alone does not
   // see that within its tolerance.
   if (disc_fits_along(space, arc, options.adjacency)) return true;
   return space.outline() && PolygonSweep(space, options.tolerance).fits(arc);

@@ -1,9 +1,9 @@
 #pragma once
 
-// Where the robot of a FreeSpace can drive: along lines and arcs, and where it turns in place.
+// Where the robot of a FreeSpace can drive along lines and arcs, and where it can turn in place.
 //
-// Lines and arcs are in grid coordinates, finite; arcs turn by at most 2 pi. They may touch the map's
-// edge or leave the map. Where the outside is free, it is no obstacle.
+// Lines and arcs are in grid coordinates and finite; arcs turn by at most 2 pi. They may touch the map's
+// edge or leave the map. If the outside is free, it is not an obstacle.
 //
 // - A point keeps out of the union of the obstacles and, unless `adjacency` is edges_and_corners, does
 //   not pass between two that touch at a corner; point_sweep.hpp has the exact rules. Exact.
@@ -16,9 +16,9 @@
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
 //   if (wend::fits_along(space, arc)) length += arc.length;
 //
-// O(1) for each length that the clearance of a cell decides, else O(cells within the radius), for a
-// polygon times its corners; where a turning polygon nearly touches, as often as the way that its
-// farthest corner goes there is longer than the tolerance.
+// O(1) for each piece that the clearance of a cell decides, else O(cells within the radius), for a
+// polygon times its corners. Where a turning polygon nearly touches, this is repeated as often as the
+// tolerance fits into the way of its farthest corner.
 
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
@@ -28,19 +28,19 @@
 namespace wend {
 
 struct SweepOptions {
-  Adjacency adjacency = Adjacency::edges;  // of a point
-  double tolerance = 0.01;                 // cells, greater than 0; of a polygon that turns
+  Adjacency adjacency = Adjacency::edges;  // for a point
+  double tolerance = 0.01;                 // cells, greater than 0; for a polygon that turns
 };
 
-/// May the robot drive along the whole line, facing along it? Of a line of length 0 no one knows the
-/// heading: a polygon has to fit at every one.
+/// May the robot drive along the whole line, facing along it? A line of length 0 has no heading: a
+/// polygon must fit at every heading.
 bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& options = {});
 bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options = {});
-/// A turn is by at most 2 pi either way.
+/// May the robot make this turn? It is at most 2 pi in either direction.
 bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options = {});
 
-/// The same with every heading: of a polygon for its circumscribed disc. What planners on cells and
-/// smoothers ask, who choose no headings.
+/// The same for every heading: a polygon counts as its circumscribed disc. For grid planners and
+/// smoothers, which choose no headings.
 bool disc_fits_along(const FreeSpace& space, const Line& line,
                      Adjacency adjacency = Adjacency::edges);
 bool disc_fits_along(const FreeSpace& space, const Arc& arc,

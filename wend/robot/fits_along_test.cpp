@@ -18,7 +18,7 @@
 namespace wend {
 namespace {
 
-// Less area than that is rounding, and it may be a corner that enters a square a little.
+// A smaller area is rounding, possibly of a corner that enters a square a little.
 constexpr double kNoArea = 1e-7;
 
 double draw(int low, int high, double per_unit) { return *rc::gen::inRange(low, high) / per_unit; }
@@ -32,7 +32,8 @@ FreeSpace any_space() {
   return FreeSpace(map, {.footprint = footprint, .outside = test::random_outside(random)});
 }
 
-/// On the map; half of them on quarters of cells and along the axes, where edges touch squares.
+/// A random pose on the map. Half of them lie on quarters of cells and along the axes, where edges touch
+/// squares.
 Pose any_pose(const FreeSpace& space) {
   if (*rc::gen::arbitrary<bool>()) {
     return {draw(0, 4 * space.width() + 1, 4), draw(0, 4 * space.height() + 1, 4),
@@ -65,8 +66,8 @@ RC_GTEST_PROP(PolygonFits, AtEveryHeadingInPassableCellsAndAtNoneInImpossibleOne
   }
 }
 
-/// Samples a way that no point of the polygon moves more than `step` between: the worst overlap, and
-/// whether the polygon comes nearer to a blocked square than the margin.
+/// Samples a way; between samples no point of the polygon moves more than `step`. Finds the worst
+/// overlap, and whether the polygon comes nearer to a blocked square than the margin.
 struct Sampled {
   double overlap = 0;
   bool near = false;

@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// In apostrophes, not too long.
+/// Quotes a text in apostrophes and limits its length.
 std::string quoted(std::string_view text) {
   return "'" + std::string(text.substr(0, kLongestQuote)) +
          (text.size() > kLongestQuote ? "...'" : "'");
@@ -36,7 +36,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// "[[x, y], [x, y]]" as its texts "x, y"; nothing if brackets are missing.
+/// Splits "[[x, y], [x, y]]" into the texts "x, y"; nothing if brackets are missing.
 std::optional<std::vector<std::string_view>> corners_in_brackets(std::string_view text) {
   if (text.size() < 2 || text.back() != ']') return std::nullopt;
   text = trimmed(text.substr(1, text.size() - 2));
@@ -111,7 +111,7 @@ Footprint Footprint::scaled(double factor) const {
 }
 
 Expected<Footprint, Error> parse_footprint(std::string_view typed) {
-  std::string line(typed);  // control characters are blanks, here and in errors
+  std::string line(typed);  // control characters become blanks, here and in errors
   const auto is_control = [](unsigned char letter) { return letter < ' '; };
   std::replace_if(line.begin(), line.end(), is_control, ' ');
   const std::string_view text = trimmed(line);

@@ -29,15 +29,15 @@ BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least)
   return passable;
 }
 
-/// The robot's radius as a squared distance in half-cells; a point must still not be in a square,
-/// and the largest robot may stand where there is no obstacle.
+/// The robot's radius as a squared distance in half-cells. A point must still not be in a square, and
+/// the largest robot may stand where there is no obstacle.
 double least_squared_half_cells(double radius_in_cells) {
   const double exact = 4 * radius_in_cells * radius_in_cells;
   return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
                             kNoObstacle);
 }
 
-/// How many times more a cell costs because of the obstacles near it.
+/// The factor on a cell's cost because of the obstacles near it.
 class ClearanceCost {
  public:
   ClearanceCost(const Robot& robot, double resolution)
@@ -60,7 +60,7 @@ class ClearanceCost {
   double cost_;
 };
 
-/// The map's terrain times what keeping away costs; empty if that is the map's terrain.
+/// The map's terrain times the clearance cost; empty if that is the map's terrain.
 Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles, const BitGrid& passable,
                                          const ClearanceCost& cost) {
   const GridMap& map = obstacles.map();
@@ -166,7 +166,7 @@ BlockReason FreeSpace::reason_in(Cell blocked) const {
 }
 
 std::optional<Cell> cell_under(const FreeSpace& space, Point point) {
-  // Written so that it also refuses numbers that are not finite.
+  // Written so that it also rejects numbers that are not finite.
   if (!(point.x >= 0 && point.y >= 0 && point.x < space.width() && point.y < space.height())) {
     return std::nullopt;
   }

@@ -1,16 +1,16 @@
 #pragma once
 
 // FreeSpace: where one robot may be on a map. Obstacles + footprint give passable cells, connected
-// components, the reason why a cell or a pose is blocked, and what a unit of length costs.
+// components, the reason why a cell or a pose is blocked, and the cost of a unit of length.
 //
 // A disc of radius r may stand where its centre is at least r away from every closed blocked square
-// (touching is allowed; r = 0 is a point, which keeps out of their inside). A polygon may stand where
-// it overlaps the inside of no blocked square. The base point stays on the map. The shape may hang
-// over the map's edge or not, as OutsidePolicy says; if not, the edge counts in clearance like an
+// (touching is allowed; r = 0 is a point, which must stay out of their interior). A polygon may stand
+// where it overlaps the interior of no blocked square. The base point stays on the map. OutsidePolicy
+// says whether the shape may hang over the map's edge; if not, the edge counts in clearance like an
 // obstacle's.
 //
-// Planners on cells do not know headings. They take a polygon for its circumscribed disc, with which
-// it fits at every heading: that never misses an obstacle, and may miss a narrow way.
+// Grid planners do not know headings. They use the circumscribed disc of a polygon, with which it fits
+// at every heading: this never misses an obstacle, but may miss a narrow passage.
 //
 // A clearance cost makes cells near obstacles cost more, smoothly, up to a distance. Paths then keep
 // their distance where there is room, and still use narrow passages. With d = clearance - r, the free
@@ -18,12 +18,12 @@
 //
 //   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
-// It is at least the map's, so no admissible heuristic becomes inadmissible, and it reaches the
-// map's with slope 0. Clearance is that of the cell's centre.
+// The result is at least the map's, so admissible heuristics stay admissible, and it reaches the map's
+// with slope 0. Clearance is that of the cell's centre.
 //
 // Immutable and cheap to copy: copies share everything, also between threads; free spaces of several
-// robots share the Obstacles that they are made of. Made in O(cells); 9 bytes a cell, of which 4.1 are
-// the Obstacles', and eight more where the clearance cost makes any cell cost more.
+// robots share the Obstacles that they are made of. Built in O(cells); takes 9 bytes for each cell, of
+// which 4.1 are the Obstacles', and eight more if the clearance cost makes any cell cost more.
 //
 //   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
 //   const wend::FreeSpace space(map, {.footprint = *robot});
@@ -45,11 +45,11 @@
 
 namespace wend {
 
-/// A robot, as planners know it. Lengths are in metres (cells, where the map's resolution is 1).
+/// A robot as planners see it. Lengths are in metres (cells if the map's resolution is 1).
 struct Robot {
   Footprint footprint = {};
   double clearance_distance = 0;  // from the disc's edge, finite; 0 = off
-  double clearance_cost = 4;      // how much more a cell costs where the disc touches, finite, >= 0
+  double clearance_cost = 4;      // extra cost of a cell where the disc touches, finite, >= 0
 
   friend bool operator==(const Robot&, const Robot&) = default;
 };
@@ -59,7 +59,7 @@ struct FreeSpaceOptions {
   Footprint footprint = {};
   UnknownPolicy unknown = UnknownPolicy::blocked;
   std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
-  double clearance_distance = 0;              // as Robot's
+  double clearance_distance = 0;              // as in Robot
   double clearance_cost = 4;
 
   Robot robot() const { return {footprint, clearance_distance, clearance_cost}; }
@@ -73,7 +73,7 @@ enum class BlockReason {
   obstacle,   // occupied
   unknown,    // unknown, and unknown cells are blocked
   too_close,  // free, but nearer to a blocked cell than the radius of the (circumscribed) disc
-  over_edge,  // the same of the map's edge, which is nearer than any blocked cell
+  over_edge,  // the same for the map's edge, which is nearer than any blocked cell
   overlaps,   // at this pose the robot's polygon overlaps a blocked cell
   leaves,     // at this pose the robot's polygon reaches over the map's edge
 };
@@ -88,7 +88,7 @@ class FreeSpace {
  public:
   explicit FreeSpace(GridMap map, const FreeSpaceOptions& options = {});
 
-  /// On obstacles that are shared.
+  /// Uses shared obstacles.
   FreeSpace(Obstacles obstacles, Robot robot);
 
   const GridMap& map() const { return data_->obstacles.map(); }
@@ -96,7 +96,7 @@ class FreeSpace {
   const Robot& robot() const { return data_->robot; }
   const Footprint& footprint() const { return data_->robot.footprint; }
 
-  /// What makes the same space of the same map; `outside` is set.
+  /// The options that make the same space from the same map; `outside` is set.
   FreeSpaceOptions options() const;
 
   OutsidePolicy outside() const { return data_->obstacles.outside(); }
@@ -109,14 +109,14 @@ class FreeSpace {
   bool passable(Cell cell) const { return contains(cell) && data_->passable[cell]; }
   const BitGrid& passable() const { return data_->passable; }
 
-  /// The cells in whose middle the robot may perhaps stand at some heading: its inscribed disc fits.
-  /// The passable ones are among them; of a point and a disc they are the same.
+  /// The cells in whose middle the robot may be able to stand at some heading: its inscribed disc fits.
+  /// They include the passable cells; for a point or a disc the two sets are equal.
   const BitGrid& possible() const {
     return data_->possible.width() == 0 ? data_->passable : data_->possible;
   }
 
-  /// May the robot stand at this pose, in grid coordinates? Exact up to rounding. O(1) where the
-  /// clearance of a cell decides, else O(cells that the robot covers, times its corners).
+  /// May the robot stand at this pose, in grid coordinates? Exact up to rounding. O(1) if the clearance
+  /// of a cell decides, else O(cells that the robot covers, times its corners).
   bool fits(const Pose& pose) const { return !why_blocked(pose); }
 
   /// Why the robot may not stand at every heading in the middle of a cell, or may not stand at a
@@ -124,13 +124,13 @@ class FreeSpace {
   std::optional<BlockReason> why_blocked(Cell cell) const;
   std::optional<BlockReason> why_blocked(const Pose& pose) const;
 
-  /// As Obstacles has it.
+  /// The same as Obstacles::clearance().
   double clearance(Cell cell) const { return data_->obstacles.clearance(cell); }
   const Grid<std::uint32_t>& squared_half_cell_clearance() const {
     return data_->obstacles.squared_half_cell_clearance();
   }
 
-  /// The robot's radius in cells, of a polygon that of its circumscribed disc.
+  /// The robot's radius in cells; for a polygon that of its circumscribed disc.
   double radius_in_cells() const {
     return footprint().circumscribed_radius() / map().frame().resolution;
   }
@@ -139,12 +139,12 @@ class FreeSpace {
   }
   bool is_point() const { return footprint().is_point(); }
 
-  /// The robot's polygon in cells; null of a point and a disc.
+  /// The robot's polygon in cells; null for a point or a disc.
   const Polygon* outline() const { return data_->outline ? &*data_->outline : nullptr; }
 
-  /// Is an obstacle at this squared distance (in half-cells) from the base point far enough, whatever
-  /// the heading? At 0 it never is. Radii that are whole half-cells up to rounding are taken as such,
-  /// so that 0.3 m at 0.1 m a cell are 3 cells.
+  /// Is an obstacle at this squared distance (in half-cells) from the base point far enough for every
+  /// heading? At 0 it never is. Radii that are whole half-cells up to rounding are rounded to them, so
+  /// that 0.3 m at 0.1 m a cell are 3 cells.
   bool far_enough(double squared_half_cells) const {
     return squared_half_cells >= data_->least_squared_half_cells;
   }
@@ -160,7 +160,7 @@ class FreeSpace {
     return data_->terrain.empty() ? map().terrain() : data_->terrain;
   }
 
-  /// Of the passable cells.
+  /// The connected components of the passable cells.
   const ConnectedComponents& components() const { return data_->components; }
 
  private:
@@ -180,7 +180,7 @@ class FreeSpace {
   std::shared_ptr<const Data> data_;
 };
 
-/// The cell that a point in grid coordinates lies in, if it is one of the map; none of NaN.
+/// The cell of the map that contains a point in grid coordinates, if any; nothing for NaN.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 
 }  // namespace wend

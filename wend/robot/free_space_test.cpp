@@ -40,7 +40,7 @@ struct Sample {
            (map.state(cell) == CellState::unknown && unknown == UnknownPolicy::blocked);
   }
 
-  /// Squared, in half-cells, from a cell's centre to the nearest of these closed squares; -1: none.
+  /// Squared distance in half-cells from a cell's centre to the nearest of these closed squares; -1: none.
   template <class Counts>
   std::int64_t nearest(Cell from, Counts&& counts) const {
     std::int64_t least = -1;
@@ -55,24 +55,24 @@ struct Sample {
     return least;
   }
 
-  /// To the nearest obstacle.
+  /// The distance to the nearest obstacle.
   std::int64_t nearest_obstacle(Cell from) const {
     return nearest(from, [&](Cell cell) { return map.contains(cell) && is_obstacle(cell); });
   }
 
-  /// To the nearest cell around the map.
+  /// The distance to the nearest cell around the map.
   std::int64_t map_edge(Cell from) const {
     return nearest(from, [&](Cell cell) { return !map.contains(cell); });
   }
 
-  /// To whatever counts.
+  /// The distance to the nearest of everything that blocks.
   std::int64_t nearest_blocked(Cell from) const {
     const std::int64_t obstacle = nearest_obstacle(from);
     if (!edge_counts()) return obstacle;
     return obstacle < 0 ? map_edge(from) : std::min(obstacle, map_edge(from));
   }
 
-  /// distance >= radius, both squared and in half millimetres.
+  /// Is distance >= radius? Both are squared and in half millimetres.
   bool may_stand_on(Cell cell) const {
     const std::int64_t squared = nearest_blocked(cell);
     if (squared < 0) return true;
@@ -195,7 +195,7 @@ TEST(FreeSpace, LetsTheRobotTouchAnObstacle) {
 }
 
 TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
-  // 0.25 m at 0.1 m a cell are 2.5 cells, whatever 0.25 / 0.1 is; likewise the others.
+  // 0.25 m at 0.1 m a cell are 2.5 cells, even if 0.25 / 0.1 is rounded; likewise the others.
   struct Case {
     double radius;
     double resolution;

@@ -39,7 +39,7 @@ class Nearest {
   std::int64_t squared_ = 0;
 };
 
-/// How far outside [0, size) a coordinate lies.
+/// The distance of a coordinate from [0, size); 0 inside.
 std::int64_t outside_by(int coordinate, int size) {
   return std::max<std::int64_t>(
       {0, -std::int64_t{coordinate}, std::int64_t{coordinate} - size + 1});

@@ -9,9 +9,9 @@
 namespace wend {
 
 /// The passable cell whose centre is nearest to the centre of `from` (which may lie outside the
-/// map), among those connected to `connected_to` where one is given; ties go to the smaller row,
-/// then the smaller column. Nothing if no cell is passable. O(cells looked at): squares around
-/// `from` that grow until nothing nearer can come.
+/// map), among those connected to `connected_to` if it is given; ties go to the smaller row, then the
+/// smaller column. Nothing if no cell is passable. O(cells examined): it searches growing squares around
+/// `from` until no nearer cell is possible.
 std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
                                      std::optional<Cell> connected_to = std::nullopt,
                                      Adjacency adjacency = Adjacency::edges);

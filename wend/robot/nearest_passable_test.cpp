@@ -20,7 +20,7 @@ FreeSpace random_space(Random& random) {
   return FreeSpace(GridMap(states), {.footprint = Footprint::disc(random.chance(0.5) ? 0.0 : 1.0)});
 }
 
-/// The least by distance, then row, then column, over all cells.
+/// The first of all cells by distance, then row, then column.
 std::optional<Cell> nearest_of_all(const FreeSpace& space, Cell from,
                                    std::optional<Cell> connected_to, Adjacency adjacency) {
   std::optional<Cell> nearest;

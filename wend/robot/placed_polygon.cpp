@@ -7,7 +7,7 @@
 namespace wend {
 namespace {
 
-/// What lies between two parallel lines: low < x * point.x + y * point.y < high.
+/// The region between two parallel lines: low < x * point.x + y * point.y < high.
 struct Strip {
   double x;
   double y;
@@ -17,9 +17,8 @@ struct Strip {
   double of(Point point) const { return x * point.x + y * point.y; }
 };
 
-/// Where the centre of an open square is while a polygon moves by `by`, seen from the polygon: the square
-/// moves by -by. What it passes is a hexagon, the intersection of three strips: two along the axes and
-/// one along the movement.
+/// An open square as seen from a polygon that moves by `by`: the square moves by -by. The region that it
+/// passes is a hexagon, the intersection of three strips: two along the axes and one along the movement.
 class PassedSquares {
  public:
   PassedSquares(Point by, Cell square)
@@ -88,7 +87,7 @@ PlacedPolygon::PlacedPolygon(const Polygon& polygon, const Pose& pose)
 }
 
 // A polygon and an open convex region overlap if an edge of the polygon meets the region, or if the
-// whole region lies inside the polygon: then its centre does.
+// whole region, and so its centre, lies inside the polygon.
 bool PlacedPolygon::overlaps_along(Point by, Cell square) const {
   const PassedSquares passed(by, square);
   for (std::size_t i = 0; i < size_; ++i) {

@@ -1,13 +1,13 @@
 #pragma once
 
-// PlacedPolygon: a polygon where a robot stands, in grid coordinates, and what it meets there: the
-// squares of cells, standing or moved along a line.
+// PlacedPolygon: a robot's polygon at a pose, in grid coordinates, and whether it overlaps the squares
+// of cells there or while it moves along a line.
 //
 //   const wend::PlacedPolygon robot(outline_in_cells, {3.5, 2.5, heading});
 //   if (robot.overlaps(wend::Cell{4, 2})) ...
 //
-// "Overlaps" speaks of the interior of a square: a polygon may touch its edges and corners. Exact, but
-// that kOverlapTolerance is rounding: what enters a square by less only touches it. O(corners).
+// "Overlaps" refers to the interior of a square: a polygon may touch its edges and corners. Exact, except
+// that a polygon that enters a square by less than kOverlapTolerance only touches it. O(corners).
 
 #include <array>
 #include <span>
@@ -27,15 +27,15 @@ class PlacedPolygon {
 
   std::span<const Point> corners() const { return {corners_.data(), size_}; }
 
-  /// Around all corners.
+  /// The box around all corners.
   const Box& box() const { return box_; }
 
   bool overlaps(Cell square) const { return overlaps_along({0, 0}, square); }
 
-  /// Does the polygon overlap the square somewhere while it moves by so much, without turning?
+  /// Does the polygon overlap the square somewhere while it moves by `by`, without turning?
   bool overlaps_along(Point by, Cell square) const;
 
-  /// To the closed square; 0 where they touch or overlap.
+  /// The distance to the closed square; 0 if they touch or overlap.
   double distance_to(Cell square) const;
 
  private:

@@ -32,7 +32,7 @@ Point in_robot(Point point, const Pose& pose) {
           std::cos(pose.heading) * dy - std::sin(pose.heading) * dx};
 }
 
-/// Does any of a lattice of points inside the square lie in the polygon, and deeper than `depth`?
+/// Does any point of a lattice inside the square lie in the polygon, deeper than `depth`?
 bool sampled_overlap(const Polygon& polygon, const Pose& pose, Cell square, double depth) {
   constexpr int kSamples = 16;
   for (int i = 0; i < kSamples; ++i) {
@@ -58,8 +58,8 @@ RC_GTEST_PROP(PlacedPolygon, OverlapsASquareThatHasAPointOfIt, ()) {
   }
 }
 
-/// From the corners of the polygon to the square and from those of the square to the polygon: that is
-/// the distance of two polygons that do not overlap.
+/// The least distance from the corners of the polygon to the square and from those of the square to the
+/// polygon: the distance of two polygons that do not overlap.
 double corner_distance(const Polygon& polygon, const Pose& pose, Cell square) {
   double least = 1e9;
   for (const Point corner : polygon.corners()) {

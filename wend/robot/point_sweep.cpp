@@ -9,12 +9,12 @@
 namespace wend {
 namespace {
 
-// The union of the obstacles without the points near its edge: of every row the stretches of
-// obstacles, shorter at both ends; between two rows those of the cells with obstacles on both sides.
+// The union of the obstacles without the points near its edge: for each row the segments of obstacles,
+// shortened at both ends; between two rows the segments with obstacles on both sides.
 
 constexpr double kNear = kPointTolerance;
 
-/// Obstacles of one row of cells, or of the two beside a line between rows: cells blocked in both.
+/// Obstacles of one row of cells, or of the two rows beside a line between them: cells blocked in both.
 class ObstacleRow {
  public:
   ObstacleRow(const FreeSpace& space, int y) : ObstacleRow(space, y, y) {}
@@ -23,7 +23,7 @@ class ObstacleRow {
         other_(space.obstacles().blocked().row_words(other)),
         width_(space.width()) {}
 
-  /// Does [left, right] reach into a stretch of obstacles?
+  /// Does [left, right] reach into a segment of obstacles?
   bool reached_by(double left, double right) const {
     if (right < 0 || left > width_) return false;
     const auto first = static_cast<int>(std::floor(std::max(left + kNear, 0.0)));
@@ -55,10 +55,10 @@ class ObstacleRow {
   int width_;
 };
 
-/// Two obstacles that touch at a corner, and nothing else there.
+/// Exactly two obstacles that touch at a corner.
 struct Gap {
   Point corner;
-  int slope;  // of the line through both: 1 or -1
+  int slope;  // slope of the line through both: 1 or -1
 
   /// Positive on one of its sides, negative on the other.
   double side_of(Point point) const { return (point.x - corner.x) * slope - (point.y - corner.y); }
@@ -110,7 +110,7 @@ class CutLine {
     return false;
   }
 
-  /// It does not enter obstacles. Not where one of its ends is in the gap.
+  /// Requires a line that does not enter obstacles. A gap that contains an end of the line is not passed.
   bool passes_a_gap() const {
     const auto first = static_cast<int>(std::clamp(std::ceil(low_ - kNear), 1.0, kFarAway));
     const auto last =
@@ -130,7 +130,7 @@ class CutLine {
     double right;
   };
 
-  /// The columns in which it is between two heights; an upright line is in one only.
+  /// The columns in which the line is between two heights; only one for a vertical line.
   std::optional<Stretch> between(double low, double high) const {
     if (high_ < low || low_ > high) return std::nullopt;
     if (low_ == high_) return stretch(0, 1);
@@ -164,7 +164,7 @@ class CutLine {
   double high_;
 };
 
-/// Does the clearance of the cell in its middle show that it touches no obstacle?
+/// Does the clearance of the cell at its middle show that the piece touches no obstacle?
 bool clearly_free(const FreeSpace& space, const SweptPiece& piece) {
   const Cell cell = nearest_cell(space, piece.middle);
   return space.clearance(cell) > piece.farthest_from(centre_of(cell));
@@ -174,7 +174,7 @@ bool clearly_free(const FreeSpace& space, const SweptPiece& piece) {
 
 bool in_gap(const FreeSpace& space, Point point) { return gap_around(space, point).has_value(); }
 
-/// Where it came from before it stopped in a gap, and where it goes on to: is that through?
+/// The point stopped in a gap. Does it pass through the gap on its way from `before` to `after`?
 bool PointSweep::passes_its_gap(Point before, Point after) const {
   const auto gap = gap_around(*space_, at_);
   return gap && !gap->contains(after) && (gap->side_of(before) > 0) != (gap->side_of(after) > 0);
@@ -208,7 +208,7 @@ bool PointSweep::go_to(Point to) {
 bool PointSweep::go_along(const Arc& arc) {
   if (!turns_far(arc)) {
     const SweptPiece piece(arc);
-    // What bulges less than that is a line.
+    // A piece that bulges less than that is treated as a line.
     if (piece.bulge <= kPointTolerance / 8) return go_to(piece.to);
     const bool touches_none =
         clearly_free(*space_, piece) || !any_obstacle(*space_, piece.box(), [&](Cell square) {

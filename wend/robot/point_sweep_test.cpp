@@ -37,8 +37,8 @@ bool spans(std::int64_t a, std::int64_t b, std::int64_t low, std::int64_t high) 
   return std::max(a, b) > low && std::min(a, b) < high;
 }
 
-/// Is a point of the closed line in this open rectangle (a point or a line without its ends, where
-/// it has no width or height)? By separating axes.
+/// Does the closed line meet this open rectangle (a point, or a line without its ends, if it has no
+/// width or height)? By separating axes.
 bool meets(Whole from, Whole to, Whole low, Whole high) {
   const auto overlaps = [](std::int64_t a, std::int64_t b, std::int64_t l, std::int64_t h) {
     return l < h ? spans(a, b, l, h) : std::min(a, b) <= l && l <= std::max(a, b);
@@ -53,7 +53,7 @@ bool meets(Whole from, Whole to, Whole low, Whole high) {
   return (*least < 0 && *greatest > 0) || (*least == 0 && *greatest == 0);
 }
 
-/// All obstacles, edges between two of them, and corners, one after the other.
+/// Checks all obstacles, edges between two of them, and corners, one after the other.
 class BruteForce {
  public:
   explicit BruteForce(const GridMap& map, bool unknown_blocked)
@@ -85,7 +85,7 @@ class BruteForce {
            (blocked(x, y) + blocked(x - 1, y - 1) + blocked(x - 1, y) + blocked(x, y - 1)) == 2;
   }
 
-  /// Of a line that enters nothing: does it go on to both sides of a gap?
+  /// Does a line that enters nothing reach both sides of a gap?
   bool squeezes(Whole from, Whole to) const {
     return any_corner([&](int x, int y) {
       const Whole corner{x * kPerCell, y * kPerCell};
@@ -94,7 +94,7 @@ class BruteForce {
     });
   }
 
-  /// Of two lines that enter nothing and meet: are they on two sides of a gap?
+  /// Are two lines that meet and enter nothing on different sides of a gap?
   bool squeezes(Whole from, Whole middle, Whole to) const {
     const auto x = static_cast<int>(middle.x / kPerCell);
     const auto y = static_cast<int>(middle.y / kPerCell);
@@ -273,7 +273,7 @@ TEST(PointSweep, SqueezesAlongArcsOnlyWhereItMay) {
   }
 }
 
-/// Is a point deeper inside of the obstacles than this? All cells within it are obstacles then.
+/// Is a point deeper inside the obstacles than this? Then all cells within this distance are obstacles.
 bool inside(const FreeSpace& space, Point point, double depth) {
   const auto blocked = [&](double x, double y) {
     const Cell cell = cell_at({x, y});

@@ -25,8 +25,8 @@ PolygonSweep::PolygonSweep(const FreeSpace& space, double tolerance)
   assert(tolerance > 0);
 }
 
-/// What the two discs say of a base point that is at most half_length away from a point, where it is
-/// at `middle` at least once.
+/// The verdict of the two discs for a base point that stays within half_length of `middle` and is at
+/// `middle` at least once.
 PolygonSweep::Verdict PolygonSweep::disc_verdict(Point middle, double half_length) const {
   const Cell cell = nearest_cell(space_, middle);
   const double clearance = space_.clearance(cell);
@@ -54,7 +54,7 @@ std::optional<BlockReason> PolygonSweep::why_blocked(const Pose& pose) const {
 
 bool PolygonSweep::fits(const Line& line) const { return fits_facing(line, line.heading()); }
 
-/// A polygon that moves without turning sweeps what PlacedPolygon::overlaps_along() says, exactly.
+/// For a polygon that moves without turning, PlacedPolygon::overlaps_along() is exact.
 bool PolygonSweep::fits_facing(const Line& line, double heading) const {
   const Point middle = line.middle();
   const Verdict verdict = disc_verdict(middle, line.length() / 2);
@@ -74,7 +74,7 @@ bool PolygonSweep::fits_facing(const Line& line, double heading) const {
   return !any_obstacle(space_, box, [&](Cell square) { return robot.overlaps_along(by, square); });
 }
 
-/// Of poses from which no point of the polygon is farther than `reach` from where it is at `middle`.
+/// The verdict for poses at which each point of the polygon is within `reach` of its place at `middle`.
 PolygonSweep::Verdict PolygonSweep::verdict_near(const Pose& middle, double reach) const {
   const PlacedPolygon robot(outline_, middle);
   if (!stays_inside(robot.box(), 0)) return Verdict::blocked;
@@ -89,8 +89,8 @@ PolygonSweep::Verdict PolygonSweep::verdict_near(const Pose& middle, double reac
   return near ? Verdict::open : Verdict::fits;
 }
 
-/// Halves the way until the polygon in the middle of a piece is farther from everything than the piece
-/// moves any of its points, or until that is less than the tolerance.
+/// Halves the way until the polygon at the middle of a piece is farther from everything than any of its
+/// points moves on the piece, or until that movement is less than the tolerance.
 template <class Way>
 bool PolygonSweep::turning_fits(const Way& way) const {
   const Pose middle = middle_of(way);

@@ -1,11 +1,10 @@
 #pragma once
 
-// PolygonSweep: where the polygon of a robot fits, and along which lines, arcs and turns in place it
-// can go. fits_along.hpp says what is exact.
+// PolygonSweep: where a robot's polygon fits, and along which lines, arcs and turns in place it can
+// move. fits_along.hpp says what is exact.
 //
-// The clearance of the nearest cell decides far from obstacles (the circumscribed disc fits) and in
-// them (the inscribed disc does not). Between the two the polygon itself is compared with the squares
-// that are near.
+// The clearance of the nearest cell decides far from obstacles (the circumscribed disc fits) and inside
+// them (the inscribed disc does not fit). Otherwise the polygon itself is compared with nearby squares.
 
 #include <cmath>
 #include <optional>
@@ -21,15 +20,15 @@ namespace wend {
 
 class PolygonSweep {
  public:
-  /// The space's robot is a polygon. The space outlives the sweep.
+  /// The space's robot must be a polygon. The space must outlive the sweep.
   explicit PolygonSweep(const FreeSpace& space, double tolerance = SweepOptions{}.tolerance);
 
-  /// Why it does not fit at a pose whose base point is on the map: overlaps or leaves.
+  /// Why the polygon does not fit at a pose whose base point is on the map: overlaps or leaves.
   std::optional<BlockReason> why_blocked(const Pose& pose) const;
 
   bool fits_at(const Pose& pose) const { return !why_blocked(pose); }
 
-  /// Facing along the line, which has a length.
+  /// Fits facing along the line? Its length must not be 0.
   bool fits(const Line& line) const;
   bool fits(const Arc& arc) const;
   bool fits(const TurnInPlace& turn) const;

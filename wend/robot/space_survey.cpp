@@ -29,14 +29,14 @@ GridMap rows_of(const GridMap& map, int begin, int end) {
                           : Grid<double>(map.width(), end - begin, std::move(terrain))};
 }
 
-/// How many rows away an obstacle can still matter.
+/// The number of rows over which an obstacle can still matter.
 int reach_of(const GridMap& map, const FreeSpaceOptions& options) {
   const double cells = (options.footprint.circumscribed_radius() + options.clearance_distance) /
                        map.frame().resolution;
   return static_cast<int>(std::min<double>(std::ceil(cells) + 2, map.height()));
 }
 
-/// Nothing but whether a cell is an obstacle matters.
+/// Does it only matter whether a cell is an obstacle?
 bool is_point(const FreeSpaceOptions& options) {
   return options.footprint.is_point() &&
          (options.clearance_distance == 0 || options.clearance_cost == 0);
@@ -50,7 +50,7 @@ class Surveyor {
  public:
   explicit Surveyor(const GridMap& map) : map_(map), components_(map.width()) {}
 
-  /// A row of the map where a point may be: every cell that is no obstacle.
+  /// Adds a row of the map for a point, which may be in every cell that is not an obstacle.
   void add_row_of_point(int y, UnknownPolicy unknown) {
     const auto occupied = map_.occupied().row_words(y);
     const auto unknowns = map_.unknown().row_words(y);
@@ -66,7 +66,7 @@ class Surveyor {
     add_row(y, words);
   }
 
-  /// Row `in_band` of the free space of a band, which is row y of the map.
+  /// Adds row `in_band` of the free space of a band, which is row y of the map.
   void add_row_of_band(int y, const FreeSpace& band, int in_band) {
     add_row(y, band.passable().row_words(in_band));
     if (band.uniform_terrain()) return;
@@ -130,7 +130,7 @@ SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options,
     return surveyor.finish();
   }
   const int reach = reach_of(map, options);
-  // As many rows as are looked at beside them, so that the work is at most three times the map.
+  // At least as many rows as are read on each side, so that the work is at most three times the map.
   rows = std::max(rows, reach);
   for (int begin = 0; begin < map.height(); begin += rows) {
     const int end = std::min(begin + rows, map.height());

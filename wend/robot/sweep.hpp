@@ -1,7 +1,7 @@
 #pragma once
 
-// What sweeps of a robot along lines and arcs ask: which obstacles are near, a word of 64 cells at a
-// time; how far the map's edge is; and what holds a piece of a line or an arc, which is halved until
+// Helpers for sweeps of a robot along lines and arcs: which obstacles are near, a word of 64 cells at a
+// time; how far the map's edge is; and bounds of a piece of a line or an arc, which is halved until
 // the clearance of one cell decides. In grid coordinates.
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline Cell nearest_cell(const FreeSpace& space, Point point) {
           static_cast<int>(std::clamp(std::floor(point.y), 0.0, space.height() - 1.0))};
 }
 
-/// Is there an obstacle of which this holds? All that reach into the box are asked, row by row, and
+/// Does any obstacle satisfy the predicate? Tests all obstacles that reach into the box, row by row, and
 /// perhaps others on the map's border.
 template <class Predicate>
 bool any_obstacle(const FreeSpace& space, const Box& box, Predicate&& predicate) {
@@ -50,12 +50,12 @@ bool any_obstacle(const FreeSpace& space, const Box& box, Predicate&& predicate)
   return false;
 }
 
-/// Does a disc with so much clearance, in cells, keep far enough from obstacles?
+/// Is a disc with this clearance, in cells, far enough from obstacles?
 inline bool keeps_distance(const FreeSpace& space, double clearance) {
   return clearance > 0 && space.far_enough(4 * clearance * clearance);
 }
 
-/// The least distance from the edge, in cells, exact up to rounding; negative where the point, or a
+/// The least distance from the map's edge, in cells, exact up to rounding; negative if the point, or a
 /// part of the way, lies outside the map. O(1).
 double distance_inside(const FreeSpace& space, Point point);
 double distance_inside(const FreeSpace& space, const Line& line);
@@ -64,21 +64,21 @@ inline double distance_inside(const FreeSpace& space, const TurnInPlace& turn) {
   return distance_inside(space, turn.from.point());
 }
 
-/// What the edge adds to the clearance of a way: its distance, 0 outside the map; infinite if the
-/// robot's disc may hang over the edge.
+/// The clearance of a way from the map's edge: its distance, 0 outside the map; infinite if the robot's
+/// disc may hang over the edge.
 template <class Way>
 double edge_clearance(const FreeSpace& space, const Way& way) {
   if (space.outside() == OutsidePolicy::free) return std::numeric_limits<double>::infinity();
   return std::max(distance_inside(space, way), 0.0);
 }
 
-/// A piece of an arc, of at most half a circle, or a line, and what holds all its points.
+/// A line, or a piece of an arc of at most half a circle, and bounds of all its points.
 struct SweptPiece {
   Point from;
   Point to;
   Point middle;       // of the chord
-  double half_chord;  // the disc over the chord holds the piece
-  double bulge;       // it is no farther off the chord: half_chord * tan(turn / 4), or a bit more
+  double half_chord;  // the disc over the chord contains the piece
+  double bulge;       // largest distance from the chord: half_chord * tan(turn / 4), or a bit more
 
   explicit SweptPiece(const Line& line)
       : from(line.from),
@@ -98,7 +98,7 @@ struct SweptPiece {
     return ends.grown_by(bulge);
   }
 
-  /// No point of it is farther than this from the centre.
+  /// An upper bound on the distance of its points from the centre.
   double farthest_from(Point centre) const {
     const double farther_end = std::max(distance(centre, from), distance(centre, to));
     return std::min(distance(centre, middle) + half_chord, farther_end + bulge);
@@ -122,7 +122,7 @@ inline std::array<TurnInPlace, 2> halves_of(const TurnInPlace& turn) {
   return {{{turn.from, half}, {pose_on(turn, half), half}}};
 }
 
-/// Is it more than half a circle?
+/// Does the way turn by more than half a circle?
 inline bool turns_far(const Line& /*line*/) { return false; }
 inline bool turns_far(const Arc& arc) { return std::abs(arc.turn()) > kPi; }
 

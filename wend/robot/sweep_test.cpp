@@ -19,12 +19,12 @@ TEST(MapEdge, IsAsFarAsThePointThatLiesFarthestOut) {
   EXPECT_EQ(distance_inside(space, Point{9.5, 3}), 0.5);
   EXPECT_EQ(distance_inside(space, Point{11, 3}), -1);
   EXPECT_EQ(distance_inside(space, Line{{2, 3}, {6, 5.75}}), 0.25);
-  // Half a circle around (5,3): it is farthest out in its middle.
+  // Half a circle around (5,3): its middle is farthest out.
   EXPECT_NEAR(distance_inside(space, Arc{{3, 3, -kPi / 2}, 2 * kPi, 0.5}), 1, 1e-12);
   EXPECT_NEAR(distance_inside(space, Arc{{5, 1, 0}, 2 * kPi, 0.5}), 1, 1e-12);
 }
 
-/// Never more than at any of many points, and down to one of them.
+/// Never more than at any of many points, and equal to one of them.
 TEST(MapEdge, OfAnArcIsThatOfItsPoints) {
   constexpr int kSamples = 200;
   for (std::uint64_t seed = 1; seed <= 2000 && !HasFailure(); ++seed) {

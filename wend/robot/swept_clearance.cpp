@@ -17,9 +17,9 @@ namespace {
 
 // Why the ends of a way between neighbouring cells tell nearly everything about it. In half-cells
 // from the first centre a straight way is (t, 0) and a diagonal one (t, t), t in [0, 2], and the
-// borders of squares are odd. How far a square is off along one axis only grows or only falls with
-// t, but for a stretch of width 2 where it is 0, and it changes between these only where t is odd:
-// at t = 1. The distance is convex in t. So
+// borders of squares are odd. The distance of a square along one axis only grows or only falls with
+// t, except for an interval of width 2 where it is 0, and it changes between these only where t is
+// odd: at t = 1. The distance is convex in t. So
 //
 // - on a straight way, where one axis does not change, an end is nearest;
 // - on a diagonal way a point between the ends is nearest only where one axis falls as fast as the
@@ -30,7 +30,7 @@ namespace {
 //   (2k+1)^2 + (2k-1)^2 = 8 k^2 + 2 from both ends (1 where k = 0, beside the step).
 //
 // So the middle can only be nearer than the ends if the nearer end has a clearance of 8 k^2 + 1 or
-// 8 k^2 + 2 for some k: then two squares are to be looked at.
+// 8 k^2 + 2 for some k: then two squares must be checked.
 //
 // To the map's edge, a straight line, an end is always nearest. Where the edge is nearer to that end
 // than every obstacle is, its squared distance, (2n+1)^2, is one of these numbers or less than 8 k^2

@@ -4,8 +4,8 @@
 // the nearest closed obstacle square, or to the map's edge if the outside is blocked, exact up to
 // rounding; and how much room there is beside it.
 //
-// Arcs and lines are in grid coordinates, finite; arcs turn by at most 2 pi. They may touch the
-// map's edge or leave the map. Where the outside is free, it is no obstacle.
+// Arcs and lines are in grid coordinates and finite; arcs turn by at most 2 pi. They may touch the
+// map's edge or leave the map. If the outside is free, it is not an obstacle.
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
 //   const double clearance = wend::arc_clearance(space, arc);
@@ -20,9 +20,9 @@
 
 namespace wend {
 
-/// In cells; 0 where the arc touches an obstacle, infinite where nothing is near. An arc of length 0
-/// has the clearance of its point. O(cells of a box around the arc as wide as what the clearance of
-/// the cells that it passes leaves open).
+/// The clearance in cells; 0 if the arc touches an obstacle, infinite if nothing is near. An arc of
+/// length 0 has the clearance of its point. O(cells of a box around the arc as wide as what the
+/// clearance of the cells that it passes leaves open).
 double arc_clearance(const FreeSpace& space, const Arc& arc);
 
 /// The clearance of the straight way between the centres of a cell and one of its eight neighbours (or
@@ -34,16 +34,17 @@ std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from,
 /// neighbours, else as arc_clearance().
 double way_clearance(const FreeSpace& space, Cell from, Cell to);
 
-/// room_along() asks no line for more room, in cells.
+/// The largest room that room_along() reports, in cells.
 inline constexpr double kMostRoom = 1;
 
-/// How much room there is beside a line that a robot drives, so that a smoother can move points again
-/// and again without looking at the map. Both ends of the line may move by this distance, in cells,
-/// each its own way, and the robot still drives along it: it is the swept clearance beyond the robot's
-/// radius (of a polygon: of its circumscribed disc), up to kMostRoom, and 0 where the robot touches. It may be less than that where it is at
-/// least half of kMostRoom. Nothing if the line is not free by disc_fits_along(), or ends in a gap between
-/// two obstacles (in_gap()), where the lines before and after it decide. O(1) where the clearance of
-/// a cell decides, else O(cells within the radius and kMostRoom), for each length.
+/// How much room there is beside a line that a robot drives, so that a smoother can move points
+/// repeatedly without reading the map. Each end of the line may move by this distance, in cells, in any
+/// direction, and the robot can still drive along it. It is the swept clearance beyond the robot's
+/// radius (for a polygon, of its circumscribed disc), up to kMostRoom, and 0 where the robot touches. It
+/// may be less than that where it is at least half of kMostRoom. Nothing if the line is not free by
+/// disc_fits_along(), or ends in a gap between two obstacles (in_gap()), where the lines before and after
+/// it decide. O(1) where the clearance of a cell decides, else O(cells within the radius and kMostRoom),
+/// for each length.
 std::optional<double> room_along(const FreeSpace& space, const Line& line,
                                  Adjacency adjacency = Adjacency::edges);
 

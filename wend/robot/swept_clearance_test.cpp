@@ -21,7 +21,7 @@
 namespace wend {
 namespace {
 
-/// The least over all squares that count.
+/// The least distance over all squares that count.
 double brute_force(const FreeSpace& space, const Arc& arc) {
   return test::least_distance_to_blocked(space, arc.from.point(),
                                          [&](Cell cell) { return distance(arc, cell); });
@@ -36,8 +36,8 @@ double sampled(const FreeSpace& space, const Arc& arc, int samples) {
   return least;
 }
 
-/// On maps with y up and down and of several resolutions, for points, discs and, as they come near
-/// obstacles, discs that just fit.
+/// Calls check on maps with y up and down and several resolutions, for points, discs and, because they
+/// come near obstacles, discs that just fit.
 template <class Check>
 void on_random_arcs(int maps, int largest, Check&& check) {
   for (int seed = 1; seed <= maps && !::testing::Test::HasFailure(); ++seed) {
@@ -112,7 +112,7 @@ TEST(FitsAlong, SaysTheSameOfALineAndOfAnArcThatDoesNotBend) {
   });
 }
 
-/// A disc of just the arc's clearance may touch; rounding does not decide.
+/// A disc whose radius is exactly the arc's clearance may touch; rounding does not decide.
 TEST(FitsAlong, LetsDiscsTouch) {
   on_random_arcs(400, 10, [&](const FreeSpace& space, const Arc& arc) {
     const double clearance = brute_force(space, arc);
@@ -149,7 +149,7 @@ TEST(FitsAlong, KeepsPointsOutOfObstaclesToo) {
   EXPECT_FALSE(fits_along(with_radius(space, 1e-9), arc_to({0, 0, 0}, {2, 0})));
 }
 
-/// Walls do not grow from the map's edge, and a small disc fits between two obstacles.
+/// The map's edge is not a wall, and a small disc fits between two obstacles.
 TEST(FitsAlong, IsAllowedOnTheBorderAndBetweenObstacles) {
   const FreeSpace space = with_radius(test::drawn_space("#.#\n...\n..."), 0.5);
   EXPECT_TRUE(fits_along(space, arc_to({0, 2, kPi}, {-1, 3})));
@@ -224,7 +224,7 @@ TEST(WayClearance, OfAnyTwoCellsIsTheDistanceOfTheWholeWay) {
   });
 }
 
-/// So where no corner is cut the way of a disc along a diagonal step need not be looked at.
+/// So without corner cutting a disc's way along a diagonal step need not be checked.
 TEST(WayClearance, IsWideEnoughForAnyRobotThatMayStandOnAllFourCells) {
   on_random_spaces(400, [](Random&, const FreeSpace& space) {
     const auto& clearance = space.squared_half_cell_clearance();
@@ -247,7 +247,7 @@ TEST(WayClearance, IsNothingWhereACornerIsCut) {
   EXPECT_EQ(way_clearance(space, {0, 0}, {2, 0}), 0.5);
 }
 
-/// Between two corners: nearest in the middle, which no cell's clearance tells.
+/// Between two corners the middle is nearest, which no cell's clearance shows.
 TEST(WayClearance, SeesTheMiddleOfAGap) {
   const FreeSpace space = test::drawn_space("#...\n....\n....\n...#");
   // The gap's corners are (1,1) and (3,3), the lattice corner between them is (2,2).
@@ -291,7 +291,7 @@ TEST(LineRoom, IsWhatBothEndsMayMove) {
                        near(random, line.to, *room * (1 - 1e-9))};
       ASSERT_TRUE(fits_along(space, moved)) << *room;
     }
-    // Unless it says that there is enough, there is no more.
+    // If the result is below kMostRoom / 2, there is no more room.
     if (*room >= kMostRoom / 2) continue;
     const Arc arc{
         {line.from.x, line.from.y, std::atan2(line.to.y - line.from.y, line.to.x - line.from.x)},

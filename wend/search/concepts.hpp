@@ -8,12 +8,12 @@
 
 namespace wend {
 
-/// A state space. A State holds what makes expanding cheap, for example coordinates, and can be made
-/// from the id. Moves can be undone: parent(s, m) is the state that move m leads to s from.
+/// A state space. A State holds data that makes expansion cheap, for example coordinates, and can be
+/// made from the id. Moves can be undone: parent(s, m) is the state from which move m leads to s.
 ///
 /// for_each_successor(state, arrival, sink) calls sink(next, move, step_cost) for every successor,
-/// always in the same order. `arrival` is the move that reached the state, so that a space can
-/// leave out successors that are reached as cheaply around it.
+/// always in the same order. `arrival` is the move that reached the state, so that a space can leave
+/// out successors that are reached as cheaply by another path.
 template <class S>
 concept SearchSpace = requires(const S& space, StateId id, Move move,
                                const typename S::State& state) {
@@ -34,7 +34,8 @@ concept SearchPriority = requires(const P& priority, const typename Space::State
   { priority.near_overflow(key) } -> std::convertible_to<bool>;
 };
 
-/// Open states. The same pushes come out in the same order on every platform, also from a copy.
+/// A frontier (open list). The same pushes are popped in the same order on every platform, also from a
+/// copy.
 template <class F>
 concept SearchFrontier = std::copyable<F> && requires(F frontier, typename F::Key key, StateId id) {
   frontier.clear();

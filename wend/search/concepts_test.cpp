@@ -1,5 +1,5 @@
-// Archetypes: for each concept a type that can do what the concept says and nothing more. That the
-// search compiles with them, and works, shows that it asks for no more than it says.
+// Archetypes: for each concept a type that provides exactly what the concept requires. If the search
+// compiles and works with them, it requires no more than its concepts say.
 
 #include "wend/search/concepts.hpp"
 
@@ -27,7 +27,7 @@ struct ArchetypeState {
   StateId hidden = 0;
 };
 
-/// Converts to what a concept says that it converts to, and is not it.
+/// Converts to the type that a concept names, but is a different type.
 template <class T>
 struct ConvertibleTo {
   T value;
@@ -77,7 +77,7 @@ class ArchetypePriority {
   StateId goal_;
 };
 
-/// Holds one state at a time, which is enough for a row.
+/// Holds one state at a time, which is enough for states in a row.
 class ArchetypeFrontier {
  public:
   using Key = ArchetypeKey;
@@ -120,7 +120,7 @@ static_assert(SearchWatcher<NoObserver, ArchetypeSpace>);
 static_assert(SearchFrontier<FifoFrontier> && SearchFrontier<LifoFrontier>);
 static_assert(SearchFrontier<HeapFrontier<int>>);
 
-// What is no such part is told from one.
+// The concepts reject types that lack what they require.
 struct Nothing {};
 static_assert(!SearchSpace<Nothing>);
 static_assert(!SearchPriority<Nothing, ArchetypeSpace>);

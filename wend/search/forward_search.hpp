@@ -1,18 +1,17 @@
 #pragma once
 
 // ForwardSearch: LaValle's general forward search ("Planning Algorithms", 2006, section 2.2). Take
-// a state from the frontier, expand it, resolve duplicates, repeat. Every classic planner is a
-// choice of its parts.
+// a state from the frontier, expand it, resolve duplicates, repeat. Each classic planner is a
+// choice of its components.
 //
 //   using BreadthFirst = ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
 //   BreadthFirst search(space, priority);
 //   search.begin(starts, limits);
 //   while (search.outcome() == SearchOutcome::running) search.step();
 //
-// A goal is recognised when it is expanded. Closed states are never opened again: with
-// keep_cheaper the answer is optimal if keys never fall along a path (a consistent heuristic).
-// Nothing is allocated once the frontier is as large as it gets. O(states) memory, touched only
-// where the search goes.
+// A goal is recognised when it is expanded. Closed states are never reopened: with keep_cheaper the
+// answer is optimal if keys never decrease along a path (a consistent heuristic). Nothing is allocated
+// once the frontier has its final size. O(states) memory, touched only where the search goes.
 
 #include <algorithm>
 #include <cstddef>
@@ -44,7 +43,7 @@ class ForwardSearch {
   ForwardSearch(Space space, Priority priority)
       : space_(std::move(space)), priority_(std::move(priority)), nodes_(space_.state_count()) {}
 
-  /// False if there was no memory for the nodes: every search ends as out_of_memory.
+  /// False if there was no memory for the nodes. Then every search ends as out_of_memory.
   bool allocated() const { return nodes_.allocated(); }
 
   const Space& space() const { return space_; }
@@ -66,7 +65,7 @@ class ForwardSearch {
     metrics_.max_frontier = metrics_.generated;
   }
 
-  /// Goes on until there is an outcome.
+  /// Steps until there is an outcome.
   template <class Observer = NoObserver>
   SearchOutcome run(Observer&& observer = {}) {
     while (outcome_ == SearchOutcome::running) step(observer);
@@ -108,7 +107,7 @@ class ForwardSearch {
   template <class Visit>
   void for_each_open(std::size_t most, Visit&& visit) const {
     Frontier rest = frontier_;
-    std::unordered_set<StateId> visited;  // older entries of a state are passed over
+    std::unordered_set<StateId> visited;  // older entries of a state are skipped
     while (visited.size() < most && !rest.empty()) {
       const auto entry = rest.pop();
       if (closed(entry.id) || !visited.insert(entry.id).second) continue;
@@ -142,13 +141,13 @@ class ForwardSearch {
     }
     space_.for_each_successor(state, arrival, [&](const State& next, Move move, Cost step_cost) {
       if (!reach(next, static_cast<Cost>(g + step_cost), move, observer)) return;
-      // Its own successors lie ahead: a state as far on, as ids go.
+      // Its own successors lie ahead in the same direction: at the same id offset again.
       nodes_.prefetch(2 * space_.id(next) - space_.id(state));
     });
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   }
 
-  /// Opens a state unless it is known as well or better; says whether it did.
+  /// Opens a state unless it was reached as well or better; returns whether it did.
   template <class Observer>
   bool reach(const State& next, Cost g, Move move, Observer&& observer) {
     Node& node = nodes_[space_.id(next)];
@@ -166,7 +165,7 @@ class ForwardSearch {
     return true;
   }
 
-  /// Looks at everything that may end the search early.
+  /// Checks everything that may end the search early.
   bool within_limits(const typename Priority::Key& key) {
     outcome_ = limits_.look(metrics_.expanded);
     if (outcome_ == SearchOutcome::running && priority_.near_overflow(key)) {

@@ -1,4 +1,4 @@
-// ForwardSearch on explicit graphs: what it finds, counts, tells and when it stops.
+// ForwardSearch on explicit graphs: what it finds, counts and reports, and when it stops.
 
 #include "wend/search/forward_search.hpp"
 
@@ -29,7 +29,7 @@ class Graph {
   explicit Graph(StateId count) : edges_(count), sources_(count) {}
 
   void add(StateId from, StateId to, int cost) {
-    if (sources_[to].size() == kNoMove) return;  // no more names for moves
+    if (sources_[to].size() == kNoMove) return;  // no move numbers left
     edges_[from].push_back({to, static_cast<Move>(sources_[to].size()), cost});
     sources_[to].push_back(from);
   }
@@ -112,7 +112,7 @@ using Dijkstra =
     ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper>;
 using BreadthFirst = ForwardSearch<Graph, FifoFrontier, InOrder, DuplicateRule::keep_first>;
 
-/// Writes down what it is told: "g" generated, "e" expanded, "r" relaxed, state and cost.
+/// Records each event: "g" generated, "e" expanded, "r" relaxed, with state and cost.
 struct Diary {
   void on_generate(StateId state, Move, int g) { note("g", state, g); }
   void on_expand(StateId state, Move, int g) { note("e", state, g); }
@@ -221,7 +221,7 @@ TEST(ForwardSearch, AStartThatIsTheGoalIsExpandedAndNothingElse) {
 }
 
 TEST(ForwardSearch, NeverOpensAClosedStateAgain) {
-  // An estimate that grows too fast: state 1 is expanded with 10 before its cheaper way is known.
+  // An inconsistent estimate: state 1 is expanded with 10 before its cheaper path is known.
   struct Misled : CheapestFirst {
     int key(StateId state, int g) const { return state == 2 ? g + 100 : g; }
   };
@@ -295,10 +295,10 @@ TEST(ForwardSearch, LooksAtTheClockAtItsStartAndEvery256Expansions) {
   };
   limits.seconds = 1000;
   EXPECT_EQ(search_from(search, {0}, limits), SearchOutcome::found);
-  // Once for the deadline, then before expansions 0, 256, 512 and 768.
+  // One reading for the deadline, then one before expansions 0, 256, 512 and 768.
   EXPECT_EQ(readings, 5);
 
-  limits.seconds = 2.5;  // passes between the second and the third of those
+  limits.seconds = 2.5;  // the limit passes between the second and the third of those
   EXPECT_EQ(search_from(search, {0}, limits), SearchOutcome::time_limit);
   EXPECT_EQ(search.metrics().expanded, 512U);
 

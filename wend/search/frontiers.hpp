@@ -1,7 +1,7 @@
 #pragma once
 
-// The frontiers of a forward search: open states by order of arrival (FifoFrontier, LifoFrontier) or
-// by key (HeapFrontier, BucketFrontier).
+// The frontiers of a forward search: open states ordered by arrival (FifoFrontier, LifoFrontier) or by
+// key (HeapFrontier, BucketFrontier).
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ struct UnorderedEntry {
   StateId id;
 };
 
-/// First in, first out: a ring that doubles when it is full. O(1) a push and a pop.
+/// First in, first out: a ring buffer that doubles when it is full. Push and pop take O(1).
 class FifoFrontier {
  public:
   using Key = NoKey;
@@ -60,7 +60,7 @@ class FifoFrontier {
   std::size_t size_ = 0;
 };
 
-/// Last in, first out. O(1) a push and a pop.
+/// Last in, first out. Push and pop take O(1).
 class LifoFrontier {
  public:
   using Key = NoKey;
@@ -80,8 +80,8 @@ class LifoFrontier {
 };
 
 /// An open state in a frontier that orders states by key. Entries are totally ordered: the smaller key
-/// first, and of equal keys the one that was pushed last. So the order of expansion does not depend on
-/// how a frontier works inside.
+/// first, and among equal keys the one that was pushed last. So the order of expansion does not depend
+/// on the implementation of the frontier.
 template <class OrderedKey>
 struct FrontierEntry {
   OrderedKey key;
@@ -95,10 +95,10 @@ struct FrontierEntry {
   }
 };
 
-/// Open states in a heap, for keys of any kind. O(log n) a push and a pop.
+/// Open states in a heap, for keys of any kind. Push and pop take O(log n).
 ///
-/// A state that is reached more cheaply is pushed again; the search passes over the older entry when
-/// it comes out (it is closed by then).
+/// A state that is reached more cheaply is pushed again; the search skips the older entry when it is
+/// popped (the state is closed by then).
 template <class OrderedKey>
 class HeapFrontier {
  public:
@@ -118,16 +118,16 @@ class HeapFrontier {
   std::uint32_t age_rank_ = UINT32_MAX;
 };
 
-/// Open states by whole-number keys that never fall (f of a consistent heuristic).
+/// Open states by integer keys that never decrease (f of a consistent heuristic).
 ///
-/// A ring of buckets, each as wide as a small part of a straight step. The current bucket is sorted, the
-/// others are plain lists. Most steps raise f by nothing or by more than a bucket; so a state pushed
-/// into the current bucket has the smallest key there and goes to its end, where pop() takes states.
-/// States come out exactly as from a HeapFrontier. (R. Dial, "Algorithm 360: Shortest-path forest with
-/// topological ordering", 1969, with sorted buckets.)
+/// A ring of buckets; the width of a bucket is a small part of a straight step. The current bucket is
+/// sorted, the others are plain lists. Most steps raise f by nothing or by more than a bucket; so a
+/// state pushed into the current bucket has the smallest key there and goes to its end, where pop()
+/// takes states. States are popped in exactly the order of a HeapFrontier. (R. Dial, "Algorithm 360:
+/// Shortest-path forest with topological ordering", 1969, with sorted buckets.)
 ///
-/// Key has `f()`, a whole number, and `<`. No key may be smaller than the one popped last (before
-/// that, than the first one pushed), nor a turn of the ring or more above it.
+/// Key has `f()`, an integer, and `<`. No key may be smaller than the one popped last (before the first
+/// pop, than the first one pushed), nor exceed it by the key range of the ring or more.
 template <class OrderedKey, unsigned kBucketBits>
 class BucketFrontier {
  public:
@@ -183,7 +183,7 @@ class BucketFrontier {
     hand[at] = entry;
   }
 
-  /// Goes on to the next bucket that is not empty, and sorts it: the smallest key last.
+  /// Advances to the next bucket that is not empty, and sorts it with the smallest key last.
   std::size_t advance() {
     const std::size_t from = current_ % kBuckets;
     occupied_[from / 64] &= ~(std::uint64_t{1} << (from % 64));

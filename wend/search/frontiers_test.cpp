@@ -1,4 +1,4 @@
-// The frontiers against models made of the standard library.
+// Compares the frontiers with models made of the standard library.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,7 @@
 namespace wend {
 namespace {
 
-/// A key of two numbers, of which buckets see the first.
+/// A key of two numbers; buckets use only the first.
 struct PairKey {
   std::uint64_t first;
   int second;
@@ -29,7 +29,7 @@ constexpr std::uint64_t kTurn = 256U << kBits;
 using Buckets = BucketFrontier<PairKey, kBits>;
 using Heap = HeapFrontier<PairKey>;
 
-/// The smaller key first, and of equal keys the one that was pushed last, by looking at all.
+/// Pops the smallest key, and among equal keys the one that was pushed last, by a linear scan.
 class ModelFrontier {
  public:
   bool empty() const { return entries_.empty(); }
@@ -53,7 +53,7 @@ class ModelFrontier {
   std::vector<Entry> entries_;
 };
 
-/// One round of a search: pop once, then push keys that lie so far above the popped one.
+/// One round of a search: pop once, then push keys that lie this far above the popped one.
 struct Round {
   struct Push {
     std::uint64_t above;
@@ -62,8 +62,7 @@ struct Round {
   std::vector<Push> pushes;
 };
 
-/// Rounds with many ties, many empty frontiers and, at times, pushes almost a turn of the ring
-/// away.
+/// Rounds with many ties, many empty frontiers and, sometimes, pushes almost a whole ring away.
 std::vector<Round> random_rounds() {
   const auto count = *rc::gen::inRange(1, 80);
   std::vector<Round> rounds(static_cast<std::size_t>(count));
@@ -117,7 +116,7 @@ RC_GTEST_PROP(BucketFrontier, PopsTheSmallestKeyAndOfEqualOnesTheNewest, ()) {
   pops_like_the_model<Buckets>();
 }
 
-/// Long runs, that go round the ring many times.
+/// Long runs that go around the ring many times.
 TEST(BucketFrontier, PopsWhatAHeapPops) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -149,7 +148,7 @@ TEST(BucketFrontier, PopsWhatAHeapPops) {
   }
 }
 
-/// Successors whose keys come in any order after the last state was popped (a start, say).
+/// Successors with keys in any order after the last state was popped (for example a start).
 TEST(BucketFrontier, TakesSmallerKeysAfterLargerOnesWhenItIsEmpty) {
   Buckets buckets;
   buckets.push({1000, 0}, 1);
@@ -181,7 +180,7 @@ void pops_like_a_deque(const std::vector<int>& operations, Pop&& pop_model) {
   }
 }
 
-/// How many pushes come before each pop: enough for the ring to grow while it is wrapped around.
+/// The number of pushes before each pop: enough for the ring to grow while it is wrapped around.
 std::vector<int> pushes_before_pops() {
   return *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 40));
 }

@@ -2,10 +2,10 @@
 
 // JumpQueue: the open states of a search that jumps, in buckets about one straight step wide.
 //
-// Within a bucket the last push comes first. So keys are in order only from bucket to bucket, and a
-// search may have to expand a state again. Keys never fall below the current bucket. A push or pop
-// takes O(1) and the search for the next bucket, 64 buckets at a time. Nothing is allocated once the
-// queue has its final size.
+// Each bucket is last in, first out. So keys are ordered only between buckets, and a search may have to
+// expand a state again. Keys never fall below the current bucket. A push or pop takes O(1) plus the
+// search for the next bucket, 64 buckets at a time. Nothing is allocated once the queue has its final
+// size.
 
 #include <bit>
 #include <cstddef>
@@ -82,7 +82,7 @@ class JumpQueue {
     std::uint32_t next;
   };
 
-  // Apart from what every push does, so that this stays short.
+  // Separate from the code of every push, so that push() stays short.
   [[gnu::noinline]] void add_links() { links_.resize(2 * links_.size() + kWordBits); }
   [[gnu::noinline]] void add_buckets(std::size_t bucket) {
     const std::size_t words = 2 * (bucket / kWordBits + 1);

@@ -39,7 +39,7 @@ TEST(LimitCheck, TheClockIsReadNowAndThen) {
     ++reads;
     return now++;
   };
-  // Begun at 0, it looks at 1, 2 and 3.
+  // It begins at time 0 and reads the clock at 1, 2 and 3.
   EXPECT_EQ(expansions_until_end(limits), std::pair(2 * kBetween, SearchOutcome::time_limit));
   EXPECT_EQ(reads, 4);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// A 4-ary heap on a vector, the smallest entry first: half as deep as a binary one, and the four
-// children lie side by side.
+// A 4-ary heap on a vector, with the smallest entry first: half as deep as a binary heap, and the four
+// children are adjacent in memory.
 
 #include <algorithm>
 #include <cstddef>
@@ -49,7 +49,7 @@ void push(std::vector<Entry>& heap, const Entry& entry) {
   sift_up(heap, heap.size() - 1);
 }
 
-/// Takes the smallest entry out of a heap that is not empty.
+/// Removes the smallest entry from a heap that is not empty.
 template <class Entry>
 Entry pop(std::vector<Entry>& heap) {
   const Entry least = heap.front();
@@ -59,7 +59,7 @@ Entry pop(std::vector<Entry>& heap) {
   return least;
 }
 
-/// Orders any vector as a heap, in linear time.
+/// Turns any vector into a heap, in linear time.
 template <class Entry>
 void make(std::vector<Entry>& heap) {
   if (heap.size() < 2) return;

@@ -1,10 +1,10 @@
 #pragma once
 
-// NodeTable: the search nodes: of each state its g, its arrival, and whether it is closed.
+// NodeTable: the search nodes. Each holds a state's g, its arrival, and whether it is closed.
 //
-// Starting a search takes no time: a node counts only if its generation is the current one. When
-// the generations run out the table is cleared once and they start again. Memory comes zeroed from
-// the system, which on most systems gives pages only to states that are touched.
+// Starting a search takes O(1): a node is valid only if its generation is the current one. When the
+// generations run out, the table is cleared once and they start again. Memory comes zeroed from the
+// system, and most systems allocate pages only for states that are touched.
 
 #include <cstdint>
 #include <cstdlib>
@@ -28,14 +28,14 @@ class NodeTable {
 
    private:
     friend class NodeTable;
-    // From bit 0: the arrival, closed, the generation. 0 is a node of no generation.
+    // From bit 0: the arrival, closed, the generation. 0: a node without a generation.
     std::uint32_t tag_;
   };
 
   explicit NodeTable(StateId count)
       : count_(count), nodes_(static_cast<Node*>(std::calloc(count, sizeof(Node)))) {}
 
-  /// False if the system had no memory for it.
+  /// False if the system had no memory for the table.
   bool allocated() const { return nodes_ != nullptr; }
 
   /// Invalidates all nodes. O(1) except when generations run out.
@@ -49,7 +49,7 @@ class NodeTable {
   Node& operator[](StateId id) { return nodes_[id]; }
   const Node& operator[](StateId id) const { return nodes_[id]; }
 
-  /// Prefetches a node. Any id is allowed, also one that is not a state.
+  /// Prefetches a node. Any id is allowed, even one that is not a state.
   void prefetch(StateId id) const {
     // The address is a number here: it may lie outside the table.
     const auto address = reinterpret_cast<std::uintptr_t>(nodes_.get()) + id * sizeof(Node);

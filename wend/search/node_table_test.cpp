@@ -49,7 +49,7 @@ TEST(NodeTable, EveryArrivalFits) {
   }
 }
 
-/// A node that was reached when generation 1 came round first must not count when it comes again.
+/// A node that was reached in the first generation 1 must not count in the next generation 1.
 TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
   constexpr unsigned kBits = 2;
   NodeTable<int, kBits> table(kStates);
@@ -63,7 +63,7 @@ TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
   }
 }
 
-/// Any sequence of searches over any number of wraps, against a map that is emptied.
+/// Compares any sequence of searches, over any number of wraps, with a map that is cleared.
 template <unsigned kGenerationBits>
 void behaves_like_a_map() {
   struct Known {

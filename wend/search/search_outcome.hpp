@@ -15,8 +15,8 @@ enum class SearchOutcome {
   expansion_limit,
   time_limit,
   cancelled,
-  cost_overflow,  // costs outgrew their type: search again with a larger one
-  out_of_memory,  // for the nodes
+  cost_overflow,  // costs exceeded their type: search again with a larger one
+  out_of_memory,  // no memory for the nodes
   step_limit,     // a walk used up its steps
 };
 
@@ -29,7 +29,7 @@ struct SearchMetrics {
   friend bool operator==(const SearchMetrics&, const SearchMetrics&) = default;
 };
 
-/// The status of a search that has ended. An exhausted one is unreachable.
+/// The status of a search that has ended. `exhausted` becomes `unreachable`.
 constexpr Status status_of(SearchOutcome outcome) {
   switch (outcome) {
     case SearchOutcome::found:

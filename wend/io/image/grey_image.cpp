@@ -12,7 +12,7 @@ struct Signature {
   std::string_view name;
 };
 
-/// Formats that map servers or people may hand us, and that we do not read.
+/// Known image formats that wend does not read.
 constexpr std::array kUnsupported = {
     Signature{"\xFF\xD8\xFF"sv, "JPEG"}, Signature{"BM"sv, "BMP"},
     Signature{"GIF8"sv, "GIF"},          Signature{"II*\0"sv, "TIFF"},

@@ -1,7 +1,7 @@
 #pragma once
 
-// GreyImage: a picture as map loaders see it. Row 0 is the top row; every pixel is a grey value
-// from 0 (black) to `maximum` (white) and may be transparent.
+// GreyImage: an image for map loaders. Row 0 is the top row; every pixel is a grey value from 0 (black)
+// to `maximum` (white) and may be transparent.
 //
 // Colours become grey by their luma, 0.299 R + 0.587 G + 0.114 B (Rec. 601), rounded. Nav2's map
 // server, through GraphicsMagick, does the same; ROS 1 took the mean of the channels.
@@ -25,12 +25,12 @@ struct GreyImage {
   std::vector<unsigned char> transparent;  // 1 where alpha is not full; empty: opaque everywhere
 };
 
-/// Takes an image row by row as it is decoded: GreyImage without its memory.
+/// Receives an image row by row as it is decoded: like GreyImage, without its memory.
 class ImageRows {
  public:
   virtual ~ImageRows() = default;
 
-  /// Once, before the rows: as in GreyImage.
+  /// Called once, before the rows. The parameters are as in GreyImage.
   virtual void begin(int width, int height, int maximum) = 0;
 
   /// The next row, from the top one on. `transparent` is empty in every row of an opaque image.
@@ -38,7 +38,7 @@ class ImageRows {
                    std::span<const unsigned char> transparent) = 0;
 };
 
-/// What was odd in an image's file, and how it was read; or what is wrong with it.
+/// Notes on unusual content of an image file and how it was read; or the error.
 using DecodedRows = Expected<std::vector<std::string>, std::string>;
 
 /// The luma of a colour, on the scale of its channels.
@@ -46,22 +46,22 @@ inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
   return static_cast<std::uint16_t>((299 * red + 587 * green + 114 * blue + 500) / 1000);
 }
 
-/// Whether the bytes begin like an image, of a format that we read or one that we refuse by name.
+/// Whether the bytes begin like an image, of a format that wend reads or rejects by name.
 bool looks_like_image(std::string_view bytes);
 
-/// Decodes a PNG or PNM file, told apart by how it begins; an error says what is wrong, and names
-/// formats that are known but not supported (JPEG, BMP, ...). Where the image turns out to be wrong,
-/// some rows may have been taken.
+/// Decodes a PNG or PNM file; its first bytes tell the format. An error says what is wrong, and names
+/// formats that are known but not supported (JPEG, BMP, ...). On an error, `rows` may already have
+/// received some rows.
 DecodedRows decode_image(std::string_view bytes, ImageRows& rows);
 
 // PNG, through libpng: grey, colour and palette, 1 to 16 bits, with and without alpha or a
-// transparent colour, interlaced or not. Strict: a checksum that is wrong, a palette index without
-// an entry or image data of the wrong length is an error.
+// transparent colour, interlaced or not. Strict: a wrong checksum, a palette index without an entry or
+// image data of the wrong length is an error.
 
 /// Whether the bytes begin with the PNG signature.
 bool looks_like_png(std::string_view bytes);
 
-/// Sizes that the file is too short for are refused before anything is allocated.
+/// If the file is too short for its image size, it is rejected before anything is allocated.
 DecodedRows decode_png(std::string_view bytes, ImageRows& rows);
 
 /// An 8-bit grey PNG of an image with a maximum of 255, with an alpha channel if pixels of it are
@@ -70,17 +70,17 @@ Expected<std::string, std::string> encode_png(const GreyImage& image);
 
 // PNM: P1 and P4 (bitmaps, 1 is black), P2 and P5 (grey), P3 and P6 (colour); the first of each pair
 // is text, the second binary. Samples go from 0 to the file's own maximum, 1..65535, and take two
-// bytes, the high one first, where that is above 255. `#` starts a comment anywhere outside binary
+// bytes, the high one first, if the maximum is above 255. `#` starts a comment anywhere outside binary
 // samples.
 
-/// P, a digit from 1 to 6, white space.
+/// Whether the bytes begin with P, a digit from 1 to 6, and white space.
 bool looks_like_pnm(std::string_view bytes);
 
 /// Checks that all samples exist before the image is allocated. Bytes after the last sample are
 /// ignored, with a note.
 DecodedRows decode_pnm(std::string_view bytes, ImageRows& rows);
 
-/// A binary PGM (P5) of an image with a maximum of 255, its transparency left out.
+/// A binary PGM (P5) of an image with a maximum of 255, without its transparency.
 std::string encode_pgm(const GreyImage& image);
 
 }  // namespace wend

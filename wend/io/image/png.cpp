@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
 
-/// Deflate makes at most 1032 bytes from one.
+/// Deflate expands one byte to at most 1032.
 constexpr std::size_t kLargestExpansion = 1032;
 
 struct PngSource {
@@ -41,8 +41,8 @@ void keep_warning(png_structp png, png_const_charp what) {
   static_cast<PngSource*>(png_get_error_ptr(png))->warning = what;
 }
 
-/// Runs `call`, in which libpng may fail: false then, and the source has the error. libpng leaves
-/// by longjmp, which runs no destructors, so `call` may own nothing while it is inside libpng.
+/// Runs `call`. Returns false if libpng fails; the source then holds the error. libpng exits by longjmp,
+/// which runs no destructors, so `call` must own nothing while it is inside libpng.
 template <class Call>
 bool succeeds(png_structp png, const Call& call) {
   // NOLINTNEXTLINE(modernize-avoid-setjmp-longjmp): libpng has no other way to report errors
@@ -51,7 +51,7 @@ bool succeeds(png_structp png, const Call& call) {
   return true;
 }
 
-/// What the header says.
+/// The content of the header.
 struct Layout {
   int width = 0;
   int height = 0;
@@ -71,7 +71,7 @@ struct Layout {
         static_cast<std::size_t>(width) * channels() * static_cast<std::size_t>(depth);
     return (bits + 7) / 8 * static_cast<std::size_t>(height);
   }
-  /// In memory a sample has one byte at least.
+  /// In memory a sample takes at least one byte.
   std::size_t row_bytes() const {
     return static_cast<std::size_t>(width) * channels() * (depth == 16 ? 2U : 1U);
   }
@@ -158,7 +158,7 @@ class PngDecoder {
                                            : std::array{colour.gray, colour.gray, colour.gray};
   }
 
-  /// Row by row, so that memory grows with what the file really holds.
+  /// Reads row by row, so that memory grows only with the actual content of the file.
   bool read_rows() {
     std::vector<unsigned char> row(layout_.row_bytes());
     for (int y = 0; y < layout_.height; ++y) {
@@ -249,12 +249,12 @@ class PngDecoder {
   bool has_transparent_colour_ = false;
   std::array<std::uint16_t, 3> transparent_colour_{};
   int maximum_ = 255;
-  std::vector<std::uint16_t> values_;       // of the row at hand
-  std::vector<unsigned char> transparent_;  // of the same; empty where the image is opaque
+  std::vector<std::uint16_t> values_;       // of the current row
+  std::vector<unsigned char> transparent_;  // of the current row; empty if the image is opaque
 };
 
-/// The header comes first. libpng skips chunks that it does not know before it and takes others as
-/// part of the image; empty where there is nothing to say, also of a file that ends before it.
+/// The first chunk must be the header, but libpng skips unknown chunks before it and takes others as
+/// part of the image. Empty if there is no error, also for a file that ends before the header.
 std::string wrong_first_chunk(std::string_view bytes) {
   constexpr std::size_t kType = kSignature.size() + 4;
   if (bytes.size() < kType + 4 || bytes.substr(kType, 4) == "IHDR") return {};

@@ -31,7 +31,7 @@ struct Header {
   std::size_t samples() const { return pixels() * static_cast<std::size_t>(channels); }
   std::size_t sample_bytes() const { return maximum > 255 ? 2 : 1; }
 
-  /// The fewest bytes that the samples can take, and in a binary file exactly that many.
+  /// The least number of bytes of the samples; in a binary file the exact number.
   std::size_t least_bytes() const {
     if (text) return bitmap ? samples() : 2 * samples() - 1;
     if (!bitmap) return samples() * sample_bytes();
@@ -126,15 +126,15 @@ class PnmDecoder {
     return header;
   }
 
-  /// Between the header and binary samples stands a single white space, which a comment may
-  /// precede. A CRLF counts as one where the samples are complete without its LF.
+  /// Skips the single white space between the header and binary samples, which a comment may precede.
+  /// A CRLF counts as one if the samples are complete without its LF.
   void skip_line_end(const Header& header) {
     if (rest_.starts_with('#')) rest_.remove_prefix(std::min(rest_.size(), rest_.find('\n')));
     const bool windows = rest_.starts_with("\r\n") && rest_.size() >= header.least_bytes() + 2;
     rest_.remove_prefix(std::min<std::size_t>(rest_.size(), windows ? 2 : 1));
   }
 
-  /// Of a row of grey or colour samples, or of a text bitmap. What is wrong, empty if nothing is.
+  /// Reads a row of grey or colour samples, or of a text bitmap. Returns an error, empty on success.
   std::string read_samples(const Header& header) {
     for (std::uint16_t& value : row_) {
       unsigned samples[3] = {};
@@ -174,7 +174,7 @@ class PnmDecoder {
     return sample;
   }
 
-  /// In a text bitmap the digits may stand without blanks between them.
+  /// The next digit of a text bitmap, where blanks between digits are optional.
   std::string_view next_digit() {
     skip_space_and_comments();
     const std::string_view digit = rest_.substr(0, 1);

@@ -17,13 +17,13 @@ int nearest_scale_value(double terrain) {
   return static_cast<int>(std::clamp(v, 0.0, 100.0));
 }
 
-/// The grey value that kScaleMeaning reads as v: 0 is occupied by its threshold; 1 is the darkest free
-/// value, and rounds to v = 100.
+/// The grey value that kScaleMeaning reads as v. By its threshold 0 is occupied; 1 is the darkest free
+/// value and rounds to v = 100.
 std::uint16_t grey_of(int v) {
   return static_cast<std::uint16_t>(std::max(1.0, 255 - std::round(2.55 * v)));
 }
 
-/// An image of the map's size, each value as `value_of(cell)` says.
+/// An image of the map's size, with `value_of(cell)` for each pixel.
 template <class ValueOf>
 GreyImage image_of(const GridMap& map, const ValueOf& value_of) {
   GreyImage image;

@@ -1,7 +1,6 @@
 #pragma once
 
-// From grey values to a map and back, as ROS map servers do it; where ROS 1 and Nav2 differ, as
-// Nav2 does.
+// Converts grey values to a map and back like ROS map servers; where ROS 1 and Nav2 differ, like Nav2.
 //
 // A pixel's occupancy p is 1 for black and 0 for white, or the other way round with `negate`.
 //
@@ -39,7 +38,7 @@ struct ImageMeaning {
   double scale_factor = 4;           // in 0..1e6
 };
 
-/// What a unit of length costs in a cell of the value v, 0..100.
+/// The cost of a unit of length in a cell with the value v, 0..100.
 inline double scaled_terrain(double scale_factor, int v) { return 1 + scale_factor * v / 100; }
 
 /// Makes the map of an image that is decoded row by row.
@@ -51,7 +50,7 @@ class ImageMapRows final : public ImageRows {
   void add(std::span<const std::uint16_t> values,
            std::span<const unsigned char> transparent) override;
 
-  /// After the last row. With a frame that has y up, row 0 is the image's bottom row.
+  /// To be called after the last row. In a frame with y up, row 0 is the image's bottom row.
   GridMap finish(const Frame& frame) {
     assert(rows_);
     return std::move(*rows_).finish(frame);
@@ -69,22 +68,22 @@ class ImageMapRows final : public ImageRows {
   ImageMeaning meaning_;
   std::vector<PixelMeaning> table_;  // by value
   std::optional<GridMapBuilder> rows_;
-  std::vector<CellState> states_;  // of the row at hand
+  std::vector<CellState> states_;  // of the current row
   std::vector<double> terrain_;
 };
 
-/// The image that map savers write, drawn as the map is: 0 occupied, 254 free, 205 unknown. It
-/// reads back with the defaults of ImageMeaning. Terrain is left out.
+/// The image that map savers write, in the orientation of the drawn map: 0 occupied, 254 free, 205
+/// unknown. It reads back with the defaults of ImageMeaning. Terrain is left out.
 GreyImage trinary_image(const GridMap& map);
 
-/// What scale_image() is written for.
+/// The ImageMeaning of images from scale_image().
 inline constexpr ImageMeaning kScaleMeaning = {ImageMode::scale, false, 1, 0, 4};
 
-/// The nearest terrain to this one that kScaleMeaning has: scaled_terrain(4, 0..100).
+/// The nearest terrain value that kScaleMeaning can hold: scaled_terrain(4, 0..100).
 double nearest_scaled_terrain(double terrain);
 
-/// An image that reads back with kScaleMeaning: 0 occupied, transparent unknown, from 255 to 1 the
-/// nearest_scaled_terrain().
+/// An image that reads back with kScaleMeaning: 0 is occupied, transparent is unknown, and 255 to 1 are
+/// the nearest_scaled_terrain().
 GreyImage scale_image(const GridMap& map);
 
 }  // namespace wend

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLargestScaleFactor = 1e6;
 
-/// What is wrong with the options, empty if nothing is.
+/// The error in the options, empty if they are valid.
 std::string wrong_options(const LoadOptions& options) {
   if (options.resolution && !(*options.resolution > 0 && std::isfinite(*options.resolution))) {
     return "the resolution given must be finite and above 0";
@@ -57,7 +57,7 @@ Expected<LoadedMap, IoError> load(const std::filesystem::path& file, const LoadO
   return loaded;
 }
 
-/// Calls `load_it` with options that are checked, and notes one that it does not use.
+/// Calls `load_it` with checked options, and adds a note for an option that it does not use.
 template <class LoadIt>
 Expected<LoadedMap, IoError> load_checked(const std::string& file, const LoadOptions& options,
                                           const LoadIt& load_it) {

@@ -8,9 +8,9 @@
 //   text grid     *.txt *.grid              down  cells
 //   bare image    *.png *.pgm *.pbm *.ppm   down  cells, or metres where a resolution is given
 //
-// The name decides. The format of a file with another name is recognised by how the file begins: a text
-// grid by a first line with only letters of cells. Every loader returns a map, or an error with file, line
-// and what is wrong. Memory stays in proportion to the file.
+// The name decides. For other names, the beginning of the file tells the format: a text grid has only
+// letters of cells in its first line. Every loader returns a map, or an error with the file, the line and
+// the reason. Memory is proportional to the size of the file.
 //
 //   const auto loaded = wend::load_map("office.yaml");
 //   if (!loaded) return report(loaded.error().message());
@@ -28,8 +28,8 @@ namespace wend {
 Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
                                       const LoadOptions& options = {});
 
-/// The same from bytes that came from elsewhere. `name` is the name for errors; its extension, if it has
-/// one, decides. The image of a map.yaml is looked for in the working folder.
+/// The same from bytes in memory. `name` is the name for errors; its extension, if any, decides the
+/// format. The image of a map.yaml is searched for in the working folder.
 Expected<LoadedMap, IoError> parse_map(const std::string& bytes, const std::string& name,
                                        const LoadOptions& options = {});
 

@@ -20,7 +20,7 @@ Frame nearest_frame(const Frame& frame, const MapFormatInfo& format) {
   return {frame.resolution, frame.y_up ? frame.origin : Pose{}, true, true};
 }
 
-/// How many cells lose something, by what they lose.
+/// The numbers of cells that lose something, by the kind of loss.
 struct Counts {
   std::size_t unknown = 0;       // states
   std::size_t blocked = 0;       // the terrain of cells that are not free
@@ -50,7 +50,7 @@ Counts count_losses(const GridMap& map, const MapFormatInfo& format) {
   return counts;
 }
 
-/// "a ROS map.yaml or a text grid": the formats with this.
+/// "a ROS map.yaml or a text grid": the formats with this property.
 template <class Member>
 std::string formats_with(Member MapFormatInfo::* member) {
   std::vector<std::string> nouns;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a map format cannot hold of a map.
+// The parts of a map that a format cannot hold.
 //
 //   format        cells               terrain                            frame
 //   ROS map.yaml  all three states    free cells: 1 + 4 v/100, v to 100  resolution, y up, and an
@@ -9,8 +9,8 @@
 //   image         all three states    none                               none
 //   MovingAI      free and occupied   none                               none
 //
-// Without a frame, cells are the unit and y points down. Maps are written as they are drawn, so where y
-// turns round, row 0 is another row. Each format says in its MapFormatInfo what it holds.
+// Without a frame, cells are the unit and y points down. Maps are written as they are drawn, so if the
+// direction of y changes, row 0 is another row. The MapFormatInfo of a format says what it holds.
 
 #include <string>
 #include <vector>
@@ -20,17 +20,17 @@
 
 namespace wend {
 
-/// The nearest map that the format can hold: save_map() takes it, and load_map() then gives exactly
-/// this map back. Unknown cells become occupied where there are none, terrain is rounded to the
-/// nearest that there is. O(n) in time and memory.
+/// The nearest map that the format can hold: save_map() accepts it, and load_map() then returns exactly
+/// this map. If the format has no unknown cells, they become occupied; terrain is rounded to the nearest
+/// value of the format. O(n) in time and memory.
 GridMap nearest_map(const GridMap& map, MapFormat format);
 
-/// What is different in nearest_map(), a sentence for people each: how many cells it is about, what
-/// becomes of them and why. Empty if and only if the format holds the whole map. O(n).
+/// The differences in nearest_map(), one sentence for users each: how many cells change, how they change
+/// and why. Empty if and only if the format holds the whole map. O(n).
 std::vector<std::string> losses(const GridMap& map, MapFormat format);
 
-/// Why save_map() refuses a map: the first of its cells that the format cannot hold, and which formats can.
-/// Empty if it holds them all; the frame and the terrain of occupied cells do not count.
+/// Why save_map() rejects a map: the first cell that the format cannot hold, and which formats can.
+/// Empty if it holds all cells; the frame and the terrain of occupied cells do not count.
 std::string cells_not_held(const GridMap& map, MapFormat format);
 
 }  // namespace wend

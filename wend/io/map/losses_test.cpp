@@ -21,7 +21,7 @@ std::vector<std::string> saved_names() {
   return names;
 }
 
-/// A frame that differs from the default one here and there, often in one thing alone.
+/// A frame that differs from the default in some fields, often in only one.
 Frame any_frame(Random& random) {
   Frame frame;
   if (random.chance(0.3)) frame.resolution = 0.01 + random.uniform();
@@ -32,7 +32,7 @@ Frame any_frame(Random& random) {
   return frame;
 }
 
-/// Terrain that all formats hold, that some do, and that none does; also under obstacles.
+/// Terrain that all, some or none of the formats can hold; also under obstacles.
 Grid<double> any_terrain(Random& random, int width, int height) {
   if (random.chance(0.5)) return {};
   Grid<double> terrain(width, height, 1);
@@ -100,7 +100,7 @@ RC_GTEST_PROP(NearestMap, IsDrawnLikeTheMap, ()) {
   }
 }
 
-/// No terrain that the format holds is nearer.
+/// No terrain value of the format is nearer.
 RC_GTEST_PROP(NearestMap, RoundsToTheNearestTerrain, ()) {
   const double terrain = 1 + *rc::gen::inRange(0, 12000) / 1000.0;
   const GridMap map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));

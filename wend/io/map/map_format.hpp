@@ -1,7 +1,7 @@
 #pragma once
 
-// The map formats. A new one is one file and one line in formats.def: loading, saving, help, errors,
-// `wend convert` and what it says is lost all come from its MapFormatInfo.
+// The map formats. A new one takes one file and one line in formats.def: loading, saving, help, errors,
+// `wend convert` and its messages about losses all use its MapFormatInfo.
 
 #include <cstddef>
 #include <filesystem>
@@ -28,7 +28,7 @@ struct LoadedMap {
   GridMap map;
   MapFormat format;
   std::vector<std::string> notes = {};  // what was unusual in the file, and how it was read
-  std::vector<std::filesystem::path> files = {};  // read for it: the map, and a map.yaml's image
+  std::vector<std::filesystem::path> files = {};  // files read: the map, and a map.yaml's image
 };
 
 struct LoadOptions {
@@ -39,13 +39,13 @@ struct LoadOptions {
 /// Where the bytes of a map come from.
 struct MapSource {
   std::string file;                // the name for errors
-  std::filesystem::path folder{};  // of the files that it names
+  std::filesystem::path folder{};  // folder of the files that it names
 };
 
 /// The bytes to be written for a map.
 struct MapFiles {
   std::string bytes;
-  std::string companion{};  // of the second file, for a format that has one
+  std::string companion{};  // the second file, for a format that has one
 };
 
 struct MapFormatInfo {
@@ -58,31 +58,31 @@ struct MapFormatInfo {
   std::vector<std::string_view> saved_extensions;  // of files that are saved
   std::string_view companion{};  // extension of the second file of a saved map: ".png"
 
-  // What it can hold. Without a frame, cells are the unit and y points down.
+  // What the format can hold. Without a frame, cells are the unit and y points down.
   bool holds_unknown_cells = true;
   bool holds_frame = false;           // resolution, y up; an origin where y is up
   double largest_terrain = 1;         // 1: every cell costs the same
   std::string_view terrain_values{};  // "whole numbers"
   double (*nearest_terrain)(double terrain) = nullptr;
 
-  /// Whether bytes without a telling name are of this format.
+  /// Whether bytes are of this format; for files whose name does not tell.
   bool (*recognises)(std::string_view bytes);
 
-  // A format is loaded in one of two ways: line by line, in the memory of the map alone, or as a whole.
+  // A format is loaded in one of two ways: line by line, with only the memory of the map, or as a whole.
   Loaded (*load_lines)(LineReader lines, const std::string& file) = nullptr;
   Loaded (*load_bytes)(const std::string& bytes, const MapSource& source,
                        const LoadOptions& options) = nullptr;
-  bool takes_resolution = false;  // of the LoadOptions
+  bool takes_resolution = false;  // whether it uses LoadOptions::resolution
 
-  /// The files of a map with cells that the format can hold; null where it is never saved. `file` is the
-  /// name that it will have. An error says what else the format cannot hold.
+  /// The files of a map whose cells the format can hold; null if maps are never saved in it. `file` is the
+  /// name that the map will have. An error says what else the format cannot hold.
   Expected<MapFiles, std::string> (*save)(const GridMap& map,
                                           const std::filesystem::path& file) = nullptr;
 
-  /// The second file that a saved map names, as it stands there; nothing if the text is not a map.
+  /// The second file as a saved map names it; nothing if the text is not a map.
   std::optional<std::filesystem::path> (*companion_in)(const std::string& text) = nullptr;
 
-  /// Loads bytes, in the way that the format has.
+  /// Loads bytes in the way of this format.
   Loaded load(const std::string& bytes, const MapSource& source,
               const LoadOptions& options = {}) const;
 };

@@ -1,4 +1,4 @@
-// What holds for every format of the registry, a new one too.
+// Properties of every format in the registry, including new ones.
 
 #include "wend/io/map/map_format.hpp"
 
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 bool is_saved(const MapFormatInfo& format) { return format.save != nullptr; }
 
-/// A map with cells of every kind, in most cases, and terrain that not every format holds.
+/// A map that usually has cells of every kind, and terrain that not every format holds.
 GridMap mixed_map() {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const int width = random.between(1, 9);

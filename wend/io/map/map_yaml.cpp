@@ -18,7 +18,7 @@ namespace wend {
 namespace {
 
 constexpr std::size_t kLargestYaml = std::size_t{64} << 10;
-constexpr std::size_t kLongestComplaint = 200;   // what yaml-cpp says repeats words of the file
+constexpr std::size_t kLongestComplaint = 200;   // yaml-cpp's messages repeat words of the file
 constexpr std::size_t kLongestImageName = 1000;  // errors repeat it
 
 constexpr std::array<std::string_view, 7> kKeys = {
@@ -44,7 +44,7 @@ class IgnoredEvents : public YAML::EventHandler {
 };
 
 /// Whether a text has more than one document. Throws YAML::Exception if it is not YAML.
-/// YAML::LoadAll() does not help: on a stray ',' at the top level it makes documents for ever.
+/// YAML::LoadAll() cannot be used: after a stray ',' at the top level it makes documents for ever.
 bool has_more_documents(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -52,7 +52,7 @@ bool has_more_documents(const std::string& text) {
   return parser.HandleNextDocument(events) && parser.HandleNextDocument(events);
 }
 
-/// Plain, quoted, and YAML's own types; any other tag asks for something that we do not do.
+/// Is it the tag of a plain or quoted value, or of YAML's own types? Other tags are not supported.
 bool is_known_tag(std::string_view tag) {
   constexpr std::string_view kStandard = "tag:yaml.org,2002:";
   constexpr std::array<std::string_view, 7> kTypes = {"str", "int", "float", "bool",
@@ -62,7 +62,7 @@ bool is_known_tag(std::string_view tag) {
   return std::ranges::find(kTypes, tag.substr(kStandard.size())) != kTypes.end();
 }
 
-/// Text without line ends and tabs, which would make a mess of messages.
+/// Is the text free of line ends and tabs, which would garble messages?
 bool is_line(const std::string& text) {
   return !first_non_text(text) && text.find_first_of("\t\r\n") == std::string::npos;
 }
@@ -71,7 +71,7 @@ std::size_t line_of(const YAML::Mark& mark) {
   return mark.is_null() ? 0 : static_cast<std::size_t>(mark.line) + 1;
 }
 
-/// A number as YAML writes it; `.inf` and `.nan` are left out, no key of ours can use them.
+/// A number in YAML syntax, without `.inf` and `.nan`, which no key of map.yaml can use.
 std::optional<double> number_of(const YAML::Node& node) {
   if (!node.IsScalar()) return std::nullopt;
   std::string_view text = node.Scalar();
@@ -81,7 +81,7 @@ std::optional<double> number_of(const YAML::Node& node) {
 
 std::string text_of(const YAML::Node& node) { return node.IsScalar() ? node.Scalar() : ""; }
 
-/// Reads the keys one after the other, and remembers the first error.
+/// Reads the keys one after the other, and keeps the first error.
 class MapYamlReader {
  public:
   MapYamlReader(const YAML::Node& root, const std::string& file) : root_(root), file_(file) {}
@@ -116,7 +116,7 @@ class MapYamlReader {
     }
   }
 
-  /// The value of a key that must exist; null where it is wrong.
+  /// The value of a required key; null if it is wrong.
   YAML::Node value_of(const char* key) {
     const YAML::Node node = root_[key];
     if (node.IsDefined() && is_known_tag(node.Tag())) return node;
@@ -128,7 +128,7 @@ class MapYamlReader {
     return {};
   }
 
-  /// A finite number under `name`, which is how errors call it.
+  /// A finite number; errors call it `name`.
   double finite_number(const YAML::Node& node, const std::string& name) {
     const auto number = number_of(node);
     if (number && std::isfinite(*number)) return *number;

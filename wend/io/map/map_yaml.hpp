@@ -12,8 +12,8 @@
 //   free_thresh      occupancies up to here are free, in 0..1, below the other    error
 //   mode             trinary, scale, raw (image_map.hpp says what they mean)      trinary
 //
-// What ROS 1 and Nav2 read differently is read as Nav2 reads it. Other keys get a note. The grid
-// has y up: row 0 is the image's bottom row.
+// Where ROS 1 and Nav2 differ, wend reads a file like Nav2. Other keys get a note. The grid has y up:
+// row 0 is the image's bottom row.
 //
 // Nothing in the file is run, fetched or expanded: aliases that name a value are followed, a
 // document is at most 64 KiB, unknown tags and duplicate keys are errors.
@@ -30,9 +30,9 @@
 
 namespace wend {
 
-/// What a map.yaml says.
+/// The content of a map.yaml.
 struct MapYaml {
-  std::filesystem::path image;  // as it stands in the file
+  std::filesystem::path image;  // as written in the file
   Frame frame;
   ImageMeaning meaning;
   std::vector<std::string> notes = {};
@@ -41,7 +41,7 @@ struct MapYaml {
 /// `file` is the name for errors.
 Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file);
 
-/// The map that a text describes: reads its image too, from the source's folder where its name is not
+/// The map that a text describes. Also reads its image, from the source's folder if its name is not
 /// absolute. An error about the image names both files.
 Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const MapSource& source,
                                            const LoadOptions& options = {});

@@ -24,7 +24,7 @@ MapYaml yaml_in(const std::string& text) {
 
 std::string error_in(const std::string& text) { return error_of(parse_map_yaml(text, "y")); }
 
-/// kGood with the line of `key` replaced by another one, empty: without it.
+/// kGood with the line of `key` replaced by `line`, or removed if `line` is empty.
 std::string with(const std::string& key, const std::string& line) {
   const std::size_t begin = kGood.find(key + ":");
   const std::size_t end = kGood.find('\n', begin) + 1;
@@ -151,7 +151,7 @@ TEST(MapYaml, IsOneMapping) {
   EXPECT_EQ(error_in("[1, 2]\n"), "y:1: the top level must be a mapping, key: value");
   EXPECT_EQ(error_in(kGood + "---\n" + kGood),
             "y: expected one YAML document, there is another after it");
-  // Of some of these YAML::LoadAll() makes documents without end.
+  // For some of these YAML::LoadAll() makes documents for ever.
   for (const std::string stray : {",", "]", "}", ", x", "? ,\n", "a: b\n,", "- ]\n"}) {
     EXPECT_THAT(error_in(stray), StartsWith("y:")) << stray;
   }

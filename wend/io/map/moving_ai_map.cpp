@@ -1,4 +1,4 @@
-// MovingAI `.map` files, the format of the field's grid benchmarks.
+// MovingAI `.map` files, the format of the usual grid benchmarks.
 //
 //   type octile
 //   height 2
@@ -11,7 +11,7 @@
 // occupied; every cell costs the same. `E` (an emitter on the warehouse maps of the League of
 // Robot Runners) is free, and lower-case letters are read as upper-case ones; both get a note.
 // The header's two sizes may come in either order. Other types (`tile`, `patch`, `octile-corner`)
-// are other formats and refused by name.
+// are other formats and are rejected by name.
 
 #include <fmt/format.h>
 #include <cassert>
@@ -61,7 +61,7 @@ class MovingAiReader {
   }
 
  private:
-  // The steps return what is wrong, empty if nothing is.
+  // Each step returns an error text, empty on success.
 
   std::string read_type() {
     const std::string_view line = lines_.next().value_or("");
@@ -73,7 +73,7 @@ class MovingAiReader {
     return fmt::format("map type {} is not supported, only 'octile' is", quote(words[1]));
   }
 
-  /// Up to the line `map`.
+  /// Reads up to the line `map`.
   std::string read_sizes() {
     while (const auto line = lines_.next()) {
       const auto words = words_of(*line);
@@ -170,7 +170,7 @@ class MovingAiReader {
   std::array<bool, 256> seen_{};  // letters
 };
 
-/// In linear time, and in the memory of the map.
+/// Takes linear time and the memory of the map.
 Expected<LoadedMap, IoError> load_moving_ai_map(LineReader lines, const std::string& file) {
   return MovingAiReader(std::move(lines), file).read();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Saving maps, in the format that the file's name asks for:
+// Saving maps in the format given by the file's name:
 //
 //   .map               MovingAI: free and occupied cells, nothing else
 //   .txt .grid         text grid: also unknown cells, and whole multipliers from 1 to 9
@@ -9,9 +9,9 @@
 //                      `mode: scale` map if its multipliers are 1 + 4 v/100 for whole v up to 100
 //
 // Cells and terrain that a format cannot hold are an error, and nothing is written: they are never changed
-// silently. nearest_map() of losses.hpp changes them so that they fit, and losses() says what that costs.
-// Only .yaml keeps the frame. Pictures and texts come out as the map is drawn; loading them gives the same
-// cells in the same order, upside down only where y up becomes y down or the other way round. A yaml from
+// silently. nearest_map() of losses.hpp changes them so that they fit, and losses() lists the changes.
+// Only .yaml keeps the frame. Pictures and texts show the map as it is drawn; loading them gives the same
+// cells in the same order, upside down only if y up becomes y down or the other way round. A yaml from
 // a map with y down has the origin (0, 0, 0).
 
 #include <filesystem>
@@ -26,7 +26,7 @@
 
 namespace wend {
 
-/// Each file is replaced whole or left alone.
+/// Each file is replaced completely or left unchanged.
 Expected<void, IoError> save_map(const GridMap& map, const std::filesystem::path& file);
 
 /// The bytes that save_map() writes. `file` is their name: images differ by extension, and a map.yaml
@@ -37,8 +37,8 @@ Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
 /// The format that a file of this name is saved in; an error lists the extensions.
 Expected<MapFormat, IoError> saved_format(const std::filesystem::path& file);
 
-/// The picture that saving a map.yaml of this name would replace, though it belongs to something
-/// else: it exists, and no map.yaml of this name names it. Nothing if no such file is lost.
+/// The picture that saving a map.yaml of this name would replace although it belongs to another map: it
+/// exists, and no map.yaml of this name refers to it. Nothing if no such file is lost.
 std::optional<std::filesystem::path> unrelated_picture(const std::filesystem::path& file);
 
 /// Every file that save_map() writes for this name: a map.yaml has its picture beside it.

@@ -52,7 +52,7 @@ class TextRows {
  public:
   explicit TextRows(std::size_t size_of_text) : size_of_text_(size_of_text) {}
 
-  /// What is wrong with the row, empty if nothing is.
+  /// Appends a row. Returns an error text, empty on success.
   std::string append(std::string_view line) {
     states_.clear();
     terrain_.clear();
@@ -81,7 +81,7 @@ class TextRows {
 
   bool empty() const { return !rows_; }
 
-  /// After the first row.
+  /// To be called after at least one row.
   GridMap finish() {
     assert(rows_);
     return std::move(*rows_).finish();
@@ -108,7 +108,7 @@ bool is_text_grid(std::string_view bytes) {
   });
 }
 
-/// In linear time, and in the memory of the map.
+/// Takes linear time and the memory of the map.
 Expected<LoadedMap, IoError> load_text_grid(LineReader lines, const std::string& file) {
   TextRows rows(lines.size());
   std::size_t blank_line = 0;

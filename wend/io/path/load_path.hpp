@@ -10,16 +10,16 @@
 //   # x_m, y_m, w_tr_right_m, w_tr_left_m
 //   0.0, 0.0, 1.1, 1.1
 //
-// The header is the last of the comments (#) that it begins with, or its first other line; ',' or ';'
-// separates, blanks do not matter. Its points become waypoints.
+// The header is the last of the leading comments (#), or the first other line; the separator is ',' or
+// ';', and blanks do not matter. The points become waypoints.
 //
-// Strict: a CSV has one of these headers and as many columns in every line, JSON has an object with a
-// list of cells or points. Cells lie in 0..2^30-1, as those of every map do, points in 0..2^30;
-// whether a map has them, and whether they are neighbours, is not checked. A heading is N, W, E or S
-// as drawn, or a number of radians; the frame of the path's map says whether north is up or down in
-// its grid. A file without a point is an error; of a plan that failed the error's failed_plan has its
-// status and the reason why there is no path. Other columns must be numbers and are not used, nor are other keys of the plan. Memory stays
-// in proportion to the file, which may have 256 MiB.
+// Strict: a CSV has one of these headers and as many columns in every line; JSON has an object with a
+// list of cells or points. Cells lie in 0..2^30-1, as in every map, points in 0..2^30. Whether they lie
+// on a map, and whether they are neighbours, is not checked. A heading is N, W, E or S as drawn, or a
+// number of radians; the frame of the path's map says whether north is up or down in its grid. A file
+// without a point is an error; for a failed plan the error's failed_plan has the status and the reason
+// why there is no path. Other columns must be numbers and are ignored, and so are other keys of the plan.
+// Memory is proportional to the size of the file, which may have 256 MiB.
 
 #include <cstddef>
 #include <filesystem>
@@ -35,17 +35,17 @@ namespace wend {
 
 inline constexpr std::size_t kLargestPathFile = std::size_t{256} << 20;
 
-/// Which path of a plan: as planned, or as smoothed. Where a plan has but one it is that.
+/// Which path of a plan to load: as planned, or as smoothed. If a plan has only one, that one is loaded.
 enum class PathStage { planned, smoothed };
 
 Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
                                   PathStage stage = PathStage::planned);
 
-/// The same from a text, JSON where it begins with '{'. `name` is for errors.
+/// The same from a text, which is JSON if it begins with '{'. `name` is the name for errors.
 Expected<Path, IoError> parse_path(std::string_view text, const std::string& name,
                                    const Frame& frame, PathStage stage = PathStage::planned);
 
-/// The same of either kind. `file` is the name for errors.
+/// The same for one of the two formats. `file` is the name for errors.
 Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
                                        const Frame& frame);
 Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 const Frame kTurned{0.05, {-3, 7.5, 0.25}, true, true};
 
-/// Of numbers that few digits cannot write.
+/// Waypoints with numbers that need many digits.
 Path any_waypoints() {
   std::vector<Point> points;
   const int count = *rc::gen::inRange(1, 40);
@@ -55,7 +55,7 @@ std::string json_of(const Path& path) {
          R"(],"path_m":[[0.5,0.5],[1e3,-2]],"metrics":{"expanded":2,"path":7}})";
 }
 
-/// On corners facing one of the four headings, or anywhere facing anywhere.
+/// Poses on corners with one of the four headings, or at any point with any heading.
 Path any_driven_path() {
   std::vector<Pose> poses;
   const int count = *rc::gen::inRange(1, 40);
@@ -69,7 +69,7 @@ Path any_driven_path() {
   return Path::through(poses);
 }
 
-/// Written here with another library than the one that writes plans.
+/// Writes the JSON with another library than the one that writes plans.
 std::string json_of_driven(const Path& path, const Frame& frame) {
   std::string points;
   std::string headings;

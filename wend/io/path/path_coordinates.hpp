@@ -1,6 +1,6 @@
 #pragma once
 
-// The values in files of paths, and the errors about them, in CSV and in JSON.
+// The values in path files, CSV and JSON, and the errors about them.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 
 namespace wend {
 
-/// A column or row that a map can have is below this; a point on a map is no farther than this.
+/// Columns and rows of a map are below this; coordinates of points on a map do not exceed it.
 inline constexpr int kCoordinateEnd = static_cast<int>(GridMap::kMaxCells);
 
 /// "x must be a whole number in 0..1073741823, not '-1'"; `found` is already quoted.
@@ -23,7 +23,7 @@ inline std::string wrong_coordinate(std::string_view name, std::string_view foun
   return fmt::format("{} must be a whole number in 0..{}, not {}", name, kCoordinateEnd - 1, found);
 }
 
-/// The same of a pose: "x must be a number in 0..1073741824, not '-1'".
+/// The same for a pose: "x must be a number in 0..1073741824, not '-1'".
 inline std::string wrong_pose_coordinate(std::string_view name, std::string_view found) {
   return fmt::format("{} must be a number in 0..{}, not {}", name, kCoordinateEnd, found);
 }
@@ -37,7 +37,7 @@ inline std::string wrong_heading(std::string_view name, std::string_view found) 
   return fmt::format("{} must be N, W, E, S or radians, not {}", name, found);
 }
 
-/// The angle of "N", "W", "E" or "S". The numbers that people may type for them are angles here.
+/// The angle of "N", "W", "E" or "S". Their numbers 0 to 3 are not headings here: a number is an angle.
 inline std::optional<double> radians_of_letter(std::string_view letter, bool y_up) {
   for (const Heading heading : kAllHeadings) {
     if (letter == letter_of(heading, {.y_up = y_up})) return radians_of(heading);
@@ -45,7 +45,7 @@ inline std::optional<double> radians_of_letter(std::string_view letter, bool y_u
   return std::nullopt;
 }
 
-/// What is kept of a plan's status and reason.
+/// A FailedPlan with a plan's status and reason, as far as they are kept.
 inline FailedPlan failed_plan(std::string_view status, std::string_view reason) {
   return {printable(status, 40), text_line(reason, 1000)};
 }

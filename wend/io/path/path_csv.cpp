@@ -23,11 +23,11 @@ constexpr std::string_view kNoPathComment = "# no path: ";
 constexpr std::size_t kLongestHeader = 60;  // in an error
 constexpr std::size_t kLongestColumnName = 20;
 
-/// The columns of lines that all have the same ones, and the first error in a line.
+/// Reads lines that all have the same columns, and keeps the first error.
 class PathColumns {
  public:
-  /// `header` names them; its text must outlive this. Blanks around names and values do not count if
-  /// `trims`.
+  /// `header` names the columns; its text must outlive this object. If `trims`, blanks around names and
+  /// values are ignored.
   PathColumns(std::string_view header, char separator, bool trims)
       : header_(printable(header, kLongestHeader)), separator_(separator), trims_(trims) {
     names_ = split(header);
@@ -39,7 +39,7 @@ class PathColumns {
     return static_cast<std::size_t>(found - names_.begin());
   }
 
-  /// Takes a line.
+  /// Reads a line.
   void read(std::string_view line) {
     texts_ = split(line);
     if (texts_.size() == names_.size()) return;
@@ -73,7 +73,7 @@ class PathColumns {
     return 0;
   }
 
-  /// All columns from `first` on are to be finite numbers.
+  /// All columns from `first` on must be finite numbers.
   void check_numbers(std::size_t first) {
     for (std::size_t i = first; i < names_.size(); ++i) {
       const auto number = parse_number(texts_[i]);
@@ -104,7 +104,7 @@ class PathColumns {
   std::string wrong_;
 };
 
-/// Past the lines that are read, each of which `take` reads from the columns. What is wrong, or empty.
+/// Reads all lines; `take` takes the values of each line from the columns. Fails at the first error.
 template <class Take>
 Expected<void, IoError> read_lines(LineReader& lines, PathColumns& columns, const std::string& file,
                                    const Take& take) {
@@ -120,7 +120,7 @@ Unexpected<IoError> empty_path(const std::string& file, std::string_view what) {
   return io_failure(file, 0, fmt::format("the path is empty: expected at least one {}", what));
 }
 
-/// The columns of a header with x_m and y_m among them.
+/// The columns of a header that has x_m and y_m; nothing for other lines.
 std::optional<PathColumns> centreline_header(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
   PathColumns columns(line, line.find(';') == std::string_view::npos ? ',' : ';', true);
@@ -128,7 +128,7 @@ std::optional<PathColumns> centreline_header(std::string_view line) {
   return std::nullopt;
 }
 
-/// The header, past which the reader then is: the last of the comments, or the line after them.
+/// Reads the header: the last of the leading comments, or the line after them.
 std::optional<PathColumns> read_centreline_header(LineReader& lines) {
   std::string_view comment;
   LineReader ahead = lines;
@@ -159,7 +159,7 @@ Point centreline_point(PathColumns& columns, const Frame& frame) {
   return point;
 }
 
-/// Of a text with the header of no other path.
+/// Parses a text without the header of another path format.
 Expected<Path, IoError> parse_centreline(std::string_view text, const std::string& file,
                                          const Frame& frame) {
   LineReader lines(text);
@@ -205,7 +205,7 @@ std::string poses_csv(const Path& path, const Frame& frame) {
   for (const Pose& pose : path.poses()) {
     const Pose metres = frame.to_metres(pose);
     const std::string heading = driven ? heading_text(pose.heading, frame) + "," : "";
-    // {fmt} writes the shortest text too, and a million not as 1e+06.
+    // {fmt} also writes the shortest text, but does not write a million as 1e+06.
     fmt::format_to(std::back_inserter(text), "{},{},{}{},{}\n", pose.x, pose.y, heading,
                    metres_text(metres.point()), format_number(metres.heading));
   }

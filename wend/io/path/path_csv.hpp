@@ -6,8 +6,8 @@
 //   1,1,0.075,0.075
 //   2,1,0.125,0.075
 //
-// One line a cell, start and goal included: column and row, then the cell's centre in the map's
-// frame, in metres (cells, for a map without a resolution). Of a driven path a line a pose:
+// One line for each cell, including start and goal: column and row, then the cell's centre in the map's
+// frame, in metres (cells for a map without a resolution). A driven path has one line for each pose:
 //
 //   x,y,heading,x_m,y_m,yaw
 //   1,0,E,0.05,0,0
@@ -17,16 +17,16 @@
 // N, W, E or S as drawn; any other is a number, radians from +x towards +y of the grid. Then the
 // same in the map's frame: metres, and radians counter-clockwise from its +x.
 //
-// Of a path of waypoints a line a waypoint:
+// A path of waypoints has one line for each waypoint:
 //
 //   x_grid,y_grid,x_m,y_m,yaw
 //   1.5,1.5,0.075,0.075,0
 //   2.25,1.5,0.1125,0.075,0.3
 //
 // The point in grid coordinates, then in the map's frame, and the heading of the path there: towards
-// the next waypoint, of the last one as before it, radians counter-clockwise from the frame's +x.
+// the next waypoint (the last one repeats it), in radians counter-clockwise from the frame's +x.
 //
-// Of a plan that failed, a comment with the status and the reason, the header, and no points:
+// A failed plan has a comment with the status and the reason, the header, and no points:
 //
 //   # no path: unreachable: no path joins start (1,1) and goal (8,5)
 //   x,y,x_m,y_m

@@ -11,15 +11,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A list of [x,y], and what is wrong with it.
+/// A list of [x,y], and the errors in it.
 struct PointList {
   std::vector<Point> points;
-  std::string no_cell;  // if these are cells
-  std::string no_pose;  // if these are poses or waypoints
+  std::string no_cell;  // the error if these are cells
+  std::string no_pose;  // the error if these are poses or waypoints
 };
 
-/// Takes the paths and "headings" of a plan from the parser as it goes, without keeping the document.
-/// Which numbers may be coordinates is known only at the end: those of poses have fractions.
+/// Takes the paths and "headings" of a plan from the parser while it reads, without storing the document.
+/// Only at the end is it known which numbers are valid coordinates: those of poses have fractions.
 class PlanReader : public nlohmann::json_sax<Json> {
  public:
   PlanReader(std::string_view text, bool y_up, PathStage stage)
@@ -90,7 +90,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
     const PointList& wanted = smoothed ? smoothed_ : planned_;
     const bool driven = !smoothed && seen_.count("headings") > 0;
     const std::string& fault = driven || smoothed ? wanted.no_pose : wanted.no_cell;
-    // Where the parser stopped early, headings may have been yet to come.
+    // If the parser stopped early, headings could still have followed.
     const bool is_sure = wrong_.empty() || !wanted.no_pose.empty();
     if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
     if (!wrong_.empty()) return io_failure(file, line_, wrong_);
@@ -134,7 +134,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
   bool in_points(std::size_t depth) const { return depth_ == depth && is_path(key_); }
 
-  /// Inside of the value of a key of the top level, so deep: 1 is the value itself.
+  /// Is the parser inside the value of this top-level key, at this depth? 1 is the value itself.
   bool in_list(std::string_view name, std::size_t depth) const {
     return depth_ == depth && key_ == name;
   }
@@ -208,7 +208,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
     return path;
   }
 
-  /// The line of the byte that the parser stopped at.
+  /// The line of the byte where the parser stopped.
   std::size_t line_at(std::size_t position) const {
     const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
     return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
@@ -226,7 +226,7 @@ class PlanReader : public nlohmann::json_sax<Json> {
   PointList planned_;
   PointList smoothed_;
   std::vector<double> headings_;
-  std::string wrong_;  // what is wrong in any case, where the parser stopped
+  std::string wrong_;  // an error for either kind, at which the parser stopped
   std::size_t line_ = 0;
 };
 

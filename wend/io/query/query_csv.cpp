@@ -11,7 +11,7 @@
 namespace wend {
 namespace {
 
-/// Takes a field in quotes off the line, which then begins with what follows it.
+/// Removes a quoted field from the beginning of the line and returns it.
 Expected<std::string, std::string> take_quoted(std::string_view& line) {
   std::string field;
   do {
@@ -27,7 +27,7 @@ Expected<std::string, std::string> take_quoted(std::string_view& line) {
   return field;
 }
 
-/// The fields of a line, or what is wrong with its quotes.
+/// The fields of a line, or the error in its quotes.
 Expected<std::vector<std::string>, std::string> query_fields(std::string_view line,
                                                              char separator) {
   std::vector<std::string> fields;
@@ -56,7 +56,7 @@ using EndColumns = std::vector<std::size_t>;
 
 class QueryHeader {
  public:
-  /// What is wrong with it, empty if nothing is.
+  /// Reads the header line. Returns an error text, empty on success.
   std::string read(std::string_view line) {
     separator_ = line.find(';') == std::string_view::npos ? ',' : ';';
     auto names = query_fields(line, separator_);

@@ -7,12 +7,12 @@
 //   1,1,15,9                             "1,1","15,9"
 //   2.5,1,3,8.25                         "2.5,1","3,8.25"
 //
-// For a car also start_heading and goal_heading, or a third part of start and goal: "1,1,E". Other
-// columns are not used. ';' separates where the header has one; blanks around a field do not count.
-// A field with a separator in it stands in double quotes, and a quote in it is doubled (RFC 4180); a
-// row is one line. LF or CRLF, blank lines are skipped.
+// A car also has start_heading and goal_heading, or a third part of start and goal: "1,1,E". Other
+// columns are ignored. The separator is ';' if the header has one; blanks around a field are ignored.
+// A field that contains a separator is in double quotes, and a quote in it is doubled (RFC 4180); a
+// row is one line. Lines end with LF or CRLF; blank lines are skipped.
 //
-// A row that cannot be read is kept, with what is wrong with it: the others can still be answered.
+// A row that cannot be read is kept with its error: the others can still be answered.
 
 #include <cstddef>
 #include <filesystem>
@@ -36,7 +36,7 @@ struct QueryRow {
 
 inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;
 
-/// `file` is the name for errors. Memory stays in proportion to the text.
+/// `file` is the name for errors. Memory is proportional to the text.
 Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
                                                          const std::string& file);
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kColumns = 9;
 
-/// What stands between tabs, or between blanks in a line without tabs.
+/// The fields between tabs, or between blanks in a line without tabs.
 std::vector<std::string_view> columns_of(std::string_view line) {
   if (line.find('\t') == std::string_view::npos) return words_of(line);
   auto columns = fields_of(line, '\t');
@@ -31,7 +31,7 @@ int decimals_of(std::string_view number) {
   return static_cast<int>(std::min(end, number.size()) - point - 1);
 }
 
-/// Reads the columns of one line; remembers the first thing that is wrong.
+/// Reads the columns of one line and keeps the first error.
 class LineParser {
  public:
   explicit LineParser(std::string_view line) : columns_(columns_of(trimmed(line))) {
@@ -93,7 +93,7 @@ class LineParser {
   std::string wrong_;
 };
 
-/// What is wrong with the first line, empty if nothing is.
+/// The error in the first line, empty if it is valid.
 std::string wrong_version(std::string_view line) {
   const auto words = words_of(line);
   if (words.size() != 2 || words[0] != "version") {
@@ -110,7 +110,7 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-/// The last part of the map column, if all lines have the same one and it is a file's name.
+/// The last part of the map column, if it is the same in all lines and is a file name.
 std::optional<std::string> common_map_name(const Scenario& scenario) {
   std::optional<std::string> common;
   for (const ScenarioQuery& query : scenario.queries) {

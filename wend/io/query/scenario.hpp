@@ -6,7 +6,7 @@
 //   0  maps/dao/arena.map  49  49  1  11  1  12  1
 //
 // A line holds bucket, map, the map's width and height, start x y, goal x y and the optimal length,
-// between tabs (blanks in some sets). Cells count from the upper-left one, x first. Lengths are for
+// separated by tabs (blanks in some sets). Cells count from the upper-left one, x first. Lengths are for
 // 8 neighbours without corner cutting and are printed with 2 or 8 decimals or 6 significant digits.
 //
 // The map column is a label with a stale folder: scenario_map_path() says which file is meant.
@@ -27,15 +27,15 @@ namespace wend {
 struct ScenarioQuery {
   std::size_t line;  // in the file, from 1
   int bucket;        // a label: about a quarter of the length
-  std::string map;   // the map column as it stands
+  std::string map;   // the map column as written
   int map_width;
   int map_height;
   Cell start;
   Cell goal;
   double length;  // of a shortest path
-  int decimals;   // how many the file prints of the length
+  int decimals;   // of the length in the file
 
-  /// Length 0 between different cells, as files have it, or an infinite one: there is no path.
+  /// There is no path if the length is 0 between different cells, as files write it, or infinite.
   bool says_no_path() const { return std::isinf(length) || (length == 0 && start != goal); }
 };
 
@@ -50,27 +50,28 @@ Expected<Scenario, IoError> load_scenario(const std::filesystem::path& file);
 /// The same from a text. `file` is the name for errors.
 Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file);
 
-/// The file for queries; lengths get as many decimals as `decimals` says.
+/// The text of a file with these queries; `decimals` is the number of decimals of a length.
 std::string format_scenario(const std::vector<ScenarioQuery>& queries);
 
-/// The `.scen` files that lie in a folder itself, by name. An error if the folder has no such file.
+/// The `.scen` files directly in a folder, sorted by name. An error if the folder has no such file.
 Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
     const std::filesystem::path& folder);
 
-/// An error, with its line, if a query is for a map of another size. (The format says to scale the
-/// map then; no set that we know needs it, and we refuse.)
+/// Fails, with the line, if a query is for a map of another size. (The format says to scale the map
+/// then; no set that we know needs it, so this is an error.)
 Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height);
 
-/// The map that a scenario is for. `X.map.scen` means `X.map` where that file exists, and
-/// `X.yaml.scen` means `X.yaml`; else it is the last part of the map column. Either way a file in the scenario's own folder, else an error.
+/// The map of a scenario. `X.map.scen` means `X.map` if that file exists, and `X.yaml.scen` means
+/// `X.yaml`; else it is the last part of the map column. In both cases it must be a file in the
+/// scenario's own folder, else it is an error.
 Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
 
-/// At most `count` of them, evenly spread and in their order.
+/// At most `count` of the queries, evenly spread and in their order.
 std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
                                           std::size_t count);
 
-/// Whether a path of the length `found` is as long as the query says: off by no more than 1e-5 of
-/// it or, where the file prints 2 or 8 decimals, half a unit of the last one.
+/// Whether the length `found` matches the query: it may differ by 1e-5 of the length or, if the file
+/// prints 2 or 8 decimals, by half a unit of the last one.
 bool length_matches(const ScenarioQuery& query, double found);
 
 }  // namespace wend

@@ -14,7 +14,7 @@ constexpr Offset offset_of(int direction) {
   return kDirectionSteps[static_cast<std::size_t>(direction)];
 }
 
-/// The 3 x 3 block around a cell, in which moves are judged.
+/// The 3 x 3 block around a cell, which decides which moves are legal.
 struct Neighbours {
   unsigned passable_bits;
   GridMoves rule;
@@ -56,8 +56,8 @@ bool comes_first(Offset step, Connectivity connectivity) {
   return connectivity == Connectivity::eight ? is_diagonal_step(step) : step.y == 0;
 }
 
-/// The length of at most two steps, as (diagonal, straight) steps, compares like this: one step
-/// before two, and of as many steps those with fewer diagonals.
+/// Ranks the length of at most two steps: one step before two, and among equal numbers of steps those
+/// with fewer diagonals.
 int length_rank(Offset first, Offset second) {
   const int steps = static_cast<int>(first != Offset{}) + static_cast<int>(second != Offset{});
   const int diagonals =

@@ -11,7 +11,7 @@ std::string text_of(Cell cell) {
   return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
 }
 
-// Without a branch: paths are long, and their turns hard to foresee.
+// Branch-free: paths are long, and their turns are hard to predict.
 bool is_diagonal_step(Cell from, Cell to) {
   return (static_cast<unsigned>(from.x != to.x) & static_cast<unsigned>(from.y != to.y)) != 0;
 }

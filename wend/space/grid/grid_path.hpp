@@ -1,7 +1,7 @@
 #pragma once
 
-// What a path of cells costs, and whether it is one: recomputed from the path alone, never from
-// the sums of a search.
+// The cost and the validity of a path of cells, recomputed from the path alone, never from the sums of
+// a search.
 
 #include <cstddef>
 #include <span>
@@ -14,14 +14,14 @@
 
 namespace wend {
 
-/// The first thing wrong with a path.
+/// The first error in a path.
 struct PathFault {
   std::size_t index;  // of the cell at fault
   std::string what;   // "cell (3,4) is an obstacle", "(3,4) to (5,4) is no step"
 };
 
-/// The sum over all steps of length times the mean terrain multiplier of the two cells. On uniform
-/// terrain steps are counted, so equal paths cost the same to the last bit.
+/// Sums, over all steps, length times the mean terrain multiplier of the two cells. On uniform terrain
+/// steps are counted, so paths of equal length cost the same to the last bit.
 double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells);
 
 /// The cost of a path, if every cell is passable and every step legal. O(length).

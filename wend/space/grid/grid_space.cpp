@@ -7,8 +7,8 @@
 namespace wend {
 namespace {
 
-/// Where no corner is cut, a disc is safe on the way between cells where it may stand: it may stand
-/// beside the step, too. A point may touch corners.
+/// Without corner cutting, a disc is safe between two cells where it may stand, because it may also
+/// stand on the cells beside the step. A point may touch corners.
 bool sweeps_diagonals(const FreeSpace& space, GridMoves moves) {
   return moves.connectivity == Connectivity::eight && moves.corner_rule != CornerRule::none &&
          space.radius_in_cells() > 0;

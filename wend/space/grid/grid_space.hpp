@@ -50,7 +50,7 @@ struct TerrainSteps {
     return diagonal ? std::numbers::sqrt2 * mean : mean;
   }
 
-  const double* terrain;  // of the FreeSpace that the space holds
+  const double* terrain;  // owned by the FreeSpace that the space holds
 };
 
 template <class Steps>
@@ -60,8 +60,8 @@ class GridSpace {
   using Cost = typename Steps::Cost;
   static constexpr double kUnitsPerCell = Steps::kUnitsPerCell;
 
-  /// Canonical pruning is for uniform terrain and keys that never fall along a path; where corners
-  /// are cut by a disc it does nothing.
+  /// Canonical pruning is for uniform terrain and keys that never fall along a path. It does nothing
+  /// where a disc cuts corners.
   explicit GridSpace(FreeSpace space, GridMoves moves = {},
                      MoveTable::Pruning pruning = MoveTable::Pruning::none);
 

@@ -48,7 +48,7 @@ FreeSpace open_space(bool y_up) {
   return FreeSpace(GridMap(Grid<CellState>(3, 3, CellState::free), frame));
 }
 
-// The order of these cells is what makes expansion orders the same everywhere.
+// Because of this fixed order, expansion orders are the same everywhere.
 
 TEST(GridSpace, ListsSuccessorsInTheOrderOfDirection) {
   for (const bool y_up : {false, true}) {
@@ -76,7 +76,7 @@ TEST(GridSpace, NumbersCellsRowByRow) {
   }
 }
 
-/// Runs a check for random maps, robots and rules, with the reference's view of them.
+/// Runs a check for random maps, robots and rules, together with a reference of the same problem.
 template <class Check>
 void on_random_spaces(int count, Check&& check) {
   for (int seed = 1; seed <= test::share_of(count) && !::testing::Test::HasFailure(); ++seed) {
@@ -124,7 +124,7 @@ TEST(GridSpace, HasTheStepsThatTheReferenceHas) {
       });
 }
 
-/// However large the robot: where there are no obstacles it fits between them.
+/// Without obstacles a robot of any size may cut corners.
 TEST(GridSpace, LetsAVastDiscCutCorners) {
   const FreeSpace space(GridMap(Grid<CellState>(4, 4, CellState::free)),
                         {.footprint = Footprint::disc(1e9)});
@@ -179,7 +179,8 @@ TEST(GridSpace, HasNoStepFromOrToABlockedCellOrOutside) {
   EXPECT_FALSE(grid.is_step({0, 0}, {2, 0}));
 }
 
-/// A space keeps what it needs: the FreeSpace that it was made of may go, and copies are whole.
+/// A space keeps what it needs: the FreeSpace that it was made of may be destroyed, and copies are
+/// complete.
 TEST(GridSpace, OutlivesTheFreeSpaceItWasMadeOf) {
   Grid<double> terrain(3, 1, 1);
   terrain[{1, 0}] = 3;

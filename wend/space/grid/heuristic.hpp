@@ -8,8 +8,8 @@
 //   octile     max + (sqrt(2)-1) min  exact on 8 neighbours
 //   euclidean  sqrt(dx^2 + dy^2)
 //
-// Terrain multipliers are at least 1, so what never overestimates on uniform terrain never does on
-// any.
+// Terrain multipliers are at least 1, so a heuristic that is admissible on uniform terrain is
+// admissible on any terrain.
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ constexpr std::array<Choice<HeuristicKind>, 6> choice_names(HeuristicKind) {
 /// A heuristic as an option of a planner.
 struct HeuristicOptions {
   HeuristicKind kind;
-  double constant = 1;  // what HeuristicKind::constant is worth
+  double constant = 1;  // the value of HeuristicKind::constant
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -60,7 +60,7 @@ constexpr bool is_consistent(HeuristicKind kind, Connectivity connectivity) {
          connectivity == Connectivity::four;
 }
 
-/// The value of a heuristic, not `automatic`, between two cells. `constant` is what it is worth.
+/// The value of a heuristic, not `automatic`, between two cells. `constant` is the value of that kind.
 inline double heuristic_value(HeuristicKind kind, double constant, Cell from, Cell to) {
   const double dx = std::abs(from.x - to.x);
   const double dy = std::abs(from.y - to.y);

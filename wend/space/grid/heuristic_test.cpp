@@ -18,7 +18,7 @@ constexpr std::array kKinds{HeuristicKind::zero, HeuristicKind::constant, Heuris
 constexpr std::array kConnectivities{Connectivity::four, Connectivity::eight};
 constexpr double kConstant = 7.5;
 
-/// How much h falls too fast on the worst step of a space: max over steps of h(u) - c(u,v) - h(v).
+/// The largest violation of consistency in a space: max over steps of h(u) - c(u,v) - h(v).
 template <class Space>
 double worst_fall(const Space& space, HeuristicKind kind, Cell goal) {
   double worst = -1;

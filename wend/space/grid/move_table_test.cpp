@@ -102,7 +102,7 @@ TEST(CanonicalMoveTable, LeavesMovesOutAndAddsNone) {
   }
 }
 
-/// In the open a straight move goes on straight, a diagonal one splits into three.
+/// Without obstacles a straight move continues straight, and a diagonal one splits into three.
 TEST(CanonicalMoveTable, IsThinInTheOpen) {
   const MoveTable table({}, MoveTable::Pruning::canonical);
   const auto moves_after = [&](Direction arrival) {
@@ -117,8 +117,8 @@ TEST(CanonicalMoveTable, IsThinInTheOpen) {
             set_of(Direction::minus_x_plus_y, Direction::plus_y, Direction::minus_x));
 }
 
-/// The cheapest cost of every cell from `start`, as a search finds it that keeps the first of equal
-/// ways and takes equal costs in a random order.
+/// The cheapest cost of every cell from `start`, found by a search that keeps the first of equal paths
+/// and breaks ties between equal costs at random.
 std::vector<std::uint64_t> costs_from(const ExactGrid& grid, Cell start, Random& random) {
   using Open = std::tuple<std::uint64_t, std::uint64_t, StateId>;  // cost, tie, state
   constexpr std::uint64_t kUnreached = UINT64_MAX;

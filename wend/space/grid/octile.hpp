@@ -1,10 +1,10 @@
 #pragma once
 
-// Whole numbers for the two step lengths of a uniform grid, 1 and sqrt(2).
+// Integers for the two step lengths of a uniform grid, 1 and sqrt(2).
 //
-// Both numbers of a pair are a convergent of sqrt(2) (Pell numbers): sums of steps compare exactly
-// as the true lengths do while their counts of diagonal steps differ by less than kStraight, and
-// equal sums mean equal counts. So equal paths have equal costs, on every platform.
+// Each pair is a convergent of sqrt(2) (Pell numbers): sums of steps compare exactly like the true
+// lengths as long as their counts of diagonal steps differ by less than kStraight, and equal sums mean
+// equal counts. So equal paths have equal costs on every platform.
 
 #include <algorithm>
 #include <cstdint>
@@ -31,10 +31,10 @@ struct OctileUnits<std::uint64_t> {
   static constexpr std::uint64_t kDiagonal = 1855077841;
 };
 
-// The octile way between two cells: diagonal steps first, then straight ones. Nothing is shorter,
-// and without obstacles it is what a path between them costs.
+// The octile path between two cells: diagonal steps first, then straight ones. No path is shorter, and
+// without obstacles its length is the cost of a path between them.
 
-/// How many steps of each kind it has.
+/// The number of steps of each kind in the octile path.
 struct OctileWay {
   int straight;
   int diagonal;
@@ -46,7 +46,7 @@ inline OctileWay octile_way(Cell from, Cell to) {
   return {std::abs(wide - high), std::min(wide, high)};
 }
 
-/// What it costs, in OctileUnits<Cost>.
+/// The cost of the octile path, in OctileUnits<Cost>.
 template <class Cost>
 Cost octile_cost(Cell from, Cell to) {
   using Units = OctileUnits<Cost>;
@@ -56,7 +56,7 @@ Cost octile_cost(Cell from, Cell to) {
   return Units::kStraight * (dx + dy) - kSaved * std::min(dx, dy);
 }
 
-/// Where it turns from its diagonal part to its straight part.
+/// The cell where the octile path turns from its diagonal part to its straight part.
 inline Cell octile_bend(Cell from, Cell to) {
   const int diagonal = octile_way(from, to).diagonal;
   return {to.x < from.x ? from.x - diagonal : from.x + diagonal,

@@ -14,7 +14,7 @@ int sign(std::int64_t number) { return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 
 /// The sign of straight + diagonal * sqrt(2), exactly.
 int sign_of_octile_length(std::int64_t straight, std::int64_t diagonal) {
   if (sign(straight) * sign(diagonal) >= 0) return sign(straight + diagonal);
-  // Of opposite signs: the one with the larger square decides. (No squares here exceed 2^63.)
+  // Opposite signs: the term with the larger square decides. (No squares here exceed 2^63.)
   const int larger = sign(straight * straight - 2 * diagonal * diagonal);
   return larger > 0 ? sign(straight) : sign(diagonal);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Heuristics of the car: estimates of the cost from a pose to a corner and, perhaps, a heading.
+// Heuristics of the car: estimates of the cost from a pose to a corner and, optionally, a heading.
 //
 //   zero       0
 //   diagonal   (diagonal cells) pi / 2 + (orthogonal rest) 1
@@ -30,7 +30,7 @@ constexpr std::array<Choice<CarHeuristic>, 4> choice_names(CarHeuristic) {
            {"obstacles", CarHeuristic::obstacles}}};
 }
 
-/// A goal in lattice coordinates; without a heading any will do.
+/// A goal in lattice coordinates; without a heading, any heading is accepted.
 struct CarGoal {
   Cell corner;
   std::optional<Heading> heading{};
@@ -53,14 +53,14 @@ constexpr typename Costs::Cost diagonal_estimate(Cell from, Cell to) {
 
 namespace empty_yard {
 
-/// Which turns must be odd in number between two headings: bit 0 those along the diagonal x = y,
-/// which swap +x with +y and -x with -y, bit 1 those along the other one, which swap +x with -y and
-/// -x with +y. Any order does: the two swaps commute.
+/// Which turns must be odd in number between two headings. Bit 0: turns along the diagonal x = y, which
+/// swap +x with +y and -x with -y. Bit 1: turns along the other diagonal, which swap +x with -y and -x
+/// with +y. Their order does not matter: the two swaps commute.
 constexpr unsigned odd_turns(Heading from, Heading to) {
   return static_cast<unsigned>(from) ^ static_cast<unsigned>(to);
 }
 
-/// The cheapest drive with turns of those parities.
+/// The cost of the cheapest path with turns of these parities.
 template <class Costs>
 constexpr typename Costs::Cost cheapest(Cell way, Heading from, unsigned odd) {
   using Cost = typename Costs::Cost;
@@ -81,7 +81,7 @@ constexpr typename Costs::Cost cheapest(Cell way, Heading from, unsigned odd) {
       if ((static_cast<unsigned>(q) & 1U) != (odd >> 1U)) continue;
       const int straight = std::abs(way.x - p - q) + std::abs(way.y - p + q);
       int turns = std::abs(p) + std::abs(q);
-      if (turns == 0 && !straight_only) turns = 2;  // there and back, to face the other axis
+      if (turns == 0 && !straight_only) turns = 2;  // turn there and back, to face the other axis
       const Cost candidate = cost(turns, straight);
       least = any ? std::min(least, candidate) : candidate;
       any = true;
@@ -92,13 +92,13 @@ constexpr typename Costs::Cost cheapest(Cell way, Heading from, unsigned odd) {
 
 }  // namespace empty_yard
 
-/// The cheapest drive on an empty yard, O(1).
+/// The cost of the cheapest path on an empty yard, O(1).
 ///
-/// The heading at the end depends only on how many turns along each diagonal are odd; with one turn
-/// at least the car faces along both axes somewhere, and drives straight along both. What is left is
-/// to find the net numbers p and q of turns along the two diagonals, of the parities that the
-/// headings ask for, for which |p| + |q| turns and the straight rest cost least: they are within 2
-/// of those without parities.
+/// The final heading depends only on whether the number of turns along each diagonal is odd. With at
+/// least one turn the car faces along both axes somewhere, and can drive straight along both. It remains
+/// to find the net numbers p and q of turns along the two diagonals, with the parities that the headings
+/// require, for which |p| + |q| turns and the straight rest cost least. They are within 2 of the best
+/// numbers without parities.
 template <class Costs>
 constexpr typename Costs::Cost headings_estimate(const CornerPose& from, const CarGoal& goal) {
   const Cell way{goal.corner.x - from.corner.x, goal.corner.y - from.corner.y};

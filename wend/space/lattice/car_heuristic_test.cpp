@@ -1,4 +1,4 @@
-// That the estimates are consistent, and which are exact, is shown in tests/car_heuristic_test.cpp.
+// tests/car_heuristic_test.cpp shows that the estimates are consistent, and which are exact.
 
 #include "wend/space/lattice/car_heuristic.hpp"
 

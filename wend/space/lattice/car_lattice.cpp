@@ -14,20 +14,20 @@ namespace {
 
 using Steps = std::array<CarStep, std::size_t{kHeadings} * kCarMoves>;
 
-// Bits 0 to 3 are the arcs of a cell, by the corner that is their centre.
+// Bits 0 to 3 are the arcs of a cell, indexed by the corner that is their centre.
 constexpr unsigned kLineAlongX = 4;
 constexpr unsigned kLineAlongY = 5;
 
-// No obstacle is nearer to a move between corners that blocked cells do not touch: a cell can lie at
-// the corner of the square that an arc bulges towards, sqrt(2) from its centre. In units. (The map's
-// edge is nearest to one of a move's ends.)
+// In units. No obstacle is nearer to a move between corners that blocked cells do not touch: a cell can
+// lie at the corner of the square that an arc bulges towards, sqrt(2) from its centre. (The map's edge
+// is nearest to one of a move's ends.)
 constexpr double kNearestObstacle = std::numbers::sqrt2 - 1;
 
 bool may_touch_obstacles(const FreeSpace& space, int unit) {
   return space.radius_in_cells() > kNearestObstacle * unit;
 }
 
-/// Cells are cut by the map's edge where the unit does not divide its size.
+/// The map's edge cuts cells if the unit does not divide the map's size.
 int cells_along(int length, int unit) { return (length + unit - 1) / unit; }
 int corners_along(int length, int unit) { return length / unit + 1; }
 
@@ -89,7 +89,7 @@ Pose corner_point(Cell corner, int unit, double heading = 0) {
   return {static_cast<double>(unit) * corner.x, static_cast<double>(unit) * corner.y, heading};
 }
 
-/// The corners that no blocked cell touches, and where the robot's disc fits.
+/// The corners that no blocked cell touches and where the robot's disc fits.
 BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int unit) {
   BitGrid passable(corners_along(space.width(), unit), corners_along(space.height(), unit));
   for (const Cell corner : every_cell(passable)) {
@@ -104,7 +104,7 @@ BitGrid passable_corners(const FreeSpace& space, const BitGrid& blocked, int uni
   return passable;
 }
 
-/// Sweeps the disc along every arc and line of the lattice: which of them fit, by their owner.
+/// Sweeps the disc along every arc and line of the lattice. Returns which of them fit, by their owner.
 Grid<std::uint8_t> fitting_moves(const FreeSpace& space, const BitGrid& passable,
                                  const Steps& steps, int unit) {
   Grid<std::uint8_t> fitting(passable.width(), passable.height(), 0);

@@ -1,17 +1,17 @@
 #pragma once
 
-// CarLattice: where a car on the corners of a grid may be and what the ground costs there. The
-// space of its poses, its heuristics and the costs of its paths read it.
+// CarLattice: where a car on the corners of a grid may be, and the terrain cost there. The state space,
+// the heuristics and the path costs of the car use it.
 //
 // Lattice coordinates: corner (i, j) is the point (i, j) times the unit in grid coordinates, and
-// lattice cell (i, j) lies between corners (i, j) and (i + 1, j + 1). Corners lie on the map; a
-// lattice cell that the map's edge cuts counts too, for the corners that touch it.
+// lattice cell (i, j) lies between corners (i, j) and (i + 1, j + 1). Corners lie on the map. A
+// lattice cell that the map's edge cuts also counts for the corners that touch it.
 //
 // A lattice cell is blocked if any of its map cells is an obstacle, and its terrain is their mean.
 // A blocked cell makes its corners impassable; for a robot with a radius the corner must be at
 // least as far from every obstacle. So no move sweeps a blocked cell: its ends would touch it.
 //
-// Immutable, cheap to copy, shared between threads. O(cells) to make; with a radius above sqrt(2) - 1
+// Immutable, cheap to copy, shared between threads. Built in O(cells); with a radius above sqrt(2) - 1
 // units every arc is swept as well.
 
 #include <array>
@@ -29,10 +29,10 @@
 
 namespace wend {
 
-// CarDriving: how a car drives on the corners of a grid: how wide its lattice is, and what its
-// moves cost.
+// CarDriving: how a car drives on the corners of a grid: the resolution of its lattice, and the cost of
+// its moves.
 
-/// What a straight move pays for the terrain of the two cells that it runs between.
+/// How the terrain of the two cells beside a straight move changes its cost.
 enum class StraightTerrain {
   none,  // nothing: it costs 1
   mean,  // the mean of their multipliers
@@ -71,18 +71,18 @@ struct CarDriving {
 struct CarStep {
   Cell by;            // from corner to corner
   Heading heading;    // afterwards
-  Cell swept;         // of a turn: the lattice cell that the arc sweeps, from the corner
-  Cell beside;        // of a straight move: one of the two lattice cells beside it, from the corner
-  Cell other_beside;  // and the other one
-  unsigned arc_bit;   // which arc or line of CarLattice::fits() it is
-  Cell arc_owner;     // and whose, from the corner
+  Cell swept;         // for a turn: the lattice cell that the arc sweeps, from the corner
+  Cell beside;        // straight move: one of the two lattice cells beside it, from the corner
+  Cell other_beside;  // the other one
+  unsigned arc_bit;   // the index of its arc or line in CarLattice::fits()
+  Cell arc_owner;     // the owner of the arc or line, from the corner
 };
 
 /// Why a corner is impassable.
 struct CornerFault {
   BlockReason reason;
-  std::optional<Cell> cell{};  // a map cell that is to blame; of too_close: none
-  double distance = 0;         // of too_close: to the nearest obstacle, in map cells
+  std::optional<Cell> cell{};  // a map cell that blocks it; none for too_close
+  double distance = 0;         // for too_close: to the nearest obstacle, in map cells
 };
 
 class CarLattice {
@@ -93,7 +93,7 @@ class CarLattice {
   const CarDriving& driving() const { return data_->driving; }
   int unit() const { return static_cast<int>(data_->driving.unit); }
 
-  /// How many corners there are.
+  /// The number of corners.
   int columns() const { return data_->passable.width(); }
   int rows() const { return data_->passable.height(); }
 
@@ -103,7 +103,7 @@ class CarLattice {
   }
   const BitGrid& passable() const { return data_->passable; }
 
-  /// Corners that moves may join, if headings did not matter: 8-connected.
+  /// Could moves join two corners if headings did not matter? 8-connected.
   bool connected(Cell a, Cell b) const {
     return data_->components.connected(a, b, Adjacency::edges_and_corners);
   }
@@ -111,13 +111,13 @@ class CarLattice {
   /// Why the car cannot stand on a corner; nothing if it can.
   std::optional<CornerFault> why_blocked(Cell corner) const;
 
-  /// The step that a move is for a heading.
+  /// The step of a move from a heading.
   const CarStep& step(Heading heading, CarMove move) const {
     return data_
         ->steps[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(move)];
   }
 
-  /// Does the robot's disc keep away from obstacles along a move between passable corners?
+  /// Does the robot's disc fit along a move between passable corners?
   bool fits(Cell corner, const CarStep& step) const {
     if (!sweeps()) return true;
     const Cell owner{corner.x + step.arc_owner.x, corner.y + step.arc_owner.y};
@@ -133,14 +133,14 @@ class CarLattice {
     return data_->terrain.empty() ? 1 : data_->terrain[{corner.x + offset.x, corner.y + offset.y}];
   }
 
-  /// What the ground adds to a move: the multiplier of its cost. The move is legal.
+  /// The multiplier of a move's cost for the terrain. The move must be legal.
   double ground(const CornerPose& from, CarMove move) const;
 
-  /// A pose in lattice coordinates as one in grid coordinates.
+  /// Converts a pose from lattice coordinates to grid coordinates.
   Pose to_grid(const CornerPose& place) const;
 
-  /// The pose of the lattice nearest to one in grid coordinates; it may lie outside. Nothing where
-  /// there are no such numbers.
+  /// The lattice pose nearest to a pose in grid coordinates; it may lie outside the map. Nothing if the
+  /// coordinates are too large.
   std::optional<CornerPose> nearest(const Pose& pose) const;
 
  private:
@@ -151,9 +151,8 @@ class CarLattice {
     BitGrid blocked;   // lattice cells
     BitGrid passable;  // corners
     ConnectedComponents components;
-    Grid<double> terrain;  // lattice cells; empty if uniform
-    Grid<std::uint8_t>
-        fitting;  // by the corner at the lower end of x and y: arcs and lines that fit
+    Grid<double> terrain;        // lattice cells; empty if uniform
+    Grid<std::uint8_t> fitting;  // arcs and lines that fit, by the corner with the least x and y
   };
 
   std::shared_ptr<const Data> data_;
@@ -162,14 +161,14 @@ class CarLattice {
 /// Is there at least one lattice cell on the map?
 bool has_room_for(const GridMap& map, const CarDriving& driving);
 
-// What a drive costs, recomputed from its poses alone, never from the sums of a search.
+// The cost of a path, recomputed from its poses alone, never from the sums of a search.
 
-/// The move between two poses of a lattice that follow one another; nothing if none joins them.
+/// The move between two consecutive poses of a lattice; nothing if no move joins them.
 std::optional<CarMove> move_between(const CornerPose& from, const CornerPose& to);
 
-/// The fuel of a drive in units: the sum over all moves of length times ground, times the factor for
-/// reversing. The poses are in lattice coordinates and joined by moves. Equal kinds of moves are
-/// counted, so that drives over whole multipliers cost the same to the last bit.
+/// The cost of a path in units: the sum over all moves of length times ground, times the factor for
+/// reversing. The poses are in lattice coordinates and joined by moves. Moves of the same kind are
+/// counted, so that equal paths over whole multipliers cost the same to the last bit.
 double car_path_cost(const CarLattice& lattice, std::span<const CornerPose> poses);
 
 }  // namespace wend

@@ -46,7 +46,7 @@ TEST(CarLattice, CannotStandOnACornerThatAnObstacleTouches) {
   EXPECT_FALSE(one.passable({5, 0}));
 }
 
-/// Where the map's edge cuts a lattice cell, what is left of it blocks its corners all the same.
+/// If the map's edge cuts a lattice cell, its remaining part still blocks its corners.
 TEST(CarLattice, BlocksACellThatAnyOfItsMapCellsBlocks) {
   const CarLattice wide = lattice(".......\n.......\n......#", 3);
   EXPECT_FALSE(wide.passable({2, 0}));

@@ -2,8 +2,8 @@
 
 // CarSpace: the car's lattice poses are states, its six motion primitives are steps.
 //
-// Successors come in the order of CarMove. Costs are counted in the whole numbers of CarUnits where
-// the ground allows it, which is exact, and are real numbers elsewhere.
+// Successors come in the order of CarMove. Costs are counted in the integers of CarUnits if the terrain
+// allows it, which is exact; otherwise they are real numbers.
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@
 
 namespace wend {
 
-// Whole numbers for the two lengths of the car's moves, 1 and pi / 2.
+// Integers for the two lengths of the car's moves, 1 and pi / 2.
 //
-// Half of kStraight and of kTurn are a convergent of pi / 2 (33215 and 52174): sums of moves
-// compare exactly as the true lengths do while their counts of turns differ by less than 33215, and
-// equal sums mean equal counts. Both are even, so that the mean of two multipliers is whole, too.
+// The halves of kStraight and kTurn form a convergent of pi / 2 (33215 and 52174): sums of moves
+// compare exactly like the true lengths as long as their counts of turns differ by less than 33215,
+// and equal sums mean equal counts. Both are even, so that the mean of two multipliers is whole, too.
 
 /// In 32 bits: for paths of up to some 60,000 units.
 struct CarUnits {
@@ -42,7 +42,7 @@ bool has_whole_costs(const CarLattice& lattice);
 /// The largest multiplier that has_whole_costs() takes.
 inline constexpr double kMostWholeMultiplier = 5;
 
-/// Whole numbers of CarUnits.
+/// Costs as integers of CarUnits.
 template <class Unit>
 class WholeCarCosts {
  public:
@@ -82,7 +82,7 @@ class RealCarCosts {
   Cost reversed(Cost cost) const { return cost * reverse_factor_; }
 
  private:
-  const Grid<double>* terrain_;  // of the lattice; none if uniform
+  const Grid<double>* terrain_;  // of the lattice; null if uniform
   double reverse_factor_;
 };
 
@@ -129,7 +129,7 @@ class CarSpace {
     for_each_move(state, kAllMoves, sink);
   }
 
-  /// Only those of a set of moves, bit m for CarMove m.
+  /// Generates only the moves of a set, bit m for CarMove m.
   template <class Sink>
   void for_each_move(const State& state, unsigned moves, Sink&& sink) const {
     const Cell corner = state.place.corner;
@@ -163,7 +163,7 @@ class CarSpace {
 
   Cost straight(Cell corner, const CarStep& way) const {
     if (!straight_pays_) return Costs::kStraight;
-    // Along the map's edge there is one cell only.
+    // Along the map's edge there is only one cell.
     Cell a = shifted(corner, way.beside);
     Cell b = shifted(corner, way.other_beside);
     if (!lattice_.terrain().contains(a)) a = b;
@@ -188,8 +188,8 @@ extern template class CarSpace<ExactCarCosts>;
 extern template class CarSpace<RealCarCosts>;
 
 // CornerSpace: the vertices of the car's lattice are states, as if the car could turn in place: it
-// goes straight to four neighbours and along arcs to four others, forwards. What that costs is
-// never more than what the car pays, where reversing costs at least as much as driving ahead.
+// drives forwards, straight to four neighbours and along arcs to four others. If reversing costs at
+// least as much as driving ahead, its costs never exceed those of the car.
 
 struct CornerState {
   StateId number = 0;
@@ -221,7 +221,7 @@ class CornerSpace {
   void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
     for (const Heading heading : kAllHeadings) {
       const CarState start = car_.state({from.corner, heading});
-      // Facing along y the car turns to the same corners, on the other side of the cell.
+      // A car that faces along y turns to the same corners, on the other side of the cell.
       const bool all = car_.lattice().sweeps() || is_along_x(heading);
       const unsigned moves = all ? Car::kMovesAhead : Car::kStraightAhead;
       car_.for_each_move(start, moves, [&](const CarState& to, Move, Cost cost) {

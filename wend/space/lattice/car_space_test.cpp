@@ -65,7 +65,7 @@ TEST(CarSpace, ListsItsMovesInTheirOrder) {
       << "not off the map";
 }
 
-/// On random yards, whatever the options; where costs are whole they are the real ones.
+/// On random yards with any options. Whole costs equal the real ones.
 TEST(CarSpace, UndoesItsMovesAndCountsWhatTheyCost) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 300 && !::testing::Test::HasFailure(); ++seed) {

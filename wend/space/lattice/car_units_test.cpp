@@ -16,7 +16,7 @@ constexpr std::int64_t kEqualTurns = kStraight / 2;  // these turns weigh a whol
 
 int sign(long double number) { return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 0); }
 
-/// Of small numbers; pi / 2 is irrational, so it is 0 only if both are.
+/// Takes small numbers. pi / 2 is irrational, so the sign is 0 only if both are 0.
 int sign_of_length(std::int64_t straight, std::int64_t turns) {
   return sign(static_cast<long double>(straight) +
               static_cast<long double>(turns) * std::numbers::pi_v<long double> / 2);

@@ -50,7 +50,7 @@ TEST(CornerSpace, NumbersCorners) {
   }
 }
 
-/// The steps of a car with any heading, at the same cost from both ends.
+/// The steps are those of a car with any heading, with the same cost from both ends.
 TEST(CornerSpace, HasTheStepsOfACarThatTurnsOnTheSpot) {
   for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
