@@ -152,7 +152,7 @@ TEST(Snippets, OfCostToGo) {
   EXPECT_EQ(reported, "there is a path");
 }
 
-TEST(Snippets, OfSearchRecorder) {
+TEST(Snippets, OfSearchRecorderAndLayer) {
   const wend::FreeSpace& space = open_ground();
   const auto made = wend::make_planner("astar", space);
   wend::Planner& planner = **made;
@@ -160,24 +160,16 @@ TEST(Snippets, OfSearchRecorder) {
   wend::Query query = wend::Query::between({1, 1}, {8, 5});
   query.observer = &recorder;
   const auto plan = planner.plan(query);
-  const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
-  EXPECT_TRUE(plan);
-  EXPECT_EQ(first, 1U);
-  wend::SearchRecorder driven(space, 1);
-  EXPECT_TRUE(driven.expansions().empty());
-}
-
-TEST(Snippets, OfLayer) {
-  const wend::FreeSpace& space = open_ground();
-  const auto made = wend::make_planner("astar", space);
-  wend::Planner& planner = **made;
-  wend::SearchRecorder recorder(space);
-  wend::Query query = wend::Query::between({1, 1}, {8, 5});
-  query.observer = &recorder;
-  ASSERT_TRUE(planner.plan(query));
+  ASSERT_TRUE(plan);
+  {
+    const std::uint32_t first = recorder.layers().expansion[{1, 1}];  // 1: the start
+    EXPECT_EQ(first, 1U);
+  }
   const wend::Layer order = wend::search_layer(wend::LayerKind::expansion, planner, recorder);
   const double first = order.numbers[{1, 1}];  // 1: the start
   EXPECT_EQ(first, 1);
+  wend::SearchRecorder driven(space, 1);
+  EXPECT_TRUE(driven.expansions().empty());
 }
 
 TEST(Snippets, OfScene) {
