@@ -65,7 +65,7 @@ TEST_P(FuzzedLoader, HasItsFuzzer) {
   EXPECT_TRUE(fs::exists(kFuzzFolder / file)) << file;
 }
 
-INSTANTIATE_TEST_SUITE_P(, FuzzedLoader, testing::ValuesIn(kLoaders),
+INSTANTIATE_TEST_SUITE_P(, FuzzedLoader, testing::ValuesIn(fuzzed_loaders()),
                          [](const auto& loader) { return std::string(loader.param.name); });
 
 }  // namespace

@@ -40,5 +40,5 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return wend::test::fuzz_or_abort(wend::test::fuzz_png, data, size);
+  return wend::test::fuzz_or_abort("png", data, size);
 }

@@ -1,5 +1,5 @@
 #include "loaders.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return wend::test::fuzz_or_abort(wend::test::fuzz_text_grid, data, size);
+  return wend::test::fuzz_or_abort("text_grid", data, size);
 }

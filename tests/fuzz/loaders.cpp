@@ -1,0 +1,157 @@
+#include "loaders.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "checks.hpp"
+#include "forged_index.hpp"
+#include "fuzzed_map_yaml.hpp"
+#include "wend/io/path/load_path.hpp"
+#include "wend/io/path/path_csv.hpp"
+#include "wend/io/query/query_csv.hpp"
+#include "wend/io/query/scenario.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/robot/footprint.hpp"
+
+namespace wend::test {
+namespace {
+
+std::string fuzz_png(std::string_view bytes) {
+  const auto image = whole_image(bytes, decode_png);
+  if (image && !looks_like_png(bytes)) return "a PNG without its signature";
+  return check_image(image);
+}
+
+std::string fuzz_pnm(std::string_view bytes) {
+  return looks_like_pnm(bytes) ? check_image(whole_image(bytes, decode_pnm)) : "";
+}
+
+std::string fuzz_moving_ai_map(std::string_view bytes) {
+  return check_map(load_as(MapFormat::moving_ai_map, bytes));
+}
+
+std::string fuzz_text_grid(std::string_view bytes) {
+  return check_map(load_as(MapFormat::text_grid, bytes));
+}
+
+std::string fuzz_scenario(std::string_view bytes) {
+  const auto scenario = parse_scenario(bytes, kFuzzedFile);
+  if (!scenario) return check_error(scenario.error());
+  for (const ScenarioQuery& query : scenario->queries) {
+    const bool inside = query.start.x >= 0 && query.start.y >= 0 && query.goal.x >= 0 &&
+                        query.goal.y >= 0 && query.start.x < query.map_width &&
+                        query.goal.x < query.map_width && query.start.y < query.map_height &&
+                        query.goal.y < query.map_height;
+    if (!inside) return "a query that is not on its map";
+    if (!length_matches(query, query.length)) return "a length that does not match itself";
+  }
+  const auto map = scenario_map_path(*scenario);
+  return map ? "a map in a folder that has none" : check_error(map.error());
+}
+
+/// A path that was read comes back from the CSV that wend writes of it.
+std::string check_path(const Expected<Path, IoError>& path) {
+  if (!path) return check_error(path.error());
+  if (path->empty()) return "a path of nothing";
+  const auto again = parse_path_csv(path_csv(*path, {}), kFuzzedFile, {});
+  return again && *again == *path ? "" : "another path comes back";
+}
+
+std::string fuzz_path_csv(std::string_view bytes) {
+  return check_path(parse_path_csv(bytes, kFuzzedFile, {}));
+}
+
+std::string fuzz_path_json(std::string_view bytes) {
+  const std::string wrong = check_path(parse_path_json(bytes, kFuzzedFile, {}));
+  if (!wrong.empty()) return wrong;
+  return check_path(parse_path_json(bytes, kFuzzedFile, {}, PathStage::smoothed));
+}
+
+/// Rows that were read say the same again in the form of one column for each end.
+std::string fuzz_query_csv(std::string_view bytes) {
+  const auto rows = parse_query_csv(bytes, kFuzzedFile);
+  if (!rows) return check_error(rows.error());
+  std::size_t line = 1;
+  for (const QueryRow& row : *rows) {
+    if (row.line <= line) return "rows that do not follow each other";
+    line = row.line;
+    if (!row.wrong.empty()) {
+      if (!row.start.empty() || !row.goal.empty()) return "a bad row with ends";
+      continue;
+    }
+    const auto quoted = [](const std::string& text) {
+      std::string field = "\"";
+      for (const char letter : text) field += letter == '"' ? "\"\"" : std::string(1, letter);
+      return field + "\"";
+    };
+    const auto again = parse_query_csv(
+        "start,goal\n" + quoted(row.start) + "," + quoted(row.goal) + "\n", kFuzzedFile);
+    if (!again || again->size() != 1 || again->front().start != row.start ||
+        again->front().goal != row.goal) {
+      return "another query comes back";
+    }
+  }
+  return "";
+}
+
+std::string fuzz_planner_specs(std::string_view bytes) {
+  const auto specs = parse_planner_specs(bytes);
+  if (!specs) return specs.error().message().empty() ? "the error says nothing" : "";
+  if (specs->empty()) return "no planner, and no error";
+  std::string text;
+  for (const PlannerSpec& spec : *specs) text += (text.empty() ? "" : ",") + spec.text;
+  const auto again = parse_planner_specs(text);
+  return again && again->size() == specs->size() ? "" : "other planners come back";
+}
+
+/// A footprint that was read comes back from its text.
+std::string fuzz_footprint(std::string_view bytes) {
+  const auto footprint = parse_footprint(bytes);
+  if (!footprint) return check_text(footprint.error().message);
+  if (!footprint->valid()) return "an invalid footprint";
+  if (footprint->inscribed_radius() > footprint->circumscribed_radius()) return "radii swapped";
+  const auto again = parse_footprint(text_of(*footprint));
+  return again && *again == *footprint ? "" : "another footprint comes back";
+}
+
+/// The bytes as a file, and as changes to whole files.
+std::string fuzz_index(std::string_view bytes) {
+  const auto header = read_index_header(std::as_bytes(std::span(bytes)));
+  const std::string wrong = header ? "" : check_text(header.error());
+  return wrong.empty() ? use_forged_indexes(bytes) : wrong;
+}
+
+constexpr std::array kLoaders{
+    Loader{"map_yaml", fuzz_map_yaml},
+    Loader{"png", fuzz_png},
+    Loader{"pnm", fuzz_pnm},
+    Loader{"moving_ai_map", fuzz_moving_ai_map},
+    Loader{"text_grid", fuzz_text_grid},
+    Loader{"scenario", fuzz_scenario},
+    Loader{"path_csv", fuzz_path_csv},
+    Loader{"path_json", fuzz_path_json},
+    Loader{"query_csv", fuzz_query_csv},
+    Loader{"planner_specs", fuzz_planner_specs},
+    Loader{"footprint", fuzz_footprint},
+    Loader{"index", fuzz_index},
+};
+
+}  // namespace
+
+std::span<const Loader> fuzzed_loaders() { return kLoaders; }
+
+int fuzz_or_abort(std::string_view loader, const std::uint8_t* data, std::size_t size) {
+  const auto found = std::ranges::find(kLoaders, loader, &Loader::name);
+  if (found == kLoaders.end()) {
+    std::fprintf(stderr, "wend: no loader has this fuzzer's name\n");
+    std::abort();
+  }
+  const std::string wrong = found->fuzz({reinterpret_cast<const char*>(data), size});
+  if (wrong.empty()) return 0;
+  std::fprintf(stderr, "wend: %s\n", wrong.c_str());
+  std::abort();
+}
+
+}  // namespace wend::test
