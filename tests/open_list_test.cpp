@@ -112,8 +112,12 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
         EXPECT_EQ(plan.metrics.expanded, static_cast<std::uint64_t>(steps));
         break;
       }
-      EXPECT_EQ(state_of(*watcher.expanded()), state_of(list.entries.front().state))
-          << "after " << steps << " expansions";
+      EXPECT_EQ(watcher.expanded()->cell, list.entries.front().state.cell) << "after " << steps;
+      // Lazy Theta* chooses the parent of a cell, and so its g, when it expands the cell.
+      if (!info().any_angle) {
+        EXPECT_EQ(state_of(*watcher.expanded()), state_of(list.entries.front().state))
+            << "after " << steps << " expansions";
+      }
       EXPECT_EQ(state_of(next.entries.front().state), state_of(list.entries.front().state));
       if (info().guarantee != Guarantee::none && !outcome) {
         expect_same_order(states_of(list), states_of(planner.open_list(kAll)),

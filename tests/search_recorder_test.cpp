@@ -144,7 +144,8 @@ void expect_true_costs(const SearchLayers& layers, const Planner& planner, const
   for_all_cells(space, [&](Cell cell) {
     if (std::isnan(layers.g[cell])) return;
     EXPECT_NEAR(layers.h[cell], planner.heuristic(cell), kRounding);
-    if (!layers.parent[cell] || info.guarantee == Guarantee::none || info.jumps) return;
+    const bool by_steps = !info.jumps && !info.any_angle;
+    if (!layers.parent[cell] || info.guarantee == Guarantee::none || !by_steps) return;
     const Cell parent = step(cell, *layers.parent[cell]);
     EXPECT_TRUE(reference.is_step(parent, cell));
     const double cost = info.plans_on_terrain ? reference.step_cost(parent, cell)

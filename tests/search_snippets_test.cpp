@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,9 +23,22 @@
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/search/limit_check.hpp"
+#include "wend/search/links.hpp"
 #include "wend/space/grid/grid_space.hpp"
+#include "wend/space/grid/sight_grid.hpp"
 
 namespace {
+
+struct StepsThatKeepParents {
+  template <class Cost>
+  using Node = wend::ParentNode<Cost>;
+
+  static std::optional<wend::Link<double>> link(const auto& search, const auto& state,
+                                                const auto& /*next*/, double step_cost) {
+    const wend::StateId id = search.space().id(state);
+    return wend::Link<double>{id, search.g(id) + step_cost};
+  }
+};
 
 using wend::BitGrid;
 using wend::Cell;
@@ -66,6 +81,26 @@ TEST(SearchSnippets, OfForwardSearchAndLimitCheck) {
   }
   EXPECT_EQ(outcome, SearchOutcome::expansion_limit);
   EXPECT_EQ(expanded, 3);
+}
+
+TEST(SearchSnippets, OfLinksAndSightGrid) {
+  const wend::FreeSpace& space = walled_ground();
+  const wend::SightGrid grid(space);
+  double length = 0;
+  if (grid.sees(grid.state({0, 0}), grid.state({5, 2}))) length = std::sqrt(29);
+  EXPECT_EQ(length, 0) << "the wall is between them";
+  EXPECT_TRUE(grid.sees(grid.state({0, 0}), grid.state({3, 2})));
+
+  using Estimate = wend::RealEstimate<wend::SightGrid>;
+  wend::ForwardSearch<wend::SightGrid, wend::HeapFrontier<wend::RealKey<double>>, Estimate,
+                      wend::DuplicateRule::keep_cheaper, StepsThatKeepParents>
+      search(grid, Estimate(wend::HeuristicKind::euclidean, 0, 1, 1));
+  const wend::Limits limits;
+  search.priority().begin(std::array{Cell{8, 0}}, limits);
+  search.begin(std::array{grid.state({0, 0})}, limits);
+  EXPECT_EQ(search.run(), wend::SearchOutcome::found);
+  EXPECT_DOUBLE_EQ(search.g(search.goal().number), 8 * std::sqrt(2))
+      << "past the corner of the wall";
 }
 
 TEST(SearchSnippets, OfJumpGraphs) {

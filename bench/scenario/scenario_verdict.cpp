@@ -8,7 +8,7 @@
 namespace wend {
 
 std::string wrong_answer(const FreeSpace& space, GridMoves moves, const ScenarioQuery& query,
-                         Status status, const Plan& plan) {
+                         Status status, const Plan& plan, PathKind kind) {
   if (status == Status::time_limit) return {};
   if (status != Status::found) {
     if (query.says_no_path()) return {};
@@ -19,12 +19,14 @@ std::string wrong_answer(const FreeSpace& space, GridMoves moves, const Scenario
   if (cells.empty() || cells.front() != query.start || cells.back() != query.goal) {
     return "the path does not join start and goal";
   }
-  const auto length = check_grid_path(space, moves, cells);
+  const auto length = kind == PathKind::lines
+                          ? check_any_angle_path(space, moves.adjacency(), cells)
+                          : check_grid_path(space, moves, cells);
   if (!length) return "not a valid path: " + length.error().what;
   if (query.says_no_path()) {
     return fmt::format("found a path of length {:.8g}, expected none", *length);
   }
-  if (length_matches(query, *length)) return {};
+  if (kind == PathKind::lines || length_matches(query, *length)) return {};
   return fmt::format("found a path of length {:.8f}, expected {}", *length,
                      format_number(query.length));
 }

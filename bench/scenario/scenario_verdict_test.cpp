@@ -39,6 +39,17 @@ TEST(WrongAnswer, IsAnotherLength) {
   EXPECT_THAT(verdict(query_of_length(2.1), Status::found, kStraight), HasSubstr("expected 2.1"));
 }
 
+TEST(WrongAnswer, IsALineThatIsNotFreeWhateverTheLength) {
+  const auto verdict_of_lines = [](const Grid<CellState>& cells) {
+    return wrong_answer(space_of(cells), {}, query_of_length(9), Status::found,
+                        plan_along({{0, 0}, {2, 0}}), PathKind::lines);
+  };
+  Grid<CellState> cells = kOpen;
+  EXPECT_THAT(verdict_of_lines(cells), IsEmpty());
+  cells[{1, 0}] = CellState::occupied;
+  EXPECT_THAT(verdict_of_lines(cells), HasSubstr("(0,0) to (2,0) is not free"));
+}
+
 TEST(WrongAnswer, IsNoneWhereThereIsOne) {
   EXPECT_THAT(verdict(query_of_length(2), Status::start_blocked, {}),
               HasSubstr("found none (the robot does not fit at the start), expected one"));

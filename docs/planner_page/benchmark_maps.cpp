@@ -83,12 +83,12 @@ PlannerSpec planner_spec(const std::string& text) {
   return specs->front();
 }
 
-/// Every complete grid planner without an index, and variants of astar, each with `option` besides:
+/// Every complete grid planner without an index whose paths are steps, and variants of astar, each with `option` besides:
 /// those that have this option and can plan on the map.
 std::vector<Configuration> planners_for(const FreeSpace& space, const std::string& option) {
   std::vector<std::string> names;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.motion == Motion::cells && !planner.index_support &&
+    if (planner.motion == Motion::cells && !planner.any_angle && !planner.index_support &&
         planner.guarantee != Guarantee::none) {
       names.push_back(planner.name);
     }

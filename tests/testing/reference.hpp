@@ -124,6 +124,19 @@ class Reference {
     return what.str();
   }
 
+  /// What is wrong with a path whose cells are joined by lines; empty if nothing is.
+  std::string any_angle_fault(std::span<const Cell> path, Cell from, Cell to) const {
+    std::ostringstream what;
+    if (path.empty() || path.front() != from || path.back() != to) {
+      what << "the path does not join start and goal";
+    }
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (!passable(path[i])) what << "; (" << path[i].x << "," << path[i].y << ") is blocked";
+      if (i > 0 && !is_free_line(path[i - 1], path[i])) what << "; line " << i << " is not free";
+    }
+    return what.str();
+  }
+
   /// The cheapest cost from one cell to every cell (Dijkstra).
   std::vector<double> costs_from(Cell start) const {
     return spread(start, [](const Edge& edge) { return edge.cost; });
@@ -194,6 +207,54 @@ class Reference {
     return !is_obstacle(cell) && kept_clear(cell, [&](Cell square) {
       return distance_to_square(cell.x + 0.5, cell.y + 0.5, square);
     });
+  }
+
+  /// Does the robot fit along the line between the centres of two cells?
+  bool is_free_line(Cell from, Cell to) const {
+    const int reach = static_cast<int>(std::ceil(robot_.radius)) + 1;
+    for (int y = std::min(from.y, to.y) - reach; y <= std::max(from.y, to.y) + reach; ++y) {
+      for (int x = std::min(from.x, to.x) - reach; x <= std::max(from.x, to.x) + reach; ++x) {
+        if (robot_.radius == 0 && squeezes_through(from, to, {x, y})) return false;
+        if (!is_obstacle({x, y})) continue;
+        if (robot_.radius == 0 ? enters(from, to, {x, y})
+                               : distance_to_square(from, to, {x, y}) < robot_.radius - 1e-7) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// On which side of the line between two centres is a corner, (x, y)? 0: on the line. Exact.
+  static long side(Cell from, Cell to, int x, int y) {
+    const long dx = to.x - from.x;
+    const long dy = to.y - from.y;
+    return dx * (2L * (y - from.y) - 1) - dy * (2L * (x - from.x) - 1);
+  }
+
+  /// Does the line enter the interior of a square? Then two of its corners lie on either side.
+  static bool enters(Cell from, Cell to, Cell square) {
+    if (square.x < std::min(from.x, to.x) || square.x > std::max(from.x, to.x)) return false;
+    if (square.y < std::min(from.y, to.y) || square.y > std::max(from.y, to.y)) return false;
+    bool left = false;
+    bool right = false;
+    for (const Cell corner : {Cell{0, 0}, Cell{1, 0}, Cell{0, 1}, Cell{1, 1}}) {
+      const long where = side(from, to, square.x + corner.x, square.y + corner.y);
+      left = left || where > 0;
+      right = right || where < 0;
+    }
+    return left && right;
+  }
+
+  /// Does the line pass between two obstacles that touch at the first corner of a cell?
+  bool squeezes_through(Cell from, Cell to, Cell cell) const {
+    if (rules_.diagonals && rules_.corners_cut == 2) return false;
+    if (cell.x <= std::min(from.x, to.x) || cell.x > std::max(from.x, to.x)) return false;
+    if (cell.y <= std::min(from.y, to.y) || cell.y > std::max(from.y, to.y)) return false;
+    if (side(from, to, cell.x, cell.y) != 0) return false;
+    const bool falling = is_obstacle(cell) && is_obstacle({cell.x - 1, cell.y - 1});
+    const bool rising = is_obstacle({cell.x - 1, cell.y}) && is_obstacle({cell.x, cell.y - 1});
+    return falling || rising;
   }
 
   bool step_allowed(Cell from, Cell to) const {

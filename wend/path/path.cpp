@@ -18,6 +18,13 @@ Path Path::along(std::vector<Point> waypoints) {
   return path;
 }
 
+bool Path::of_steps() const {
+  const auto far_apart = [](Cell a, Cell b) {
+    return std::abs(a.x - b.x) > 1 || std::abs(a.y - b.y) > 1;
+  };
+  return !cells_.empty() && std::ranges::adjacent_find(cells(), far_apart) == cells().end();
+}
+
 std::vector<Point> Path::points() const {
   if (!waypoints_.empty()) return waypoints_;
   std::vector<Point> points;

@@ -1,7 +1,8 @@
 #pragma once
 
 // Path: the path from a start to a goal, both included: a list of neighbouring cells, a car's
-// poses, or waypoints. Poses and points in metres are computed from it on demand.
+// poses, or waypoints; cells that are not neighbours if its planner turns at any angle. Poses and points
+// in metres are computed from it on demand.
 //
 //   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
 //
@@ -78,6 +79,9 @@ class Path {
 
   /// Is it made of poses, not of cells or waypoints?
   bool driven() const { return !poses_.empty(); }
+
+  /// Is it made of cells, each a neighbour of the one before? O(n).
+  bool of_steps() const;
 
   /// The cells of a path of cells; else empty.
   std::span<const Cell> cells() const { return cells_.cells(); }

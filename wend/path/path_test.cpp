@@ -47,6 +47,14 @@ TEST(Path, LengthCountsStepsExactly) {
   EXPECT_EQ(Path(cells).length(), 10 + 1000 * std::numbers::sqrt2);
 }
 
+TEST(Path, IsOfStepsIfItsCellsAreNeighbours) {
+  EXPECT_TRUE(Path({{3, 3}}).of_steps());
+  EXPECT_TRUE(Path({{3, 3}, {4, 3}, {5, 2}}).of_steps());
+  EXPECT_FALSE(Path({{3, 3}, {4, 3}, {6, 3}}).of_steps());
+  EXPECT_FALSE(Path().of_steps());
+  EXPECT_FALSE(Path::along({{0.5, 0.5}, {1.5, 0.5}}).of_steps());
+}
+
 TEST(Path, LengthOfFartherCellsIsTheirDistance) {
   EXPECT_DOUBLE_EQ(Path({{0, 0}, {3, 4}, {3, 4}, {3, 5}}).length(), 6);
   EXPECT_EQ(Path({{7, 7}}).length(), 0);

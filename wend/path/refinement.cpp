@@ -47,6 +47,10 @@ Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& spa
     refined.path = simplified_by(*refinement.simplify, path, space, adjacency);
   }
   if (refinement.smoother) {
+    // Long lines of cells have too few points to bend.
+    if (!refined.path.cells().empty() && !refined.path.of_steps()) {
+      refined.path = resampled(refined.path, 1, space, adjacency);
+    }
     auto smoothed = smoothed_by(*refinement.smoother, refined.path, space, adjacency);
     if (!smoothed) return Unexpected<SmoothingError>(std::move(smoothed).error());
     refined.path = smoothed->path;

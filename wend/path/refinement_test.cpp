@@ -36,6 +36,16 @@ TEST(Refinement, SimplifiesThenSmoothsThenResamples) {
   EXPECT_EQ(all->path, resampled(smooth->path, 0.25, space));
 }
 
+TEST(Refinement, DividesLongLinesBetweenCellsBeforeItSmooths) {
+  const FreeSpace space = room();
+  const Path lines({{0, 4}, {0, 0}, {4, 0}});
+  const auto smooth = refined(lines, space, {.smoother = SmootherChoice{"gradient", {}}});
+  ASSERT_TRUE(smooth);
+  const auto divided = smooth_by_gradient(resampled(lines, 1, space), space, {});
+  EXPECT_EQ(smooth->path, divided->path);
+  EXPECT_GT(smooth->path.size(), 6U);
+}
+
 TEST(Refinement, SimplifiesByWhatIsAsked) {
   const FreeSpace space = room();
   EXPECT_EQ(refined(kBend, space, {.simplify = Simplification{SimplifyBy::tolerance, 0.8}})->path,

@@ -92,8 +92,9 @@ struct PlannerInfo {
   Guarantee guarantee = Guarantee::none;
   bool plans_on_terrain = false;  // takes terrain costs into account
   Preprocessing preprocessing = Preprocessing::none;
-  bool can_step = false;  // Planner::begin and step work
-  bool jumps = false;     // expands only some cells of its paths, if any
+  bool can_step = false;   // Planner::begin and step work
+  bool jumps = false;      // expands only some cells of its paths, if any
+  bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
   Motion motion = Motion::cells;
   std::vector<OptionInfo> options = {};
   /// Makes the planner, including its preprocessing, on one thread.

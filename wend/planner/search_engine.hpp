@@ -49,17 +49,17 @@ class SearchEngine {
   virtual void write_path(Path& path) const = 0;
 };
 
-/// A state of a search, as it was reached by a move at that cost.
+/// A state of a search, as it was reached at that cost.
 template <class Names, class Search>
-SearchEvent event_of(const Search& search, const typename Search::State& state, Move arrival,
-                     typename Search::Cost cost) {
+SearchEvent event_of(const Search& search, const typename Search::State& state,
+                     typename Search::Arrival arrival, typename Search::Cost cost) {
   const auto& space = search.space();
   const auto place = Names::place(state);
   const double g = static_cast<double>(cost) / Search::SpaceType::kUnitsPerCell;
   SearchEvent event{{}, {}, g, search.priority().h(place), search.priority().f(place, g)};
   Names::tell_place(event, space, place);
-  if (arrival != kNoMove) {
-    Names::tell_parent(event, space, Names::place(space.parent(state, arrival)));
+  if (arrival != Search::kNoArrival) {
+    Names::tell_parent(event, space, Names::place(search.parent(state, arrival)));
   }
   return event;
 }
@@ -95,22 +95,23 @@ class ObserverAdapter {
  public:
   using State = typename Search::State;
   using Cost = typename Search::Cost;
+  using Arrival = typename Search::Arrival;
 
   ObserverAdapter(Search& search, SearchObserver& observer)
       : search_(search), observer_(observer) {}
 
-  void on_generate(const State& state, Move arrival, Cost g) {
+  void on_generate(const State& state, Arrival arrival, Cost g) {
     observer_.on_generate(event(state, arrival, g));
   }
-  void on_expand(const State& state, Move arrival, Cost g) {
+  void on_expand(const State& state, Arrival arrival, Cost g) {
     observer_.on_expand(event(state, arrival, g));
   }
-  void on_relax(const State& state, Move arrival, Cost g) {
+  void on_relax(const State& state, Arrival arrival, Cost g) {
     observer_.on_relax(event(state, arrival, g));
   }
 
  private:
-  SearchEvent event(const State& state, Move arrival, Cost cost) const {
+  SearchEvent event(const State& state, Arrival arrival, Cost cost) const {
     return event_of<Names>(search_, state, arrival, cost);
   }
 
@@ -119,7 +120,7 @@ class ObserverAdapter {
 };
 
 template <class Engine, class Names, class Space, class Frontier, class Priority,
-          DuplicateRule kDuplicates>
+          DuplicateRule kDuplicates, class Links = StepLinks>
 class SearchEngineOf final : public Engine {
  public:
   using Place = typename Engine::Place;
@@ -160,7 +161,7 @@ class SearchEngineOf final : public Engine {
   }
 
  private:
-  using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates>;
+  using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates, Links>;
 
   /// A search whose estimates were broken off has found nothing that holds.
   SearchOutcome outcome() const { return search_.priority().stopped().value_or(search_.outcome()); }

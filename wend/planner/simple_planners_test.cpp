@@ -114,7 +114,8 @@ TEST(Dijkstra, TakesTheNearestOfSeveralGoals) {
 TEST(Planners, AreListedInOrder) {
   EXPECT_EQ(planners().names(),
             (std::vector<std::string>{"astar", "dijkstra", "jps", "hub_labels", "corner_hierarchy",
-                                      "greedy", "bfs", "dfs", "random_walk", "car"}));
+                                      "theta_star", "lazy_theta_star", "greedy", "bfs", "dfs",
+                                      "random_walk", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {

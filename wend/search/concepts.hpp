@@ -46,8 +46,9 @@ concept SearchFrontier = std::copyable<F> && requires(F frontier, typename F::Ke
 };
 
 /// Watches a search. A template parameter of the loop: watching with NoObserver costs nothing.
-template <class O, class Space>
-concept SearchWatcher = requires(O& observer, const typename Space::State& state, Move arrival,
+/// An arrival is a move, or the id of the parent, as the Links of the search have it.
+template <class O, class Space, class Arrival = Move>
+concept SearchWatcher = requires(O& observer, const typename Space::State& state, Arrival arrival,
                                  typename Space::Cost g) {
   observer.on_generate(state, arrival, g);
   observer.on_expand(state, arrival, g);
@@ -55,9 +56,9 @@ concept SearchWatcher = requires(O& observer, const typename Space::State& state
 };
 
 struct NoObserver {
-  void on_generate(const auto&, Move, auto) const {}
-  void on_expand(const auto&, Move, auto) const {}
-  void on_relax(const auto&, Move, auto) const {}
+  void on_generate(const auto&, auto, auto) const {}
+  void on_expand(const auto&, auto, auto) const {}
+  void on_relax(const auto&, auto, auto) const {}
 };
 
 }  // namespace wend

@@ -12,17 +12,22 @@
 // A goal is recognised when it is expanded. Closed states are never reopened: with keep_cheaper the
 // answer is optimal if keys never decrease along a path (a consistent heuristic). Nothing is allocated
 // once the frontier has its final size. O(states) memory, touched only where the search goes.
+//
+// Links are how a state is reached, and what its node keeps of that: StepLinks, by a move from the state
+// that is expanded, or a choice of parents (links.hpp).
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <unordered_set>
 #include <utility>
 
 #include "wend/base/limits.hpp"
 #include "wend/search/concepts.hpp"
 #include "wend/search/limit_check.hpp"
+#include "wend/search/links.hpp"
 #include "wend/search/node_table.hpp"
 #include "wend/search/search_outcome.hpp"
 
@@ -32,13 +37,16 @@ namespace wend {
 enum class DuplicateRule { keep_first, keep_cheaper };
 
 template <SearchSpace Space, SearchFrontier Frontier, SearchPriority<Space> Priority,
-          DuplicateRule kDuplicates>
+          DuplicateRule kDuplicates, class Links = StepLinks>
 class ForwardSearch {
  public:
   using SpaceType = Space;
   using State = typename Space::State;
   using Cost = typename Space::Cost;
   using Key = typename Frontier::Key;
+  using Node = typename Links::template Node<Cost>;
+  using Arrival = typename Node::Arrival;
+  static constexpr Arrival kNoArrival = Node::kNoArrival;
 
   ForwardSearch(Space space, Priority priority)
       : space_(std::move(space)), priority_(std::move(priority)), nodes_(space_.state_count()) {}
@@ -61,7 +69,7 @@ class ForwardSearch {
     if (!allocated()) return;
     nodes_.begin_search();
     frontier_.clear();
-    for (const State& start : starts) reach(start, Cost{0}, kNoMove, observer);
+    for (const State& start : starts) reach(start, Cost{0}, kNoArrival, observer);
     metrics_.max_frontier = metrics_.generated;
   }
 
@@ -97,7 +105,16 @@ class ForwardSearch {
   bool reached(StateId id) const { return nodes_.reached(nodes_[id]); }
   bool closed(StateId id) const { return reached(id) && nodes_[id].closed(); }
   Cost g(StateId id) const { return nodes_[id].g; }
-  Move arrival(StateId id) const { return nodes_[id].arrival(); }
+  Arrival arrival(StateId id) const { return nodes_[id].arrival(); }
+
+  /// The state from which a state was reached; `arrival` is not kNoArrival.
+  State parent(const State& state, Arrival arrival) const {
+    if constexpr (kByMoves) {
+      return space_.parent(state, arrival);
+    } else {
+      return space_.state(arrival);
+    }
+  }
 
   /// How many states are open.
   std::uint64_t open_count() const { return metrics_.generated - metrics_.expanded; }
@@ -119,47 +136,72 @@ class ForwardSearch {
   template <class Visit>
   void for_each_back_from(State last, Visit&& visit) const {
     visit(last);
-    for (Move move = arrival(space_.id(last)); move != kNoMove; move = arrival(space_.id(last))) {
-      last = space_.parent(last, move);
+    for (Arrival by = arrival(space_.id(last)); by != kNoArrival; by = arrival(space_.id(last))) {
+      last = parent(last, by);
       visit(last);
     }
   }
 
  private:
-  using Node = typename NodeTable<Cost>::Node;
+  static constexpr bool kByMoves = std::is_same_v<Arrival, Move>;
 
   template <class Observer>
-  void expand(const State& state, const Node& node, Observer&& observer) {
+  void expand(const State& state, Node& node, Observer&& observer) {
     ++metrics_.expanded;
+    if constexpr (requires { Links::settled(*this, state); }) {
+      if (const auto link = Links::settled(*this, state)) node.replace(link->g, link->parent);
+    }
     const Cost g = node.g;
-    const Move arrival = node.arrival();
+    const Arrival arrival = node.arrival();
     observer.on_expand(state, arrival, g);
     if (priority_.is_goal(state)) {
       goal_ = state;
       outcome_ = SearchOutcome::found;
       return;
     }
-    space_.for_each_successor(state, arrival, [&](const State& next, Move move, Cost step_cost) {
-      if (!reach(next, static_cast<Cost>(g + step_cost), move, observer)) return;
+    const Move move_here = move_of(arrival);
+    space_.for_each_successor(state, move_here, [&](const State& next, Move move, Cost step_cost) {
+      if (!reach_from(state, g, next, move, step_cost, observer)) return;
       // Its own successors lie ahead in the same direction: at the same id offset again.
       nodes_.prefetch(2 * space_.id(next) - space_.id(state));
     });
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   }
 
+  static Move move_of(Arrival arrival) {
+    if constexpr (kByMoves) {
+      return arrival;
+    } else {
+      return kNoMove;
+    }
+  }
+
+  /// Opens a successor of a state by the link that the Links choose; returns whether it did.
+  template <class Observer>
+  bool reach_from(const State& state, Cost g, const State& next, Move move, Cost step_cost,
+                  Observer&& observer) {
+    if constexpr (kByMoves) {
+      return reach(next, static_cast<Cost>(g + step_cost), move, observer);
+    } else {
+      if (closed(space_.id(next))) return false;
+      const auto link = Links::link(*this, state, next, step_cost);
+      return link && reach(next, link->g, link->parent, observer);
+    }
+  }
+
   /// Opens a state unless it was reached as well or better; returns whether it did.
   template <class Observer>
-  bool reach(const State& next, Cost g, Move move, Observer&& observer) {
+  bool reach(const State& next, Cost g, Arrival arrival, Observer&& observer) {
     Node& node = nodes_[space_.id(next)];
     if (!nodes_.reached(node)) {
       ++metrics_.generated;
-      nodes_.open(node, g, move);
-      observer.on_generate(next, move, g);
+      nodes_.open(node, g, arrival);
+      observer.on_generate(next, arrival, g);
     } else {
       if constexpr (kDuplicates == DuplicateRule::keep_first) return false;
       if (node.closed() || !(g < node.g)) return false;
-      nodes_.open(node, g, move);
-      observer.on_relax(next, move, g);
+      nodes_.open(node, g, arrival);
+      observer.on_relax(next, arrival, g);
     }
     frontier_.push(priority_.key(next, g), space_.id(next));
     return true;
@@ -176,7 +218,7 @@ class ForwardSearch {
 
   Space space_;
   Priority priority_;
-  NodeTable<Cost> nodes_;
+  NodeTable<Node> nodes_;
   Frontier frontier_;
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;

@@ -112,6 +112,20 @@ using Dijkstra =
     ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper>;
 using BreadthFirst = ForwardSearch<Graph, FifoFrontier, InOrder, DuplicateRule::keep_first>;
 
+/// The same steps, kept as parents.
+struct ParentLinks {
+  template <class Cost>
+  using Node = ParentNode<Cost>;
+
+  static std::optional<Link<int>> link(const auto& search, StateId state, StateId /*next*/,
+                                       int step_cost) {
+    return Link<int>{state, search.g(state) + step_cost};
+  }
+};
+
+using DijkstraByParents = ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst,
+                                        DuplicateRule::keep_cheaper, ParentLinks>;
+
 /// Records each event: "g" generated, "e" expanded, "r" relaxed, with state and cost.
 struct Diary {
   void on_generate(StateId state, Move, int g) { note("g", state, g); }
@@ -173,6 +187,27 @@ TEST(ForwardSearch, FindsTheCheapestCostsOnRandomGraphs) {
   }
 }
 
+TEST(ForwardSearch, WithParentsInItsNodesExpandsTheSameStates) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Graph graph = random_graph(random);
+    const auto start = static_cast<StateId>(random.below(graph.state_count()));
+    const auto goal = static_cast<StateId>(random.below(graph.state_count()));
+    Dijkstra by_moves(graph, CheapestFirst{goal});
+    DijkstraByParents by_parents(graph, CheapestFirst{goal});
+    ASSERT_EQ(search_from(by_parents, {start}), search_from(by_moves, {start}));
+    EXPECT_EQ(by_parents.metrics(), by_moves.metrics());
+    for (StateId id = 0; id < graph.state_count(); ++id) {
+      ASSERT_EQ(by_parents.closed(id), by_moves.closed(id));
+      if (!by_moves.closed(id)) continue;
+      EXPECT_EQ(by_parents.g(id), by_moves.g(id));
+    }
+    if (by_moves.outcome() != SearchOutcome::found) continue;
+    EXPECT_EQ(path_of(by_parents), path_of(by_moves));
+  }
+}
+
 /// A detour that is cheaper, a dead end, and a state beyond the goal.
 Graph detour() {
   Graph graph(6);
@@ -183,6 +218,22 @@ Graph detour() {
   graph.add(1, 3, 1);
   graph.add(3, 4, 1);
   return graph;
+}
+
+/// Lets a state that is about to be expanded go back to its start, at a cost of 100.
+struct BackToTheStart : ParentLinks {
+  static std::optional<Link<int>> settled(const auto& /*search*/, StateId state) {
+    return state == 1 ? std::optional(Link<int>{0, 100}) : std::nullopt;
+  }
+};
+
+TEST(ForwardSearch, ExpandsAStateByTheLinkThatItSettledOn) {
+  ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper,
+                BackToTheStart>
+      search(detour(), CheapestFirst{3});
+  EXPECT_EQ(search_from(search, {0}), SearchOutcome::found);
+  EXPECT_THAT(path_of(search), ElementsAre(0, 1, 3));
+  EXPECT_EQ(search.g(3), 101);
 }
 
 TEST(ForwardSearch, TellsEveryEventInOrder) {

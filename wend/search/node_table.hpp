@@ -1,6 +1,10 @@
 #pragma once
 
-// NodeTable: the search nodes. Each holds a state's g, its arrival, and whether it is closed.
+// NodeTable: the search nodes. Each holds a state's g, how it was reached (its arrival), and whether it
+// is closed. Two kinds of nodes:
+//
+// - MoveNode: the arrival is a move, which the space can undo. The smallest.
+// - ParentNode: the arrival is the parent, any state of the space.
 //
 // Starting a search takes O(1): a node is valid only if its generation is the current one. When the
 // generations run out, the table is cleared once and they start again. Memory comes zeroed from the
@@ -14,23 +18,75 @@
 
 namespace wend {
 
-template <class Cost, unsigned kGenerationBits = 32 - kMoveBits - 1>
+/// 8 bytes with a 32-bit cost, 16 with a 64-bit one.
+template <class Cost>
+class MoveNode {
+ public:
+  using Arrival = Move;
+  static constexpr Arrival kNoArrival = kNoMove;  // of a start
+
+  Cost g;
+
+  Arrival arrival() const { return static_cast<Arrival>(tag_ & kMoveMask); }
+  bool closed() const { return (tag_ & kClosed) != 0; }
+  void close() { tag_ |= kClosed; }
+
+ private:
+  template <class Node, unsigned kGenerationBits>
+  friend class NodeTable;
+
+  static constexpr std::uint32_t kMoveMask = (1U << kMoveBits) - 1;
+  static constexpr std::uint32_t kClosed = 1U << kMoveBits;
+  static constexpr std::uint32_t kFlags = kMoveMask | kClosed;
+
+  void open(std::uint32_t generation, Cost cost, Arrival move) {
+    g = cost;
+    tag_ = generation | move;
+  }
+
+  // From bit 0: the arrival, closed, the generation. 0: a node without a generation.
+  std::uint32_t tag_;
+};
+
+/// 16 bytes with a 64-bit cost.
+template <class Cost>
+class ParentNode {
+ public:
+  using Arrival = StateId;
+  static constexpr Arrival kNoArrival = ~StateId{0};  // of a start
+
+  Cost g;
+
+  Arrival arrival() const { return parent_; }
+  bool closed() const { return (tag_ & kClosed) != 0; }
+  void close() { tag_ |= kClosed; }
+
+  /// Another way to the same state.
+  void replace(Cost cost, Arrival parent) {
+    g = cost;
+    parent_ = parent;
+  }
+
+ private:
+  template <class Node, unsigned kGenerationBits>
+  friend class NodeTable;
+
+  static constexpr std::uint32_t kClosed = 1;
+  static constexpr std::uint32_t kFlags = kClosed;
+
+  void open(std::uint32_t generation, Cost cost, Arrival parent) {
+    replace(cost, parent);
+    tag_ = generation;
+  }
+
+  StateId parent_;
+  std::uint32_t tag_;  // bit 0: closed; then the generation, 0 for a node without one
+};
+
+template <class NodeType, unsigned kGenerationBits = 32 - kMoveBits - 1>
 class NodeTable {
  public:
-  /// 8 bytes with a 32-bit cost, 16 with a 64-bit one.
-  class Node {
-   public:
-    Cost g;
-
-    Move arrival() const { return static_cast<Move>(tag_ & kMoveMask); }
-    bool closed() const { return (tag_ & kClosed) != 0; }
-    void close() { tag_ |= kClosed; }
-
-   private:
-    friend class NodeTable;
-    // From bit 0: the arrival, closed, the generation. 0: a node without a generation.
-    std::uint32_t tag_;
-  };
+  using Node = NodeType;
 
   explicit NodeTable(StateId count)
       : count_(count), nodes_(static_cast<Node*>(std::calloc(count, sizeof(Node)))) {}
@@ -58,12 +114,11 @@ class NodeTable {
   }
 
   /// Has this search reached the node?
-  bool reached(const Node& node) const { return (node.tag_ & ~kFlags) == generation_; }
+  bool reached(const Node& node) const { return (node.tag_ & ~Node::kFlags) == generation_; }
 
   /// Opens a node, for the first time or again.
-  void open(Node& node, Cost g, Move arrival) {
-    node.g = g;
-    node.tag_ = static_cast<std::uint32_t>(generation_) | arrival;
+  void open(Node& node, decltype(Node::g) g, typename Node::Arrival arrival) {
+    node.open(static_cast<std::uint32_t>(generation_), g, arrival);
   }
 
  private:
@@ -71,10 +126,7 @@ class NodeTable {
     void operator()(Node* nodes) const { std::free(nodes); }
   };
 
-  static constexpr std::uint32_t kMoveMask = (1U << kMoveBits) - 1;
-  static constexpr std::uint32_t kClosed = 1U << kMoveBits;
-  static constexpr std::uint32_t kFlags = kMoveMask | kClosed;
-  static constexpr std::uint64_t kGenerationUnit = kFlags + 1;
+  static constexpr std::uint64_t kGenerationUnit = Node::kFlags + 1;
   static constexpr std::uint64_t kGenerationEnd = kGenerationUnit << kGenerationBits;
 
   StateId count_;

@@ -10,19 +10,20 @@ namespace {
 
 constexpr StateId kStates = 20;
 
-static_assert(sizeof(NodeTable<std::uint32_t>::Node) == 8);
-static_assert(sizeof(NodeTable<std::uint64_t>::Node) == 16);
-static_assert(sizeof(NodeTable<double>::Node) == 16);
+static_assert(sizeof(MoveNode<std::uint32_t>) == 8);
+static_assert(sizeof(MoveNode<std::uint64_t>) == 16);
+static_assert(sizeof(MoveNode<double>) == 16);
+static_assert(sizeof(ParentNode<double>) == 16);
 
 TEST(NodeTable, HasReachedNothingAtFirst) {
-  NodeTable<int> table(kStates);
+  NodeTable<MoveNode<int>> table(kStates);
   ASSERT_TRUE(table.allocated());
   table.begin_search();
   for (StateId id = 0; id < kStates; ++id) EXPECT_FALSE(table.reached(table[id]));
 }
 
 TEST(NodeTable, OpensClosesAndOpensAnew) {
-  NodeTable<int> table(kStates);
+  NodeTable<MoveNode<int>> table(kStates);
   table.begin_search();
   auto& node = table[3];
   table.open(node, 42, 7);
@@ -40,8 +41,20 @@ TEST(NodeTable, OpensClosesAndOpensAnew) {
   EXPECT_EQ(node.arrival(), kNoMove);
 }
 
+TEST(NodeTable, KeepsAnyParentAndReplacesIt) {
+  NodeTable<ParentNode<double>> table(kStates);
+  table.begin_search();
+  auto& node = table[3];
+  table.open(node, 4.5, 19);
+  node.close();
+  node.replace(5.5, 2);
+  EXPECT_EQ(node.g, 5.5);
+  EXPECT_EQ(node.arrival(), 2U);
+  EXPECT_TRUE(node.closed() && table.reached(node));
+}
+
 TEST(NodeTable, EveryArrivalFits) {
-  NodeTable<int> table(kNoMove + 1U);
+  NodeTable<MoveNode<int>> table(kNoMove + 1U);
   table.begin_search();
   for (unsigned move = 0; move <= kNoMove; ++move) {
     table.open(table[move], 0, static_cast<Move>(move));
@@ -52,7 +65,7 @@ TEST(NodeTable, EveryArrivalFits) {
 /// A node that was reached in the first generation 1 must not count in the next generation 1.
 TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
   constexpr unsigned kBits = 2;
-  NodeTable<int, kBits> table(kStates);
+  NodeTable<MoveNode<int>, kBits> table(kStates);
   for (StateId search = 0; search < 3U << kBits; ++search) {
     table.begin_search();
     for (StateId id = 0; id < kStates; ++id) {
@@ -64,14 +77,15 @@ TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
 }
 
 /// Compares any sequence of searches, over any number of wraps, with a map that is cleared.
-template <unsigned kGenerationBits>
+template <class Node, unsigned kGenerationBits>
 void behaves_like_a_map() {
+  using Arrival = typename Node::Arrival;
   struct Known {
     int g;
-    Move arrival;
+    Arrival arrival;
     bool closed;
   };
-  NodeTable<int, kGenerationBits> table(kStates);
+  NodeTable<Node, kGenerationBits> table(kStates);
   const auto searches = *rc::gen::inRange(1, 40);
   for (int search = 0; search < searches; ++search) {
     table.begin_search();
@@ -80,7 +94,7 @@ void behaves_like_a_map() {
         *rc::gen::container<std::vector<StateId>>(rc::gen::inRange(StateId{0}, kStates));
     for (const StateId id : ids) {
       const auto g = *rc::gen::arbitrary<int>();
-      const auto arrival = *rc::gen::inRange<Move>(0, kNoMove + 1);
+      const auto arrival = *rc::gen::element<Arrival>(0, 1, Node::kNoArrival - 1, Node::kNoArrival);
       table.open(table[id], g, arrival);
       model[id] = {g, arrival, *rc::gen::arbitrary<bool>()};
       if (model[id].closed) table[id].close();
@@ -96,9 +110,19 @@ void behaves_like_a_map() {
   }
 }
 
-RC_GTEST_PROP(NodeTable, BehavesLikeAMap, ()) { behaves_like_a_map<27>(); }
-RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithTwoGenerations, ()) { behaves_like_a_map<1>(); }
-RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithEightGenerations, ()) { behaves_like_a_map<3>(); }
+RC_GTEST_PROP(NodeTable, BehavesLikeAMap, ()) { behaves_like_a_map<MoveNode<int>, 27>(); }
+RC_GTEST_PROP(NodeTable, OfParentsBehavesLikeAMap, ()) {
+  behaves_like_a_map<ParentNode<int>, 27>();
+}
+RC_GTEST_PROP(NodeTable, OfParentsBehavesLikeAMapWithTwoGenerations, ()) {
+  behaves_like_a_map<ParentNode<int>, 1>();
+}
+RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithTwoGenerations, ()) {
+  behaves_like_a_map<MoveNode<int>, 1>();
+}
+RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithEightGenerations, ()) {
+  behaves_like_a_map<MoveNode<int>, 3>();
+}
 
 }  // namespace
 }  // namespace wend

@@ -95,7 +95,8 @@ void BenchRun::make_workers(Runner& runner, const std::vector<GivenIndex>& index
   };
   runner.preparation = runner.entry.prepare(space_, indexes);
   const auto make = [this, &runner] { return runner.entry.try_make(space_, runner.preparation); };
-  const WorkerRules rules{settings_.moves.moves, settings_.limit_s.value_or(0)};
+  const WorkerRules rules{settings_.moves.moves, settings_.limit_s.value_or(0),
+                          runner.entry.any_angle() ? PathKind::lines : PathKind::steps};
   for (unsigned thread = 0; thread < threads_.count(); ++thread) {
     runner.workers.emplace_back(space_, make, rules, complain);
   }

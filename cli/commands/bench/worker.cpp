@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bench/scenario/scenario_verdict.hpp"
 #include "cli/interrupt.hpp"
 #include "wend/base/thread_time.hpp"
 
@@ -89,7 +88,7 @@ void BenchWorker::settle(const ScenarioQuery& query, BenchAnswer& answer, Status
                          const Plan& plan) {
   answer.status = status;
   answer.length = status == Status::found ? plan.cost : 0;
-  judge(query, answer, wrong_answer(space_, rules_.moves, query, status, plan));
+  judge(query, answer, wrong_answer(space_, rules_.moves, query, status, plan, rules_.path_kind));
 }
 
 void BenchWorker::compare(const ScenarioQuery& query, BenchAnswer& answer, Status status,

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench/scenario/bench_answer.hpp"
+#include "bench/scenario/scenario_verdict.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
@@ -18,6 +19,7 @@ namespace wend::cli {
 struct WorkerRules {
   GridMoves moves;
   double limit_s = 0;  // time limit of a query; 0: none
+  PathKind path_kind = PathKind::steps;
 };
 
 class BenchWorker {

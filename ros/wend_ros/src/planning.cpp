@@ -187,7 +187,9 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
   if (limit > 0) query.limits.seconds = limit;
 
   if (ask.from_field) {
-    if (wend::planners().find(spec->name)->motion == wend::Motion::cells && are_cells(query)) {
+    const wend::PlannerInfo& info = *wend::planners().find(spec->name);
+    const bool by_steps = info.motion == wend::Motion::cells && !info.any_angle;
+    if (by_steps && are_cells(query)) {
       return answer_from_field(map, parameters, query, wend::moves_of(*spec));
     }
     return refusal(StatusCode::unsupported_query,

@@ -78,7 +78,7 @@ void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
 }
 
 void GridPlanner::assess(Plan& out) {
-  out.cost = grid_path_cost(free_space(), out.path.cells());
+  out.cost = any_angle_ ? out.path.length() : grid_path_cost(free_space(), out.path.cells());
   out.bound = bound_;
 }
 
@@ -97,6 +97,7 @@ void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
   moves_ = parts.moves;
   engine_ = std::move(parts.engine);
   bound_ = parts.bound;
+  any_angle_ = parts.any_angle;
 }
 
 }  // namespace wend

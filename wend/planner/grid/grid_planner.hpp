@@ -27,8 +27,10 @@ struct GridNames {
   static void append(Path& path, const auto& /*space*/, Cell cell) { path.append(cell); }
 };
 
-template <class Space, class Frontier, class Priority, DuplicateRule kDuplicates>
-using GridEngineOf = SearchEngineOf<GridEngine, GridNames, Space, Frontier, Priority, kDuplicates>;
+template <class Space, class Frontier, class Priority, DuplicateRule kDuplicates,
+          class Links = StepLinks>
+using GridEngineOf =
+    SearchEngineOf<GridEngine, GridNames, Space, Frontier, Priority, kDuplicates, Links>;
 
 /// The cells that a query names, once it has been found answerable.
 struct GridQuery {
@@ -48,12 +50,15 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     GridMoves moves;
     std::unique_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;                        // what Plan::bound says of every answer
+    bool any_angle = false;              // its paths are lines on uniform terrain, not steps
   };
 
   /// Called again for another FreeSpace.
   using PartsChooser = std::function<Parts(const FreeSpace&)>;
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts);
+
+  bool has_engine() const { return engine_ != nullptr; }
 
  private:
   std::optional<Status> do_check(const Query& query) override;
@@ -66,6 +71,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   PartsChooser choose_parts_;
   GridMoves moves_;
   double bound_ = Plan::kNoBound;
+  bool any_angle_ = false;
   GridQuery cells_;
 };
 
@@ -74,7 +80,8 @@ template <class Options, class ChooseParts>
 PlannerInfo grid_planner(PlannerInfo info, ChooseParts parts) {
   info.can_step = true;
   info.options = option_schema<Options>();
-  info.make = [parts](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
+  info.make = [parts, name = info.name](const FreeSpace& space,
+                                        const OptionValues& values) -> PlannerResult {
     const auto options = parse_options<Options>(values);
     if (!options) {
       return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
@@ -82,6 +89,8 @@ PlannerInfo grid_planner(PlannerInfo info, ChooseParts parts) {
     auto planner = std::make_unique<GridPlanner>(
         space,
         [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
+    const auto refused = refused_terrain(name, space);
+    if (refused && !planner->has_engine()) return Unexpected<PlannerError>(*refused);
     if (!planner->allocated()) {
       return Unexpected<PlannerError>(
           {Status::memory_limit,

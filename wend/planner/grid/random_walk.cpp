@@ -50,7 +50,7 @@ class ShortMemory {
 
  private:
   std::uint32_t length_;
-  NodeTable<std::uint32_t> visits_;  // g is the step
+  NodeTable<MoveNode<std::uint32_t>> visits_;  // g is the step
 };
 
 /// It keeps no frontier: it goes on from where it is.

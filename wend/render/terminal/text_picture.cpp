@@ -36,7 +36,7 @@ void put_path(const Scene& scene, Grid<Glyph>& glyphs) {
   }
 }
 
-/// In every cell that poses or waypoints lead through: the heading there.
+/// In every cell that lines or arcs lead through: the heading there.
 void put_driven_path(const Scene& scene, Grid<Glyph>& glyphs) {
   for (const Arc& arc : scene.path.arcs()) {
     const int pieces = pieces_of(arc.length);
@@ -67,7 +67,7 @@ Grid<Glyph> cell_glyphs(const Scene& scene) {
   Grid<Glyph> glyphs = glyphs_of(scene.space);
   put_roles(scene, glyphs);
   put_arrows(scene, glyphs);
-  scene.path.cells().empty() ? put_driven_path(scene, glyphs) : put_path(scene, glyphs);
+  scene.path.of_steps() ? put_path(scene, glyphs) : put_driven_path(scene, glyphs);
   put_lines(scene, glyphs);
   put_marks(scene, glyphs);
   return glyphs;

@@ -107,10 +107,10 @@ TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverExpandedCells) {
   EXPECT_EQ(text_picture(scene), "*S→→GG\n");
 }
 
-TEST(TextPicture, PointsArrowsTheNearestWayWherePathsSkipCells) {
+TEST(TextPicture, PointsArrowsTheNearestWayInAllCellsThatLinesLeadThrough) {
   Scene scene{.space = FreeSpace(map_of({"......", "......"}))};
   scene.path = Path({{0, 0}, {4, 1}, {5, 1}});
-  EXPECT_EQ(text_picture(scene), lines_of({"→.....", "....→."}));
+  EXPECT_EQ(text_picture(scene), lines_of({"→→→...", "..→→→→"}));
 }
 
 TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
@@ -121,7 +121,7 @@ TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
   scene.start = Point{-0.5, 0.5};
   scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kNaN, 0}};
   scene.narrowest = Point{0.5, -1};
-  EXPECT_EQ(text_picture(scene), lines_of({"→.", ".."}));
+  EXPECT_EQ(text_picture(scene), lines_of({"→→", ".."}));
 }
 
 TEST(TextPicture, ExplainsOnlyWhatIsInThePicture) {

@@ -1,7 +1,9 @@
 #include "wend/space/grid/grid_path.hpp"
 
 #include <numbers>
+#include <optional>
 
+#include "wend/robot/fits_along.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend {
@@ -27,6 +29,21 @@ double uniform_cost(std::span<const Cell> cells) {
          std::numbers::sqrt2 * static_cast<double>(diagonals);
 }
 
+/// The first cell that is blocked, or to which the path does not lead: `joined(before, cell)`.
+template <class Joined>
+std::optional<PathFault> first_fault(const FreeSpace& space, std::span<const Cell> cells,
+                                     const Joined& joined, const std::string& if_not) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (const auto reason = space.why_blocked(cells[i])) {
+      return PathFault{i, "cell " + text_of(cells[i]) + " is " + std::string(describe(*reason))};
+    }
+    if (i > 0 && !joined(cells[i - 1], cells[i])) {
+      return PathFault{i, text_of(cells[i - 1]) + " to " + text_of(cells[i]) + ' ' + if_not};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells) {
@@ -42,18 +59,26 @@ double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells) {
 Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
                                             std::span<const Cell> cells) {
   const ExactGrid grid(space, moves);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (const auto reason = space.why_blocked(cells[i])) {
-      const std::string what =
-          "cell " + text_of(cells[i]) + " is " + std::string(describe(*reason));
-      return Unexpected<PathFault>({i, what});
-    }
-    if (i > 0 && !grid.is_step(cells[i - 1], cells[i])) {
-      return Unexpected<PathFault>(
-          {i, text_of(cells[i - 1]) + " to " + text_of(cells[i]) + " is no step"});
-    }
+  const auto is_step = [&](Cell from, Cell to) { return grid.is_step(from, to); };
+  if (auto fault = first_fault(space, cells, is_step, "is no step")) {
+    return Unexpected<PathFault>(*std::move(fault));
   }
   return grid_path_cost(space, cells);
+}
+
+Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacency adjacency,
+                                                 std::span<const Cell> cells) {
+  const auto is_free = [&](Cell from, Cell to) {
+    return disc_fits_along(space, Line{centre_of(from), centre_of(to)}, adjacency);
+  };
+  if (auto fault = first_fault(space, cells, is_free, "is not free")) {
+    return Unexpected<PathFault>(*std::move(fault));
+  }
+  double length = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    length += distance(centre_of(cells[i - 1]), centre_of(cells[i]));
+  }
+  return length;
 }
 
 }  // namespace wend

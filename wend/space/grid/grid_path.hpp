@@ -28,4 +28,9 @@ double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells);
 Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
                                             std::span<const Cell> cells);
 
+/// The length of a path of an any-angle planner, if every cell is passable and every line between two
+/// of them free, by the rules of disc_fits_along(). O(length).
+Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacency adjacency,
+                                                 std::span<const Cell> cells);
+
 }  // namespace wend

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "wend/robot/swept_clearance.hpp"
+#include "wend/space/grid/sight_grid.hpp"
 
 namespace wend {
 namespace {
@@ -57,5 +58,6 @@ bool GridSpace<Steps>::is_step(Cell from, Cell to) const {
 template class GridSpace<UniformSteps<std::uint32_t>>;
 template class GridSpace<UniformSteps<std::uint64_t>>;
 template class GridSpace<TerrainSteps>;
+template class GridSpace<LengthSteps>;
 
 }  // namespace wend

@@ -1,0 +1,43 @@
+#pragma once
+
+// What planners share whose paths turn at any angle: cells that see each other, nodes with any parent.
+// Links choose the parents. A path is the cells at which it turns, joined by lines.
+
+#include <memory>
+
+#include "wend/planner/grid/grid_planner.hpp"
+#include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/space/grid/sight_grid.hpp"
+
+namespace wend {
+
+struct AnyAngleOptions {
+  CornerRule corner_rule = CornerRule::none;
+  double weight = 1;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"corner_rule",
+           "corners that a path may cut: both lets it pass between two obstacles that touch at a "
+           "corner; none and one do not"},
+          self.corner_rule);
+    field({"weight", "w in f = g + w h, where h is the straight distance to the goal"}, self.weight,
+          OptionRange{0, 1e6});
+  }
+};
+
+/// The parts of a planner with such links; without an engine where there is terrain.
+template <class Links>
+GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions& options) {
+  using Engine = GridEngineOf<SightGrid, HeapFrontier<RealKey<double>>, RealEstimate<SightGrid>,
+                              DuplicateRule::keep_cheaper, Links>;
+  const GridMoves moves{Connectivity::eight, options.corner_rule};
+  if (!space.uniform_terrain()) return {moves, nullptr, Plan::kNoBound, true};
+  return {moves,
+          std::make_unique<Engine>(
+              SightGrid(space, options.corner_rule),
+              RealEstimate<SightGrid>(HeuristicKind::euclidean, 0, 1, options.weight)),
+          Plan::kNoBound, true};
+}
+
+}  // namespace wend

@@ -1,0 +1,55 @@
+// Theta*: A* whose cells may have any parent that sees them. A. Nash, K. Daniel, S. Koenig and A. Felner,
+// "Theta*: Any-Angle Path Planning on Grids", 2007.
+
+#include <optional>
+
+#include "wend/planner/any_angle/sight_engine.hpp"
+
+namespace wend {
+namespace {
+
+/// From the parent of the cell that is expanded, if it sees the next one; else by the step.
+struct ParentsInSight {
+  template <class Cost>
+  using Node = ParentNode<Cost>;
+
+  static std::optional<Link<double>> link(const auto& search, const GridState& state,
+                                          const GridState& next, double step_cost) {
+    const StateId id = state.number;
+    const StateId parent = search.arrival(id);
+    if (parent != search.kNoArrival) {
+      const GridState from = search.space().state(parent);
+      const double g = search.g(parent) + SightGrid::distance(from, next);
+      // The step is no shorter: without a gain there is no need to look.
+      if (search.reached(next.number) && !(g < search.g(next.number))) return std::nullopt;
+      if (search.space().sees(from, next)) return Link<double>{parent, g};
+    }
+    return Link<double>{id, search.g(id) + step_cost};
+  }
+};
+
+}  // namespace
+
+PlannerInfo theta_star_planner() {
+  return grid_planner<AnyAngleOptions>(
+      {.name = "theta_star",
+       .summary = "Theta*: A* that turns at any angle, at the cells where it has to",
+       .idea = "A cell takes the parent of its neighbour for its own parent where that one is in "
+               "sight.",
+       .citation = "Nash, Daniel, Koenig, Felner 2007",
+       .guarantee_text =
+           "complete; paths are hardly ever longer than those of astar, but not always "
+           "the shortest",
+       .time =
+           "O(n log n) in the n cells expanded, and a line of sight for each of their neighbours",
+       .memory = "16 bytes per cell, 24 per frontier entry",
+       .bytes_per_cell = 16,
+       .when = "Where a robot can drive in any direction and the path should have few turns. Its "
+               "waypoints lie in the middle of cells; string pulling a path of jps is faster, and "
+               "mostly a little longer. Not on terrain.",
+       .guarantee = Guarantee::complete,
+       .any_angle = true},
+      any_angle_parts<ParentsInSight>);
+}
+
+}  // namespace wend
