@@ -111,30 +111,14 @@ class Reference {
     return cost;
   }
 
-  /// What is wrong with a path from one cell to another; empty if nothing is.
+  /// What is wrong with a path of steps from one cell to another; empty if nothing is.
   std::string fault(std::span<const Cell> path, Cell from, Cell to) const {
-    std::ostringstream what;
-    if (path.empty() || path.front() != from || path.back() != to) {
-      what << "the path does not join start and goal";
-    }
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      if (!passable(path[i])) what << "; (" << path[i].x << "," << path[i].y << ") is blocked";
-      if (i > 0 && !is_step(path[i - 1], path[i])) what << "; step " << i << " is not legal";
-    }
-    return what.str();
+    return fault(path, from, to, "step", [&](Cell a, Cell b) { return is_step(a, b); });
   }
 
   /// What is wrong with a path whose cells are joined by lines; empty if nothing is.
   std::string any_angle_fault(std::span<const Cell> path, Cell from, Cell to) const {
-    std::ostringstream what;
-    if (path.empty() || path.front() != from || path.back() != to) {
-      what << "the path does not join start and goal";
-    }
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      if (!passable(path[i])) what << "; (" << path[i].x << "," << path[i].y << ") is blocked";
-      if (i > 0 && !is_free_line(path[i - 1], path[i])) what << "; line " << i << " is not free";
-    }
-    return what.str();
+    return fault(path, from, to, "line", [&](Cell a, Cell b) { return is_free_line(a, b); });
   }
 
   /// The cheapest cost from one cell to every cell (Dijkstra).
@@ -157,6 +141,21 @@ class Reference {
     std::size_t to;
     double cost;
   };
+
+  template <class Joined>
+  std::string fault(std::span<const Cell> path, Cell from, Cell to, const char* piece,
+                    const Joined& joined) const {
+    std::ostringstream what;
+    if (path.empty() || path.front() != from || path.back() != to) {
+      what << "the path does not join start and goal";
+    }
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (!passable(path[i])) what << "; (" << path[i].x << "," << path[i].y << ") is blocked";
+      if (i > 0 && !joined(path[i - 1], path[i]))
+        what << "; " << piece << " " << i << " is illegal";
+    }
+    return what.str();
+  }
 
   template <class Visit>
   void for_all_cells(Visit&& visit) const {
