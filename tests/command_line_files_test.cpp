@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
+#include "command_line/walled_off_grid.hpp"
 
 namespace wend::test {
 namespace {
@@ -17,13 +18,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-// Two components: the right column is walled off.
-constexpr const char* kTwoComponents =
-    ".....#.\n"
-    ".###.#.\n"
-    "....##.\n"
-    ".~3..#?\n";
-
 class Streams : public testing::Test {
  protected:
   /// A line of bash, which knows <( ), in the folder.
@@ -33,7 +27,7 @@ class Streams : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string map_ = folder_.write("grid.txt", kTwoComponents);
+  std::string map_ = folder_.write("grid.txt", kWalledOff);
 };
 
 constexpr const char* kEnds = " --start 0,0 --goal 4,3 ";
@@ -149,7 +143,7 @@ TEST_F(Streams, TheMapThatStandardInputCameFromIsNotWrittenOver) {
   const Outcome refused = bash("$WEND convert - grid.txt < grid.txt");
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("this file is also an input"));
-  EXPECT_EQ(bytes_of(map_), kTwoComponents);
+  EXPECT_EQ(bytes_of(map_), kWalledOff);
 }
 
 TEST_F(Streams, AMapIsWrittenToStandardOutputAsATextGrid) {

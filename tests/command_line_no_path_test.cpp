@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
+#include "command_line/walled_off_grid.hpp"
 
 namespace wend::test {
 namespace {
@@ -16,13 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-
-// Two components: the right column is walled off.
-constexpr const char* kWalledOff =
-    ".....#.\n"
-    ".###.#.\n"
-    "....##.\n"
-    ".~3..#?\n";
 
 constexpr const char* kWhyWalledOff = "there is no path from start (0,0) to goal (6,0)";
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
@@ -103,15 +106,22 @@ std::string help_of(const OptionInfo& option, bool with_choices) {
   return words_of(option) + (listed ? ": " + or_list(option.choices) : "");
 }
 
-/// The first owner's help, then that of owners whose help differs.
+/// The first owner's help, then that of owners whose help differs, once for those that share it.
 std::string help_of(const std::vector<std::string>& owners,
                     const std::vector<OptionInfo>& options) {
   const bool with_choices = type_of(options) == upper_case(options.front().name);
   const std::string first = help_of(options.front(), with_choices);
   std::string text = first;
+  std::vector<std::pair<std::string, std::vector<std::string>>> others;  // help, whose
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const std::string own = help_of(options[i], with_choices);
-    if (own != first) text += fmt::format("; for {}: {}", owners[i], own);
+    if (own == first) continue;
+    auto same = std::ranges::find(others, own, &decltype(others)::value_type::first);
+    if (same == others.end()) same = others.insert(same, {own, {}});
+    same->second.push_back(owners[i]);
+  }
+  for (const auto& [help, whose] : others) {
+    text += fmt::format("; for {}: {}", fmt::join(whose, " and "), help);
   }
   return wrapped(fmt::format("{} ({})", text, defaults_of(owners, options)));
 }

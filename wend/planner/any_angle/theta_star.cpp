@@ -20,7 +20,7 @@ struct ParentsInSight {
     if (parent != search.kNoArrival) {
       const GridState from = search.space().state(parent);
       const double g = search.g(parent) + SightGrid::distance(from, next);
-      // The step is no shorter: without a gain there is no need to look.
+      // A step is never shorter than the line, so sight matters only if the line is shorter.
       if (search.reached(next.number) && !(g < search.g(next.number))) return std::nullopt;
       if (search.space().sees(from, next)) return Link<double>{parent, g};
     }
