@@ -144,7 +144,7 @@ TEST_P(AnyAngle, ExpandsNoCellThatItsParentDoesNotSee) {
     }
     links += expansions.links.size();
   }
-  EXPECT_GT(links, 100U);
+  EXPECT_GT(links, share_of(200U));
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, AnyAngle, ::testing::Values("theta_star", "lazy_theta_star"),

@@ -90,7 +90,7 @@ TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
     expect_admissible(h, reachable_goals(query, reference), reference);
     informed += h[reference.number(reference.nearest(query.start).value())] > 0 ? 1 : 0;
   }
-  EXPECT_GT(informed, kHeuristicYards / 4) << "too few estimates to say anything";
+  EXPECT_GT(informed, kHeuristicYards / 6) << "too few estimates to say anything";
 }
 
 constexpr int kFar = 9;                    // units around a goal

@@ -4,11 +4,11 @@
 
 namespace wend::test {
 
-/// All of them; a third under the address sanitizer, where a case takes several times as long.
+/// All of them; a quarter under the address sanitizer, where a case takes several times as long.
 template <class Count>
 constexpr Count share_of(Count cases) {
 #ifdef __SANITIZE_ADDRESS__
-  return (cases + 2) / 3;
+  return (cases + 3) / 4;
 #else
   return cases;
 #endif
