@@ -182,7 +182,8 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACellOr24APose) {
     const std::size_t before = bytes_in_use();
     const auto planner = make(space);
     if (planner == nullptr) continue;
-    const std::size_t most = (info().motion == Motion::car ? 24 : 20) * planner->state_count();
+    const std::size_t most =
+        (info().state_kind == StateKind::corner_pose ? 24 : 20) * planner->state_count();
     EXPECT_LE(bytes_in_use() - before, most) << "when it is made";
     EXPECT_EQ(planner->plan(query, plan), Status::found);
     EXPECT_LE(bytes_in_use() - before, most) << "after a query";

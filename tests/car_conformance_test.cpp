@@ -234,7 +234,8 @@ TEST_P(CarConformance, SteppingAndWatchingChangeNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, CarConformance, ::testing::ValuesIn(planner_names(Motion::car)),
+INSTANTIATE_TEST_SUITE_P(Registry, CarConformance,
+                         ::testing::ValuesIn(planner_names(StateKind::corner_pose)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -147,7 +147,8 @@ TEST_P(CarHeuristics, ThatDoNotAreExactForSomePosesOnly) {
   on_empty_yards("zero", GetParam(), [](double h, double) { EXPECT_EQ(h, 0); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, CarHeuristics, ::testing::ValuesIn(planner_names(Motion::car)),
+INSTANTIATE_TEST_SUITE_P(Registry, CarHeuristics,
+                         ::testing::ValuesIn(planner_names(StateKind::corner_pose)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -266,7 +266,7 @@ TEST_F(BadCarInput, PlansNothingForWhatItDoesNotUnderstand) {
   };
   const std::vector<Case> cases{
       {{"--start", "0,0", "--goal", "3,3"},
-       "--start: '0,0' has no heading, and the car planner needs one"},
+       "--start: '0,0' has no heading, and planners of poses need one"},
       {{"--start", "0,0,Q", "--goal", "3,3"},
        "the heading 'Q' is not N, W, E or S (or 0, 1, 2, 3)"},
       {{"--start", "0,0,4", "--goal", "3,3"}, "the heading '4' is not N"},

@@ -76,7 +76,7 @@ TEST_F(SmoothCommand, BoundsTheTurningRadiusOfPlansToo) {
                 .at("path_smoothed"),
             found.at("path_smoothed"))
       << "the old name, in cells";
-  EXPECT_THAT(plan({"--turning-radius", "0.5"}).err, HasSubstr("add --planner car or --smoother"));
+  EXPECT_THAT(plan({"--turning-radius", "0.5"}).err, HasSubstr("--planner car or --smoother"));
   EXPECT_THAT(plan({"--smooth", "--turning-radius", "0.5"}).err, HasSubstr("--smoother curvature"));
 }
 

@@ -244,7 +244,7 @@ TEST_F(Watching, ShowsTheHeadingsOfACarsOpenList) {
 
 TEST_F(Watching, StepsThroughEveryPlanner) {
   for (const PlannerInfo& info : planners()) {
-    if (info.motion != Motion::cells) continue;
+    if (info.state_kind != StateKind::cell) continue;
     const Outcome outcome = step("nnq", "--planner " + info.name);
     EXPECT_EQ(outcome.code, info.can_step ? 1 : 2) << info.name << ": " << outcome.err;
     EXPECT_EQ(times_in(outcome.out, "expansion 3:"), info.can_step ? 1U : 0U);

@@ -286,7 +286,7 @@ TEST_P(Conformance, AStartThatIsTheGoalIsAPathOfOneCell) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planner_names(Motion::cells)),
+INSTANTIATE_TEST_SUITE_P(Registry, Conformance, ::testing::ValuesIn(planner_names(StateKind::cell)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST_P(OptimalPlanners, AreOptimalWhereWordsEnd) {
 std::vector<std::string> optimal_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.motion == Motion::cells && info.jumps && info.guarantee == Guarantee::optimal) {
+    if (info.state_kind == StateKind::cell && info.jumps && info.guarantee == Guarantee::optimal) {
       names.push_back(info.name);
     }
   }

@@ -29,11 +29,15 @@ using test::tail;
 using test::Witness;
 
 SearchEvent traced_drive(CornerPose to, std::optional<CornerPose> from, double g) {
-  SearchEvent event{
-      .cell = to.corner, .parent = std::nullopt, .g = g, .h = 0, .f = g, .heading = to.heading};
+  SearchEvent event{.cell = to.corner,
+                    .parent = std::nullopt,
+                    .g = g,
+                    .h = 0,
+                    .f = g,
+                    .heading = radians_of(to.heading)};
   if (from) {
     event.parent = from->corner;
-    event.parent_heading = from->heading;
+    event.parent_heading = radians_of(from->heading);
   }
   return event;
 }
@@ -88,7 +92,7 @@ void check_drive(const std::vector<Seen>& seen, const json& trace, const FreeSpa
   require(events.size() == seen.size(), "all events", events.size());
   for (std::size_t i = 0; i < events.size(); ++i) {
     const auto& [type, event] = seen[i];
-    const CornerPose place{event.cell, event.heading.value()};
+    const CornerPose place{event.cell, nearest_heading(event.heading.value())};
     require(events[i].at("type") == type, type, events[i]);
     require(place_in(events[i], space) == place, "corner and heading", events[i]);
     const CornerPose known = places.emplace(events[i].at("id"), place).first->second;
@@ -97,7 +101,7 @@ void check_drive(const std::vector<Seen>& seen, const json& trace, const FreeSpa
     const json& parent = events[i].at("pId");
     require(parent.is_null() == !event.parent, "has a parent", events[i]);
     if (!event.parent) continue;
-    const CornerPose from{*event.parent, event.parent_heading.value()};
+    const CornerPose from{*event.parent, nearest_heading(event.parent_heading.value())};
     require(places.at(parent) == from, "parent", events[i]);
     require(events[i].at("g") == event.g, "g", events[i]);
   }

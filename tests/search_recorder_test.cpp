@@ -213,7 +213,7 @@ TEST_P(SearchRecorderOf, ForgetsTheLastSearchWhenCleared) {
 std::vector<std::string> searching_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.motion == Motion::cells && !info.index_support) names.push_back(info.name);
+    if (info.state_kind == StateKind::cell && !info.index_support) names.push_back(info.name);
   }
   return names;
 }

@@ -19,6 +19,7 @@
 #include "wend/planner/jump/goal_sight.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
+#include "wend/planner/lattice/goal_costs.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
@@ -26,19 +27,9 @@
 #include "wend/search/links.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/sight_grid.hpp"
+#include "wend/space/lattice/lattice_space.hpp"
 
 namespace {
-
-struct StepsThatKeepParents {
-  template <class Cost>
-  using Node = wend::ParentNode<Cost>;
-
-  static std::optional<wend::Link<double>> link(const auto& search, const auto& state,
-                                                const auto& /*next*/, double step_cost) {
-    const wend::StateId id = search.space().id(state);
-    return wend::Link<double>{id, search.g(id) + step_cost};
-  }
-};
 
 using wend::BitGrid;
 using wend::Cell;
@@ -93,7 +84,7 @@ TEST(SearchSnippets, OfLinksAndSightGrid) {
 
   using Estimate = wend::RealEstimate<wend::SightGrid>;
   wend::ForwardSearch<wend::SightGrid, wend::HeapFrontier<wend::RealKey<double>>, Estimate,
-                      wend::DuplicateRule::keep_cheaper, StepsThatKeepParents>
+                      wend::DuplicateRule::keep_cheaper, wend::ParentLinks>
       search(grid, Estimate(wend::HeuristicKind::euclidean, 0, 1, 1));
   const wend::Limits limits;
   search.priority().begin(std::array{Cell{8, 0}}, limits);
@@ -101,6 +92,21 @@ TEST(SearchSnippets, OfLinksAndSightGrid) {
   EXPECT_EQ(search.run(), wend::SearchOutcome::found);
   EXPECT_DOUBLE_EQ(search.g(search.goal().number), 8 * std::sqrt(2))
       << "past the corner of the wall";
+}
+
+TEST(SearchSnippets, OfGoalCosts) {
+  using Frontier = wend::HeapFrontier<wend::RealKey<double>>;
+  const auto robot = wend::MotionPrimitives::turning_circle(0);
+  const wend::MotionLattice lattice(walled_ground(), *robot, {});
+  wend::GoalCosts<wend::VertexSpace, Frontier, wend::ParentLinks> costs{wend::VertexSpace(lattice)};
+  const wend::Limits limits;
+  const Cell goal{8, 0};
+  const Cell vertex{0, 0};
+  costs.begin(limits);
+  costs.add(costs.space().state(goal));
+  const auto estimate = costs(costs.space().state(vertex));
+  EXPECT_GT(estimate, 8 * std::sqrt(2)) << "around the wall";
+  EXPECT_EQ(costs(costs.space().state(goal)), 0);
 }
 
 TEST(SearchSnippets, OfJumpGraphs) {

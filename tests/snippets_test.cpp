@@ -29,15 +29,19 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/geometry/segment.hpp"
 #include "wend/io/files.hpp"
 #include "wend/io/map/load_map.hpp"
+#include "wend/io/primitives/load_primitives.hpp"
 #include "wend/io/text.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/motion_primitives.hpp"
 #include "wend/robot/placed_polygon.hpp"
 #include "wend/robot/point_sweep.hpp"
+#include "wend/robot/swept_cells.hpp"
 #include "wend/robot/swept_clearance.hpp"
 
 namespace {
@@ -119,6 +123,43 @@ TEST(Snippets, OfArcClearance) {
   EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
   const double clearance = wend::arc_clearance(space, arc);
   EXPECT_TRUE(std::isinf(clearance));
+}
+
+TEST(Snippets, OfSegmentsAndMotionPrimitives) {
+  const wend::Segment aside = wend::segment_between({0, 0, 0}, {0, 2, 0});   // 2 to the left
+  const wend::Segment turn = wend::segment_between({0, 0, 0}, {0, 0, 1.5});  // in place
+  const wend::Pose middle = wend::pose_on(turn, 0.5);                        // heading 0.75
+  EXPECT_EQ(aside.length, 2);
+  EXPECT_EQ(middle.heading, 0.75);
+
+  const auto robot = wend::MotionPrimitives::turning_circle(4);  // radius of at least 4 cells
+  const std::size_t ways =
+      robot->leaving(0).size();  // straight, two turns, and the same in reverse
+  EXPECT_EQ(ways, 6U);
+
+  const wend::GridMap map(wend::Grid<wend::CellState>(8, 8));
+  const wend::FreeSpace space(map);
+  const std::vector<wend::Pose> poses{{0.5, 0.5, 0}, {4.5, 0.5, 0}};
+  const wend::SweptCells swept(space, poses);
+  bool free = false;
+  if (wend::fits(space, swept, {3, 7})) free = true;
+  EXPECT_TRUE(free);
+}
+
+bool load_primitives_and_report(const wend::GridMap& map, const wend::Footprint& robot) {
+  const auto load = [&]() -> bool {
+    const auto report = [](const std::string& message) { return !message.empty(); };
+    const auto primitives = wend::load_primitives("ackermann.json");
+    if (!primitives) return report(primitives.error().message());
+    const wend::FreeSpace space(map, {.footprint = robot, .primitives = *primitives});
+    return space.robot().primitives.has_value();
+  };
+  return load();
+}
+
+TEST(Snippets, OfLoadingMotionPrimitives) {
+  EXPECT_TRUE(load_primitives_and_report(wend::GridMap(wend::Grid<wend::CellState>(2, 2)), {}))
+      << "a file that is not there is reported";
 }
 
 TEST(Snippets, OfFootprints) {

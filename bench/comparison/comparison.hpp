@@ -51,7 +51,7 @@ struct ComparedQuery {
 struct Comparison {
   Frame frame;
   std::vector<ComparedQuery> queries;
-  Motion motion = Motion::cells;  // of all planners
+  StateKind state_kind = StateKind::cell;  // of all planners
 };
 
 /// For people. For one query: a line for each planner about its path, then one about its search, then

@@ -20,15 +20,15 @@ double without_rounding(double degrees) {
 }
 
 /// The motion of the planners; nothing if they differ.
-std::optional<Motion> motion_of(std::span<const PlannerSpec> specs) {
-  std::optional<Motion> motion;
+std::optional<StateKind> state_kind_of(std::span<const PlannerSpec> specs) {
+  std::optional<StateKind> kind;
   for (const PlannerSpec& spec : specs) {
     const PlannerInfo* const info = planners().find(spec.name);
     if (info == nullptr) continue;
-    if (motion && *motion != info->motion) return std::nullopt;
-    motion = info->motion;
+    if (kind && *kind != info->state_kind) return std::nullopt;
+    kind = info->state_kind;
   }
-  return motion.value_or(Motion::cells);
+  return kind.value_or(StateKind::cell);
 }
 
 }  // namespace
@@ -38,14 +38,14 @@ Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space
                                                           const Clock& clock,
                                                           const RepetitionRule& rule) {
   ComparisonRun run(space);
-  const auto motion = motion_of(specs);
-  if (!motion) {
+  const auto kind = state_kind_of(specs);
+  if (!kind) {
     return Unexpected<PlannerError>(
         {Status::invalid_option,
-         "planners that move from cell to cell cannot be compared with those that drive a car"});
+         "planners of different states, of cells or of poses, cannot be compared"});
   }
   run.comparison_.frame = space.map().frame();
-  run.comparison_.motion = *motion;
+  run.comparison_.state_kind = *kind;
   for (PlannerSpec& spec : specs) {
     const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
     if (planner.error() && planner.error()->status == Status::invalid_option) {
@@ -87,7 +87,8 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   row.generated = plan_.metrics.generated;
   row.max_frontier = plan_.metrics.max_frontier;
   if (!row.found()) {
-    if (comparison_.motion == Motion::car) row.reason = timed.planner()->reason(query, row.status);
+    if (has_heading(comparison_.state_kind))
+      row.reason = timed.planner()->reason(query, row.status);
     return row;
   }
   const PathMetrics metrics = measure(plan_.path, space_);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 17> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 18> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -25,6 +25,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 17> kOwn{{
     {"car", 10},
     {"theta_star", 11},
     {"lazy_theta_star", 12},
+    {"lattice", 13},
     {"p", 0},
     {"p_moving", 1},
     {"pid", 2},

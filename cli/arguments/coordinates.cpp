@@ -95,10 +95,12 @@ Parts parts_of(const std::string& typed) {
 }
 
 TypedPose parse(const Coordinates& coordinates, const std::string& name, const std::string& typed,
-                const Parts& parts) {
-  const Point point = coordinates.parse_point(name, parts.point, "corner");
-  return {coordinates.in_grid(point), std::nullopt,
-          fmt::format("({}){}", typed, coordinates.metric() ? " m" : "")};
+                const Parts& parts, PoseAnchor anchor) {
+  const bool of_cells = anchor == PoseAnchor::cell;
+  Point point =
+      coordinates.in_grid(coordinates.parse_point(name, parts.point, of_cells ? "cell" : "corner"));
+  if (of_cells && !coordinates.metric()) point = {point.x + 0.5, point.y + 0.5};
+  return {point, std::nullopt, fmt::format("({}){}", typed, coordinates.metric() ? " m" : "")};
 }
 
 [[noreturn]] void refuse_heading(const std::string& name, const std::string& typed,
@@ -113,7 +115,7 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
   if (has_heading(typed)) {
     throw InputError(
         fmt::format("--{}: {} has a heading, and grid planners do not use one: leave it out, or "
-                    "use the car planner (wend plan --planner car)",
+                    "use a planner for poses: --planner car or lattice",
                     name, quote(typed)));
   }
   const Point point = parse_point(name, typed, "cell");
@@ -227,12 +229,13 @@ ScenePlace TypedPose::place() const {
   return heading ? ScenePlace(Pose{point.x, point.y, *heading}) : ScenePlace(point);
 }
 
-TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed) {
+TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed,
+                           PoseAnchor anchor) {
   const Parts parts = parts_of(typed);
-  TypedPose pose = parse(coordinates, "start", typed, parts);
+  TypedPose pose = parse(coordinates, "start", typed, parts, anchor);
   if (!parts.heading) {
     throw InputError(
-        fmt::format("--start: {} has no heading, and the car planner needs one, for example {},E; "
+        fmt::format("--start: {} has no heading, and planners of poses need one, for example {},E; "
                     "a heading is {}",
                     quote(typed), typed, kHeadingsThatAre));
   }
@@ -241,9 +244,10 @@ TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& ty
   return pose;
 }
 
-TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed) {
+TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
+                          PoseAnchor anchor) {
   const Parts parts = parts_of(typed);
-  TypedPose pose = parse(coordinates, "goal", typed, parts);
+  TypedPose pose = parse(coordinates, "goal", typed, parts, anchor);
   if (!parts.heading || *parts.heading == kAny) return pose;
   pose.heading = parse_typed_heading(*parts.heading, coordinates.frame());
   if (!pose.heading) refuse_heading("goal", typed, *parts.heading, ", nor any");

@@ -1,9 +1,10 @@
 #pragma once
 
 // Coordinates and poses as people type and read them: metres in the map's frame for maps that have a
-// resolution, cells for the others and with --cells. A pose of the car planner is X,Y,HEADING:
+// resolution, cells for the others and with --cells. A pose is X,Y,HEADING:
 //
-//   0,0,E         a grid vertex, facing east: N, W, E and S are those of the map on a page
+//   0,0,E         a grid vertex for the car planner, else a cell, facing east: N, W, E and S are those
+//                 of the map on a page
 //   0,0,2         the same: N = 0, W = 1, E = 2, S = 3
 //   1.5,2,45deg   an angle in the map's frame, from +x towards +y; 0.8rad too
 //   18,18,any     a goal with any heading; 18,18 too
@@ -115,10 +116,15 @@ struct TypedPose {
   ScenePlace place() const;
 };
 
-/// The start of a car, which has a heading. Throws InputError for any other text.
-TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed);
+/// What whole numbers name: a cell, whose middle is meant, or a vertex where cells meet.
+enum class PoseAnchor { cell, corner };
 
-/// A goal of a car. Throws InputError for any other text.
-TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed);
+/// A start, which has a heading. Throws InputError for any other text.
+TypedPose parse_start_pose(const Coordinates& coordinates, const std::string& typed,
+                           PoseAnchor anchor = PoseAnchor::corner);
+
+/// A goal. Throws InputError for any other text.
+TypedPose parse_goal_pose(const Coordinates& coordinates, const std::string& typed,
+                          PoseAnchor anchor = PoseAnchor::corner);
 
 }  // namespace wend::cli

@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
+#include "wend/io/primitives/load_primitives.hpp"
 
 namespace wend::cli {
 namespace {
@@ -97,16 +98,33 @@ void RobotArguments::add_clearance_cost_to(Parser& app) {
   add_number(app, "--keep-away-cost", clearance_cost, kCosts, "").former_name_of(cost);
 }
 
+void RobotArguments::add_primitives_to(Parser& app) {
+  app.add_option(
+         "--primitives", primitives,
+         wrapped("Motion primitives of the robot, for the planner lattice: SBPL's .mprim or "
+                 "the JSON of Nav2's lattice generator. Without them the robot drives "
+                 "straight in 16 directions and turns in place, or on arcs of its "
+                 "--turning-radius"))
+      .type_name(kFileType);
+}
+
 FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   if (clearance_cost && clearance_distance.value_or(0) == 0) {
     throw InputError("--clearance-cost changes nothing without --clearance-distance");
   }
   const Coordinates units = coordinates(map);
+  std::optional<MotionPrimitives> moves;
+  if (!primitives.empty()) {
+    auto loaded = load_primitives(primitives);
+    if (!loaded) throw InputError(loaded.error().message());
+    moves = *std::move(loaded);
+  }
   return {.footprint = footprint.scaled(units.in_metres(1)),
           .unknown = unknown,
           .outside = outside,
           .clearance_distance = units.in_metres(clearance_distance.value_or(0)),
-          .clearance_cost = clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost)};
+          .clearance_cost = clearance_cost.value_or(FreeSpaceOptions{}.clearance_cost),
+          .primitives = std::move(moves)};
 }
 
 void MapArguments::add_to(Parser& app) {

@@ -32,14 +32,19 @@ struct RobotArguments {
   std::optional<double> clearance_distance;  // in the user's units
   std::optional<double> clearance_cost;
   bool cells = false;
+  std::string primitives;  // file of motion primitives
 
   void add_robot_to(Parser& app);
 
   /// --clearance-distance and --clearance-cost, for commands that use the costs of cells.
   void add_clearance_cost_to(Parser& app);
 
+  /// --primitives, for commands that run planners of poses.
+  void add_primitives_to(Parser& app);
+
   Coordinates coordinates(const GridMap& map) const { return {map, cells}; }
-  /// Throws InputError for a --clearance-cost that costs nothing.
+  /// Throws InputError for a --clearance-cost that costs nothing, and for a file of motion primitives
+  /// that cannot be read.
   FreeSpaceOptions options(const GridMap& map) const;
   FreeSpace free_space(const GridMap& map) const { return FreeSpace(map, options(map)); }
 };

@@ -66,8 +66,9 @@ void RefineArguments::add_to(Parser& app) {
                          "curvature:turning_radius=0.4. `wend smooth --help` lists them"))
       .type_name(kSmootherType);
   add_number(app, "--turning-radius", turning_radius, kRadii,
-             "Lower limit on the turning radius (units as --robot-radius), for --planner car, "
-             "where it is rounded up to whole cells, or --smoother curvature");
+             "Lower limit on the turning radius (units as --robot-radius), for --planner "
+             "lattice, --planner car, where it is rounded up to whole cells, or --smoother "
+             "curvature");
   app.add_flag("--unsafe", unsafe, wrapped("Smooth without a collision check"));
 }
 
@@ -94,7 +95,7 @@ void RefineArguments::steer(PlannerSpec& planner, const Coordinates& coordinates
   if (choice && has_option(smoothers().find(choice->name)->options, kTurningRadius)) return;
   throw InputError(
       fmt::format("--turning-radius: neither the planner {} nor the smoother has a turning radius; "
-                  "add --planner car or --smoother curvature",
+                  "add --planner lattice, --planner car or --smoother curvature",
                   planner.name));
 }
 

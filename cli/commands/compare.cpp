@@ -60,8 +60,9 @@ a path was found, 1 no path was found, 2 bad usage or input.)";
 /// All planners that fit the typed start (cars have a heading), need no index and accept the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
   std::vector<PlannerSpec> specs;
-  const Motion motion = has_heading(start) ? Motion::car : Motion::cells;
-  for (const std::string& name : planner_names(motion)) {
+  StateKind state_kind = has_heading(start) ? StateKind::corner_pose : StateKind::cell;
+  if (space.robot().primitives) state_kind = StateKind::cell_pose;
+  for (const std::string& name : planner_names(state_kind)) {
     const PlannerInfo& info = *planners().find(name);
     if (info.index_support) continue;
     if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
@@ -113,7 +114,7 @@ std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareA
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
                                   const FreeSpace& space) {
-  if (run.comparison().motion == Motion::car) {
+  if (has_heading(run.comparison().state_kind)) {
     auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
                                 arguments.random, arguments.seed);
     if (drives.empty())
@@ -172,10 +173,10 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   }
 }
 
-std::string caption_of(const ComparisonRow& row, Motion motion) {
+std::string caption_of(const ComparisonRow& row, StateKind state_kind) {
   if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
   return fmt::format("{} {:.6g}, {} expanded\nfirst query {}, later {}\nprepared in {} ({})",
-                     motion == Motion::car ? "fuel" : "cost", row.cost, row.expanded,
+                     state_kind == StateKind::corner_pose ? "fuel" : "cost", row.cost, row.expanded,
                      time_text(row.times.first), time_text(row.times.later),
                      time_text(row.times.preparation), thread_time_name());
 }
@@ -192,7 +193,7 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
     panels.push_back({query.rows[i].planner, std::move(scene),
-                      caption_of(query.rows[i], run.comparison().motion)});
+                      caption_of(query.rows[i], run.comparison().state_kind)});
   }
   return panels;
 }
@@ -265,6 +266,7 @@ Command add_compare(Parser& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   arguments->map.add_to(compare);
   arguments->map.add_clearance_cost_to(compare);
+  arguments->map.add_primitives_to(compare);
   compare.add_option("--start", arguments->start, wrapped("Start, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
   compare.add_option("--goal", arguments->goal, "Goal, as in `wend plan`")

@@ -24,19 +24,21 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan office.yaml --start 1,1 --goal 15,9 --trace office.trace.yaml
   wend plan arena.map --index arena.idx --start 1,11 --goal 40,30
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
+  wend plan office.yaml --planner lattice --start 1,1,E --goal 15,9,N
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
 Small maps (up to 80 x 40 cells) show the path as (1,1)>(2,1)>(3,1) and the map
-with arrows; large maps show a summary and, on a terminal, a picture. The car
-planner uses grid vertices; its path is printed as commands. Exit codes: 0
-found, 1 no path (standard error gives the reason), 2 bad usage or input.)";
+with arrows; large maps show a summary and, on a terminal, a picture. The paths
+of lattice and car are printed as commands. Exit codes: 0 found, 1 no path
+(standard error gives the reason), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
 std::string planner_text(const PlanArguments& arguments,
                          const std::optional<Expected<GivenIndex, std::string>>& index) {
   if (!arguments.planner.empty()) return arguments.planner;
+  if (!arguments.map.primitives.empty()) return "lattice";
   if (!index) return "astar";
   const bool known = *index && planners().find((*index)->header.planner_name()) != nullptr;
   if (known) return std::string((*index)->header.planner_name());
@@ -53,6 +55,16 @@ void check_constant(const PlannerSpec& planner) {
   }
   if (!given || heuristic == "constant") return;
   throw InputError("--constant changes nothing: it is that of --heuristic constant");
+}
+
+/// Throws InputError where the file of --primitives is not used.
+void check_primitives(const PlanArguments& arguments, const PlannerSpec& planner) {
+  if (arguments.map.primitives.empty()) return;
+  if (info_of(planner).state_kind == StateKind::cell_pose) return;
+  throw InputError(
+      fmt::format("--primitives changes nothing for the planner {}: use "
+                  "--planner lattice",
+                  planner.name));
 }
 
 /// Options that the command sets with a flag of its own: a smoother has one, too.
@@ -132,6 +144,7 @@ int run(const PlanArguments& arguments) {
   const OptionValues flags = arguments.options.values_for(planner.name);
   planner.options.insert(planner.options.end(), flags.begin(), flags.end());
   check_constant(planner);
+  check_primitives(arguments, planner);
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
@@ -153,14 +166,16 @@ Command add_plan(Parser& app) {
   const auto arguments = std::make_shared<PlanArguments>();
   arguments->map.add_to(plan);
   arguments->map.add_clearance_cost_to(plan);
+  arguments->map.add_primitives_to(plan);
   plan.add_option("--start", arguments->ends.start,
                   wrapped("Start of the path: metres in the map's frame on maps with a resolution, "
-                          "a cell on others and with --cells. For the car planner a grid vertex "
-                          "and a heading: N, W, E, S or an angle such as 45deg"))
+                          "a cell on others and with --cells. For the planners lattice and car "
+                          "also a heading: N, W, E, S or an angle such as 45deg (the car starts "
+                          "at a grid vertex)"))
       .type_name("X,Y[,HEADING]");
   add_texts(plan, "--goal", arguments->ends.goals,
-            "Goal of the path; if given several times, the goal with the lowest path cost. For the "
-            "car planner the heading may be any")
+            "Goal of the path; if given several times, the goal with the lowest path cost. The "
+            "heading may be left out or any")
       .type_name("X,Y[,HEADING]");
   plan.add_option("--queries", arguments->queries,
                   wrapped("Answer every row of a CSV file instead. Its header names the columns "

@@ -123,7 +123,7 @@ std::string text_of(const PlannerSpec& planner, const std::vector<QueryAnswer>& 
     case TableFormat::text:
       return query_answers_text(answers, frame);
     case TableFormat::json:
-      return query_answers_json(planner.name, answers, frame, info_of(planner).motion);
+      return query_answers_json(planner.name, answers, frame, info_of(planner).state_kind);
     case TableFormat::csv:
       break;
   }

@@ -45,7 +45,7 @@ PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace
                                               moves_of(maker_.spec()).adjacency())) {
   result_.times = times;
   asked_->check(arguments.layers);
-  if (!arguments.refine.any() || info_of(maker_.spec()).motion == Motion::cells) return;
+  if (!arguments.refine.any() || info_of(maker_.spec()).state_kind == StateKind::cell) return;
   throw InputError(
       fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
                   "planner {} consists of arcs",
@@ -61,7 +61,7 @@ bool PlanRun::records() const {
 
 void PlanRun::plan() {
   result_.planner = maker_.spec().name;
-  result_.motion = info_of(maker_.spec()).motion;
+  result_.state_kind = info_of(maker_.spec()).state_kind;
   result_.footprint = space_.footprint();
   if (arguments_.nearest) {
     for (const auto& note : asked_->move_to_nearest()) complain(note);

@@ -55,6 +55,8 @@ std::optional<Pair> nearest_ends(const FreeSpace& space, Cell start, Cell goal,
   return Pair{from_goal->second, from_goal->first};
 }
 
+PoseAnchor anchor_of(int unit) { return unit > 0 ? PoseAnchor::corner : PoseAnchor::cell; }
+
 /// Is it a cell of the map that the robot cannot stand on?
 bool is_blocked(const FreeSpace& space, Cell cell) {
   return space.contains(cell) && !space.passable(cell);
@@ -64,9 +66,11 @@ bool is_blocked(const FreeSpace& space, Cell cell) {
 
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends) {
-  if (info_of(planner).motion == Motion::car) {
-    return std::make_unique<CarQuery>(space, coordinates, unit_of(planner, coordinates.frame()),
-                                      ends);
+  const StateKind kind = info_of(planner).state_kind;
+  if (has_heading(kind)) {
+    const bool corners = kind == StateKind::corner_pose;
+    return std::make_unique<PoseQuery>(space, coordinates,
+                                       corners ? unit_of(planner, coordinates.frame()) : 0, ends);
   }
   return std::make_unique<CellQuery>(space, coordinates, moves_of(planner), ends);
 }
@@ -153,77 +157,82 @@ std::string CellQuery::summary(const PlanResult& result) const {
   return goal + robot_line(space_, coordinates_) + plan_summary(result, space_.map().frame());
 }
 
-CarQuery::CarQuery(FreeSpace space, const Coordinates& coordinates, int unit,
-                   const EndArguments& ends)
+PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit,
+                     const EndArguments& ends)
     : space_(std::move(space)),
       coordinates_(coordinates),
       unit_(unit),
-      start_(parse_start_pose(coordinates_, ends.start)) {
-  for (const std::string& goal : ends.goals) goals_.push_back(parse_goal_pose(coordinates_, goal));
+      start_(parse_start_pose(coordinates_, ends.start, anchor_of(unit))) {
+  for (const std::string& goal : ends.goals) {
+    goals_.push_back(parse_goal_pose(coordinates_, goal, anchor_of(unit)));
+  }
 }
 
-void CarQuery::check(const ShownLayers& layers) const {
+void PoseQuery::check(const ShownLayers& layers) const {
   if (!layers.any_from(LayerSource::cost_to_go)) return;
   throw InputError("--show: cost and policy support grid planners only");
 }
 
-Query CarQuery::query() const {
+Query PoseQuery::query() const {
   Query query{{start_.point.x, start_.point.y, start_.heading.value_or(0)}, {}};
   for (const TypedPose& goal : goals_) query.goals.push_back(goal.goal());
   return query;
 }
 
-std::vector<std::string> CarQuery::move_to_nearest() {
+std::vector<std::string> PoseQuery::move_to_nearest() {
   throw InputError("--nearest supports grid planners only");
 }
 
-Scene CarQuery::scene() const {
+Scene PoseQuery::scene() const {
   Scene scene{.space = space_};
   scene.start = start_.place();
   for (const TypedPose& goal : goals_) scene.goals.push_back(goal.place());
-  scene.unit = unit_;
+  if (unit_ > 0) scene.unit = unit_;
   return scene;
 }
 
-std::optional<CostToGo> CarQuery::cost_to_go(const Limits& /*limits*/) const {
+std::optional<CostToGo> PoseQuery::cost_to_go(const Limits& /*limits*/) const {
   return std::nullopt;
 }
 
-SearchRecorder CarQuery::recorder() const { return SearchRecorder(space_, unit_); }
+SearchRecorder PoseQuery::recorder() const { return SearchRecorder(space_, unit_); }
 
-PosthocTrace CarQuery::trace(TraceForm form, std::uint64_t most_events) const {
+PosthocTrace PoseQuery::trace(TraceForm form, std::uint64_t most_events) const {
   return {space_, query(), unit_, form, most_events};
 }
 
-std::string CarQuery::reason(const Planner& planner, Status status, const Limits& limits,
-                             const SearchMetrics& metrics) const {
+std::string PoseQuery::reason(const Planner& planner, Status status, const Limits& limits,
+                              const SearchMetrics& metrics) const {
   if (is_limit(status)) return explain_limit(status, limits, metrics);
   if (status == Status::start_outside) return outside("start", start_);
   if (status == Status::goal_outside) return outside("goal", goals_.front());
   return as_typed() + planner.reason(query(), status);
 }
 
-std::string CarQuery::outside(const std::string& name, const TypedPose& pose) const {
+std::string PoseQuery::outside(const std::string& name, const TypedPose& pose) const {
   return fmt::format("the {} {} is outside the map, which covers {}", name, pose.text,
-                     coordinates_.extent_of_corners());
+                     unit_ > 0 ? coordinates_.extent_of_corners() : coordinates_.extent());
 }
 
 /// Reasons are given in lattice vertices. If these are not what people typed, the typed text comes
 /// first.
-std::string CarQuery::as_typed() const {
-  if (!coordinates_.metric() && unit_ == 1) return {};
+std::string PoseQuery::as_typed() const {
+  if (!coordinates_.metric() && unit_ <= 1) return {};
   std::vector<std::string> goals;
   goals.reserve(goals_.size());
   for (const TypedPose& goal : goals_) goals.push_back(goal.text);
   return fmt::format("from {} to {}: ", start_.text, fmt::join(goals, " or "));
 }
 
-std::string CarQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
+std::string PoseQuery::steps(const Plan& plan, const Screen& /*screen*/) const {
+  constexpr std::size_t kMostCommands = 400;
+  if (unit_ == 0 && plan.moves.size() > kMostCommands) return "";
   return drive_commands(plan, space_.map().frame());
 }
 
-std::string CarQuery::summary(const PlanResult& result) const {
-  return robot_line(space_, coordinates_) + drive_summary(result, coordinates_, goals_.size());
+std::string PoseQuery::summary(const PlanResult& result) const {
+  return (unit_ > 0 ? robot_line(space_, coordinates_) : "") +
+         drive_summary(result, coordinates_, goals_.size());
 }
 
 std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,

@@ -1,6 +1,6 @@
 #pragma once
 
-// TypedQuery: the query of `wend plan` and its answer in the user's coordinates: cells, or a car's
+// TypedQuery: the query of `wend plan` and its answer in the user's coordinates: cells, or
 // poses. The rest of `wend plan` does not know which.
 
 #include <cstdint>
@@ -105,9 +105,11 @@ class CellQuery final : public TypedQuery {
   std::vector<Place> goals_;
 };
 
-class CarQuery final : public TypedQuery {
+/// Of a planner whose states have headings.
+class PoseQuery final : public TypedQuery {
  public:
-  CarQuery(FreeSpace space, const Coordinates& coordinates, int unit, const EndArguments& ends);
+  /// `unit` is 0 where poses are in the middle of cells.
+  PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit, const EndArguments& ends);
 
   void check(const ShownLayers& layers) const override;
   Query query() const override;
@@ -129,7 +131,7 @@ class CarQuery final : public TypedQuery {
 
   FreeSpace space_;
   Coordinates coordinates_;
-  int unit_;  // of its lattice, in map cells
+  int unit_;  // of a lattice of corners, in map cells; 0: cells
   TypedPose start_;
   std::vector<TypedPose> goals_;
 };

@@ -8,7 +8,6 @@
 
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/compass.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
@@ -36,8 +35,8 @@ std::string one_of(std::size_t goals) { return fmt::format("one of {} goals", go
 std::string steps_text(const Plan& plan) {
   int turns = 0;
   for (const std::string_view name : plan.moves) {
-    const auto move = parse_car_move(name);
-    turns += move && is_turn(*move) ? 1 : 0;
+    const bool aside = name.starts_with("SIDE");
+    turns += !aside && (name.ends_with("_LEFT") || name.ends_with("_RIGHT")) ? 1 : 0;
   }
   const std::size_t reverse = steps_in_reverse(plan);
   const bool mostly = 2 * reverse > plan.moves.size();
@@ -73,8 +72,8 @@ std::string end_line(std::string_view name, const Pose& pose, const SnappingErro
     remarks.push_back(std::move(shifted));
   }
   if (remarks.empty()) return {};
-  return named_line(name, fmt::format("{}, {}", corner_pose_text(pose, coordinates.frame()),
-                                      fmt::join(remarks, ", ")));
+  return named_line(
+      name, fmt::format("{}, {}", pose_text(pose, coordinates.frame()), fmt::join(remarks, ", ")));
 }
 
 /// "map 1.20 ms, free space 540.0 us, planner 3.2 us"
@@ -129,8 +128,8 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
   return end_line("start", poses.front(), plan.start_snapping_error, 1, coordinates) +
          end_line("goal", poses.back(), plan.goal_snapping_error, goals, coordinates) +
          named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
-         named_line("turns in", radius_text(result.unit, coordinates)) +
-         named_line("fuel", fmt::format("{:.6g}", plan.cost)) +
+         (result.unit > 0 ? named_line("turns in", radius_text(result.unit, coordinates)) : "") +
+         named_line(result.unit > 0 ? "fuel" : "cost", fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) +
          named_line("quality", bound_text(plan)) +
          work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));

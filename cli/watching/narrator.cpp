@@ -17,8 +17,9 @@
 namespace wend::cli {
 namespace {
 
-std::string place_text(Cell cell, std::optional<Heading> heading, const Frame& frame) {
-  return heading ? corner_pose_text(pose_of({cell, *heading}), frame) : cell_text(cell);
+std::string place_text(Cell cell, std::optional<double> heading, const Frame& frame) {
+  if (!heading) return cell_text(cell);
+  return fmt::format("({},{},{})", cell.x, cell.y, heading_text(*heading, frame));
 }
 
 std::string reached_text(std::string_view how, const SearchEvent& event, const Frame& frame) {
@@ -54,7 +55,7 @@ Row titles_of(bool headings) {
 Row row_of(std::size_t rank, const OpenEntry& entry, const Frame& frame) {
   const SearchEvent& state = entry.state;
   Row row{std::to_string(rank), std::to_string(state.cell.x), std::to_string(state.cell.y)};
-  if (state.heading) row.emplace_back(letter_of(*state.heading, frame));
+  if (state.heading) row.push_back(heading_text(*state.heading, frame));
   row.insert(row.end(),
              {number(state.g), number(state.h), number(state.f), std::string(mark_of(entry.tie))});
   return row;

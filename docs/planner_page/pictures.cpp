@@ -25,7 +25,7 @@ constexpr int kLotHeight = 40;
 
 std::string expanded_in_words(const PlannerInfo& info, const Plan& plan,
                               const SearchRecorder& recorder) {
-  if (info.motion == Motion::car) return fmt::format("{} poses expanded", plan.metrics.expanded);
+  if (has_heading(info.state_kind)) return fmt::format("{} poses expanded", plan.metrics.expanded);
   if (info.index_support) return "answered by the index, no cells expanded";
   const auto& orders = recorder.layers().expansion.values();
   const auto cells = std::ranges::count_if(orders, [](std::uint32_t order) { return order > 0; });
@@ -68,8 +68,11 @@ PictureQuery across_a_parking_lot() {
 }
 
 Expected<Picture, RenderError> picture_of(const PlannerInfo& info) {
-  PictureQuery asked = info.motion == Motion::car ? across_a_parking_lot() : between_rooms();
-  const auto planner = info.make(asked.space, {});
+  PictureQuery asked =
+      info.state_kind == StateKind::corner_pose ? across_a_parking_lot() : between_rooms();
+  OptionValues options;
+  if (info.state_kind == StateKind::cell_pose) options = {{"turning_radius", "2"}};
+  const auto planner = info.make(asked.space, options);
   if (!planner) return Unexpected<RenderError>({info.name + ": " + planner.error().message()});
   SearchRecorder recorder(asked.space, asked.unit);
   asked.query.observer = &recorder;
@@ -99,8 +102,9 @@ Expected<std::vector<Picture>, RenderError> pictures_of_planners() {
 
 std::string about_pictures() {
   return fmt::format(
-      "The pictures show one query from left to right, on rooms of {} x {} cells, and for the car "
-      "on a parking lot of {} x {} cells. Colours show the order of expansion, from light to dark; "
+      "The pictures show one query from left to right, on rooms of {} x {} cells (lattice has a "
+      "turning radius of 2 cells there), and for the car on a parking lot of {} x {} cells. "
+      "Colours show the order of expansion, from light to dark; "
       "white cells were not expanded.",
       kWidth, kHeight, kLotWidth, kLotHeight);
 }

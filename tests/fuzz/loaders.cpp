@@ -10,6 +10,7 @@
 #include "fuzzed_map_yaml.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
+#include "wend/io/primitives/load_primitives.hpp"
 #include "wend/io/query/query_csv.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planners.hpp"
@@ -116,6 +117,24 @@ std::string fuzz_footprint(std::string_view bytes) {
   return again && *again == *footprint ? "" : "another footprint comes back";
 }
 
+/// What was read is a set that could be searched with: it comes back from its own parts.
+std::string fuzz_primitives(std::string_view bytes) {
+  const auto primitives = parse_primitives(bytes, kFuzzedFile);
+  if (!primitives) return check_error(primitives.error());
+  std::vector<double> headings(primitives->headings().begin(), primitives->headings().end());
+  std::vector<MotionPrimitive> all(primitives->all().begin(), primitives->all().end());
+  std::size_t leaving = 0;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    leaving += primitives->leaving(static_cast<int>(i)).size();
+    if (primitives->nearest_heading(headings[i]) != static_cast<int>(i)) return "another heading";
+  }
+  if (leaving != all.size()) return "primitives that leave nowhere";
+  const auto again =
+      MotionPrimitives::make({primitives->resolution(), std::move(headings), std::move(all)});
+  if (!again) return "a set that is not valid: " + again.error().message;
+  return again->all().size() == primitives->all().size() ? "" : "another set comes back";
+}
+
 /// The bytes as a file, and as changes to whole files.
 std::string fuzz_index(std::string_view bytes) {
   const auto header = read_index_header(std::as_bytes(std::span(bytes)));
@@ -135,6 +154,7 @@ constexpr std::array kLoaders{
     Loader{"query_csv", fuzz_query_csv},
     Loader{"planner_specs", fuzz_planner_specs},
     Loader{"footprint", fuzz_footprint},
+    Loader{"primitives", fuzz_primitives},
     Loader{"index", fuzz_index},
 };
 

@@ -35,7 +35,7 @@ void SearchRecorder::for_cells_at(Cell place, Visit&& visit) const {
 }
 
 void SearchRecorder::on_generate(const SearchEvent& event) {
-  const bool walked_back = unit_ == 0 && layers_.generation[event.cell] != 0;
+  const bool walked_back = !event.heading && layers_.generation[event.cell] != 0;
   if (walked_back) return;
   ++generated_;
   for_cells_at(event.cell, [this](Cell cell) {
@@ -60,7 +60,7 @@ void SearchRecorder::write_down(const SearchEvent& event) {
   std::optional<Direction> towards_parent;
   if (event.parent) towards_parent = nearest_direction(event.cell, *event.parent);
   for_cells_at(event.cell, [&](Cell cell) {
-    const bool knows_cheaper = unit_ > 0 && layers_.g[cell] <= event.g;
+    const bool knows_cheaper = event.heading && layers_.g[cell] <= event.g;
     if (knows_cheaper) return;
     layers_.g[cell] = event.g;
     layers_.h[cell] = event.h;

@@ -12,7 +12,7 @@
 // A car stands on corners, where up to four cells meet (of a lattice with a unit of several cells:
 // four squares of cells). All of them take what a search does there: a cell is reached when one of
 // its corners is, with any heading, and what is known of it is what is known of the cheapest state
-// around it.
+// around it. So it is where a robot has headings in the middle of cells.
 //
 //   wend::SearchRecorder driven(space, 1);
 //

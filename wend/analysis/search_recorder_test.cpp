@@ -23,8 +23,8 @@ SearchEvent event_at(Cell corner, double g, std::optional<Cell> parent = std::nu
           .g = g,
           .h = 10 - g,
           .f = 10,
-          .heading = Heading::plus_x,
-          .parent_heading = parent ? std::optional(Heading::plus_x) : std::nullopt};
+          .heading = 0,
+          .parent_heading = parent ? std::optional(0.0) : std::nullopt};
 }
 
 /// The numbers of a layer, a line for each row; '.' for an unset cell.

@@ -1,5 +1,7 @@
 #include "wend/geometry/compass.hpp"
 
+#include <cmath>
+
 namespace wend {
 namespace {
 
@@ -20,11 +22,20 @@ std::string_view name_of(CarMove move, const Frame& frame) {
   return kMoveNames[static_cast<std::size_t>(on_page(move, frame))];
 }
 
-std::optional<CarMove> parse_car_move(std::string_view name) {
-  for (std::size_t i = 0; i < kMoveNames.size(); ++i) {
-    if (kMoveNames[i] == name) return static_cast<CarMove>(i);
+std::string_view name_of(const Segment& segment, const Frame& frame) {
+  constexpr double kStraight = 1e-6;  // radians
+  // Headings grow to the left where y is drawn upwards.
+  const auto is_left = [&](double angle) { return (angle > 0) == frame.y_up; };
+  const bool turns = std::abs(segment.turn) > kStraight;
+  if (segment.length == 0) return is_left(segment.turn) ? "TURN_LEFT" : "TURN_RIGHT";
+  const bool ahead = segment.length > 0;
+  if (!turns && std::abs(segment.course) > kStraight) {
+    return is_left(ahead ? segment.course : -segment.course) ? "SIDE_LEFT" : "SIDE_RIGHT";
   }
-  return std::nullopt;
+  if (!turns) return name_of(ahead ? CarMove::fwd : CarMove::rev, frame);
+  const bool plus = (segment.turn > 0) == ahead;  // the side of the centre of the turn
+  if (ahead) return name_of(plus ? CarMove::fwd_plus : CarMove::fwd_minus, frame);
+  return name_of(plus ? CarMove::rev_plus : CarMove::rev_minus, frame);
 }
 
 std::string_view letter_of(Heading heading, const Frame& frame) {

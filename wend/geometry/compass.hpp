@@ -14,6 +14,7 @@
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/segment.hpp"
 
 namespace wend {
 
@@ -40,8 +41,9 @@ std::string_view name_of(Direction direction, const Frame& frame);
 /// "FWD", "FWD_RIGHT", "FWD_LEFT", "REV", "REV_RIGHT" or "REV_LEFT".
 std::string_view name_of(CarMove move, const Frame& frame);
 
-/// The move with this name on a page: on_page() converts it to the grid. Nothing for any other text.
-std::optional<CarMove> parse_car_move(std::string_view name);
+/// The same for a segment between two poses, or "TURN_RIGHT", "TURN_LEFT" in place, "SIDE_RIGHT" or
+/// "SIDE_LEFT" without turning.
+std::string_view name_of(const Segment& segment, const Frame& frame);
 
 /// "N", "W", "E" or "S"
 std::string_view letter_of(Heading heading, const Frame& frame);

@@ -3,8 +3,32 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
+
+#include "wend/geometry/angle.hpp"
 
 namespace wend {
+namespace {
+
+/// The arc of a car from a pose to a pose; nothing if it would end with another heading.
+std::optional<Arc> car_arc(const Pose& from, const Pose& to) {
+  constexpr double kRounding = 1e-6;
+  const Arc arc = arc_to(from, to.point());
+  const double error = normalized_angle(from.heading + arc.turn() - to.heading);
+  return std::abs(error) < kRounding ? std::optional(arc) : std::nullopt;
+}
+
+Arc way_between(const Pose& from, const Pose& to) {
+  const auto arc = car_arc(from, to);
+  return arc ? *arc : way_of_base(segment_between(from, to));
+}
+
+Segment segment_of(const Pose& from, const Pose& to) {
+  const auto arc = car_arc(from, to);
+  return arc ? Segment{from, arc->length, arc->turn(), 0} : segment_between(from, to);
+}
+
+}  // namespace
 
 Path Path::through(std::vector<Pose> poses) {
   Path path;
@@ -84,11 +108,24 @@ std::vector<Arc> Path::arcs() const {
   const std::vector<Pose> poses = this->poses();
   arcs.reserve(poses.size() - 1);
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Point to = poses[i].point();
-    arcs.push_back(driven() ? arc_to(poses[i - 1], to)
-                            : Arc{poses[i - 1], distance(poses[i - 1].point(), to), 0});
+    const Pose& from = poses[i - 1];
+    arcs.push_back(driven() ? way_between(from, poses[i])
+                            : Arc{from, distance(from.point(), poses[i].point()), 0});
   }
   return arcs;
+}
+
+std::vector<Segment> Path::segments() const {
+  std::vector<Segment> segments;
+  if (empty()) return segments;
+  const std::vector<Pose> poses = this->poses();
+  segments.reserve(poses.size() - 1);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Pose& from = poses[i - 1];
+    segments.push_back(driven() ? segment_of(from, poses[i])
+                                : Segment{from, distance(from.point(), poses[i].point()), 0, 0});
+  }
+  return segments;
 }
 
 std::vector<Point> Path::points_in_metres(const Frame& frame) const {

@@ -7,8 +7,9 @@
 //   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
 //
 // An arc joins two poses of a car: it leaves the first one along its heading and ends in the second
-// (a line if the heading stays), in reverse if the second lies behind. Lines join cells, from
-// centre to centre, and the waypoints of a simplified or smoothed path.
+// (a line if the heading stays), in reverse if the second lies behind. Where no such arc ends with the
+// second heading, the robot turns in place or moves sideways: a segment joins them. Lines join cells,
+// from centre to centre, and the waypoints of a simplified or smoothed path.
 //
 //   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   for (const wend::Arc& arc : path.arcs()) length += arc.length;
@@ -23,6 +24,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/geometry/segment.hpp"
 
 namespace wend {
 
@@ -105,8 +107,12 @@ class Path {
   /// the next one (the last like the one before it; a single one along +x).
   std::vector<Pose> poses() const;
 
-  /// The lines or car's arcs between these poses, one fewer than poses. Empty for an empty path.
+  /// The ways of the base point between these poses, one fewer than poses: lines, arcs; of length 0
+  /// for a turn in place. Empty for an empty path. The heading of an arc is the direction of travel.
   std::vector<Arc> arcs() const;
+
+  /// The same with the headings of the robot.
+  std::vector<Segment> segments() const;
 
   /// Its points in the map's frame, in metres.
   std::vector<Point> points_in_metres(const Frame& frame) const;

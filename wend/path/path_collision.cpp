@@ -27,6 +27,8 @@ TurnInPlace beginning_of(const TurnInPlace& turn, double share) {
   return {turn.from, turn.angle * share};
 }
 
+using wend::beginning_of;
+
 Pose end_of(const Line& line) { return {line.to.x, line.to.y, line.heading()}; }
 using wend::end_of;
 
@@ -118,6 +120,9 @@ class PathSweep {
 
   static bool go(PointSweep& point, const Line& line) { return point.go_to(line.to); }
   static bool go(PointSweep& point, const Arc& arc) { return point.go_along(arc); }
+  static bool go(PointSweep& point, const Segment& segment) {
+    return point.go_along(way_of_base(segment));
+  }
   static bool go(PointSweep& point, const TurnInPlace& turn) {
     return point.go_to(turn.from.point());
   }
@@ -131,6 +136,9 @@ class PathSweep {
   /// How far no point of the robot goes more than.
   double extent_of(const TurnInPlace& turn) const {
     return space_.radius_in_cells() * std::abs(turn.angle);
+  }
+  double extent_of(const Segment& segment) const {
+    return length_of(segment) + space_.radius_in_cells() * std::abs(segment.turn);
   }
   template <class Way>
   double extent_of(const Way& way) const {
@@ -203,6 +211,23 @@ class PathSweep {
   double along_ = 0;
 };
 
+/// Along arcs, turns in place, and segments on which the robot does not face along its way.
+std::optional<PathCollision> collision_of_drive(const Path& path, PathSweep& sweep) {
+  const std::vector<Arc> arcs = path.arcs();
+  const std::vector<Segment> segments = path.segments();
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Segment& segment = segments[i];
+    std::optional<PathCollision> collision;
+    if (segment.length == 0) {
+      collision = sweep.go_along(TurnInPlace{segment.from, segment.turn});
+    } else {
+      collision = segment.course == 0 ? sweep.go_along(arcs[i]) : sweep.go_along(segment);
+    }
+    if (collision) return collision;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view describe(CollisionKind kind) {
@@ -222,10 +247,7 @@ std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& 
   PathSweep sweep(space, points.front(), adjacency);
   if (path.driven()) {
     if (points.size() == 1) return sweep.go_along(TurnInPlace{path.poses().front(), 0});
-    for (const Arc& arc : path.arcs()) {
-      if (const auto collision = sweep.go_along(arc)) return collision;
-    }
-    return std::nullopt;
+    return collision_of_drive(path, sweep);
   }
   const auto stands = [&](Point point) { return point == points.front(); };
   if (std::all_of(points.begin(), points.end(), stands)) {

@@ -49,10 +49,18 @@ void measure_corners(const Path& path, PathMetrics& metrics) {
 
 void measure_bends(const Path& path, PathMetrics& metrics) {
   if (!path.driven()) return measure_corners(path, metrics);
-  for (const Arc& arc : path.arcs()) {
-    if (arc.length == 0) continue;
-    metrics.turning += std::abs(arc.turn());
-    add_bend(metrics, 1 / std::abs(arc.curvature), 1 / std::abs(arc.curvature));
+  const std::vector<Segment> segments = path.segments();
+  const std::vector<Arc> arcs = path.arcs();
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Arc& arc = arcs[i];
+    if (arc.length == 0) {
+      if (segments[i].turn == 0) continue;
+      metrics.turning += std::abs(segments[i].turn);
+      add_bend(metrics, 0, 0);
+    } else {
+      metrics.turning += std::abs(arc.turn());
+      add_bend(metrics, 1 / std::abs(arc.curvature), 1 / std::abs(arc.curvature));
+    }
   }
 }
 

@@ -8,19 +8,18 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/geometry/direction.hpp"
 
 namespace wend {
 
 /// One event. Costs are as in Plan::cost; h is 0 where the planner has no heuristic.
 struct SearchEvent {
-  Cell cell;                   // for a car: its vertex
+  Cell cell;                   // for a planner of corner poses: the vertex
   std::optional<Cell> parent;  // unset for the start
   double g;
   double h;
-  double f;                                 // the priority, as the planner orders its frontier
-  std::optional<Heading> heading{};         // for a car
-  std::optional<Heading> parent_heading{};  // for a car, if it has a parent
+  double f;                                // the priority, as the planner orders its frontier
+  std::optional<double> heading{};         // radians; for planners of poses
+  std::optional<double> parent_heading{};  // the same, if there is a parent
 };
 
 class SearchObserver {

@@ -40,15 +40,20 @@ constexpr std::array<Choice<Guarantee>, 5> choice_names(Guarantee) {
            {"optimal", Guarantee::optimal}}};
 }
 
-/// What moves.
-enum class Motion {
-  cells,  // a disc, from cell to neighbouring cell; headings do not matter
-  car,    // a car, between lattice vertices, by the motion primitives of car_move.hpp
+/// What a state of a planner is, and so what its starts, goals and paths are.
+enum class StateKind {
+  cell,         // headings do not matter; a path is cells
+  corner_pose,  // a vertex where cells meet, and a heading; a path is poses
+  cell_pose,    // the middle of a cell, and a heading; a path is poses
 };
 
-constexpr std::array<Choice<Motion>, 2> choice_names(Motion) {
-  return {{{"cells", Motion::cells}, {"car", Motion::car}}};
+constexpr std::array<Choice<StateKind>, 3> choice_names(StateKind) {
+  return {{{"cells", StateKind::cell},
+           {"car", StateKind::corner_pose},
+           {"poses", StateKind::cell_pose}}};
 }
+
+constexpr bool has_heading(StateKind kind) { return kind != StateKind::cell; }
 
 /// Work for a map before the first query, besides loading it.
 enum class Preprocessing {
@@ -95,7 +100,7 @@ struct PlannerInfo {
   bool can_step = false;   // Planner::begin and step work
   bool jumps = false;      // expands only some cells of its paths, if any
   bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
-  Motion motion = Motion::cells;
+  StateKind state_kind = StateKind::cell;
   std::vector<OptionInfo> options = {};
   /// Makes the planner, including its preprocessing, on one thread.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};

@@ -274,7 +274,8 @@ TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planner_names(Motion::cells)),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner,
+                         ::testing::ValuesIn(planner_names(StateKind::cell)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

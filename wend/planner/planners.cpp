@@ -18,10 +18,10 @@ const Registry<PlannerInfo>& planners() {
   return registry;
 }
 
-std::vector<std::string> planner_names(Motion motion) {
+std::vector<std::string> planner_names(StateKind state_kind) {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.motion == motion) names.push_back(info.name);
+    if (info.state_kind == state_kind) names.push_back(info.name);
   }
   return names;
 }

@@ -20,7 +20,7 @@ class IndexBytes;  // wend/index/file/index_bytes.hpp
 const Registry<PlannerInfo>& planners();
 
 /// The names of the planners with that motion.
-std::vector<std::string> planner_names(Motion motion);
+std::vector<std::string> planner_names(StateKind state_kind);
 
 /// Makes a planner by name; an unknown name or option is Status::invalid_option.
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,

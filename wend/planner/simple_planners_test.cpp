@@ -115,7 +115,7 @@ TEST(Planners, AreListedInOrder) {
   EXPECT_EQ(planners().names(),
             (std::vector<std::string>{"astar", "dijkstra", "jps", "hub_labels", "corner_hierarchy",
                                       "theta_star", "lazy_theta_star", "greedy", "bfs", "dfs",
-                                      "random_walk", "car"}));
+                                      "random_walk", "lattice", "car"}));
 }
 
 TEST(Planners, AnUnknownNameGetsASuggestion) {

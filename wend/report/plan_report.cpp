@@ -24,16 +24,18 @@ Json json_of(const SnappingError& error, const Frame& frame) {
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
   Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
-  put_path(json, result.plan, frame, result.motion);
+  put_path(json, result.plan, frame, result.state_kind);
   if (result.refined) put_refined(json, *result.refined, frame);
   json["bound"] = result.plan.bound;
-  if (result.motion == Motion::car) {
+  if (has_heading(result.state_kind)) {
     const bool found = !result.plan.path.empty();
     json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
     json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();
     json["steps_in_reverse"] = found ? Json(steps_in_reverse(result.plan)) : Json();
-    json["turning_radius_cells"] = result.unit;
-    json["turning_radius_m"] = result.unit * frame.resolution;
+    if (result.unit > 0) {
+      json["turning_radius_cells"] = result.unit;
+      json["turning_radius_m"] = result.unit * frame.resolution;
+    }
     json["states"] = result.states;
   }
   json["robot_radius"] = result.footprint.circumscribed_radius();
@@ -47,27 +49,31 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   return text_of(json);
 }
 
-std::string corner_pose_text(const Pose& pose, const Frame& frame) {
-  return fmt::format("({},{},{})", pose.x, pose.y, letter_of(nearest_heading(pose.heading), frame));
+std::string heading_text(double radians, const Frame& frame) {
+  if (const auto heading = exact_heading(radians)) return std::string(letter_of(*heading, frame));
+  const double in_map = frame.to_metres(Pose{0, 0, radians}).heading;
+  return fmt::format("{:.4g}deg", degrees_from(in_map));
+}
+
+std::string pose_text(const Pose& pose, const Frame& frame) {
+  return fmt::format("({},{},{})", pose.x, pose.y, heading_text(pose.heading, frame));
 }
 
 std::string drive_commands(const Plan& plan, const Frame& frame) {
   if (plan.path.empty()) return {};
   const std::vector<Pose> poses = plan.path.poses();
   assert(plan.path.driven() && plan.moves.size() + 1 == poses.size());
-  std::string text = "Start " + corner_pose_text(poses.front(), frame) + "\n";
+  std::string text = "Start " + pose_text(poses.front(), frame) + "\n";
   for (std::size_t i = 0; i < plan.moves.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "Go {} -> {}\n", plan.moves[i],
-                   corner_pose_text(poses[i + 1], frame));
+                   pose_text(poses[i + 1], frame));
   }
   return text;
 }
 
 std::size_t steps_in_reverse(const Plan& plan) {
-  const auto count = std::ranges::count_if(plan.moves, [](std::string_view name) {
-    const auto move = parse_car_move(name);
-    return move && is_reverse(*move);
-  });
+  const auto count = std::ranges::count_if(
+      plan.moves, [](std::string_view name) { return name.starts_with("REV"); });
   return static_cast<std::size_t>(count);
 }
 

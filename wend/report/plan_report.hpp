@@ -83,7 +83,7 @@ struct PlanResult {
   Plan plan;  // on failure only its metrics
   WorkTimes times{};
   std::string reason;  // of a failure, in words
-  Motion motion = Motion::cells;
+  StateKind state_kind = StateKind::cell;
   std::uint64_t states = 0;  // Planner::state_count()
   // The refined path, if it was smoothed or the like.
   std::optional<RefinedPath> refined{};
@@ -95,8 +95,11 @@ struct PlanResult {
 std::string plan_json(const PlanResult& result, const Frame& frame,
                       std::span<const Layer> layers = {});
 
-/// "(2,1,S)": grid coordinates, and the nearest of the four headings.
-std::string corner_pose_text(const Pose& pose, const Frame& frame);
+/// "S", or "26.57deg" in the map's frame for a heading between the four.
+std::string heading_text(double radians, const Frame& frame);
+
+/// "(2,1,S)", in grid coordinates.
+std::string pose_text(const Pose& pose, const Frame& frame);
 
 /// The command list of a car's plan, in grid coordinates; empty without a path. Each line has its
 /// line end.

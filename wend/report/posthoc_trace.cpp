@@ -6,8 +6,10 @@
 #include <iterator>
 
 #include "wend/base/parse.hpp"
-#include "wend/geometry/compass.hpp"
+#include "wend/geometry/angle.hpp"
+#include "wend/geometry/car_move.hpp"
 #include "wend/map/joined_rows.hpp"
+#include "wend/report/json.hpp"
 
 namespace wend {
 namespace {
@@ -153,7 +155,9 @@ PosthocTrace::PosthocTrace(const FreeSpace& space, const Query& query, int unit,
     if (!place) continue;
     if (goal.heading) put_end("destination", *place);
     if (goal.heading) continue;
-    for (const Heading heading : kAllHeadings) put_end("destination", {place->cell, heading});
+    for (const Heading heading : kAllHeadings) {
+      put_end("destination", {place->cell, radians_of(heading)});
+    }
   }
 }
 
@@ -185,14 +189,22 @@ std::uint64_t PosthocTrace::number(const Place& place) const {
   const auto number =
       static_cast<std::uint64_t>(place.cell.y) * static_cast<std::uint64_t>(width_) +
       static_cast<std::uint64_t>(place.cell.x);
-  return place.heading ? number * kHeadings + static_cast<std::uint64_t>(*place.heading) : number;
+  if (!place.heading) return number;
+  if (unit_ > 0)
+    return number * kHeadings + static_cast<std::uint64_t>(nearest_heading(*place.heading));
+  // No lattice has headings as close as this.
+  constexpr std::uint64_t kSteps = 4096;
+  const double turns = *place.heading / (2 * kPi);
+  const auto step = static_cast<std::uint64_t>(std::llround((turns - std::floor(turns)) * kSteps));
+  return number * kSteps + step % kSteps;
 }
 
 /// The place on the lattice of a car in this pose.
 std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) const {
+  if (unit_ == 0) return Place{cell_at(pose.point()), pose.heading};
   const auto nearest = nearest_corner_pose(pose, unit_);
   if (!nearest) return std::nullopt;
-  return Place{nearest->corner, nearest->heading};
+  return Place{nearest->corner, radians_of(nearest->heading)};
 }
 
 PosthocTrace::Node& PosthocTrace::node_of(const Place& place) {
@@ -263,7 +275,7 @@ void PosthocTrace::put_event(std::string_view type, const Place& place, std::uin
   text_.put("x", static_cast<std::uint64_t>(place.cell.x));
   text_.put("y",
             static_cast<std::uint64_t>(frame_.y_up ? height_ - 1 - place.cell.y : place.cell.y));
-  if (place.heading) text_.put("heading", fmt::format("\"{}\"", letter_of(*place.heading, frame_)));
+  if (place.heading) text_.put("heading", json_of_heading(*place.heading, frame_).dump());
 }
 
 void PosthocTrace::put_event(std::string_view type, const SearchEvent& event, Node& node) {

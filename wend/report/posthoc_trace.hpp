@@ -79,7 +79,8 @@ class PosthocTrace final : public SearchObserver {
                std::uint64_t most_events);
 
   /// The same for a car on the lattice vertices whose coordinates are multiples of `unit`. It
-  /// begins and ends at the vertices nearest to the query's start and goals.
+  /// begins and ends at the vertices nearest to the query's start and goals. With a unit of 0, for a
+  /// robot with a heading in the middle of cells.
   PosthocTrace(const FreeSpace& space, const Query& query, int unit, TraceForm form,
                std::uint64_t most_events);
 
@@ -98,7 +99,7 @@ class PosthocTrace final : public SearchObserver {
   /// A cell; for a car, a vertex with a heading.
   struct Place {
     Cell cell;
-    std::optional<Heading> heading{};
+    std::optional<double> heading{};  // radians
   };
 
   /// What the trace says about a place so far.

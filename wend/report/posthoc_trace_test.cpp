@@ -119,7 +119,7 @@ void check_map(const json& trace, const FreeSpace& space) {
 
 /// The planners that search from cell to neighbouring cell: their parents are the path.
 std::vector<std::string> walking_planners() {
-  std::vector<std::string> names = planner_names(Motion::cells);
+  std::vector<std::string> names = planner_names(StateKind::cell);
   std::erase_if(names, [](const std::string& name) { return planners().find(name)->jumps; });
   return names;
 }

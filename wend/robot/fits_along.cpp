@@ -38,4 +38,9 @@ bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOpti
   return space.outline() && PolygonSweep(space, options.tolerance).fits(turn);
 }
 
+bool fits_along(const FreeSpace& space, const Segment& segment, const SweepOptions& options) {
+  if (disc_fits_along(space, way_of_base(segment), options.adjacency)) return true;
+  return space.outline() && PolygonSweep(space, options.tolerance).fits(segment);
+}
+
 }  // namespace wend

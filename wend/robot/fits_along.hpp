@@ -22,6 +22,7 @@
 
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
+#include "wend/geometry/segment.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -38,6 +39,7 @@ bool fits_along(const FreeSpace& space, const Line& line, const SweepOptions& op
 bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& options = {});
 /// May the robot make this turn? It is at most 2 pi in either direction.
 bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options = {});
+bool fits_along(const FreeSpace& space, const Segment& segment, const SweepOptions& options = {});
 
 /// The same for every heading: a polygon counts as its circumscribed disc. For grid planners and
 /// smoothers, which choose no headings.

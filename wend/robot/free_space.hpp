@@ -42,6 +42,7 @@
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
 #include "wend/robot/footprint.hpp"
+#include "wend/robot/motion_primitives.hpp"
 
 namespace wend {
 
@@ -50,6 +51,7 @@ struct Robot {
   Footprint footprint = {};
   double clearance_distance = 0;  // from the disc's edge, finite; 0 = off
   double clearance_cost = 4;      // extra cost of a cell where the disc touches, finite, >= 0
+  std::optional<MotionPrimitives> primitives = {};  // nothing: the planner chooses
 
   friend bool operator==(const Robot&, const Robot&) = default;
 };
@@ -61,8 +63,9 @@ struct FreeSpaceOptions {
   std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
   double clearance_distance = 0;              // as in Robot
   double clearance_cost = 4;
+  std::optional<MotionPrimitives> primitives = {};
 
-  Robot robot() const { return {footprint, clearance_distance, clearance_cost}; }
+  Robot robot() const { return {footprint, clearance_distance, clearance_cost, primitives}; }
   ObstacleOptions obstacles() const { return {unknown, outside}; }
 
   friend bool operator==(const FreeSpaceOptions&, const FreeSpaceOptions&) = default;

@@ -10,9 +10,11 @@ namespace {
 
 double turn_of(const Arc& arc) { return arc.turn(); }
 double turn_of(const TurnInPlace& turn) { return turn.angle; }
+double turn_of(const Segment& segment) { return segment.turn; }
 
 Pose middle_of(const Arc& arc) { return pose_on(arc, arc.length / 2); }
 Pose middle_of(const TurnInPlace& turn) { return pose_on(turn, turn.angle / 2); }
+Pose middle_of(const Segment& segment) { return pose_on(segment, 0.5); }
 
 }  // namespace
 
@@ -113,6 +115,12 @@ bool PolygonSweep::fits(const Arc& arc) const {
 
 bool PolygonSweep::fits(const TurnInPlace& turn) const {
   return turn.angle == 0 ? fits_at(turn.from) : turning_fits(turn);
+}
+
+bool PolygonSweep::fits(const Segment& segment) const {
+  if (segment.turn != 0) return turning_fits(segment);
+  if (segment.length == 0) return fits_at(segment.from);
+  return fits_facing({segment.from.point(), end_of(segment).point()}, segment.from.heading);
 }
 
 }  // namespace wend

@@ -12,6 +12,7 @@
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/geometry/segment.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/placed_polygon.hpp"
@@ -32,6 +33,7 @@ class PolygonSweep {
   bool fits(const Line& line) const;
   bool fits(const Arc& arc) const;
   bool fits(const TurnInPlace& turn) const;
+  bool fits(const Segment& segment) const;
 
  private:
   enum class Verdict { fits, blocked, open };

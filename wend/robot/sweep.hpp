@@ -17,6 +17,7 @@
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/geometry/segment.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -63,6 +64,9 @@ double distance_inside(const FreeSpace& space, const Arc& arc);
 inline double distance_inside(const FreeSpace& space, const TurnInPlace& turn) {
   return distance_inside(space, turn.from.point());
 }
+inline double distance_inside(const FreeSpace& space, const Segment& segment) {
+  return distance_inside(space, way_of_base(segment));
+}
 
 /// The clearance of a way from the map's edge: its distance, 0 outside the map; infinite if the robot's
 /// disc may hang over the edge.
@@ -108,6 +112,7 @@ struct SweptPiece {
 inline double length_of(const Line& line) { return line.length(); }
 inline double length_of(const Arc& arc) { return std::abs(arc.length); }
 inline double length_of(const TurnInPlace& /*turn*/) { return 0; }
+inline double length_of(const Segment& segment) { return std::abs(segment.length); }
 
 inline std::array<Line, 2> halves_of(const Line& line) {
   return {{{line.from, line.middle()}, {line.middle(), line.to}}};

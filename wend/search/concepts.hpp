@@ -9,7 +9,8 @@
 namespace wend {
 
 /// A state space. A State holds data that makes expansion cheap, for example coordinates, and can be
-/// made from the id. Moves can be undone: parent(s, m) is the state from which move m leads to s.
+/// made from the id. Where a search keeps moves (StepLinks), they can be undone: parent(s, m) is the
+/// state from which move m leads to s.
 ///
 /// for_each_successor(state, arrival, sink) calls sink(next, move, step_cost) for every successor,
 /// always in the same order. `arrival` is the move that reached the state, so that a space can leave
@@ -21,7 +22,6 @@ concept SearchSpace = requires(const S& space, StateId id, Move move,
   { space.state_count() } -> std::convertible_to<StateId>;
   { space.state(id) } -> std::convertible_to<typename S::State>;
   { space.id(state) } -> std::convertible_to<StateId>;
-  { space.parent(state, move) } -> std::convertible_to<typename S::State>;
   space.for_each_successor(state, move, [](const typename S::State&, Move, typename S::Cost) {});
 };
 

@@ -4,22 +4,14 @@
 //
 // StepLinks is what most searches use. Other links choose parents: `link` says how a state that is
 // being expanded reaches a successor, given the cost of the step between them; none: not at all. It
-// is not asked about successors that are closed.
-//
-//   struct StepsThatKeepParents {
-//     template <class Cost>
-//     using Node = wend::ParentNode<Cost>;
-//
-//     static std::optional<wend::Link<double>> link(const auto& search, const auto& state,
-//                                                   const auto& /*next*/, double step_cost) {
-//       const wend::StateId id = search.space().id(state);
-//       return wend::Link<double>{id, search.g(id) + step_cost};
-//     }
-//   };
+// is not asked about successors that are closed. ParentLinks choose the state that is expanded, in
+// spaces with more moves than a MoveNode can number, or moves that cannot be undone.
 //
 // They may also have a function `settled(search, state)`: another link to a state that is about to be
 // expanded, or none if it keeps the one that it has. Functions that are not there cost nothing.
 // planner/any_angle/ has two examples.
+
+#include <optional>
 
 #include "wend/base/state_id.hpp"
 #include "wend/search/node_table.hpp"
@@ -37,6 +29,21 @@ struct Link {
 struct StepLinks {
   template <class Cost>
   using Node = MoveNode<Cost>;
+};
+
+/// From the state that is expanded, by whatever leads from there.
+struct ParentLinks {
+  template <class Cost>
+  using Node = ParentNode<Cost>;
+
+  template <class Search>
+  static std::optional<Link<typename Search::Cost>> link(const Search& search,
+                                                         const typename Search::State& state,
+                                                         const typename Search::State& /*next*/,
+                                                         typename Search::Cost step_cost) {
+    const StateId id = search.space().id(state);
+    return Link<typename Search::Cost>{id, search.g(id) + step_cost};
+  }
 };
 
 }  // namespace wend

@@ -46,7 +46,7 @@ bool has_option(const PlannerInfo& info, const std::string& name) {
 
 /// Gives a planner the same moves as all others; otherwise the lengths would differ.
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
-  if (info.motion != Motion::cells) {
+  if (info.state_kind != StateKind::cell) {
     throw InputError(fmt::format(
         "{}: scenarios support grid planners only, and this planner is for a car", spec.text));
   }

@@ -188,7 +188,7 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
 
   if (ask.from_field) {
     const wend::PlannerInfo& info = *wend::planners().find(spec->name);
-    const bool by_steps = info.motion == wend::Motion::cells && !info.any_angle;
+    const bool by_steps = info.state_kind == wend::StateKind::cell && !info.any_angle;
     if (by_steps && are_cells(query)) {
       return answer_from_field(map, parameters, query, wend::moves_of(*spec));
     }

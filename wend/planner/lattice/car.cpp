@@ -82,7 +82,7 @@ PlannerInfo car_planner() {
       .plans_on_terrain = true,
       .preprocessing = Preprocessing::none,
       .can_step = true,
-      .motion = Motion::car,
+      .state_kind = StateKind::corner_pose,
       .options = option_schema<CarFlags>(),
       .make = make};
 }

@@ -4,30 +4,25 @@
 #include <cassert>
 #include <cmath>
 
-#include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
+#include "wend/planner/lattice/snapping.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
 namespace {
 
-SnappingError snapping_error_between(const Goal& asked, const Pose& taken) {
-  const double turn = asked.heading ? normalized_angle(*asked.heading - taken.heading) : 0;
-  return {distance(asked.point, taken.point()), std::abs(turn)};
-}
-
 struct CarNames {
   static CornerPose place(const CarState& state) { return state.place; }
 
   static void tell_place(SearchEvent& event, const auto& space, const CornerPose& place) {
     event.cell = corner_in_cells(space, place);
-    event.heading = place.heading;
+    event.heading = radians_of(place.heading);
   }
   static void tell_parent(SearchEvent& event, const auto& space, const CornerPose& place) {
     event.parent = corner_in_cells(space, place);
-    event.parent_heading = place.heading;
+    event.parent_heading = radians_of(place.heading);
   }
   static void append(Path& path, const auto& space, const CornerPose& place) {
     path.drive_to(space.lattice().to_grid(place));

@@ -1,7 +1,7 @@
 #pragma once
 
 // How a car's search orders poses: keys and frontiers (f, then the larger g; whole numbers go into
-// buckets, real ones into a heap), costs around obstacles, and CarPriority.
+// buckets, real ones into a heap), and CarPriority.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,6 +14,7 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/lattice/goal_costs.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
@@ -34,83 +35,9 @@ using CarFrontier =
     std::conditional_t<std::is_integral_v<Cost>, BucketFrontier<CarKey<Cost>, kCarBucketBits>,
                        HeapFrontier<CarKey<Cost>>>;
 
-/// Keys grow by less than this between two looks, of 256 expansions.
-template <class Cost>
-bool near_overflow_of(const ExactKey<Cost>& key) {
-  constexpr std::uint64_t kMargin = std::uint64_t{1} << 28U;
-  return sizeof(Cost) == sizeof(std::uint32_t) && key.f() > UINT32_MAX - kMargin;
-}
-template <class Cost>
-bool near_overflow_of(const RealKey<Cost>& /*key*/) {
-  return false;
-}
-
-/// What it costs a car that turns on the spot to come from a corner to a goal. Dijkstra's
-/// algorithm from the goals, as far as it is asked for: an estimate that knows the obstacles (D.
-/// Dolgov, S. Thrun et al., "Path Planning for Autonomous Vehicles in Unknown Semi-structured
-/// Environments", 2010, call it the holonomic one).
+/// What it costs a car that turns on the spot to come from a corner to a goal.
 template <class Costs>
-class CornerCosts {
- public:
-  using Cost = typename Costs::Cost;
-
-  explicit CornerCosts(CarSpace<Costs> car) : search_(CornerSpace<Costs>(std::move(car)), {}) {}
-
-  bool allocated() const { return search_.allocated(); }
-
-  void begin(std::span<const CarGoal> goals, const Limits& limits) {
-    limits_ = limits;
-    limits_.expansions = Limits::kUnlimited;
-    farthest_ = 0;
-    starts_.clear();
-    for (const CarGoal& goal : goals) starts_.push_back(search_.space().state(goal.corner));
-    begun_ = false;
-  }
-
-  /// As far as it came where no way leads, and where the search was stopped before it came to know:
-  /// costs that are cut off at one value are still consistent.
-  Cost operator()(Cell corner) {
-    // Begun when the search that asks has begun: so its time is not over before that one's.
-    if (!begun_) search_.begin(starts_, limits_);
-    begun_ = true;
-    const StateId id = search_.space().state(corner).number;
-    while (!search_.closed(id)) {
-      if (search_.outcome() != SearchOutcome::running) return farthest_;
-      search_.step(Odometer{{}, farthest_});
-    }
-    return search_.g(id);
-  }
-
-  /// Was it stopped, so that its answers are worth nothing? By a limit, or for too large costs.
-  std::optional<SearchOutcome> stopped() const {
-    const SearchOutcome outcome = search_.outcome();
-    if (!begun_ || outcome == SearchOutcome::running || outcome == SearchOutcome::exhausted) {
-      return std::nullopt;
-    }
-    return outcome;
-  }
-
- private:
-  struct ByCost {
-    using Key = CarKey<Cost>;
-
-    Key key(const CornerState& /*state*/, Cost g) const { return {g, g}; }
-    bool is_goal(const CornerState& /*state*/) const { return false; }
-    bool near_overflow(const Key& key) const { return near_overflow_of(key); }
-  };
-
-  struct Odometer : NoObserver {
-    Cost& farthest;
-
-    void on_expand(const CornerState& /*state*/, Move /*arrival*/, Cost g) const { farthest = g; }
-  };
-
-  ForwardSearch<CornerSpace<Costs>, CarFrontier<Cost>, ByCost, DuplicateRule::keep_cheaper> search_;
-  std::vector<CornerState> starts_;
-  Limits limits_;
-  bool begun_ = false;
-  Cost farthest_ = 0;  // g of the corner expanded last
-};
+using CornerCosts = GoalCosts<CornerSpace<Costs>, CarFrontier<typename Costs::Cost>>;
 
 /// f = g + w h for a car, with any of its heuristics. In whole numbers w is 1 (or h is zero). h and
 /// f are for observers, in units.
@@ -125,7 +52,7 @@ class CarPriority {
         scale_(std::min(1.0, space.lattice().driving().reverse_factor)),
         weight_(weight) {
     if (kind == CarHeuristic::obstacles) {
-      around_obstacles_ = std::make_unique<CornerCosts<Costs>>(space);
+      around_obstacles_ = std::make_unique<CornerCosts<Costs>>(CornerSpace<Costs>(space));
     }
   }
 
@@ -134,7 +61,11 @@ class CarPriority {
   /// At least one goal. Keeps its memory from query to query.
   void begin(std::span<const CarGoal> goals, const Limits& limits) {
     goals_.assign(goals.begin(), goals.end());
-    if (around_obstacles_ != nullptr) around_obstacles_->begin(goals, limits);
+    if (around_obstacles_ == nullptr) return;
+    around_obstacles_->begin(limits);
+    for (const CarGoal& goal : goals) {
+      around_obstacles_->add(around_obstacles_->space().state(goal.corner));
+    }
   }
 
   /// Could the estimates not be made to the end?
@@ -180,7 +111,8 @@ class CarPriority {
       case CarHeuristic::headings:
         return on_empty_yard(place);
       case CarHeuristic::obstacles:
-        return std::max(on_empty_yard(place), (*around_obstacles_)(place.corner));
+        return std::max(on_empty_yard(place),
+                        (*around_obstacles_)(around_obstacles_->space().state(place.corner)));
     }
     return Cost{0};
   }

@@ -160,8 +160,9 @@ TEST(LatticePicture, MakesRoomForHeadingsAtTheEdges) {
 }
 
 TEST(LatticePicture, LeavesOutWhatLiesOutside) {
-  Scene scene = car_on(FreeSpace(map_of({"..", ".."})),
-                       Path::through({{1, 1, 0}, {9, 1, 0}, {10, 0, -kPi / 2}, {10, -1e7, 0}}));
+  Scene scene =
+      car_on(FreeSpace(map_of({"..", ".."})),
+             Path::through({{1, 1, 0}, {9, 1, 0}, {10, 0, -kPi / 2}, {10, -1e7, -kPi / 2}}));
   scene.start = Pose{-3, 1, 0};
   scene.goals = {Pose{1, 7, 0}};
   scene.narrowest = Point{2, 3};

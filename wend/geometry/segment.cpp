@@ -1,0 +1,48 @@
+#include "wend/geometry/segment.hpp"
+
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
+
+namespace wend {
+
+Segment segment_between(const Pose& from, const Pose& to) {
+  const double turn = normalized_angle(to.heading - from.heading);
+  const double chord = distance(from.point(), to.point());
+  constexpr double kNoWay = 1e-10;
+  if (chord < kNoWay) return {from, 0, turn, 0};
+  // The chord leads in the direction that the base point has half-way.
+  const double direction = std::atan2(to.y - from.y, to.x - from.x);
+  double course = normalized_angle(direction - from.heading - turn / 2);
+  const double half = turn / 2;
+  double length = half == 0 ? chord : chord * half / std::sin(half);
+  constexpr double kRounding = 1e-9;
+  if (std::abs(course) > kPi / 2 + kRounding) {
+    length = -length;
+    course = normalized_angle(course - kPi);
+  }
+  if (std::abs(course) < kRounding) course = 0;
+  return {from, length, turn, course};
+}
+
+Arc way_of_base(const Segment& segment) {
+  const Pose& from = segment.from;
+  const double curvature = segment.length == 0 ? 0 : segment.turn / segment.length;
+  return {{from.x, from.y, from.heading + segment.course}, segment.length, curvature};
+}
+
+Pose pose_on(const Segment& segment, double share) {
+  const Point point = point_on(way_of_base(segment), segment.length * share);
+  return {point.x, point.y, normalized_angle(segment.from.heading + segment.turn * share)};
+}
+
+Segment beginning_of(const Segment& segment, double share) {
+  return {segment.from, segment.length * share, segment.turn * share, segment.course};
+}
+
+std::array<Segment, 2> halves_of(const Segment& segment) {
+  const Segment first = beginning_of(segment, 0.5);
+  return {first, {end_of(first), first.length, first.turn, first.course}};
+}
+
+}  // namespace wend

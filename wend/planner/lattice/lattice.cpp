@@ -1,0 +1,96 @@
+// A robot on a state lattice: A* over cells and headings, by motion primitives that are data. M. Pivtoraiko
+// and A. Kelly, "Efficient Constrained Path Planning via Search in State Lattices", 2005.
+
+#include "wend/planner/lattice/lattice_planner.hpp"
+
+namespace wend {
+namespace {
+
+/// The options as text, for the schema.
+struct LatticeFlags : LatticeOptions {
+  double turning_radius = 0;  // m
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"turning_radius",
+           "turning radius of a robot without motion primitives of its own, in metres (in cells on "
+           "maps in cells); 0: it turns in place"},
+          self.turning_radius, OptionRange{0, 1e6});
+    LatticeCosts::fields(self.costs, field);
+    field(
+        {"heuristic", "estimate of the cost to the goal; obstacles: around them, with any heading"},
+        self.heuristic);
+    field({"weight",
+           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
+           "optimum"},
+          self.weight, OptionRange{0, 1e6});
+  }
+};
+
+Expected<MotionPrimitives, PlannerError> primitives_for(const FreeSpace& space,
+                                                        const LatticeFlags& options) {
+  const auto refused = [](std::string why) {
+    return Unexpected<PlannerError>({Status::invalid_option, std::move(why)});
+  };
+  if (const auto& primitives = space.robot().primitives) {
+    if (options.turning_radius == 0) return *primitives;
+    return refused("turning_radius changes nothing: the robot has motion primitives of its own");
+  }
+  auto made =
+      MotionPrimitives::turning_circle(options.turning_radius / space.map().frame().resolution);
+  if (made) return *std::move(made);
+  return refused("turning_radius is too large for this resolution: " + made.error().message);
+}
+
+PlannerResult make(const FreeSpace& space, const OptionValues& values) {
+  const auto options = parse_options<LatticeFlags>(values);
+  if (!options) {
+    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+  }
+  auto primitives = primitives_for(space, *options);
+  if (!primitives) return Unexpected<PlannerError>(primitives.error());
+  std::string why_none = MotionLattice::why_none(space.map(), *primitives);
+  if (!why_none.empty()) {
+    return Unexpected<PlannerError>({Status::unsupported_map, std::move(why_none)});
+  }
+  auto planner = std::make_unique<LatticePlanner>(space, *std::move(primitives), *options);
+  if (!planner->allocated()) {
+    return Unexpected<PlannerError>(
+        {Status::memory_limit,
+         "no memory for the " + std::to_string(planner->state_count()) + " poses of the robot"});
+  }
+  return planner;
+}
+
+}  // namespace
+
+PlannerInfo lattice_planner() {
+  return {
+      .name = "lattice",
+      .summary = "A* for a robot with a shape and a heading, by motion primitives from a file",
+      .idea =
+          "A state is a cell and a heading. StateKind primitives lead from state to state; the "
+          "robot's own shape is swept along each. The heuristic is the way around the obstacles "
+          "for a robot that may take any heading at every cell.",
+      .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
+      .guarantee_text =
+          "optimal among the paths of its primitives with a weight up to 1; above 1 "
+          "at most w times the optimum",
+      .time =
+          "O(n log n) in the n poses expanded; the heuristic O(m log m) in the cells it reaches",
+      .memory =
+          "16 bytes per cell and heading, touched where the search goes; 32 with the "
+          "heuristic per cell; 24 per frontier entry",
+      .when =
+          "For robots that are not round, or that have a turning circle. Primitives come from "
+          "SBPL's or Nav2's files (--primitives), or from a turning radius.",
+      .guarantee = Guarantee::bounded,
+      .plans_on_terrain = true,
+      .preprocessing = Preprocessing::none,
+      .can_step = true,
+      .state_kind = StateKind::cell_pose,
+      .options = option_schema<LatticeFlags>(),
+      .make = make};
+}
+
+}  // namespace wend

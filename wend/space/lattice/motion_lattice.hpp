@@ -1,0 +1,135 @@
+#pragma once
+
+// MotionLattice: motion primitives on a map, for one robot: where each fits, and what it costs there. The
+// state space, the heuristics and the paths of the planner `lattice` use it.
+//
+// Vertex (i, j) is the middle of cell (i, j) times the unit: 1, unless the primitives are made for cells
+// that are larger than those of the map. A step is a primitive with everything that is known of it before
+// a search: the cells that the robot sweeps, its cost, and how long its way is in each cell.
+//
+// A step costs, in cells, its length on the map, times the reverse factor where it leads backwards, plus the
+// turn cost times the angle by which it turns in place; times the cost factor of its primitive and the mean
+// terrain along its way, sampled kTerrainSamples times in a cell.
+//
+// Immutable, cheap to copy, shared between threads. Built in O(swept cells of all primitives).
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "wend/base/choice.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/robot/motion_primitives.hpp"
+#include "wend/robot/swept_cells.hpp"
+
+namespace wend {
+
+inline constexpr int kTerrainSamples = 16;
+
+struct LatticeCosts {
+  double reverse_factor = 1;
+  double turn_cost = 1;  // cells a radian, of a turn in place
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"reverse_factor", "factor on the cost of driving in reverse"}, self.reverse_factor,
+          OptionRange{0.01, 1e6});
+    field({"turn_cost", "cost of turning in place by a radian, in cells"}, self.turn_cost,
+          OptionRange{0.001, 1e6});
+  }
+};
+
+/// A vertex, and an index in the headings of the primitives.
+struct LatticePose {
+  Cell vertex;
+  int heading = 0;
+
+  friend bool operator==(const LatticePose&, const LatticePose&) = default;
+};
+
+/// Which share of a way lies in a cell, seen from its first cell.
+struct CellShare {
+  Cell offset;
+  double share;
+};
+
+struct LatticeStep {
+  int from;  // headings
+  int to;
+  Cell by;                  // vertices
+  double cost;              // on uniform terrain
+  std::vector<Pose> poses;  // in grid coordinates from vertex (0, 0), without the first
+  SweptCells swept;
+  std::vector<CellShare> ground;
+};
+
+class MotionLattice {
+ public:
+  /// why_none() is empty.
+  MotionLattice(FreeSpace space, const MotionPrimitives& primitives, const LatticeCosts& costs);
+
+  /// Why there is no lattice of these primitives on a map; empty if there is.
+  static std::string why_none(const GridMap& map, const MotionPrimitives& primitives);
+
+  const FreeSpace& free_space() const { return data_->space; }
+  std::span<const double> headings() const { return data_->primitives.headings(); }
+
+  /// The number of vertices.
+  int columns() const { return data_->columns; }
+  int rows() const { return data_->rows; }
+  bool contains(Cell vertex) const {
+    return vertex.x >= 0 && vertex.y >= 0 && vertex.x < columns() && vertex.y < rows();
+  }
+  Cell cell_of(Cell vertex) const { return {vertex.x * data_->unit, vertex.y * data_->unit}; }
+
+  /// The steps that leave with a heading.
+  std::span<const LatticeStep> leaving(int heading) const {
+    const auto index = static_cast<std::size_t>(heading);
+    return steps().subspan(data_->first[index], data_->first[index + 1] - data_->first[index]);
+  }
+  std::span<const LatticeStep> steps() const { return data_->steps; }
+
+  /// May the robot make the step from this vertex?
+  bool fits(Cell vertex, const LatticeStep& step) const {
+    const Cell to{vertex.x + step.by.x, vertex.y + step.by.y};
+    return contains(to) && wend::fits(data_->space, step.swept, cell_of(vertex));
+  }
+
+  /// The cost of a step that fits.
+  double cost(Cell vertex, const LatticeStep& step) const {
+    return data_->space.uniform_terrain() ? step.cost : step.cost * ground(vertex, step);
+  }
+
+  /// No step leads farther, in cells, than its cost divided by this.
+  double least_cost_per_cell() const { return data_->least_cost_per_cell; }
+
+  /// The pose in grid coordinates, and the lattice's pose nearest to one; nothing outside the map. A
+  /// pose is finite.
+  Pose to_grid(const LatticePose& place) const;
+  std::optional<LatticePose> nearest(const Pose& pose) const;
+
+  /// The cheapest step that leads from one pose to another and fits; null if there is none.
+  const LatticeStep* step_between(const LatticePose& from, const LatticePose& to) const;
+
+ private:
+  double ground(Cell vertex, const LatticeStep& step) const;
+
+  struct Data {
+    FreeSpace space;
+    MotionPrimitives primitives;
+    int unit;
+    int columns;
+    int rows;
+    std::vector<LatticeStep> steps;  // by the first heading
+    std::vector<std::size_t> first;  // in steps, by heading; one more than headings
+    double least_cost_per_cell;
+  };
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace wend
