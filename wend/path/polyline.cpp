@@ -104,4 +104,17 @@ std::vector<Pose> poses_along(const Polyline& line, double spacing) {
   return poses;
 }
 
+std::vector<Pose> poses_along(const Path& drive, double spacing) {
+  assert(spacing > 0 && drive.driven());
+  std::vector<Pose> poses;
+  double next = 0;  // from the start of the segment
+  for (const Segment& segment : drive.segments()) {
+    const double length = std::abs(segment.length);
+    for (; next < length; next += spacing) poses.push_back(pose_on(segment, next / length));
+    next -= length;
+  }
+  poses.push_back(drive.driven_poses().back());
+  return poses;
+}
+
 }  // namespace wend

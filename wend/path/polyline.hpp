@@ -72,4 +72,7 @@ class Polyline {
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
 std::vector<Pose> poses_along(const Polyline& line, double spacing);
 
+/// The same along a path of poses, with their headings.
+std::vector<Pose> poses_along(const Path& drive, double spacing);
+
 }  // namespace wend

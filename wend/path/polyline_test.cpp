@@ -63,6 +63,10 @@ TEST(PosesAlong, AreEvenlySpacedAndReachTheEnd) {
                                             Pose{3, 2, kPi / 2}));
   EXPECT_EQ(poses_along(Polyline({{0, 0}, {4, 0}}), 2).size(), 3U) << "the end counts once";
   EXPECT_THAT(poses_along(Polyline({{1, 2}}), 2), ::testing::ElementsAre(Pose{1, 2, 0}));
+  const Path aside = Path::through({{0, 0, 0}, {0, 3, 0}, {0, 3, 1}});
+  EXPECT_THAT(poses_along(aside, 2),
+              ::testing::ElementsAre(Pose{0, 0, 0}, Pose{0, 2, 0}, Pose{0, 3, 1}))
+      << "facing as the path says";
 }
 
 TEST(Polyline, OfADriveKeepsToItsArcs) {

@@ -58,7 +58,7 @@ void add_cells(const Scene& scene, const Style& style, std::vector<LegendItem>& 
     add(style.occupied, "obstacle", '#');
   const FreeSpace& space = scene.space;
   const bool too_close =
-      space.passable().count() + space.obstacles().blocked().count() < space.map().size();
+      standable(scene).count() + space.obstacles().blocked().count() < space.map().size();
   if (too_close) add(style.too_close, "too close", ':');
   if (!scene.heatmap && !scene.space.map().uniform_terrain()) {
     add(style.rough(kTypicallyRough), scene.unit ? "rough road" : "rough", '~');

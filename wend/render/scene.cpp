@@ -51,6 +51,10 @@ Scene scene_of(FreeSpace space, std::vector<SceneLine> lines) {
   return scene;
 }
 
+const BitGrid& standable(const Scene& scene) {
+  return scene.path.driven() ? scene.space.possible() : scene.space.passable();
+}
+
 std::optional<CellRole> role_of(const Scene& scene, Cell cell) {
   for (const MarkedCells& marked : scene.marked | std::views::reverse) {
     if (marked.cells[cell]) return marked.role;

@@ -151,6 +151,9 @@ Scene scene_of(FreeSpace space, Path path);
 /// The map with lines, the ends of the last one (not empty) marked.
 Scene scene_of(FreeSpace space, std::vector<SceneLine> lines);
 
+/// The cells that the robot may stand on: with some heading if the path has headings, else with all.
+const BitGrid& standable(const Scene& scene);
+
 /// The role of a cell: that of the last layer that marks it.
 std::optional<CellRole> role_of(const Scene& scene, Cell cell);
 

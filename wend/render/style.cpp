@@ -179,7 +179,7 @@ Paint CellPaints::operator[](Cell cell) const {
   }
   if (const auto colour = heat(cell)) return {*colour};
   if (state == CellState::unknown) return {style_.unknown};
-  if (!space.passable()[cell]) return {style_.too_close};
+  if (!standable(scene_)[cell]) return {style_.too_close};
   if (!is_rough(scene_, cell)) return {style_.free};
   return {style_.rough(space.map().terrain(cell))};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 
 #include "wend/geometry/angle.hpp"
@@ -56,7 +57,8 @@ std::string heading_text(double radians, const Frame& frame) {
 }
 
 std::string pose_text(const Pose& pose, const Frame& frame) {
-  return fmt::format("({},{},{})", pose.x, pose.y, heading_text(pose.heading, frame));
+  const auto shown = [](double value) { return std::round(value * 1e3) / 1e3 + 0.0; };
+  return fmt::format("({},{},{})", shown(pose.x), shown(pose.y), heading_text(pose.heading, frame));
 }
 
 std::string drive_commands(const Plan& plan, const Frame& frame) {

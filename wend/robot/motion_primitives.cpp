@@ -313,6 +313,18 @@ Expected<MotionPrimitives, Error> MotionPrimitives::turning_circle(double radius
   return in_order(std::move(parts));
 }
 
+MotionPrimitives MotionPrimitives::with_ways_back() const {
+  Parts parts = data_->parts;
+  for (const MotionPrimitive& primitive : data_->parts.primitives) {
+    MotionPrimitive back = reversed(primitive);
+    const bool is_there = std::ranges::any_of(leaving(back.from), [&](const auto& other) {
+      return other.to == back.to && other.by == back.by;
+    });
+    if (!is_there) parts.primitives.push_back(std::move(back));
+  }
+  return in_order(std::move(parts));
+}
+
 std::span<const MotionPrimitive> MotionPrimitives::leaving(int heading) const {
   const auto index = static_cast<std::size_t>(heading);
   return all().subspan(data_->first[index], data_->first[index + 1] - data_->first[index]);

@@ -70,6 +70,9 @@ class MotionPrimitives {
   std::span<const double> headings() const&& = delete;
   std::span<const MotionPrimitive> all() const&& = delete;
 
+  /// These, and the way back of each that has none: the same segments in reverse.
+  MotionPrimitives with_ways_back() const;
+
   /// Those that leave with this heading.
   std::span<const MotionPrimitive> leaving(int heading) const;
 

@@ -69,6 +69,22 @@ TEST(MotionPrimitivesTest, CanBeUndone) {
   }
 }
 
+TEST(MotionPrimitivesTest, GetTheWayBack) {
+  MotionPrimitives::Parts parts = one_step();
+  parts.primitives.push_back({8, 0, 1, {2, 2}, 1.5, {{0, 0, 0}, {2, 2, kPi / 2}}});
+  const MotionPrimitives ahead = *MotionPrimitives::make(parts);
+  const MotionPrimitives both = ahead.with_ways_back();
+  EXPECT_EQ(both.all().size(), 4U);
+  ASSERT_EQ(both.leaving(1).size(), 1U);
+  const MotionPrimitive& back = both.leaving(1).front();
+  EXPECT_EQ(back.to, 0);
+  EXPECT_EQ(back.by, (Cell{-2, -2}));
+  EXPECT_EQ(back.cost_factor, 1.5);
+  EXPECT_NEAR(segment_between(back.poses[0], back.poses[1]).length, -kPi, 1e-12);
+  const MotionPrimitives again = both.with_ways_back();
+  EXPECT_EQ(again.all().size(), 4U) << "they are there";
+}
+
 TEST(MotionPrimitivesTest, LeaveWithEachHeading) {
   const MotionPrimitives set = made(3);
   std::size_t count = 0;

@@ -9,6 +9,7 @@ namespace {
 /// The options as text, for the schema.
 struct LatticeFlags : LatticeOptions {
   double turning_radius = 0;  // m
+  bool ways_back = false;
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -16,6 +17,10 @@ struct LatticeFlags : LatticeOptions {
            "turning radius of a robot without motion primitives of its own, in metres (in cells on "
            "maps in cells); 0: it turns in place"},
           self.turning_radius, OptionRange{0, 1e6});
+    field({"ways_back",
+           "also makes the motion primitives of the robot in reverse, where it has none that lead "
+           "back"},
+          self.ways_back);
     LatticeCosts::fields(self.costs, field);
     field(
         {"heuristic", "estimate of the cost to the goal; obstacles: around them, with any heading"},
@@ -33,9 +38,12 @@ Expected<MotionPrimitives, PlannerError> primitives_for(const FreeSpace& space,
     return Unexpected<PlannerError>({Status::invalid_option, std::move(why)});
   };
   if (const auto& primitives = space.robot().primitives) {
-    if (options.turning_radius == 0) return *primitives;
+    if (options.turning_radius == 0) {
+      return options.ways_back ? primitives->with_ways_back() : *primitives;
+    }
     return refused("turning_radius changes nothing: the robot has motion primitives of its own");
   }
+  if (options.ways_back) return refused("ways_back changes nothing without motion primitives");
   auto made =
       MotionPrimitives::turning_circle(options.turning_radius / space.map().frame().resolution);
   if (made) return *std::move(made);

@@ -13,12 +13,12 @@ namespace {
 constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
 constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
 
-/// The points that the robot drives through: the last line of the scene, else the path.
-std::vector<Point> driven_points(const Scene& scene) {
-  if (!scene.lines.empty() && scene.lines.back().role != LineRole::possible) {
-    return scene.lines.back().points;
-  }
-  return scene.path.empty() ? std::vector<Point>{} : scene.path.points();
+/// Poses along the last line of the scene, else along the path; none where the robot only stands.
+std::vector<Pose> driven_poses(const Scene& scene, double spacing) {
+  const bool has_line = !scene.lines.empty() && scene.lines.back().role != LineRole::possible;
+  if (!has_line && scene.path.driven()) return poses_along(scene.path, spacing);
+  const std::vector<Point> points = has_line ? scene.lines.back().points : scene.path.points();
+  return points.size() < 2 ? std::vector<Pose>{} : poses_along(Polyline(points), spacing);
 }
 
 }  // namespace
@@ -36,10 +36,8 @@ void trace_footprint(const SceneDrawing& drawing, const Pose& pose) {
 void draw_footprints(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
   const double size = 2 * scene.space.radius_in_cells();
-  if (size * drawing.view.scale() < kLeastSize || scene.path.driven()) return;
-  const std::vector<Point> points = driven_points(scene);
-  if (points.size() < 2) return;
-  const std::vector<Pose> poses = poses_along(Polyline(points), kFootprintGap * size);
+  if (size * drawing.view.scale() < kLeastSize) return;
+  const std::vector<Pose> poses = driven_poses(scene, kFootprintGap * size);
   const double width = std::max(1.0, drawing.sizes.line / 4);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool at_end = i == 0 || i + 1 == poses.size();

@@ -31,7 +31,7 @@ namespace wend {
 inline constexpr int kTerrainSamples = 16;
 
 struct LatticeCosts {
-  double reverse_factor = 1;
+  double reverse_factor = 2;
   double turn_cost = 1;  // cells a radian, of a turn in place
 
   template <class Self, class Field>
