@@ -123,9 +123,8 @@ TEST_F(LatticeCommand, HasJsonWithPoses) {
 TEST_F(LatticeCommand, WritesAPathThatCheckFindsFree) {
   const std::string path = (folder_ / "path.csv").string();
   const std::string robot = "1.2,0.4;-0.4,0.4;-0.4,-0.4;1.2,-0.4";
-  const Outcome planned =
-      plan({"--planner", "lattice", "--footprint", robot, "--start", "1,1,E", "--goal", "6,3,S",
-            "-o", path, "-o", (folder_ / "p.png").string()});
+  const Outcome planned = plan({"--planner", "lattice", "--footprint", robot, "--start", "1,1,E",
+                                "--goal", "6,3,S", "-o", path, "-o", (folder_ / "p.png").string()});
   ASSERT_EQ(planned.code, 0) << planned.err;
   const Outcome checked = wend({"check", map_, path, "--footprint", robot});
   EXPECT_EQ(checked.code, 0) << checked.err;

@@ -110,7 +110,10 @@ std::vector<Pose> poses_along(const Path& drive, double spacing) {
   double next = 0;  // from the start of the segment
   for (const Segment& segment : drive.segments()) {
     const double length = std::abs(segment.length);
-    for (; next < length; next += spacing) poses.push_back(pose_on(segment, next / length));
+    while (next < length) {
+      poses.push_back(pose_on(segment, next / length));
+      next += spacing;
+    }
     next -= length;
   }
   poses.push_back(drive.driven_poses().back());

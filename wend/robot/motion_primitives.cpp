@@ -273,12 +273,16 @@ Expected<MotionPrimitives, Error> MotionPrimitives::make(Parts parts) {
 }
 
 MotionPrimitives MotionPrimitives::in_order(Parts parts) {
-  std::ranges::stable_sort(parts.primitives, {}, &MotionPrimitive::from);
-  std::vector<std::size_t> first(parts.headings.size() + 1, 0);
-  for (const MotionPrimitive& primitive : parts.primitives) {
-    ++first[static_cast<std::size_t>(primitive.from) + 1];
+  std::vector<MotionPrimitive> ordered;
+  ordered.reserve(parts.primitives.size());
+  std::vector<std::size_t> first{0};
+  for (int heading = 0; heading < static_cast<int>(parts.headings.size()); ++heading) {
+    for (MotionPrimitive& primitive : parts.primitives) {
+      if (primitive.from == heading) ordered.push_back(std::move(primitive));
+    }
+    first.push_back(ordered.size());
   }
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  parts.primitives = std::move(ordered);
   return MotionPrimitives(std::make_shared<const Data>(Data{std::move(parts), std::move(first)}));
 }
 
@@ -306,7 +310,8 @@ Expected<MotionPrimitives, Error> MotionPrimitives::turning_circle(double radius
     MotionPrimitive& primitive = parts.primitives[i];
     primitive.number = static_cast<int>(i);
     drop_repeated(primitive.poses);
-    if (std::string wrong = wrong_numbers(primitive, parts.headings.size()); !wrong.empty()) {
+    const std::string wrong = wrong_numbers(primitive, parts.headings.size());
+    if (!wrong.empty()) {
       return invalid("with a turning radius of " + format_number(radius) + " cells, " + wrong);
     }
   }

@@ -81,7 +81,7 @@ std::vector<Segment> segments_of(std::span<const Pose> poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     segments.push_back(segment_between(poses[i - 1], poses[i]));
   }
-  if (segments.empty()) segments.push_back({poses.front(), 0, 0, 0});
+  if (segments.empty()) segments.emplace_back(poses.front(), 0, 0, 0);
   return segments;
 }
 

@@ -27,11 +27,11 @@ class JsonReader {
 
   /// A member of an object; null with an error if it is missing.
   const Json& member(const Json& object, const char* key) {
-    static const Json kNone;
+    static const Json none;
     const auto found = object.is_object() ? object.find(key) : object.end();
     if (object.is_object() && found != object.end()) return *found;
     complain(fmt::format("'{}' is missing", key));
-    return kNone;
+    return none;
   }
 
   double number(const Json& value, std::string_view what) {

@@ -91,7 +91,7 @@ std::string MotionLattice::why_none(const GridMap& map, const MotionPrimitives& 
          " headings";
 }
 
-MotionLattice::MotionLattice(FreeSpace space, const MotionPrimitives& primitives,
+MotionLattice::MotionLattice(const FreeSpace& space, const MotionPrimitives& primitives,
                              const LatticeCosts& costs) {
   const int unit = static_cast<int>(std::round(cells_per_cell(space.map(), primitives)));
   Data data{space,

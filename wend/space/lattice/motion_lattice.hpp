@@ -70,7 +70,8 @@ struct LatticeStep {
 class MotionLattice {
  public:
   /// why_none() is empty.
-  MotionLattice(FreeSpace space, const MotionPrimitives& primitives, const LatticeCosts& costs);
+  MotionLattice(const FreeSpace& space, const MotionPrimitives& primitives,
+                const LatticeCosts& costs);
 
   /// Why there is no lattice of these primitives on a map; empty if there is.
   static std::string why_none(const GridMap& map, const MotionPrimitives& primitives);
