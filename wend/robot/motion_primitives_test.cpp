@@ -126,7 +126,7 @@ TEST(MotionPrimitivesTest, JoinSamplesIntoSegments) {
   parts.primitives = {{0, 0, 1, {7, 6}, 1, samples}};
   const auto set = MotionPrimitives::make(parts);
   ASSERT_TRUE(set.has_value()) << set.error().message;
-  const std::vector<Pose>& poses = set->all().front().poses;
+  const std::vector<Pose> poses = set->all().front().poses;
   ASSERT_EQ(poses.size(), 4U);
   EXPECT_NEAR(poses[1].x, 3, 1e-3);
   EXPECT_NEAR(poses[2].y, 4, 1e-3);

@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/io/primitives/load_primitives.hpp"
 #include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
@@ -66,15 +67,39 @@ OptionInfo planner_option() {
 }
 
 constexpr std::string_view kFootprint = "footprint";
+constexpr std::string_view kPrimitives = "primitives";
 
-/// Any text: parse_footprint() says what is right.
-OptionInfo footprint_option() {
-  return {.name = std::string(kFootprint),
+/// A parameter that is text with rules of its own; empty is always right.
+struct TextParameter {
+  std::string_view name;
+  std::string_view help;
+  std::string (*fault)(std::string_view);  // what is wrong with a text, empty if nothing is
+};
+
+std::string fault_of_footprint(std::string_view text) {
+  const auto footprint = wend::parse_footprint(text);
+  return footprint ? std::string() : footprint.error().message;
+}
+
+std::string fault_of_primitives(std::string_view file) {
+  const auto primitives = wend::load_primitives(file);
+  return primitives ? std::string() : primitives.error().message();
+}
+
+constexpr std::array kTexts{
+    TextParameter{kFootprint,
+                  "the robot's shape in place of robot_radius: [[x, y], ...] in m, x ahead",
+                  fault_of_footprint},
+    TextParameter{kPrimitives, "file of the robot's motion primitives, for the planner lattice",
+                  fault_of_primitives}};
+
+OptionInfo option_of(const TextParameter& parameter) {
+  return {.name = std::string(parameter.name),
           .aliases = {},
           .kind = OptionKind::choice,
           .default_value = "",
           .choices = {},
-          .help = "the robot's shape in place of robot_radius: [[x, y], ...] in m, x ahead"};
+          .help = std::string(parameter.help)};
 }
 
 /// Of options of the same name, one that takes what any of them does.
@@ -94,7 +119,8 @@ void merge(std::vector<OptionInfo>& schema, const OptionInfo& option) {
 }
 
 std::vector<OptionInfo> full_schema() {
-  std::vector<OptionInfo> schema{planner_option(), footprint_option()};
+  std::vector<OptionInfo> schema{planner_option()};
+  for (const TextParameter& parameter : kTexts) schema.push_back(option_of(parameter));
   for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
   for (const wend::PlannerInfo& planner : wend::planners()) {
     for (const OptionInfo& option : planner.options) merge(schema, option);
@@ -127,10 +153,8 @@ std::string fault_of(const OptionInfo& option, std::string_view text) {
     case OptionKind::choice:
       break;
   }
-  if (option.name == kFootprint) {
-    const auto footprint = wend::parse_footprint(text);
-    return text.empty() || footprint ? std::string() : footprint.error().message;
-  }
+  const auto* const typed = std::ranges::find(kTexts, option.name, &TextParameter::name);
+  if (typed != kTexts.end()) return text.empty() ? std::string() : typed->fault(text);
   const bool known = std::ranges::find(option.choices, text) != option.choices.end();
   return known ? std::string() : wend::option_text::unknown_choice(text, option.choices);
 }
@@ -195,6 +219,7 @@ std::string Parameters::set(std::string_view name, std::string_view value) {
   const std::string fault = fault_of(*option, value);
   if (!fault.empty()) return "parameter '" + std::string(name) + "': " + fault;
   values_[static_cast<std::size_t>(option - schema_.data())] = value;
+  if (option->name == kPrimitives) read_primitives();
   return {};
 }
 
@@ -214,6 +239,13 @@ wend::Footprint Parameters::footprint() const {
   const std::string& shape = text(kFootprint);
   if (shape.empty()) return wend::Footprint::disc(number("robot_radius"));
   return wend::parse_footprint(shape).value_or(wend::Footprint());
+}
+
+/// Once: a robot with other primitives is another robot, for which all is made anew.
+void Parameters::read_primitives() {
+  primitives_.reset();
+  auto loaded = wend::load_primitives(text(kPrimitives));
+  if (loaded) primitives_ = *std::move(loaded);
 }
 
 wend::OptionValues Parameters::options_of(std::string_view planner) const {

@@ -23,7 +23,8 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
                                                      : wend::UnknownPolicy::blocked,
           .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
                                                           : wend::OutsidePolicy::blocked,
-          .clearance_distance = parameters.number("clearance_distance")};
+          .clearance_distance = parameters.number("clearance_distance"),
+          .primitives = parameters.primitives()};
 }
 
 wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {

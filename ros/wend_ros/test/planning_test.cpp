@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 
 #include "wend/planner/planners.hpp"
@@ -160,6 +161,23 @@ TEST(Parameters, HaveAFootprintInPlaceOfARadius) {
             std::string::npos);
   EXPECT_EQ(parameters.set("footprint", ""), "");
   EXPECT_EQ(parameters.footprint(), wend::Footprint::disc(0.3));
+}
+
+TEST(Parameters, ReadMotionPrimitivesFromAFile) {
+  Parameters parameters;
+  EXPECT_FALSE(parameters.primitives().has_value());
+  EXPECT_NE(parameters.set("primitives", "/no/such/robot.mprim").find("robot.mprim"),
+            std::string::npos);
+  EXPECT_FALSE(parameters.primitives().has_value());
+  const std::string file = testing::TempDir() + "robot.mprim";
+  std::ofstream(file) << "resolution_m: 0.1\nnumberofangles: 1\ntotalnumberofprimitives: 1\n"
+                         "primID: 0\nstartangle_c: 0\nendpose_c: 1 0 0\n"
+                         "additionalactioncostmult: 1\nintermediateposes: 2\n0 0 0\n0.1 0 0\n";
+  EXPECT_EQ(parameters.set("primitives", file), "");
+  ASSERT_TRUE(parameters.primitives().has_value());
+  EXPECT_EQ(parameters.primitives()->resolution(), 0.1);
+  EXPECT_EQ(parameters.set("primitives", ""), "");
+  EXPECT_FALSE(parameters.primitives().has_value());
 }
 
 TEST(Poses, WithoutAnOrientationHeadAlongX) {

@@ -9,6 +9,7 @@
 //
 //   planner         which one                robot_radius   metres
 //   footprint       [[x, y], ...], metres: the robot's polygon, in place of robot_radius
+//   primitives      file of the robot's motion primitives, for the planner lattice
 //   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
@@ -17,12 +18,14 @@
 #include <dynamic_reconfigure/Config.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "wend/base/options.hpp"
 #include "wend/robot/footprint.hpp"
+#include "wend/robot/motion_primitives.hpp"
 
 namespace wend_ros {
 
@@ -44,6 +47,9 @@ class Parameters {
   /// The robot's shape: `footprint` if it is set, else a disc of `robot_radius`.
   wend::Footprint footprint() const;
 
+  /// Those of the file `primitives`, if it is set.
+  const std::optional<wend::MotionPrimitives>& primitives() const { return primitives_; }
+
   /// Those of a planner that somebody has set, to values that it takes.
   wend::OptionValues options_of(std::string_view planner) const;
 
@@ -54,11 +60,13 @@ class Parameters {
   std::vector<std::string> apply(const dynamic_reconfigure::Config& config);
 
  private:
+  void read_primitives();
   const wend::OptionInfo* find(std::string_view name) const;
   dynamic_reconfigure::Config config_of(const std::vector<std::string>& values) const;
 
   std::vector<wend::OptionInfo> schema_;
   std::vector<std::string> values_;  // of each in the schema
+  std::optional<wend::MotionPrimitives> primitives_;
 };
 
 }  // namespace wend_ros
