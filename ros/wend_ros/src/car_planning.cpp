@@ -8,6 +8,7 @@
 #include "wend/base/thread_time.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend_ros {
 namespace {
@@ -59,10 +60,12 @@ void put_plan(CarResult& result, const wend::Plan& plan) {
     stop.y = static_cast<std::int32_t>(std::lround(pose.y));
     stop.d = static_cast<std::int32_t>(wend::nearest_heading(pose.heading));
   }
-  for (const std::string_view name : plan.moves) {
-    if (const auto move = wend::parse_car_move(name)) {
-      result.moves.push_back(static_cast<std::uint8_t>(*move));
-    }
+  const auto poses = plan.path.driven_poses();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto from = wend::nearest_corner_pose(poses[i - 1]);
+    const auto to = wend::nearest_corner_pose(poses[i]);
+    const auto move = from && to ? wend::move_between(*from, *to) : std::nullopt;
+    if (move) result.moves.push_back(static_cast<std::uint8_t>(*move));
   }
   result.fuel = plan.cost;
 }

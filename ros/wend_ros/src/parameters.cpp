@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "wend/base/parse.hpp"
+#include "wend/io/primitives/load_primitives.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/io/primitives/load_primitives.hpp"
 #include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
