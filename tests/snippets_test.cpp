@@ -159,7 +159,7 @@ bool load_primitives_and_report(const wend::GridMap& map, const wend::Footprint&
 
 TEST(Snippets, OfLoadingMotionPrimitives) {
   EXPECT_TRUE(load_primitives_and_report(wend::GridMap(wend::Grid<wend::CellState>(2, 2)), {}))
-      << "a file that is not there is reported";
+      << "a missing file is reported";
 }
 
 TEST(Snippets, OfFootprints) {

@@ -131,7 +131,7 @@ std::string fuzz_primitives(std::string_view bytes) {
   if (leaving != all.size()) return "primitives that leave nowhere";
   const auto again =
       MotionPrimitives::make({primitives->resolution(), std::move(headings), std::move(all)});
-  if (!again) return "a set that is not valid: " + again.error().message;
+  if (!again) return "an invalid set: " + again.error().message;
   return again->all().size() == primitives->all().size() ? "" : "another set comes back";
 }
 

@@ -17,7 +17,7 @@
 //   startangle_c: 0               a heading: 2 pi / 16 times this
 //   endpose_c: 8 1 1              x, y and heading at its end
 //   additionalactioncostmult: 1   the factor on its cost
-//   intermediateposes: 10         from the start to the end; then so many lines x y heading
+//   intermediateposes: 10         from the start to the end; this many lines "x y heading" follow
 //
 // JSON: {"lattice_metadata": {"grid_resolution": 0.05, "heading_angles": [0, 0.46, ...]}, "primitives":
 // [{"trajectory_id": 0, "start_angle_index": 0, "end_angle_index": 1, "poses": [[x, y, heading], ...]},

@@ -6,7 +6,7 @@
 
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
-#include "wend/planner/lattice/snapping.hpp"
+#include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
@@ -102,13 +102,7 @@ std::optional<Status> CarPlanner::do_check(const Query& query) {
   start_ = *start;
   goals_.clear();
   asked_goals_.clear();
-  std::optional<Status> why_none;  // of the first goal
-  for (const Goal& goal : query.goals) {
-    const auto failed = take_goal(goal);
-    if (failed && !why_none) why_none = failed;
-  }
-  if (goals_.empty()) return why_none;
-  return std::nullopt;
+  return take_goals(query, [this](const Goal& goal) { return take_goal(goal); });
 }
 
 std::optional<Status> CarPlanner::take_goal(const Goal& goal) {

@@ -6,7 +6,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
-#include "wend/planner/lattice/snapping.hpp"
+#include "wend/planner/lattice/query_ends.hpp"
 
 namespace wend {
 namespace {
@@ -64,13 +64,7 @@ std::optional<Status> LatticePlanner::do_check(const Query& query) {
   start_ = *start;
   goals_.clear();
   asked_goals_.clear();
-  std::optional<Status> why_none;  // of the first goal
-  for (const Goal& goal : query.goals) {
-    const auto failed = take_goal(goal);
-    if (failed && !why_none) why_none = failed;
-  }
-  if (goals_.empty()) return why_none;
-  return std::nullopt;
+  return take_goals(query, [this](const Goal& goal) { return take_goal(goal); });
 }
 
 std::optional<Status> LatticePlanner::take_goal(const Goal& goal) {

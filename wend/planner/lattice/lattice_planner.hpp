@@ -45,7 +45,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
 
   MotionPrimitives primitives_;
   LatticeOptions options_;
-  // None on a map whose resolution does not suit the primitives; then there is no engine either.
+  // Null if the map's resolution does not suit the primitives; then there is no engine either.
   std::unique_ptr<const MotionLattice> lattice_;
   // Of the query that was checked last.
   Pose asked_start_;

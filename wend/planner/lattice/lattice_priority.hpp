@@ -80,7 +80,7 @@ class LatticePriority {
                                [&](const LatticeGoal& goal) { return goal.contains(state.place); });
   }
 
-  /// Without good estimates there is no use in going on: the engine asks why they stopped().
+  /// A search without valid estimates stops; the engine asks stopped() why.
   bool near_overflow(const Key& /*key*/) const { return stopped().has_value(); }
 
   double h(const LatticePose& place) const {

@@ -73,7 +73,7 @@ class MotionLattice {
   MotionLattice(const FreeSpace& space, const MotionPrimitives& primitives,
                 const LatticeCosts& costs);
 
-  /// Why there is no lattice of these primitives on a map; empty if there is.
+  /// Why these primitives make no lattice on a map; empty if they do.
   static std::string why_none(const GridMap& map, const MotionPrimitives& primitives);
 
   const FreeSpace& free_space() const { return data_->space; }
