@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "wend/base/thread_time.hpp"
+#include "wend/geometry/car_move.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
-#include "wend/space/lattice/car_lattice.hpp"
 
 namespace wend_ros {
 namespace {
@@ -64,8 +64,9 @@ void put_plan(CarResult& result, const wend::Plan& plan) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto from = wend::nearest_corner_pose(poses[i - 1]);
     const auto to = wend::nearest_corner_pose(poses[i]);
-    const auto move = from && to ? wend::move_between(*from, *to) : std::nullopt;
-    if (move) result.moves.push_back(static_cast<std::uint8_t>(*move));
+    for (std::uint8_t move = 0; from && to && move < wend::kCarMoves; ++move) {
+      if (wend::moved(*from, static_cast<wend::CarMove>(move)) == *to) result.moves.push_back(move);
+    }
   }
   result.fuel = plan.cost;
 }
