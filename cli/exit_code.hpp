@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 
 namespace wend::cli {
 

@@ -5,13 +5,14 @@
 
 int main() {
   const auto loaded = wend::load_map("office.yaml");
-  if (!loaded) return std::puts(loaded.error().message().c_str()), 2;
-  const wend::FreeSpace space(loaded->map, {.footprint = wend::Footprint::disc(0.2)});
-  const auto planner = wend::make_planner("astar", space);
-  if (!planner) return std::puts(planner.error().message().c_str()), 2;
+  if (!loaded) return std::puts(loaded.error().message.c_str()), 2;
+  const auto space = wend::make_free_space(loaded->map, {.footprint = wend::Footprint::disc(0.2)});
+  if (!space) return std::puts(space.error().message.c_str()), 2;
+  const auto planner = wend::make_planner("astar", *space);
+  if (!planner) return std::puts(planner.error().message.c_str()), 2;
   const auto plan = (*planner)->plan(wend::Query::between({10, 10}, {150, 68}));
-  if (!plan) return std::puts(plan.error().reason.c_str()), 1;
-  for (const wend::Point point : plan->path.points_in_metres(space.map().frame())) {
+  if (!plan) return std::puts(plan.error().message.c_str()), 1;
+  for (const wend::Point point : plan->path.points_in_metres(space->map().frame())) {
     std::printf("%.2f %.2f\n", point.x, point.y);
   }
 }

@@ -77,12 +77,13 @@ std::size_t bytes_in_use() {
 }
 
 FreeSpace generated(std::string_view kind, int width, int height) {
-  return FreeSpace(generators().find(kind)->make(width, height, 7, {}).value());
+  return *make_free_space(generators().find(kind)->make(width, height, 7, {}).value());
 }
 
 std::vector<FreeSpace> maps() {
   return {generated("random", 90, 70), generated("maze", 61, 41), generated("rough", 80, 80),
-          generated("car", 40, 40), FreeSpace(GridMap(Grid<CellState>(64, 64, CellState::free)))};
+          generated("car", 40, 40),
+          *make_free_space(*make_grid_map(Grid<CellState>(64, 64, CellState::free)))};
 }
 
 /// Queries long and short, with one goal and several, some of them without an answer.
@@ -149,7 +150,8 @@ TEST_P(Allocation, OfAWarmQueryIsNone) {
 
 TEST_P(Allocation, OfAWarmQueryInStepsIsNone) {
   if (!info().can_step) GTEST_SKIP() << "it cannot be stepped";
-  const FreeSpace space(GridMap(Grid<CellState>(64, 64, CellState::free)));
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(64, 64, CellState::free)));
   const auto planner = make(space);
   const Query query = Query::between({3, 60}, {50, 2});
   Plan plan;
@@ -175,8 +177,8 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACellOr24APose) {
   terrain[{500, 500}] = 2;
   for (const bool rough : {false, true}) {
     SCOPED_TRACE(rough ? "with terrain" : "uniform");
-    const FreeSpace space(GridMap(Grid<CellState>(kSide, kSide, CellState::free), {},
-                                  rough ? terrain : Grid<double>()));
+    const FreeSpace space = *make_free_space(*make_grid_map(
+        Grid<CellState>(kSide, kSide, CellState::free), {}, rough ? terrain : Grid<double>()));
     Plan plan;
     Query query = Query::between({500, 500}, {503, 503});
     const std::size_t before = bytes_in_use();

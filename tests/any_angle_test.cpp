@@ -31,11 +31,11 @@ struct Lengths {
 };
 
 void compare(const Trial& trial, const std::string& name, std::uint64_t seed, Lengths& lengths) {
-  const FreeSpace space(trial.map, trial.robot);
+  const FreeSpace space = *make_free_space(trial.map, trial.robot);
   const auto planner = make_planner(name, space, trial.options);
   if (!planner) return;  // terrain
   const auto astar = make_planner("astar", space, trial.options);
-  ASSERT_TRUE(astar) << astar.error().message();
+  ASSERT_TRUE(astar) << astar.error().message;
   const Adjacency adjacency = moves_of(PlannerSpec{"astar", "astar", trial.options}).adjacency();
   Random random(seed);
   for (int i = 0; i < 4; ++i) {
@@ -75,11 +75,12 @@ TEST_P(AnyAngle, IsShorterOnAverageThanTautPathsOfAStarAndSeldomLonger) {
 FreeSpace walled() {
   Grid<CellState> cells(7, 5, CellState::free);
   for (int y = 0; y < 4; ++y) cells[{3, y}] = CellState::occupied;
-  return FreeSpace(GridMap(cells));
+  return *make_free_space(*make_grid_map(cells));
 }
 
 TEST_P(AnyAngle, GoesStraightWhereNothingIsInTheWay) {
-  const FreeSpace space{GridMap(Grid<CellState>(30, 20, CellState::free))};
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(30, 20, CellState::free)));
   const auto plan = (*make_planner(GetParam(), space))->plan(Query::between({2, 3}, {26, 10}));
   ASSERT_TRUE(plan);
   EXPECT_THAT(plan->path.cells(), ElementsAre(Cell{2, 3}, Cell{26, 10}));
@@ -96,7 +97,7 @@ TEST_P(AnyAngle, TurnsAtTheEndOfAWall) {
 TEST_P(AnyAngle, PassesBetweenTwoCornersOnlyWhereItMay) {
   Grid<CellState> cells(2, 2, CellState::free);
   cells[{1, 0}] = cells[{0, 1}] = CellState::occupied;
-  const FreeSpace space{GridMap(cells)};
+  const FreeSpace space = *make_free_space(*make_grid_map(cells));
   for (const std::string rule : {"none", "one", "both"}) {
     const auto planner = make_planner(GetParam(), space, {{"corner_rule", rule}});
     Plan plan;
@@ -106,11 +107,12 @@ TEST_P(AnyAngle, PassesBetweenTwoCornersOnlyWhereItMay) {
 }
 
 TEST_P(AnyAngle, RefusesTerrain) {
-  const FreeSpace space{GridMap(Grid<CellState>(4, 4, CellState::free), {}, Grid<double>(4, 4, 2))};
+  const FreeSpace space = *make_free_space(
+      *make_grid_map(Grid<CellState>(4, 4, CellState::free), {}, Grid<double>(4, 4, 2)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::unsupported_map);
-  EXPECT_THAT(planner.error().message(), HasSubstr(GetParam() + " supports uniform terrain only"));
+  EXPECT_THAT(planner.error().message, HasSubstr(GetParam() + " supports uniform terrain only"));
 }
 
 /// Keeps the cells that were expanded, with their parents.
@@ -129,7 +131,8 @@ TEST_P(AnyAngle, ExpandsNoCellThatItsParentDoesNotSee) {
   std::size_t links = 0;
   for (std::uint64_t seed = 1; seed <= share_of(1000U) && !HasFailure(); ++seed) {
     const Trial trial = random_trial(seed, info);
-    const auto planner = make_planner(GetParam(), FreeSpace(trial.map, trial.robot), trial.options);
+    const auto planner =
+        make_planner(GetParam(), *make_free_space(trial.map, trial.robot), trial.options);
     if (!planner) continue;  // terrain
     SCOPED_TRACE(text_of(trial, seed));
     const Reference reference = reference_for(trial, info);

@@ -89,9 +89,9 @@ class CarConformance : public ::testing::TestWithParam<std::string> {
   const PlannerInfo& info() const { return *planners().find(GetParam()); }
 
   std::unique_ptr<Planner> make(const Trial& trial) const {
-    auto made = info().make(FreeSpace(trial.map, trial.robot), trial.options);
+    auto made = info().make(*make_free_space(trial.map, trial.robot), trial.options);
     if (made) return *std::move(made);
-    EXPECT_FALSE(has_room(trial, rules_of(trial, info()))) << made.error().message();
+    EXPECT_FALSE(has_room(trial, rules_of(trial, info()))) << made.error().message;
     EXPECT_EQ(to_string(made.error().status), to_string(Status::unsupported_map));
     return nullptr;
   }
@@ -139,7 +139,7 @@ TEST_P(CarConformance, KeepsItsGuaranteesOnEveryYardOfNineCells) {
       if (((bits >> i) & 1U) != 0) states[{i % 3, i / 3}] = CellState::occupied;
     }
     Random random(bits);
-    const Trial trial{GridMap(states), {}, {}};
+    const Trial trial{*make_grid_map(states), {}, {}};
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
     const CarReference reference = car_reference_for(trial, info());
@@ -201,7 +201,7 @@ TEST_P(CarConformance, AnUpdatedPlannerAnswersLikeAFreshOne) {
     trial.options = options;
     SCOPED_TRACE(text_of(trial, seed));
     const auto fresh = make(trial);
-    if (updated != nullptr) updated->update(FreeSpace(trial.map, trial.robot));
+    if (updated != nullptr) updated->update(*make_free_space(trial.map, trial.robot));
     if (fresh == nullptr) {
       if (updated == nullptr) continue;
       const Pose anywhere{0, 0, 0};

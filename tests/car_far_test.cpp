@@ -20,7 +20,7 @@ constexpr double kRough = 5;
 
 GridMap rough_map(Grid<CellState> states) {
   Grid<double> terrain(states.width(), states.height(), kRough);
-  return GridMap(std::move(states), {}, std::move(terrain));
+  return *make_grid_map(std::move(states), {}, std::move(terrain));
 }
 
 /// Lanes two cells wide, joined at alternating ends, where the map's edge leaves room for one turn.
@@ -39,7 +39,7 @@ GridMap serpentine(int width, int lanes) {
 class FarCar : public ::testing::TestWithParam<std::string> {
  protected:
   static std::unique_ptr<Planner> make(const GridMap& map) {
-    return make_planner("car", FreeSpace(map),
+    return make_planner("car", *make_free_space(map),
                         {{"heuristic", GetParam()}, {"straight_terrain", "mean"}})
         .value();
   }

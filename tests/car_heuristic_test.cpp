@@ -68,7 +68,7 @@ class CarHeuristics : public ::testing::TestWithParam<std::string> {
   const PlannerInfo& info() const { return *planners().find(GetParam()); }
 
   std::unique_ptr<Planner> make(const GridMap& map, const OptionValues& options) const {
-    return std::move(make_planner(GetParam(), FreeSpace(map), options).value());
+    return std::move(make_planner(GetParam(), *make_free_space(map), options).value());
   }
 };
 
@@ -78,7 +78,8 @@ TEST_P(CarHeuristics, AreConsistentOnEveryEdgeOfRandomYards) {
     const Trial trial = random_car_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     if (!has_room(trial, rules_of(trial, info()))) continue;
-    const auto planner = info().make(FreeSpace(trial.map, trial.robot), trial.options).value();
+    const auto planner =
+        info().make(*make_free_space(trial.map, trial.robot), trial.options).value();
     const CarReference reference = car_reference_for(trial, info());
     Random random(seed);
     const Query query = random_drive(random, reference);
@@ -103,9 +104,10 @@ void on_empty_yards(const std::string& heuristic, const std::string& name, Check
   for (const bool y_up : {false, true}) {
     Frame frame;
     frame.y_up = y_up;
-    const GridMap map(Grid<CellState>(kSide, kSide, CellState::free), frame);
+    const GridMap map = *make_grid_map(Grid<CellState>(kSide, kSide, CellState::free), frame);
     const CarReference reference(map, {}, {});
-    const auto planner = make_planner(name, FreeSpace(map), {{"heuristic", heuristic}}).value();
+    const auto planner =
+        make_planner(name, *make_free_space(map), {{"heuristic", heuristic}}).value();
     for (int quarter = 0; quarter <= 4; ++quarter) {
       Goal goal(reference.pose({kMiddle, quarter}));
       if (quarter == 4) goal.heading.reset();

@@ -13,6 +13,7 @@
 #include "tests/testing/answer.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
+#include "tests/testing/random_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -74,7 +75,7 @@ struct Symmetry {
         terrain[to] = map.terrain({x, y});
       }
     }
-    return GridMap(states, map.frame(), terrain);
+    return *make_grid_map(states, map.frame(), terrain);
   }
 };
 
@@ -92,7 +93,7 @@ class CarSymmetry : public ::testing::TestWithParam<std::string> {
   const PlannerInfo& info() const { return *planners().find(GetParam()); }
 
   std::unique_ptr<Planner> make(const Trial& trial) const {
-    return info().make(FreeSpace(trial.map, trial.robot), trial.options).value();
+    return info().make(*make_free_space(trial.map, trial.robot), trial.options).value();
   }
 
   /// Trials on which a mirrored lattice is a lattice: the unit divides the map's size.
@@ -146,7 +147,7 @@ TEST_P(CarSymmetry, TheSameGridGivesTheSameSearchWithYUpAndYDown) {
     for (std::string_view& move : expected.plan.moves) move = name_from_below(move);
     Frame frame = trial.map.frame();
     frame.y_up = !frame.y_up;
-    const Trial other{trial.map.with_frame(frame), trial.robot, trial.options};
+    const Trial other{test::in_frame(trial.map, frame), trial.robot, trial.options};
     EXPECT_EQ(answer_of(*make(other), query), expected);
   });
 }

@@ -29,7 +29,7 @@ const std::vector<std::string> kWritten{".map", ".txt", ".grid", ".png",
 /// The map as it is drawn; the error where it does not load.
 std::string drawing_in(const fs::path& file) {
   const auto loaded = load_map(file);
-  return loaded ? drawing_of(loaded->map) : loaded.error().message();
+  return loaded ? drawing_of(loaded->map) : loaded.error().message;
 }
 
 std::vector<std::string> lines_in(const std::string& text) {

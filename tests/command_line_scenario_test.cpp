@@ -38,7 +38,7 @@ class ScenarioCommand : public testing::Test {
     const Outcome made = wend(words);
     EXPECT_EQ(made.code, 0) << made.err;
     const auto read = load_scenario(file);
-    if (!read) throw std::runtime_error(read.error().message());
+    if (!read) throw std::runtime_error(read.error().message);
     const GridMap loaded = load_map(map_file)->map;
     const Reference reference(loaded, robot, rules);
     for (const ScenarioQuery& query : read->queries) {

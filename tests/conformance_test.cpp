@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/testing/answer.hpp"
+#include "tests/testing/random_map.hpp"
 #include "tests/testing/trial.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -78,12 +79,12 @@ class Conformance : public ::testing::TestWithParam<std::string> {
 
   /// A planner for a trial, or none where it says that it does not plan on terrain.
   std::unique_ptr<Planner> make(const Trial& trial) const {
-    const FreeSpace space(trial.map, trial.robot);
+    const FreeSpace space = *make_free_space(trial.map, trial.robot);
     auto made = info().make(space, trial.options);
     if (made) return *std::move(made);
     const bool may_refuse = !space.uniform_terrain() && !info().plans_on_terrain &&
                             made.error().status == Status::unsupported_map;
-    EXPECT_TRUE(may_refuse) << made.error().message();
+    EXPECT_TRUE(may_refuse) << made.error().message;
     return nullptr;
   }
 
@@ -127,7 +128,7 @@ TEST_P(Conformance, KeepsItsGuaranteesOnEveryMapOfNineCells) {
     }
     Random random(bits);
     const FreeSpaceOptions robot;
-    const Trial trial{GridMap(states), robot, random_options(random, info().options)};
+    const Trial trial{*make_grid_map(states), robot, random_options(random, info().options)};
     SCOPED_TRACE(text_of(trial, bits));
     const auto planner = make(trial);
     ASSERT_NE(planner, nullptr);
@@ -200,8 +201,8 @@ TEST_P(Conformance, SteppingAndWatchingChangeNothing) {
 
 TEST_P(Conformance, WhoRefusesTerrainRefusesItWhenUpdatedToo) {
   const Grid<CellState> cells(8, 8, CellState::free);
-  const FreeSpace flat{GridMap(cells)};
-  const FreeSpace rough{GridMap(cells, {}, Grid<double>(8, 8, 2.0))};
+  const FreeSpace flat = *make_free_space(*make_grid_map(cells));
+  const FreeSpace rough = *make_free_space(*make_grid_map(cells, {}, Grid<double>(8, 8, 2.0)));
   if (info().make(rough, {})) GTEST_SKIP() << GetParam() << " takes maps with terrain";
   const auto made = info().make(flat, {});
   ASSERT_TRUE(made);
@@ -225,7 +226,7 @@ GridMap mirrored(const GridMap& map) {
       terrain[{x, y}] = map.terrain({x, last - y});
     }
   }
-  return GridMap(states, map.frame(), terrain);
+  return *make_grid_map(states, map.frame(), terrain);
 }
 
 TEST_P(Conformance, AMirroredMapCostsTheSame) {
@@ -258,7 +259,7 @@ TEST_P(Conformance, TheSameGridGivesTheSameSearchWithYUpAndYDown) {
     if (planner == nullptr) continue;
     Frame frame = trial.map.frame();
     frame.y_up = !frame.y_up;
-    const auto other = make({trial.map.with_frame(frame), trial.robot, trial.options});
+    const auto other = make({test::in_frame(trial.map, frame), trial.robot, trial.options});
     Random random(seed);
     const Query query = random_test_query(random, trial.map).query();
     EXPECT_EQ(answer_of(*other, query), answer_of(*planner, query));

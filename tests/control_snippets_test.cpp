@@ -65,7 +65,7 @@ TEST(Snippets, OfControllerRouteAndFollower) {
   const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
   const auto made = [&] {
     const auto controller = info->make({{"lookahead", "0.5"}});
-    if (!controller) report(controller.error().message());
+    if (!controller) report(controller.error().message);
     return controller.has_value();
   };
   EXPECT_TRUE(made());

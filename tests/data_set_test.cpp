@@ -112,16 +112,16 @@ void check(Planner& planner, const GridMap& map, const ScenarioQuery& query, Pla
 /// Plans at most `most` queries of a file, evenly spread.
 void check_file(const std::string& file, std::size_t most) {
   const auto scenario = load_scenario(fs::path(WEND_DATA) / file);
-  ASSERT_TRUE(scenario) << scenario.error().message();
+  ASSERT_TRUE(scenario) << scenario.error().message;
   ASSERT_FALSE(scenario->queries.empty());
   const auto map_file = scenario_map_path(*scenario);
-  ASSERT_TRUE(map_file) << map_file.error().message();
+  ASSERT_TRUE(map_file) << map_file.error().message;
   const auto loaded = load_map(*map_file);
-  ASSERT_TRUE(loaded) << loaded.error().message();
+  ASSERT_TRUE(loaded) << loaded.error().message;
   const auto sized = check_map_size(*scenario, loaded->map.width(), loaded->map.height());
-  ASSERT_TRUE(sized) << sized.error().message();
-  const auto planner = make_planner("astar", FreeSpace(loaded->map));
-  ASSERT_TRUE(planner) << planner.error().message();
+  ASSERT_TRUE(sized) << sized.error().message;
+  const auto planner = make_planner("astar", *make_free_space(loaded->map));
+  ASSERT_TRUE(planner) << planner.error().message;
   Plan plan;
   const std::size_t count = scenario->queries.size();
   const std::size_t checked = std::min(most, count);

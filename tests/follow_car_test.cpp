@@ -40,14 +40,16 @@ std::vector<Parking> parkings() {
   for (int seed = 1; seed <= kDrivenYards; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = generators().find("parking")->make(40, 25, seed, {}).value();
-    const FreeSpace cautious(map, {.footprint = Footprint::disc(kPlannedRadius)});
+    const FreeSpace cautious =
+        *make_free_space(map, {.footprint = Footprint::disc(kPlannedRadius)});
     const auto planner = make_planner("car", cautious).value();
     for (;;) {
       const auto plan =
           planner->plan({random_stand(random, map), {Goal(random_stand(random, map))}});
       if (!plan || measure(plan->path, cautious).reversals == 0) continue;
       parkings.push_back({"parking " + std::to_string(seed),
-                          FreeSpace(map, {.footprint = Footprint::disc(kRadius)}), plan->path});
+                          *make_free_space(map, {.footprint = Footprint::disc(kRadius)}),
+                          plan->path});
       break;
     }
   }

@@ -37,7 +37,7 @@ class LapOf : public FollowData, public ::testing::WithParamInterface<std::strin
 
 TEST_P(LapOf, StaysOnTheTrack) {
   const GridMap map = real_map("tracks/" + GetParam() + "_map.yaml");
-  const FreeSpace space(map, {.footprint = Footprint::disc(kDataRadius)});
+  const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(kDataRadius)});
   const fs::path file = fs::path(WEND_DATA) / "tracks" / (GetParam() + "_centerline.csv");
   const Path line = load_path(file, map.frame()).value();
   const auto controller = controllers().find("pure_pursuit")->make({}).value();
@@ -62,8 +62,9 @@ class PlansOn : public FollowData, public ::testing::WithParamInterface<std::str
 
 TEST_P(PlansOn, AreDriven) {
   const GridMap map = real_map("ros/" + GetParam() + ".yaml");
-  const FreeSpace cautious(map, {.footprint = Footprint::disc(kDataRadius + kMargin)});
-  const FreeSpace space(map, {.footprint = Footprint::disc(kDataRadius)});
+  const FreeSpace cautious =
+      *make_free_space(map, {.footprint = Footprint::disc(kDataRadius + kMargin)});
+  const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(kDataRadius)});
   const auto planner = make_planner("astar", cautious).value();
   Random random(1);
   const auto any_cell = [&] {

@@ -57,9 +57,10 @@ std::vector<PlannedDrive> planned_drives() {
     for (int seed = 1; seed <= kMapsOfAKind; ++seed) {
       const GridMap map = generators().find(kind)->make(width, height, seed, {}).value();
       Random random(static_cast<std::uint64_t>(seed));
-      const FreeSpace cautious(map, {.footprint = Footprint::disc(kRobotRadius + kRobotMargin)});
+      const FreeSpace cautious =
+          *make_free_space(map, {.footprint = Footprint::disc(kRobotRadius + kRobotMargin)});
       drives.push_back({std::string(kind) + " " + std::to_string(seed), cautious,
-                        FreeSpace(map, {.footprint = Footprint::disc(kRobotRadius)}),
+                        *make_free_space(map, {.footprint = Footprint::disc(kRobotRadius)}),
                         random_plan(cautious, random)});
     }
   }

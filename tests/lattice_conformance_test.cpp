@@ -128,7 +128,7 @@ LatticeTrial random_lattice_trial(std::uint64_t seed) {
     robot = box_footprint(ahead, behind, side, 0);
     larger = box_footprint(ahead, behind, side, 0.1);
   }
-  const GridMap map(cells);
+  const GridMap map = *make_grid_map(cells);
   const OutsidePolicy outside = random.chance(0.5) ? OutsidePolicy::blocked : OutsidePolicy::free;
   const auto pose = [&] {
     return Pose{random.uniform() * width, random.uniform() * height, 6.2 * random.uniform() - 3.1};
@@ -137,8 +137,8 @@ LatticeTrial random_lattice_trial(std::uint64_t seed) {
   Query query{pose(), {}};
   query.goals.emplace_back(pose());
   if (random.chance(0.3)) query.goals.emplace_back(pose().point());
-  return {FreeSpace(map, {.footprint = robot, .outside = outside}),
-          FreeSpace(map, {.footprint = larger, .outside = outside}), radius,
+  return {*make_free_space(map, {.footprint = robot, .outside = outside}),
+          *make_free_space(map, {.footprint = larger, .outside = outside}), radius,
           random.chance(0.5) ? 1 : 2.5, query};
 }
 
@@ -213,7 +213,7 @@ TEST(LatticeConformance, IsOptimalOnRandomMaps) {
         SCOPED_TRACE(heuristic + " " + format_number(weight));
         const auto planner =
             make_planner("lattice", trial.space, lattice_options(trial, heuristic, weight));
-        ASSERT_TRUE(planner.has_value()) << planner.error().message();
+        ASSERT_TRUE(planner.has_value()) << planner.error().message;
         Plan plan;
         const Status status = (*planner)->plan(trial.query, plan);
         if (status == Status::found) {
@@ -292,13 +292,14 @@ TEST(LatticeConformance, NeedsPrimitivesForItsCells) {
     Frame frame;
     frame.metric = true;
     frame.resolution = resolution;
-    const FreeSpace space(drawn_map("........", frame), {.primitives = primitives});
+    const FreeSpace space =
+        *make_free_space(drawn_map("........", frame), {.primitives = primitives});
     return make_planner("lattice", space);
   };
   const auto coarse = plan_on(0.2);
   ASSERT_FALSE(coarse.has_value());
   EXPECT_EQ(coarse.error().status, Status::unsupported_map);
-  EXPECT_EQ(coarse.error().message(),
+  EXPECT_EQ(coarse.error().message,
             "the motion primitives are for cells of 0.1 m, which must be 0.2 m, the resolution of "
             "the map, or a whole multiple of it");
   ASSERT_TRUE(plan_on(0.1).has_value());

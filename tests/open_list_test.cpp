@@ -136,7 +136,7 @@ TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
     const bool car = info().state_kind == StateKind::corner_pose;
     const Trial trial = car ? random_car_trial(seed, info()) : random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
-    const auto planner = info().make(FreeSpace(trial.map, trial.robot), trial.options);
+    const auto planner = info().make(*make_free_space(trial.map, trial.robot), trial.options);
     if (!planner) continue;  // such a map, or such options on it
     Random random(seed);
     for (int i = 0; i < 3; ++i) {
@@ -150,7 +150,7 @@ TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
 }
 
 TEST_P(OpenListOf, IsTheStartBeforeTheFirstStep) {
-  const FreeSpace space(GridMap(Grid<CellState>(7, 5, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(7, 5, CellState::free)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_TRUE(planner);
   Plan plan;
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(Planners, OpenListOf, ::testing::ValuesIn(steppable_pla
 
 /// By hand: around a start in the open A* has eight neighbours, the straight one ahead first.
 TEST(OpenList, SaysWhatDecidesBetweenEqualEntries) {
-  const FreeSpace space(GridMap(Grid<CellState>(9, 5, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(9, 5, CellState::free)));
   const auto planner = make_planner("astar", space);
   Plan plan;
   ASSERT_FALSE((*planner)->begin(Query::between({4, 2}, {8, 2}), plan));

@@ -33,16 +33,16 @@ GridMap nasty_map(Random& random, int width, int height) {
       if (wall) cells[{x, y}] = CellState::occupied;
     }
   }
-  return GridMap(cells);
+  return *make_grid_map(cells);
 }
 
 class OptimalPlanners : public ::testing::TestWithParam<std::string> {};
 
 /// All pairs of a map from some starts.
 void expect_optimal_everywhere(const std::string& name, const GridMap& map, Random& random) {
-  const FreeSpace space(map);
+  const FreeSpace space = *make_free_space(map);
   const auto planner = make_planner(name, space);
-  ASSERT_TRUE(planner) << planner.error().message();
+  ASSERT_TRUE(planner) << planner.error().message;
   const Reference reference(map, {}, {});
   Plan plan;
   for (int i = 0; i < 3; ++i) {

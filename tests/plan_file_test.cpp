@@ -24,7 +24,7 @@ TEST(PlanFile, GivesThePathBack) {
   ASSERT_GE(cells.size(), 4U);
   for (const std::string& file : {csv, json, folder.write("printed", outcome.out)}) {
     const auto path = load_path(file, {});
-    ASSERT_TRUE(path) << path.error().message();
+    ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(*path, Path(cells)) << file;
   }
 }
@@ -37,7 +37,7 @@ TEST(PlanFile, OfAPlanThatFailedIsAnError) {
   ASSERT_EQ(outcome.code, 1);
   const auto path = load_path(folder.write("plan.json", outcome.out), {});
   ASSERT_FALSE(path);
-  EXPECT_THAT(path.error().message(),
+  EXPECT_THAT(path.error().message,
               testing::HasSubstr("no path: there is no path from start (0,0) to goal (2,0)"));
 }
 

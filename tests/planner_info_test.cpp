@@ -18,19 +18,19 @@ class EveryPlanner : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(EveryPlanner, TakesItsDefaultsAndRefusesWhatIsOutOfRange) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(3, 2, CellState::free)));
   std::set<std::string> names;
   for (const OptionInfo& option : info().options) {
     SCOPED_TRACE(option.name);
     EXPECT_NE(option.help, "");
     EXPECT_TRUE(names.insert(option.name).second) << "two options of one name";
     const auto made = make_planner(GetParam(), space, {{option.name, option.default_value}});
-    EXPECT_TRUE(made) << made.error().message();
+    EXPECT_TRUE(made) << made.error().message;
     for (const std::string& bad : bad_values(option)) {
       const auto refused = make_planner(GetParam(), space, {{option.name, bad}});
       ASSERT_FALSE(refused) << "it takes '" << bad << "'";
       EXPECT_EQ(to_string(refused.error().status), to_string(Status::invalid_option));
-      EXPECT_THAT(refused.error().message(), ::testing::HasSubstr(option.name));
+      EXPECT_THAT(refused.error().message, ::testing::HasSubstr(option.name));
     }
   }
   const auto unknown = make_planner(GetParam(), space, {{"no_such_option", "1"}});
@@ -51,7 +51,7 @@ TEST_P(EveryPlanner, SaysWhatItIs) {
 
 /// A bound that is guaranteed with consistent options is there with the defaults.
 TEST_P(EveryPlanner, IsBoundedByDefaultIfItGuaranteesABound) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 2, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(3, 2, CellState::free)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_TRUE(planner);
   const auto plan = (*planner)->plan(Query::between({0, 0}, {0, 0}));

@@ -56,14 +56,15 @@ using wend::test::reported;
 TEST(Snippets, OfSmoothingAndSimplification) {
   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
   for (int y = 0; y < 8; ++y) cells[{10, y}] = wend::CellState::occupied;
-  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.4)});
+  const wend::FreeSpace space = *wend::make_free_space(*wend::make_grid_map(cells),
+                                                       {.footprint = wend::Footprint::disc(0.4)});
   const auto planner = wend::make_planner("astar", space);
   const auto plan = (*planner)->plan(wend::Query::between({2, 2}, {17, 2}));
   reported.clear();
   {
     const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
     const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
-    if (!smoothed) report(smoothed.error().message());
+    if (!smoothed) report(smoothed.error().message);
     EXPECT_TRUE(smoothed);
   }
   {
@@ -91,9 +92,9 @@ TEST(Snippets, OfSmoothingAndSimplification) {
 
 void make_planner_and_plan(const wend::FreeSpace& space) {
   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
-  if (!planner) return report(planner.error().message());
+  if (!planner) return report(planner.error().message);
   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
-  if (!plan) return report(plan.error().reason);
+  if (!plan) return report(plan.error().message);
   EXPECT_EQ(plan->path.cells().back(), (wend::Cell{8, 5}));
 }
 
@@ -270,11 +271,12 @@ void suggest(const wend::Way& way) {
 }
 
 TEST(Snippets, OfIndexSupport) {
-  const wend::FreeSpace space{wend::GridMap(wend::Grid<wend::CellState>(4, 3))};
+  const wend::FreeSpace space =
+      *wend::make_free_space(*wend::make_grid_map(wend::Grid<wend::CellState>(4, 3)));
   reported.clear();
   const wend::PlannerInfo& info = *wend::planners().find("hub_labels");
   const auto index = info.index_support->build(space, {});
-  if (!index) report(index.error().message());
+  if (!index) report(index.error().message);
   const auto planner = info.index_support->make_planner(space, {}, *index);
   EXPECT_EQ(reported, "");
   EXPECT_TRUE(planner);
@@ -283,7 +285,8 @@ TEST(Snippets, OfIndexSupport) {
 TEST(Snippets, OfWidestPathAndNoPath) {
   wend::Grid<wend::CellState> cells(5, 3, wend::CellState::free);
   cells[{2, 0}] = cells[{2, 2}] = wend::CellState::occupied;
-  const wend::FreeSpace space(wend::GridMap(cells), {.footprint = wend::Footprint::disc(0.75)});
+  const wend::FreeSpace space = *wend::make_free_space(*wend::make_grid_map(cells),
+                                                       {.footprint = wend::Footprint::disc(0.75)});
   const wend::Cell start{0, 1};
   const wend::Cell goal{4, 1};
   if (const auto widest = wend::widest_path(space, start, goal)) report_width(widest->radius);
@@ -297,7 +300,7 @@ TEST(Snippets, OfWidestPathAndNoPath) {
 std::string compare(const wend::FreeSpace& space, const wend::Clock& clock) {
   const auto report = [](const std::string& what) { return what; };
   auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
-  if (!run) return report(run.error().message());
+  if (!run) return report(run.error().message);
   for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
   const std::string table = wend::comparison_table(run->comparison());
   return table;
@@ -311,12 +314,12 @@ TEST(Snippets, OfComparisonRun) {
 std::string keep(const std::vector<wend::BenchAnswer>& answers) {
   const auto report = [](const std::string& what) { return what; };
   auto database = wend::BenchDatabase::open("bench.db");
-  if (!database) return report(database.error().message());
+  if (!database) return report(database.error().message);
   const auto experiment = database->experiment({.map = "arena", .version = "wend 0.1.0"});
   const auto planner = database->planner("astar:weight=2");
   if (!experiment || !planner) return report("bench.db cannot be written");
   const auto stored = database->store(*experiment, *planner, answers);
-  return stored ? "stored" : stored.error().message();
+  return stored ? "stored" : stored.error().message;
 }
 
 TEST(Snippets, OfBenchDatabase) {
@@ -341,7 +344,7 @@ void answer(const wend::FreeSpace& space, const wend::PlannerSpec& spec) {
   const wend::Query query = wend::Query::between({1, 1}, {8, 5});
   wend::Plan plan;
   wend::TimedPlanner planner(space, spec, wend::thread_cpu_seconds);
-  if (planner.error()) return report(planner.error()->message());
+  if (planner.error()) return report(planner.error()->message);
   wend::QueryTimes times;
   const wend::Status status = planner.answer(query, plan, times);
   report(wend::describe(status));

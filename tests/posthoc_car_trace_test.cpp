@@ -125,7 +125,7 @@ Path drive_in(const json& trace, const FreeSpace& space) {
 RC_GTEST_PROP(PosthocTraceOfACar, TellsEverySearchAsItWas, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   Random random(seed);
-  const FreeSpace space(test::random_map(random));
+  const FreeSpace space = *make_free_space(test::random_map(random));
   const int unit = random.between(1, 2);
   const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
   if (!planner) RC_DISCARD("no room");
@@ -167,7 +167,7 @@ TEST(PosthocTraceOfACar, IsATraceInBothForms) {
 }
 
 TEST(PosthocTraceOfACar, CountsCornersFromTheTopWhereYIsUp) {
-  const FreeSpace space(test::drawn_map("...\n...\n", {.y_up = true}));
+  const FreeSpace space = *make_free_space(test::drawn_map("...\n...\n", {.y_up = true}));
   const Query query{{3, 2, 0}, {Goal(Point{0.4, -0.3})}};
   PosthocTrace trace(space, query, 1, TraceForm::json, kNoLimit);
   const json events = json::parse(trace.finish({})).at("events");

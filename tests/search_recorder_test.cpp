@@ -162,7 +162,7 @@ TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
   for (std::uint64_t seed = 1; seed <= kSearches; ++seed) {
     const Trial trial = random_trial(seed, info);
     SCOPED_TRACE(text_of(trial, seed));
-    const FreeSpace space(trial.map, trial.robot);
+    const FreeSpace space = *make_free_space(trial.map, trial.robot);
     const auto planner = info.make(space, trial.options);
     if (!planner && planner.error().status == Status::unsupported_map) continue;
     ASSERT_TRUE(planner);
@@ -189,7 +189,7 @@ TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
 }
 
 TEST_P(SearchRecorderOf, ForgetsTheLastSearchWhenCleared) {
-  const FreeSpace space(GridMap(Grid<CellState>(7, 5, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(7, 5, CellState::free)));
   const auto planner = make_planner(GetParam(), space);
   ASSERT_TRUE(planner);
   const auto record = [&](SearchRecorder& recorder, Cell start, Cell goal) {

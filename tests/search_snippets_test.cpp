@@ -36,10 +36,10 @@ using wend::Cell;
 
 /// 9 x 5 cells with a wall that leaves a gap at its end.
 const wend::FreeSpace& walled_ground() {
-  static const wend::FreeSpace space([] {
+  static const wend::FreeSpace space = *wend::make_free_space([] {
     wend::Grid<wend::CellState> cells(9, 5, wend::CellState::free);
     for (int y = 0; y < 4; ++y) cells[{4, y}] = wend::CellState::occupied;
-    return wend::GridMap(cells);
+    return *wend::make_grid_map(cells);
   }());
   return space;
 }

@@ -41,7 +41,7 @@ class SharedIndex : public ::testing::TestWithParam<std::string> {
 
 FreeSpace space_of(const char* generator, const OptionValues& options = {}) {
   const auto map = generators().find(generator)->make(160, 100, 5, options);
-  return FreeSpace(map.value());
+  return *make_free_space(map.value());
 }
 
 /// The queries of one thread, and whether what came is what A* says.
@@ -72,7 +72,7 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
     const FreeSpace space = space_of(generator);
     ThreadWorkers workers(kThreads);
     const auto built = info().index_support->build(space, {&workers, {}, nullptr});
-    ASSERT_TRUE(built) << built.error().message();
+    ASSERT_TRUE(built) << built.error().message;
     ASSERT_TRUE(write_index(file_, *built));
     const auto mapped = open_index(file_);
     ASSERT_TRUE(mapped);
@@ -85,7 +85,7 @@ TEST_P(SharedIndex, AnswersManyThreadsAsItShould) {
           const auto astar = make_planner("astar", space);
           std::string& said = wrong[static_cast<std::size_t>(i)];
           said = planner ? wrong_answer(**planner, **astar, static_cast<std::uint64_t>(i))
-                         : planner.error().message();
+                         : planner.error().message;
         });
       }
     }
@@ -129,7 +129,7 @@ TEST_P(SharedIndex, OfAnotherMapIsAMismatch) {
   const auto planner = info().index_support->make_planner(space_of("maze"), {}, *built);
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::index_mismatch);
-  EXPECT_NE(planner.error().message().find("another map"), std::string::npos);
+  EXPECT_NE(planner.error().message.find("another map"), std::string::npos);
 }
 
 std::vector<std::string> planners_with_index() {

@@ -44,7 +44,8 @@ std::optional<Trial> random_trial(Random& random) {
   const GridMap map = test::random_map(random, random.between(2, most), random.between(2, most));
   const double radius =
       test::one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.3, 0.5, 1.0, 1.7, 2.7});
-  const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
+  const FreeSpace space =
+      *make_free_space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
   const std::string rule =
       test::one_of<std::string>(random, std::array<std::string, 3>{"none", "one", "both"});
   const auto planner = make_planner("astar", space, {{"corner_rule", rule}});
@@ -137,7 +138,7 @@ TEST(Smoothing, BoundsCurvatureInOffices) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
     const auto map = generators().find("office")->make(200, 160, seed, {});
-    const FreeSpace space(*map, {.footprint = Footprint::disc(0.2)});
+    const FreeSpace space = *make_free_space(*map, {.footprint = Footprint::disc(0.2)});
     for (const Path& path : office_plans(space, random, 4)) {
       for (const double radius : {3.0, 4.0}) {
         const auto smoothed = smooth_by_curvature(path, space, {.radius = radius});
@@ -158,7 +159,7 @@ TEST(Smoothing, MeetsTurningRadiiThatDoorsAllow) {
     for (std::uint64_t seed = 1; seed <= test::share_of(4U); ++seed) {
       Random random(seed);
       const auto map = generators().find("office")->make(200, 160, seed, {});
-      const FreeSpace space(*map, {.footprint = Footprint::disc(0.2)});
+      const FreeSpace space = *make_free_space(*map, {.footprint = Footprint::disc(0.2)});
       for (const Path& path : office_plans(space, random, 25)) {
         met += smooth_by_curvature(path, space, {.radius = radius})->within_bound ? 1 : 0;
         ++plans;
@@ -190,7 +191,7 @@ TEST(Smoothing, IsSafeByGradientWhateverTheWeights) {
   on_random_plans(3000, [&](const Trial& trial, Random& random) {
     const auto smoothed =
         smooth_by_gradient(trial.path, trial.space, random_weights(random, trial));
-    ASSERT_TRUE(smoothed) << smoothed.error().message();
+    ASSERT_TRUE(smoothed) << smoothed.error().message;
     expect_guarantee_kept(*smoothed, trial);
     ASSERT_EQ(smoothed->path.size(), trial.path.size());
     if (trial.path.size() > 2) ++(smoothed->held > 0 ? held : unheld);
@@ -206,7 +207,7 @@ TEST(Smoothing, IsSafeWithEverySmootherAsItComes) {
     for (const SmootherInfo& smoother : smoothers()) {
       SCOPED_TRACE(smoother.name);
       const auto smoothed = smoother.smooth(trial.path, trial.space, squeezing(trial));
-      ASSERT_TRUE(smoothed) << smoothed.error().message();
+      ASSERT_TRUE(smoothed) << smoothed.error().message;
       expect_guarantee_kept(*smoothed, trial);
     }
   });
@@ -244,7 +245,7 @@ TEST(Smoothing, StaysSafeBetweenSimplifyingAndResampling) {
     if (random.chance(0.8)) refinement.smoother = SmootherChoice{};
     if (random.chance(0.7)) refinement.spacing = 0.2 + random.uniform() * 3;
     const auto all = refined(trial.path, trial.space, refinement);
-    ASSERT_TRUE(all) << all.error().message();
+    ASSERT_TRUE(all) << all.error().message;
     ASSERT_EQ(all->path.points().front(), trial.path.points().front());
     ASSERT_EQ(all->path.points().back(), trial.path.points().back());
     ASSERT_LE(all->path.length(), trial.path.length() + 1e-9);

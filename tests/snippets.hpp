@@ -20,7 +20,8 @@ inline void report(std::string_view what) { reported = what; }
 
 /// 10 x 8 free cells.
 inline const FreeSpace& open_ground() {
-  static const FreeSpace space(GridMap(Grid<CellState>(10, 8, CellState::free)));
+  static const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(10, 8, CellState::free)));
   return space;
 }
 

@@ -115,8 +115,9 @@ TEST(Snippets, OfArcDistance) {
 }
 
 TEST(Snippets, OfArcClearance) {
-  const wend::FreeSpace space(wend::GridMap(wend::Grid<wend::CellState>(2, 2)),
-                              {.footprint = wend::Footprint::disc(0.2)});
+  const wend::FreeSpace space =
+      *wend::make_free_space(*wend::make_grid_map(wend::Grid<wend::CellState>(2, 2)),
+                             {.footprint = wend::Footprint::disc(0.2)});
   double length = 0;
   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // from corner to corner of cell (0,0)
   if (wend::fits_along(space, arc)) length += arc.length;
@@ -137,8 +138,8 @@ TEST(Snippets, OfSegmentsAndMotionPrimitives) {
       robot->leaving(0).size();  // straight, two turns, and the same in reverse
   EXPECT_EQ(ways, 6U);
 
-  const wend::GridMap map(wend::Grid<wend::CellState>(8, 8));
-  const wend::FreeSpace space(map);
+  const wend::GridMap map = *wend::make_grid_map(wend::Grid<wend::CellState>(8, 8));
+  const wend::FreeSpace space = *wend::make_free_space(map);
   const std::vector<wend::Pose> poses{{0.5, 0.5, 0}, {4.5, 0.5, 0}};
   const wend::SweptCells swept(space, poses);
   bool free = false;
@@ -150,15 +151,16 @@ bool load_primitives_and_report(const wend::GridMap& map, const wend::Footprint&
   const auto load = [&]() -> bool {
     const auto report = [](const std::string& message) { return !message.empty(); };
     const auto primitives = wend::load_primitives("ackermann.json");
-    if (!primitives) return report(primitives.error().message());
-    const wend::FreeSpace space(map, {.footprint = robot, .primitives = *primitives});
-    return space.robot().primitives.has_value();
+    if (!primitives) return report(primitives.error().message);
+    const auto space = wend::make_free_space(map, {.footprint = robot, .primitives = *primitives});
+    return space->robot().primitives.has_value();
   };
   return load();
 }
 
 TEST(Snippets, OfLoadingMotionPrimitives) {
-  EXPECT_TRUE(load_primitives_and_report(wend::GridMap(wend::Grid<wend::CellState>(2, 2)), {}))
+  EXPECT_TRUE(
+      load_primitives_and_report(*wend::make_grid_map(wend::Grid<wend::CellState>(2, 2)), {}))
       << "a missing file is reported";
 }
 
@@ -173,8 +175,8 @@ TEST(Snippets, OfFootprints) {
   if (!box) return report(box.error().message);
   const double gap = wend::distance_to_outline(*box, {0, 0});  // 0.25
   EXPECT_EQ(gap, 0.25);
-  const wend::GridMap map(wend::Grid<wend::CellState>(4, 4));
-  const wend::FreeSpace space(map, {.footprint = *robot});
+  const wend::GridMap map = *wend::make_grid_map(wend::Grid<wend::CellState>(4, 4));
+  const wend::FreeSpace space = *wend::make_free_space(map, {.footprint = *robot});
   EXPECT_TRUE(space.fits({1.5, 1.5, 0.3}));
 }
 
@@ -197,10 +199,12 @@ TEST(Snippets, OfErrors) {
 }
 
 TEST(Snippets, OfObstacles) {
-  const wend::GridMap map(wend::Grid<wend::CellState>(4, 4));
+  const wend::GridMap map = *wend::make_grid_map(wend::Grid<wend::CellState>(4, 4));
   const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
-  const wend::FreeSpace small(obstacles, {.footprint = wend::Footprint::disc(0.2)});
-  const wend::FreeSpace large(obstacles, {.footprint = wend::Footprint::disc(0.5)});
+  const wend::FreeSpace small =
+      *wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.2)});
+  const wend::FreeSpace large =
+      *wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.5)});
   EXPECT_EQ(&small.squared_half_cell_clearance(), &large.squared_half_cell_clearance());
 }
 
@@ -211,7 +215,7 @@ TEST(Snippets, OfLineAndPointSweep) {
 
   wend::Grid<wend::CellState> cells(4, 2, wend::CellState::free);
   cells[{2, 0}] = cells[{2, 1}] = wend::CellState::occupied;
-  const wend::FreeSpace space{wend::GridMap(cells)};
+  const wend::FreeSpace space = *wend::make_free_space(*wend::make_grid_map(cells));
   wend::PointSweep sweep(space, {0.5, 0.5});
   if (!sweep.go_to({3.5, 1.5})) report("blocked");
   EXPECT_EQ(reported, "blocked");
@@ -220,24 +224,43 @@ TEST(Snippets, OfLineAndPointSweep) {
 TEST(Snippets, OfMapsRowByRow) {
   wend::GridMapBuilder rows(2);
   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
-  const wend::GridMap map = std::move(rows).finish();
-  EXPECT_EQ(map.state({1, 0}), wend::CellState::occupied);
+  const auto map = std::move(rows).finish();
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->state({1, 0}), wend::CellState::occupied);
+}
+
+wend::Expected<wend::GridMap, wend::Error> map_with_an_obstacle() {
+  wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
+  cells[{3, 4}] = wend::CellState::occupied;
+  const auto map = wend::make_grid_map(cells);
+  return map;
+}
+
+void make_map() {
+  const auto map = map_with_an_obstacle();
+  if (!map) return report(map.error().message);
+  report("a map");
 }
 
 TEST(Snippets, OfMapsAndFreeSpace) {
-  wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
-  cells[{3, 4}] = wend::CellState::occupied;
-  const wend::GridMap map(cells);
-
-  const wend::FreeSpace space(map, {.footprint = wend::Footprint::disc(0.2)});
-  if (const auto reason = space.why_blocked(wend::Cell{3, 4})) report(wend::describe(*reason));
+  make_map();
+  EXPECT_EQ(reported, "a map");
+  const wend::GridMap map = *map_with_an_obstacle();
+  const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
+  const auto space = wend::make_free_space(map, {.footprint = *robot});
+  if (const auto reason = space->why_blocked(wend::Cell{3, 4})) report(wend::describe(*reason));
   EXPECT_EQ(reported, "an obstacle");
+
+  const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
+  const auto small = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.2)});
+  const auto large = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.5)});
+  EXPECT_EQ(&small->obstacles().blocked(), &large->obstacles().blocked());
 }
 
 void generate() {
   const wend::GeneratorInfo* maze = wend::generators().find("maze");
   const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
-  if (!map) report(map.error().message());
+  if (!map) report(map.error().message);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->width(), 41);
 }
@@ -246,7 +269,7 @@ TEST(Snippets, OfGenerators) { generate(); }
 
 void load() {
   const auto loaded = wend::load_map("office.yaml");
-  if (!loaded) return report(loaded.error().message());
+  if (!loaded) return report(loaded.error().message);
   plan_on(loaded->map);
 }
 
@@ -293,7 +316,7 @@ TEST(Snippets, OfLines) {
 void plan_on_named(const std::string& name) {
   if (wend::is_stream(name)) {
     const auto bytes = wend::read_stream(name);
-    if (!bytes) return report(bytes.error().message());
+    if (!bytes) return report(bytes.error().message);
     const auto map = wend::parse_map(*bytes, wend::stream_name(name));
     if (map) plan_on(map->map);
   }

@@ -82,7 +82,7 @@ class UntilGoal : public boost::default_astar_visitor {
       : goal_(goal),
         expanded_(&expanded),
         limits_(&limits),
-        deadline_(limits.clock ? limits.clock() + limits.seconds : 0) {}
+        deadline_(limits.timed() ? limits.now() + limits.seconds : 0) {}
 
   void examine_vertex(Vertex vertex, const Graph& /*graph*/) {
     if (*expanded_ % Limits::kExpansionsBetweenClockReads == 0) look();

@@ -33,7 +33,13 @@ class BoostPlanner final : public Planner {
     return answer.status;
   }
 
-  void do_update(std::span<const Cell> /*changed*/) override { astar_ = BoostAStar(free_space()); }
+  std::unique_ptr<Planner> do_clone() const override {
+    return std::make_unique<BoostPlanner>(free_space());
+  }
+  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+    astar_ = BoostAStar(free_space());
+    return refused_terrain("boost-astar", free_space());
+  }
 
   BoostAStar astar_;
   Cell start_;
@@ -43,10 +49,10 @@ class BoostPlanner final : public Planner {
 
 PlannerResult make_boost(const FreeSpace& space, const OptionValues& options) {
   if (auto refused = refused_options(options)) {
-    return Unexpected<PlannerError>(*std::move(refused));
+    return Unexpected<Error>(*std::move(refused));
   }
   if (auto refused = refused_terrain("boost-astar", space)) {
-    return Unexpected<PlannerError>(*std::move(refused));
+    return Unexpected<Error>(*std::move(refused));
   }
   return std::make_unique<BoostPlanner>(space);
 }

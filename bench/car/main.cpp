@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   }
   const auto planners = wend::parse_planner_specs(plan.planners);
   if (!planners) {
-    fmt::print(stderr, "--planner: {}\n", planners.error().message());
+    fmt::print(stderr, "--planner: {}\n", planners.error().message);
     return 2;
   }
   for (const wend::PlannerSpec& spec : *planners) {

@@ -33,14 +33,13 @@ std::optional<StateKind> state_kind_of(std::span<const PlannerSpec> specs) {
 
 }  // namespace
 
-Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space,
-                                                          std::vector<PlannerSpec> specs,
-                                                          const Clock& clock,
-                                                          const RepetitionRule& rule) {
+Expected<ComparisonRun, Error> ComparisonRun::make(const FreeSpace& space,
+                                                   std::vector<PlannerSpec> specs,
+                                                   const Clock& clock, const RepetitionRule& rule) {
   ComparisonRun run(space);
   const auto kind = state_kind_of(specs);
   if (!kind) {
-    return Unexpected<PlannerError>(
+    return Unexpected<Error>(
         {Status::invalid_option,
          "planners of different states, of cells or of poses, cannot be compared"});
   }
@@ -49,8 +48,8 @@ Expected<ComparisonRun, PlannerError> ComparisonRun::make(const FreeSpace& space
   for (PlannerSpec& spec : specs) {
     const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
     if (planner.error() && planner.error()->status == Status::invalid_option) {
-      return Unexpected<PlannerError>(
-          {Status::invalid_option, spec.text + ": " + planner.error()->message()});
+      return Unexpected<Error>(
+          {Status::invalid_option, spec.text + ": " + planner.error()->message});
     }
     run.specs_.push_back(std::move(spec));
   }
@@ -78,7 +77,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   TimedPlanner& timed = planners_[planner];
   if (const auto& error = timed.error()) {
     row.status = error->status;
-    row.reason = error->what;
+    row.reason = error->message;
     return row;
   }
   row.status = timed.answer(query, plan_, row.times);

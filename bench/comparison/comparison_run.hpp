@@ -3,7 +3,7 @@
 // ComparisonRun: runs planners on the same queries, one after the other, times and measures them.
 //
 //   auto run = wend::ComparisonRun::make(space, *wend::parse_planner_specs("astar,bfs"), clock);
-//   if (!run) return report(run.error().message());
+//   if (!run) return report(run.error().message);
 //   for (const wend::CellPair& cells : wend::random_pairs(space, 100, 7)) run->answer(cells);
 //   const std::string table = wend::comparison_table(run->comparison());
 //
@@ -31,10 +31,8 @@ class ComparisonRun {
  public:
   /// Fails if a planner rejects its options, or if the planners have different motions. A planner that
   /// cannot be made for another reason answers every query with that reason.
-  static Expected<ComparisonRun, PlannerError> make(const FreeSpace& space,
-                                                    std::vector<PlannerSpec> specs,
-                                                    const Clock& clock,
-                                                    const RepetitionRule& rule = {});
+  static Expected<ComparisonRun, Error> make(const FreeSpace& space, std::vector<PlannerSpec> specs,
+                                             const Clock& clock, const RepetitionRule& rule = {});
 
   /// Adds every planner's answer to one query to the comparison. Limits apply to each run of each
   /// planner.

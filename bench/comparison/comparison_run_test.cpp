@@ -30,7 +30,7 @@ TEST(RandomPairs, AreConnectedDifferentAndFree) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    const FreeSpace space(test::random_map(random));
+    const FreeSpace space = *make_free_space(test::random_map(random));
     const auto pairs = random_pairs(space, 20, seed);
     maps_with_pairs += pairs.empty() ? 0 : 1;
     for (const CellPair& cells : pairs) {
@@ -63,7 +63,8 @@ TEST(RandomDrives, AreBetweenCornersWhereACarCanStand) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const GridMap map = test::random_map(random);
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const int unit = random.between(1, 3);
     const auto drives = random_drives(space, unit, 20, seed);
     const auto planner = make_planner("car", space, {{"lattice_resolution", std::to_string(unit)}});
@@ -230,7 +231,8 @@ TEST(ComparisonRun, RefusesOptionsThatThePlannerDoesNotTake) {
       test::open_space(3, 3), *parse_planner_specs("bfs,astar:weight=-1"), ticking_clock());
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().status, Status::invalid_option);
-  EXPECT_EQ(run.error().what, "astar:weight=-1: option 'weight': '-1' is not between 0 and 1e+06");
+  EXPECT_EQ(run.error().message,
+            "astar:weight=-1: option 'weight': '-1' is not between 0 and 1e+06");
 }
 
 }  // namespace

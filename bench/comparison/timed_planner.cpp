@@ -33,7 +33,7 @@ PlannerResult TimedPlanner::make_on_index(const PlannerInfo& info) {
   if (!index_) {
     auto built =
         timed(clock_, index_seconds_, [&] { return info.index_support->build(space_, {}); });
-    if (!built) return Unexpected<PlannerError>(built.error());
+    if (!built) return Unexpected<Error>(built.error());
     index_ = *std::move(built);
   }
   preparation_ = index_seconds_;

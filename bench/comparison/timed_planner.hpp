@@ -4,7 +4,7 @@
 // to answer later queries.
 //
 //   wend::TimedPlanner planner(space, spec, wend::thread_cpu_seconds);
-//   if (planner.error()) return report(planner.error()->message());
+//   if (planner.error()) return report(planner.error()->message);
 //   wend::QueryTimes times;
 //   const wend::Status status = planner.answer(query, plan, times);
 //
@@ -39,7 +39,7 @@ class TimedPlanner {
   TimedPlanner(FreeSpace space, PlannerSpec spec, Clock clock, const RepetitionRule& rule = {});
 
   /// Why the planner could not be made.
-  const std::optional<PlannerError>& error() const { return error_; }
+  const std::optional<Error>& error() const { return error_; }
 
   /// The planner that answers later queries; null if it could not be made.
   Planner* planner() const { return planner_.get(); }
@@ -60,7 +60,7 @@ class TimedPlanner {
   double index_seconds_ = 0;
   std::optional<IndexBytes> index_;
   std::unique_ptr<Planner> planner_;
-  std::optional<PlannerError> error_;
+  std::optional<Error> error_;
   bool is_new_ = true;  // no query has been answered
 };
 

@@ -69,10 +69,10 @@ int run(const std::string& name) {
   for (const CountedMap& counted : counted_maps()) {
     const auto map =
         generators().find(counted.generator)->make(kSize, kSize, kSeed, counted.options);
-    if (!map) return std::fputs(map.error().message().c_str(), stderr), 2;
-    const FreeSpace space(*map);
+    if (!map) return std::fputs(map.error().message.c_str(), stderr), 2;
+    const FreeSpace space = *make_free_space(*map);
     const auto planner = make_planner(name, space);
-    if (!planner) return std::fputs(planner.error().message().c_str(), stderr), 2;
+    if (!planner) return std::fputs(planner.error().message.c_str(), stderr), 2;
     std::vector<Query> queries;
     for (const CellPair& cells : random_pairs(space, kQueries, kSeed)) {
       queries.push_back(Query::between(cells.start, cells.goal));

@@ -34,8 +34,8 @@ std::string settings_of(std::string_view spec) {
   return settings + "\n;";
 }
 
-IoError error_of(const std::filesystem::path& file, std::string what) {
-  return {file.string(), 0, std::move(what)};
+Error error_of(const std::filesystem::path& file, const std::string& what) {
+  return file_error(file.string(), 0, what);
 }
 
 /// Removes answers that are known with at least as many repetitions. Both are sorted by line.
@@ -61,14 +61,14 @@ BenchDatabase::~BenchDatabase() = default;
 BenchDatabase::BenchDatabase(BenchDatabase&&) noexcept = default;
 BenchDatabase& BenchDatabase::operator=(BenchDatabase&&) noexcept = default;
 
-Expected<BenchDatabase, IoError> BenchDatabase::open(const std::filesystem::path& file) {
+Expected<BenchDatabase, Error> BenchDatabase::open(const std::filesystem::path& file) {
   auto connection = std::make_unique<SqliteConnection>(file);
   const std::string wrong = prepare_bench_schema(*connection);
-  if (!wrong.empty()) return Unexpected<IoError>(error_of(file, wrong));
+  if (!wrong.empty()) return Unexpected<Error>(error_of(file, wrong));
   return BenchDatabase(file, std::move(connection));
 }
 
-Expected<std::int64_t, IoError> BenchDatabase::experiment(const BenchExperiment& experiment) {
+Expected<std::int64_t, Error> BenchDatabase::experiment(const BenchExperiment& experiment) {
   SqliteTransaction transaction(*connection_);
   const auto threads = static_cast<std::int64_t>(experiment.threads);
   SqliteStatement find(*connection_,
@@ -97,7 +97,7 @@ Expected<std::int64_t, IoError> BenchDatabase::experiment(const BenchExperiment&
   return id;
 }
 
-Expected<std::int64_t, IoError> BenchDatabase::planner(std::string_view spec) {
+Expected<std::int64_t, Error> BenchDatabase::planner(std::string_view spec) {
   SqliteTransaction transaction(*connection_);
   SqliteStatement find(*connection_, "SELECT id FROM plannerConfigs WHERE name = ?");
   if (find.run(std::string(spec))) return find.integer(0);
@@ -110,8 +110,8 @@ Expected<std::int64_t, IoError> BenchDatabase::planner(std::string_view spec) {
   return id;
 }
 
-Expected<BenchRecord, IoError> BenchDatabase::record(std::int64_t experiment,
-                                                     std::int64_t planner) const {
+Expected<BenchRecord, Error> BenchDatabase::record(std::int64_t experiment,
+                                                   std::int64_t planner) const {
   BenchRecord record;
   SqliteStatement runs(
       *connection_,
@@ -138,9 +138,9 @@ Expected<BenchRecord, IoError> BenchDatabase::record(std::int64_t experiment,
   return record;
 }
 
-Expected<void, IoError> BenchDatabase::store(std::int64_t experiment, std::int64_t planner,
-                                             std::span<const BenchAnswer> answers,
-                                             const BenchIndex& index) {
+Expected<void, Error> BenchDatabase::store(std::int64_t experiment, std::int64_t planner,
+                                           std::span<const BenchAnswer> answers,
+                                           const BenchIndex& index) {
   SqliteTransaction transaction(*connection_);
   SqliteStatement forget(*connection_,
                          "DELETE FROM runs WHERE experimentid = ? AND plannerid = ? AND line = ?");
@@ -170,17 +170,17 @@ Expected<void, IoError> BenchDatabase::store(std::int64_t experiment, std::int64
   return {};
 }
 
-Expected<void, IoError> BenchDatabase::merge(const BenchDatabase& other) {
+Expected<void, Error> BenchDatabase::merge(const BenchDatabase& other) {
   for (const auto& [their_experiment, described] : other.experiments()) {
     const auto our_experiment = experiment(described);
-    if (!our_experiment) return Unexpected<IoError>(our_experiment.error());
+    if (!our_experiment) return Unexpected<Error>(our_experiment.error());
     for (const auto& [their_planner, spec] : other.planners()) {
       const auto our_planner = planner(spec);
-      if (!our_planner) return Unexpected<IoError>(our_planner.error());
+      if (!our_planner) return Unexpected<Error>(our_planner.error());
       auto theirs = other.record(their_experiment, their_planner);
-      if (!theirs) return Unexpected<IoError>(theirs.error());
+      if (!theirs) return Unexpected<Error>(theirs.error());
       const auto ours = record(*our_experiment, *our_planner);
-      if (!ours) return Unexpected<IoError>(ours.error());
+      if (!ours) return Unexpected<Error>(ours.error());
       forget_known(theirs->answers, ours->answers);
       if (theirs->answers.empty()) continue;
       auto stored = store(*our_experiment, *our_planner, theirs->answers, theirs->index);
@@ -225,8 +225,8 @@ std::vector<std::pair<std::int64_t, std::string>> BenchDatabase::planners() cons
 
 bool BenchDatabase::ok() const { return connection_->ok(); }
 
-Unexpected<IoError> BenchDatabase::failure() const {
-  return Unexpected<IoError>(error_of(file_, connection_->error()));
+Unexpected<Error> BenchDatabase::failure() const {
+  return Unexpected<Error>(error_of(file_, connection_->error()));
 }
 
 }  // namespace wend

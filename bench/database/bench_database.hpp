@@ -19,7 +19,7 @@
 // older one. One thread; several programs may have the file open.
 //
 //   auto database = wend::BenchDatabase::open("bench.db");
-//   if (!database) return report(database.error().message());
+//   if (!database) return report(database.error().message);
 //   const auto experiment = database->experiment({.map = "arena", .version = "wend 0.1.0"});
 //   const auto planner = database->planner("astar:weight=2");
 //   if (!experiment || !planner) return report("bench.db cannot be written");
@@ -36,7 +36,7 @@
 
 #include "bench/scenario/bench_answer.hpp"
 #include "wend/base/expected.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 
 namespace wend {
 
@@ -77,7 +77,7 @@ class BenchDatabase {
  public:
   /// Creates the file if it is missing or empty. Fails, and writes nothing, if the file is not a
   /// database, is damaged, or is the database of something else. O(bytes).
-  static Expected<BenchDatabase, IoError> open(const std::filesystem::path& file);
+  static Expected<BenchDatabase, Error> open(const std::filesystem::path& file);
 
   ~BenchDatabase();
   BenchDatabase(const BenchDatabase&) = delete;
@@ -86,28 +86,28 @@ class BenchDatabase {
   BenchDatabase& operator=(BenchDatabase&&) noexcept;
 
   /// The number of an experiment, which is added if it does not exist; the host is not compared.
-  Expected<std::int64_t, IoError> experiment(const BenchExperiment& experiment);
+  Expected<std::int64_t, Error> experiment(const BenchExperiment& experiment);
 
   /// The number of a planner, typed with its options. A new planner is added.
-  Expected<std::int64_t, IoError> planner(std::string_view spec);
+  Expected<std::int64_t, Error> planner(std::string_view spec);
 
   /// The stored answers. O(answers).
-  Expected<BenchRecord, IoError> record(std::int64_t experiment, std::int64_t planner) const;
+  Expected<BenchRecord, Error> record(std::int64_t experiment, std::int64_t planner) const;
 
   /// Stores answers, each of which has a pass at least: all or, after an error, none.
-  Expected<void, IoError> store(std::int64_t experiment, std::int64_t planner,
-                                std::span<const BenchAnswer> answers, const BenchIndex& index = {});
+  Expected<void, Error> store(std::int64_t experiment, std::int64_t planner,
+                              std::span<const BenchAnswer> answers, const BenchIndex& index = {});
 
   /// Adds all answers of another database that this one lacks or has with fewer repetitions. A second
   /// merge changes nothing.
-  Expected<void, IoError> merge(const BenchDatabase& other);
+  Expected<void, Error> merge(const BenchDatabase& other);
 
  private:
   BenchDatabase(std::filesystem::path file, std::unique_ptr<SqliteConnection> connection);
 
   std::vector<std::pair<std::int64_t, BenchExperiment>> experiments() const;
   std::vector<std::pair<std::int64_t, std::string>> planners() const;
-  Unexpected<IoError> failure() const;
+  Unexpected<Error> failure() const;
   bool ok() const;
 
   std::filesystem::path file_;

@@ -69,13 +69,13 @@ class BenchDatabaseTest : public testing::Test {
 
   static BenchDatabase open(const fs::path& file) {
     auto database = BenchDatabase::open(file);
-    EXPECT_TRUE(database) << database.error().message();
+    EXPECT_TRUE(database) << database.error().message;
     return *std::move(database);
   }
 
   static std::string error_of(const fs::path& file) {
     const auto database = BenchDatabase::open(file);
-    return database ? "" : database.error().message();
+    return database ? "" : database.error().message;
   }
 
   /// Fills a database with one experiment, one planner and these answers.

@@ -52,7 +52,7 @@ std::string change(double now, double before) {
 
 Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& file) {
   const auto text = read_file(file);
-  if (!text) return Fault(text.error().message());
+  if (!text) return Fault(text.error().message);
   try {
     const Json json = Json::parse(*text);
     if (json.at("schema") != kBaselineSchema) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSide = 4096;
 
-GridMap free_map(int side) { return GridMap(Grid<CellState>(side, side, CellState::free)); }
+GridMap free_map(int side) { return *make_grid_map(Grid<CellState>(side, side, CellState::free)); }
 
 GridMap noisy_map(int side) {
   Random random(1);
@@ -26,13 +26,13 @@ GridMap noisy_map(int side) {
       if (random.chance(0.01)) state = CellState::occupied;
     }
   }
-  return GridMap(cells);
+  return *make_grid_map(cells);
 }
 
 /// A path of 20 cells: its cost must not depend on the map's size.
 void short_query(benchmark::State& state) {
   const int side = static_cast<int>(state.range(0));
-  const auto planner = make_planner("astar", FreeSpace(free_map(side)));
+  const auto planner = make_planner("astar", *make_free_space(free_map(side)));
   const Query query = Query::between({side / 2, side / 2}, {side / 2 + 19, side / 2 + 7});
   Plan plan;
   for (auto _ : state) {
@@ -45,7 +45,7 @@ BENCHMARK(short_query)->Arg(64)->Arg(kSide)->Unit(benchmark::kMicrosecond);
 void unreachable_query(benchmark::State& state) {
   Grid<CellState> cells(kSide, kSide, CellState::free);
   for (int y = 0; y < kSide; ++y) cells[{kSide / 2, y}] = CellState::occupied;
-  const auto planner = make_planner("astar", FreeSpace(GridMap(cells)));
+  const auto planner = make_planner("astar", *make_free_space(*make_grid_map(cells)));
   const Query query = Query::between({0, 0}, {kSide - 1, kSide - 1});
   Plan plan;
   for (auto _ : state) {
@@ -58,12 +58,12 @@ BENCHMARK(unreachable_query)->Unit(benchmark::kMicrosecond);
 void load_png_and_free_space(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "wend-micro-4096.png";
   if (const auto saved = save_map(noisy_map(kSide), file); !saved) {
-    state.SkipWithError(saved.error().message().c_str());
+    state.SkipWithError(saved.error().message.c_str());
     return;
   }
   for (auto _ : state) {
     const auto loaded = load_map(file);
-    const FreeSpace space(loaded->map, {.footprint = Footprint::disc(3)});
+    const FreeSpace space = *make_free_space(loaded->map, {.footprint = Footprint::disc(3)});
     benchmark::DoNotOptimize(space.passable({0, 0}));
   }
   std::filesystem::remove(file);

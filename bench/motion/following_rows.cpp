@@ -25,22 +25,22 @@ struct Office {
 Office office() {
   constexpr int kSide = 1000;
   const auto coarse = generators().find("office")->make(kSide / 2, kSide / 2, 1, {});
-  if (!coarse) fail(coarse.error().message());
+  if (!coarse) fail(coarse.error().message);
   Frame frame = coarse->frame();
   frame.resolution /= 2;
   Grid<CellState> states(kSide, kSide);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) states[{x, y}] = coarse->state({x / 2, y / 2});
   }
-  const GridMap map(states, frame);
-  const FreeSpace cautious(map, {.footprint = Footprint::disc(0.3)});
+  const GridMap map = *make_grid_map(states, frame);
+  const FreeSpace cautious = *make_free_space(map, {.footprint = Footprint::disc(0.3)});
   const auto start = nearest_passable(cautious, {0, 0});
   if (!start) fail("there is no room in the office");
   const auto goal = nearest_passable(cautious, {kSide - 1, kSide - 1}, start);
   if (!goal) fail("there is no goal in the office");
   const auto plan = (*make_planner("astar", cautious))->plan(Query::between(*start, *goal));
-  if (!plan) fail(plan.error().reason);
-  return {FreeSpace(map, {.footprint = Footprint::disc(0.2)}), plan->path};
+  if (!plan) fail(plan.error().message);
+  return {*make_free_space(map, {.footprint = Footprint::disc(0.2)}), plan->path};
 }
 
 MotionRow simulating(const Office& office, const ControllerInfo& info, int rounds) {

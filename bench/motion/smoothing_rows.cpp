@@ -28,8 +28,9 @@ struct Walk {
 Walk walk_on(std::string name, const std::string& kind, const OptionValues& options,
              double radius_in_cells) {
   const auto map = generators().find(kind)->make(kSide, kSide, 1, options);
-  if (!map) fail(map.error().message());
-  FreeSpace space(*map, {.footprint = Footprint::disc(radius_in_cells * map->frame().resolution)});
+  if (!map) fail(map.error().message);
+  FreeSpace space = *make_free_space(
+      *map, {.footprint = Footprint::disc(radius_in_cells * map->frame().resolution)});
   constexpr int kBorder = 40;
   const auto start = nearest_passable(space, {kBorder, kBorder});
   if (!start) fail("there is no room on the map '" + name + "'");
@@ -48,7 +49,7 @@ MotionRow smoothing(const Walk& walk, const GradientOptions& options, int rounds
   row.name = (options.unsafe ? "smooth unsafely, " : "smooth, ") + walk.name;
   row.seconds =
       fastest(rounds, [&] { smoothed = smooth_by_gradient(walk.path, walk.space, options); });
-  if (!smoothed) fail(smoothed.error().message());
+  if (!smoothed) fail(smoothed.error().message);
   if (!options.unsafe) row.bar_seconds = kSmoothingBar;
   row.note = fmt::format("{} sweeps, {:.1f} % held", smoothed->sweeps, 100 * smoothed->held);
   return row;
@@ -60,7 +61,7 @@ MotionRow bounding(const Walk& walk, double radius, int rounds) {
   row.name = fmt::format("bound turns to {} cells, {}", radius, walk.name);
   row.seconds = fastest(
       rounds, [&] { smoothed = smooth_by_curvature(walk.path, walk.space, {.radius = radius}); });
-  if (!smoothed) fail(smoothed.error().message());
+  if (!smoothed) fail(smoothed.error().message);
   row.note =
       fmt::format("{} sweeps{}", smoothed->sweeps, smoothed->within_bound ? "" : ", too tight");
   return row;

@@ -39,7 +39,7 @@ int run(ScalingPlan plan, const fs::path& folder, int least, int largest) {
   fs::create_directories((folder / kPicture).parent_path());
   const auto written = write_file(folder / "performance.md", scaling_page(plan, *maps, kPicture));
   if (!written) {
-    fmt::print(stderr, "{}\n", written.error().message());
+    fmt::print(stderr, "{}\n", written.error().message);
     return 2;
   }
   if (draw(scaling_plot(plan, *maps, PlotKind::svg), folder / kPicture)) return 0;

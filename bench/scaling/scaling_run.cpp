@@ -178,9 +178,9 @@ class KindRun {
     progress(fmt::format("{}, {} x {}", kind_.name, size, size));
     const GeneratorInfo* generator = generators().find(kind_.generator);
     const auto map = generator->make(size, size, kSeed, kind_.options);
-    if (!map) return Error(map.error().message());
+    if (!map) return Error(map.error().message);
     const double begin = thread_cpu_seconds();
-    const FreeSpace space(*map);
+    const FreeSpace space = *make_free_space(*map);
     MapScale scale{kind_, size, space.passable().count(), thread_cpu_seconds() - begin, {}};
     std::vector<Query> queries;
     for (const CellPair& cells : random_pairs(space, plan_.queries, kSeed)) {

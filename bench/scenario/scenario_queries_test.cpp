@@ -46,7 +46,7 @@ std::map<int, int> sizes_of(const std::vector<ScenarioQuery>& queries) {
 
 TEST(ScenarioQueries, FillTheFirstBucketsWithShortestPaths) {
   const GridMap map = generated("rooms", 64);
-  const FreeSpace space(map);
+  const FreeSpace space = *make_free_space(map);
   const auto queries = scenario_queries(space, {}, {.seed = 1, .buckets = 10});
   ASSERT_TRUE(queries);
   check_queries(map, {}, {}, *queries);
@@ -73,7 +73,7 @@ TEST(ScenarioQueries, AreForTheRobotItsMovesAndTheTerrain) {
       {generated("random", 40, {{"density", "0.3"}}), {}, {Connectivity::eight, CornerRule::both}}};
   for (const Case& one : cases) {
     const auto queries =
-        scenario_queries(FreeSpace(one.map, one.options), one.moves, {.per_bucket = 2});
+        scenario_queries(*make_free_space(one.map, one.options), one.moves, {.per_bucket = 2});
     ASSERT_TRUE(queries);
     EXPECT_GT(queries->size(), 8U);
     check_queries(one.map, one.options, one.moves, *queries);
@@ -82,7 +82,7 @@ TEST(ScenarioQueries, AreForTheRobotItsMovesAndTheTerrain) {
 
 TEST(ScenarioQueries, WithoutALimitReachTheLongestPaths) {
   const GridMap map = generated("maze", 31);
-  const auto queries = scenario_queries(FreeSpace(map), {}, {.per_bucket = 10});
+  const auto queries = scenario_queries(*make_free_space(map), {}, {.per_bucket = 10});
   ASSERT_TRUE(queries);
   double longest = 0;
   const Reference reference(map, Robot{}, Rules{});
@@ -98,7 +98,7 @@ TEST(ScenarioQueries, WithoutALimitReachTheLongestPaths) {
 }
 
 TEST(ScenarioQueries, FollowTheSeed) {
-  const FreeSpace space(generated("rooms", 64));
+  const FreeSpace space = *make_free_space(generated("rooms", 64));
   const auto starts = [&](std::uint64_t seed) {
     std::vector<Cell> cells;
     const auto queries = scenario_queries(space, {}, {.seed = seed, .buckets = 5});
@@ -110,7 +110,7 @@ TEST(ScenarioQueries, FollowTheSeed) {
 }
 
 TEST(ScenarioQueries, AreNeverTheSameTwiceOnATinyMap) {
-  const FreeSpace space(GridMap(Grid<CellState>(2, 2, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(2, 2, CellState::free)));
   const auto queries = scenario_queries(space, {}, {});
   ASSERT_TRUE(queries);
   std::set<std::vector<int>> pairs;
@@ -123,18 +123,18 @@ TEST(ScenarioQueries, AreNeverTheSameTwiceOnATinyMap) {
 
 TEST(ScenarioQueries, AreNoneWhereNothingIsConnected) {
   const auto none = [](const GridMap& map) {
-    const auto queries = scenario_queries(FreeSpace(map), {}, {});
+    const auto queries = scenario_queries(*make_free_space(map), {}, {});
     return queries && queries->empty();
   };
-  EXPECT_TRUE(none(GridMap(Grid<CellState>(3, 3, CellState::occupied))));
-  EXPECT_TRUE(none(GridMap(Grid<CellState>(1, 1, CellState::free))));
+  EXPECT_TRUE(none(*make_grid_map(Grid<CellState>(3, 3, CellState::occupied))));
+  EXPECT_TRUE(none(*make_grid_map(Grid<CellState>(1, 1, CellState::free))));
 }
 
 TEST(ScenarioQueries, EndWhenTheyAreCancelled) {
   const std::atomic<bool> cancel = true;
   Limits limits;
   limits.cancel = &cancel;
-  const auto queries = scenario_queries(FreeSpace(generated("rooms", 64)), {}, {}, limits);
+  const auto queries = scenario_queries(*make_free_space(generated("rooms", 64)), {}, {}, limits);
   ASSERT_FALSE(queries);
   EXPECT_EQ(queries.error(), Status::cancelled);
 }

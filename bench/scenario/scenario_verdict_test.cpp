@@ -26,7 +26,7 @@ Plan plan_along(std::vector<Cell> cells) {
 
 const Plan kStraight = plan_along({{0, 0}, {1, 0}, {2, 0}});
 
-FreeSpace space_of(const Grid<CellState>& cells) { return FreeSpace(GridMap(cells)); }
+FreeSpace space_of(const Grid<CellState>& cells) { return *make_free_space(*make_grid_map(cells)); }
 
 const Grid<CellState> kOpen(3, 2, CellState::free);
 
@@ -90,7 +90,7 @@ TEST(WrongAnswer, IsAPathThatBreaksTheRules) {
 TEST(WrongAnswer, CountsTerrain) {
   Grid<double> terrain(3, 2, 1);
   terrain[{1, 0}] = 3;
-  const FreeSpace rough(GridMap(kOpen, {}, terrain));
+  const FreeSpace rough = *make_free_space(*make_grid_map(kOpen, {}, terrain));
   EXPECT_THAT(wrong_answer(rough, {}, query_of_length(4), Status::found, kStraight), IsEmpty());
   EXPECT_THAT(wrong_answer(rough, {}, query_of_length(2), Status::found, kStraight),
               HasSubstr("length 4.0"));

@@ -51,7 +51,7 @@ void end_progress() {
 
 std::vector<PlannerSpec> parse_planners(const std::string& list) {
   auto specs = parse_planner_specs(list);
-  if (!specs) throw Refused{"--planner: " + specs.error().message()};
+  if (!specs) throw Refused{"--planner: " + specs.error().message};
   return *std::move(specs);
 }
 
@@ -82,7 +82,7 @@ void save(const std::vector<MapTimings>& maps, const Arguments& arguments) {
                                .sample = arguments.plan.sample,
                                .rows = rows_of(maps)};
   const auto written = write_file(arguments.save_baseline, baseline_json(baseline));
-  if (!written) throw Refused{written.error().message()};
+  if (!written) throw Refused{written.error().message};
 }
 
 /// Compares the baseline's planners on the generated maps with the baseline.

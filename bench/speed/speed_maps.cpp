@@ -14,13 +14,13 @@ using Error = Unexpected<std::string>;
 
 Expected<SpeedMap, std::string> load(const std::filesystem::path& scenario_file) {
   auto scenario = load_scenario(scenario_file);
-  if (!scenario) return Error(scenario.error().message());
+  if (!scenario) return Error(scenario.error().message);
   const auto map_file = scenario_map_path(*scenario);
-  if (!map_file) return Error(map_file.error().message());
+  if (!map_file) return Error(map_file.error().message);
   auto loaded = load_map(*map_file);
-  if (!loaded) return Error(loaded.error().message());
+  if (!loaded) return Error(loaded.error().message);
   const auto fits = check_map_size(*scenario, loaded->map.width(), loaded->map.height());
-  if (!fits) return Error(fits.error().message());
+  if (!fits) return Error(fits.error().message);
   if (scenario->queries.empty()) return Error(scenario->file + ": the scenario has no queries");
   return SpeedMap{map_file->stem().string(), std::move(loaded->map), std::move(scenario->queries)};
 }
@@ -29,7 +29,7 @@ Expected<SpeedMap, std::string> load(const std::filesystem::path& scenario_file)
 
 Expected<std::vector<SpeedMap>, std::string> maps_of_folder(const std::filesystem::path& folder) {
   const auto files = scenarios_in(folder);
-  if (!files) return Error(files.error().message());
+  if (!files) return Error(files.error().message);
   std::vector<SpeedMap> maps;
   for (const std::filesystem::path& file : *files) {
     auto map = load(file);
@@ -51,7 +51,7 @@ std::vector<SpeedMap> generated_maps() {
   std::vector<SpeedMap> maps;
   for (const Kind& kind : kinds) {
     auto map = generators().find(kind.generator)->make(kind.size, kind.size, kSeed, kind.options);
-    auto queries = scenario_queries(FreeSpace(*map), {}, {.seed = kSeed, .per_bucket = 2});
+    auto queries = scenario_queries(*make_free_space(*map), {}, {.seed = kSeed, .per_bucket = 2});
     maps.push_back({kind.generator, *std::move(map), *std::move(queries)});
   }
   return maps;

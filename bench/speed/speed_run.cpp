@@ -39,15 +39,15 @@ class Entry {
   /// wrong, or empty.
   std::string prepare() {
     if (info_.index_support) {
-      Expected<IndexBytes, PlannerError> index;
+      Expected<IndexBytes, Error> index;
       timing_.prepare_us = kMicroseconds * seconds_of(cpu_clock(), [&] {
                              index = info_.index_support->build(space_, {});
                            });
-      if (!index) return timing_.name + ": " + index.error().message();
+      if (!index) return timing_.name + ": " + index.error().message;
       index_ = *std::move(index);
     }
     auto made = make();
-    if (!made) return timing_.name + ": " + made.error().message();
+    if (!made) return timing_.name + ": " + made.error().message;
     planner_ = *std::move(made);
     return {};
   }
@@ -114,7 +114,7 @@ class Entry {
 };
 
 Expected<MapTimings, std::string> time_map(const SpeedMap& map, const SpeedPlan& plan) {
-  const FreeSpace space(map.map);
+  const FreeSpace space = *make_free_space(map.map);
   const auto sample = evenly_sampled(map.queries, plan.sample);
   std::vector<Entry> entries;
   entries.emplace_back("boost-astar", boost_astar_planner(), OptionValues{}, space);

@@ -20,7 +20,7 @@ bool is_closed(const OptionInfo& option) { return option.name == "closed"; }
 template <class Options>
 Options parsed(const OptionValues& values) {
   auto options = parse_options<Options>(values);
-  if (!options) throw InputError(options.error().message());
+  if (!options) throw InputError(options.error().message);
   return *options;
 }
 
@@ -28,13 +28,13 @@ ChosenController made(const OptionSpec& spec, const MotionModel& robot) {
   const ControllerInfo& info = *wend::controllers().find(spec.name);
   if (const auto why = why_unfit(info, robot)) throw InputError(*why);
   auto controller = info.make(spec.options);
-  if (!controller) throw InputError(spec.name + ": " + controller.error().message());
+  if (!controller) throw InputError(spec.name + ": " + controller.error().message);
   return {spec.text, *std::move(controller)};
 }
 
 std::vector<OptionSpec> parse_controllers(const std::string& list) {
   auto specs = parse_option_specs(list, "controller", wend::controllers().names());
-  if (!specs) throw InputError(specs.error());
+  if (!specs) throw InputError(specs.error().message);
   return *std::move(specs);
 }
 

@@ -14,29 +14,28 @@
 namespace wend::cli {
 namespace {
 
-Expected<LoadedMap, IoError> load_map_or_stream(const std::string& file,
-                                                const LoadOptions& options) {
+Expected<LoadedMap, Error> load_map_or_stream(const std::string& file, const LoadOptions& options) {
   if (!is_stream(file)) return load_map(file, options);
   const auto bytes = read_stream(file);
-  if (!bytes) return Unexpected<IoError>(bytes.error());
+  if (!bytes) return Unexpected<Error>(bytes.error());
   auto loaded = parse_map(*bytes, stream_name(file), options);
   // If standard input is redirected from a file, that file must not be overwritten.
   if (loaded) loaded->files.emplace_back(is_standard_input(file) ? "/dev/stdin" : file);
   return loaded;
 }
 
-Expected<Path, IoError> load_path_or_stream(const std::string& file, const Frame& frame,
-                                            PathStage stage) {
+Expected<Path, PathFileError> load_path_or_stream(const std::string& file, const Frame& frame,
+                                                  PathStage stage) {
   if (!is_stream(file)) return load_path(file, frame, stage);
   const auto text = read_stream(file, kLargestPathFile);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<Error>(text.error());
   return parse_path(*text, stream_name(file), frame, stage);
 }
 
-Expected<std::vector<QueryRow>, IoError> load_queries_or_stream(const std::string& file) {
+Expected<std::vector<QueryRow>, Error> load_queries_or_stream(const std::string& file) {
   if (!is_stream(file)) return load_query_csv(file);
   const auto text = read_stream(file, kLargestQueryFile);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<Error>(text.error());
   return parse_query_csv(*text, stream_name(file));
 }
 
@@ -65,13 +64,13 @@ void check_read_once(const std::vector<std::string>& names) {
 
 LoadedMap read_map(const std::string& file, const LoadOptions& options) {
   auto loaded = load_map_or_stream(file, options);
-  if (!loaded) throw InputError(loaded.error().message());
+  if (!loaded) throw InputError(loaded.error().message);
   return *std::move(loaded);
 }
 
 std::vector<QueryRow> read_queries(const std::string& file) {
   auto rows = load_queries_or_stream(file);
-  if (!rows) throw InputError(rows.error().message());
+  if (!rows) throw InputError(rows.error().message);
   return *std::move(rows);
 }
 
@@ -79,8 +78,8 @@ Path read_path(const std::string& file, const Frame& frame, PathStage stage) {
   auto path = load_path_or_stream(file, frame, stage);
   if (path) return *std::move(path);
   const auto& error = path.error();
-  if (error.failed_plan) throw NoPathError(error.message(), *error.failed_plan);
-  throw InputError(error.message());
+  if (error.failed_plan) throw NoPathError(error.message, *error.failed_plan);
+  throw InputError(error.message);
 }
 
 void add_path_file(Parser& app, std::string& file) {

@@ -46,7 +46,8 @@ struct RobotArguments {
   /// Throws InputError for a --clearance-cost that costs nothing, and for a file of motion primitives
   /// that cannot be read.
   FreeSpaceOptions options(const GridMap& map) const;
-  FreeSpace free_space(const GridMap& map) const { return FreeSpace(map, options(map)); }
+  /// Throws InputError for an invalid robot, too.
+  FreeSpace free_space(const GridMap& map) const;
 };
 
 struct MapArguments : MapFileArguments, RobotArguments {

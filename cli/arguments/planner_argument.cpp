@@ -22,7 +22,7 @@ namespace wend::cli {
 
 std::vector<PlannerSpec> parse_planners(const std::string& text) {
   auto specs = parse_planner_specs(text);
-  if (!specs) throw InputError(specs.error().message());
+  if (!specs) throw InputError(specs.error().message);
   return *std::move(specs);
 }
 
@@ -52,14 +52,14 @@ bool has_option(const std::vector<OptionInfo>& options, std::string_view name) {
 
 Expected<GivenIndex, std::string> read_given_index(const std::string& file) {
   auto bytes = open_index(file);
-  if (!bytes) throw InputError(bytes.error().message());
+  if (!bytes) throw InputError(bytes.error().message);
   const auto header = read_index_header(bytes->bytes());
   if (!header) return Unexpected<std::string>(fmt::format("{}: {}", file, header.error()));
   return GivenIndex{file, *header, *std::move(bytes)};
 }
 
-Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const FreeSpace& space,
-                                               Workers& workers) {
+Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSpace& space,
+                                        Workers& workers) {
   constexpr double kSteps = 1000;
   ProgressBar bar("index of " + planner.name, static_cast<std::uint64_t>(kSteps));
   const IndexBuilding building{
@@ -81,14 +81,14 @@ PlannerMaker::PlannerMaker(PlannerSpec spec, FreeSpace space,
 
 PlannerResult PlannerMaker::make(WorkTimes& times) {
   if (given_ && !*given_) {
-    return Unexpected<PlannerError>({Status::index_mismatch, given_->error()});
+    return failure(Status::index_mismatch, given_->error());
   }
   const PlannerInfo& info = info_of(spec_);
   if (!given_ && !built_ && info.index_support) {
     ThreadWorkers workers;
     auto index = timed(process_cpu_seconds, times.index.emplace(0),
                        [&] { return build_index(info, space_, workers); });
-    if (!index) return Unexpected<PlannerError>(index.error());
+    if (!index) return Unexpected<Error>(index.error());
     built_ = *std::move(index);
   }
   return timed(thread_cpu_seconds, times.planner.emplace(0), [&] {

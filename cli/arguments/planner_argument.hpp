@@ -46,8 +46,8 @@ struct GivenIndex {
 Expected<GivenIndex, std::string> read_given_index(const std::string& file);
 
 /// Builds with a progress bar.
-Expected<IndexBytes, PlannerError> build_index(const PlannerInfo& planner, const FreeSpace& space,
-                                               Workers& workers);
+Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSpace& space,
+                                        Workers& workers);
 
 /// "hub_labels or corner_hierarchy": the planners that can plan on an index.
 std::string planners_with_index();

@@ -127,7 +127,7 @@ Refinement RefineArguments::refinement(const Coordinates& coordinates, Adjacency
 
 SmootherChoice parse_smoother(std::string_view text) {
   auto specs = parse_option_specs(text, "smoother", smoothers().names());
-  if (!specs) throw InputError(specs.error());
+  if (!specs) throw InputError(specs.error().message);
   if (specs->size() > 1)
     throw InputError(fmt::format("--smoother {}: --smoother takes exactly one smoother", text));
   return {specs->front().name, specs->front().options};
@@ -152,7 +152,7 @@ double RefineArguments::rounding(const Coordinates& coordinates) const {
 RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& refinement,
                    double corner_rounding) {
   auto refined = wend::refined(path, space, refinement);
-  if (!refined) throw InputError(refined.error().message());
+  if (!refined) throw InputError(refined.error().message);
   return refined_path(path, refinement, *std::move(refined), space, corner_rounding);
 }
 

@@ -250,7 +250,7 @@ int run(const CompareArguments& arguments) {
   const FreeSpace space = arguments.map.free_space(loaded.map);
   if (specs.empty()) specs = all_planners(arguments.start, space);
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
-  if (!made) throw InputError(made.error().message());
+  if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
   answer_all(run, queries_of(run, arguments, space), arguments.limits);
   give_reasons(run, arguments, space);

@@ -60,7 +60,7 @@ void check_files(const ConvertArguments& arguments, const LoadedMap& loaded) {
 
 Conversion prepare(const ConvertArguments& arguments) {
   const auto format = arguments.prints() ? MapFormat::text_grid : saved_format(arguments.output);
-  if (!format) throw InputError(format.error().message());
+  if (!format) throw InputError(format.error().message);
   LoadedMap loaded = arguments.input.load();
   check_files(arguments, loaded);
   if (!arguments.force) check_picture(arguments.output, arguments.output);
@@ -99,7 +99,7 @@ void save(const GridMap& map, const ConvertArguments& arguments) {
     return print(text->bytes);
   }
   const auto done = save_map(map, arguments.output);
-  if (!done) throw InputError(done.error().message());
+  if (!done) throw InputError(done.error().message);
 }
 
 int run(const ConvertArguments& arguments) {

@@ -173,7 +173,7 @@ ExitCode ExplainRun::report() const {
 int run(const ExplainArguments& arguments) {
   arguments.output.check();
   const auto moves = parse_options<GridMoves>(arguments.options.values_for("explain"));
-  if (!moves) throw InputError(moves.error().message());
+  if (!moves) throw InputError(moves.error().message);
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
   return ExplainRun(arguments, *moves, arguments.map.free_space(loaded.map)).report();

@@ -174,7 +174,7 @@ ExitCode FieldRun::report() const {
 int run(const FieldArguments& arguments) {
   arguments.output.check();
   const auto moves = parse_options<GridMoves>(arguments.options.values_for("field"));
-  if (!moves) throw InputError(moves.error().message());
+  if (!moves) throw InputError(moves.error().message);
   WorkTimes times;
   const LoadedMap loaded =
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });

@@ -80,7 +80,7 @@ std::optional<Path> FollowRun::plan() {
     for (const auto& note : asked->move_to_nearest()) complain(note);
   }
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
-  if (!planner) throw InputError(planner.error().message());
+  if (!planner) throw InputError(planner.error().message);
   ProgressBar progress("planning", (*planner)->state_count());
   Query query = asked->query();
   query.limits = arguments_.limits.limits(progress);

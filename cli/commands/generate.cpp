@@ -78,7 +78,7 @@ GridMap generate(const GenerateArguments& arguments) {
                         : parse_size(arguments.size);
   auto map = generator->make(size.width, size.height, arguments.seed,
                              arguments.options.values_for(generator->name));
-  if (!map) throw InputError(map.error().message());
+  if (!map) throw InputError(map.error().message);
   return *std::move(map);
 }
 
@@ -123,7 +123,7 @@ int run(const GenerateArguments& arguments) {
     }
     const auto saved = save_map(map, file);
     if (saved) return std::string();
-    return saved.error().message() + (map.uniform_terrain() ? "" : kWayOut);
+    return saved.error().message + (map.uniform_terrain() ? "" : kWayOut);
   });
   if (arguments.output.print()) return success;
   print(arguments.format == Format::json ? json_of(arguments, map) : text_of(arguments, map));

@@ -80,12 +80,12 @@ int build(const BuildArguments& arguments) {
   const double begin = steady_seconds();
   const auto index = build_index(planner, space, workers);
   if (!index) {
-    complain(index.error().message());
+    complain(index.error().message);
     return no_plan;
   }
   const double seconds = steady_seconds() - begin;
   const auto written = write_index(arguments.output, *index);
-  if (!written) throw InputError(written.error().message());
+  if (!written) throw InputError(written.error().message);
   if (arguments.format == Format::json) {
     print(wend::text_of({{"file", arguments.output},
                          {"planner", planner.name},

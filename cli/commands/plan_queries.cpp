@@ -96,7 +96,7 @@ std::vector<QueryWorker> make_workers(const PlanArguments& arguments, PlannerMak
   for (unsigned i = 0; i < count; ++i) {
     WorkTimes times;  // unused: answers have only the search times
     auto planner = maker.make(times);
-    if (!planner) throw InputError(planner.error().message());
+    if (!planner) throw InputError(planner.error().message);
     workers.emplace_back(arguments, maker.spec(), space, *std::move(planner));
   }
   return workers;

@@ -73,9 +73,9 @@ void PlanRun::plan() {
     result_.unit = planner_->corner_unit();
     search();
   } else if (planner.error().status == Status::invalid_option) {
-    throw InputError(planner.error().message());
+    throw InputError(planner.error().message);
   } else {
-    fail(planner.error().status, planner.error().message());
+    fail(planner.error().status, planner.error().message);
   }
 }
 
@@ -306,7 +306,7 @@ std::vector<Panel> PlanRun::panels() const {
   return panels;
 }
 
-Expected<std::string, RenderError> PlanRun::film() const {
+Expected<std::string, Error> PlanRun::film() const {
   const Style style = style_of(arguments_.pictures.style);
   const bool searched = recorder_ && !recorder_->expansions().empty();
   return searched ? gif_of(outcome(), *recorder_, arguments_.watch.speed, style)

@@ -81,7 +81,7 @@ class PlanRun {
   std::vector<Panel> panels() const;
   std::string csv() const;
   std::string json() const;
-  Expected<std::string, RenderError> film() const;
+  Expected<std::string, Error> film() const;
   void print_results();
   void write_files() const;
   void write_trace(PosthocTrace& trace) const;

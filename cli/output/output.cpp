@@ -77,7 +77,7 @@ std::string write_bytes(const std::string& file, const std::string& bytes) {
     return {};
   }
   const auto written = write_file(file, bytes);
-  return written ? std::string() : written.error().message();
+  return written ? std::string() : written.error().message;
 }
 
 void OutputFiles::add_to(Parser& app, std::vector<std::string> extensions, const std::string& help,

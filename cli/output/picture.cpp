@@ -24,8 +24,8 @@ int small_columns(const Screen& screen) {
 }
 
 /// A panel that has nothing to say besides its scene is a picture of its own.
-Expected<std::string, RenderError> drawn(const std::vector<Panel>& panels, PictureKind kind,
-                                         const Style& style) {
+Expected<std::string, Error> drawn(const std::vector<Panel>& panels, PictureKind kind,
+                                   const Style& style) {
   const Panel& first = panels.front();
   const bool alone = panels.size() == 1 && first.title.empty() && first.caption.empty();
   return alone ? draw_picture(first.scene, kind, first.style.value_or(style))
@@ -152,9 +152,8 @@ std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, Sty
           {".pdf", writer_of(PictureKind::pdf)}};
 }
 
-std::string write_picture(const std::string& file,
-                          const Expected<std::string, RenderError>& picture) {
-  return picture ? write_bytes(file, *picture) : file + ": " + picture.error().message();
+std::string write_picture(const std::string& file, const Expected<std::string, Error>& picture) {
+  return picture ? write_bytes(file, *picture) : file + ": " + picture.error().message;
 }
 
 }  // namespace wend::cli

@@ -73,7 +73,6 @@ std::vector<std::string> picture_extensions();
 std::map<std::string, FileWriter> picture_writers(std::vector<Panel> panels, StyleName style);
 
 /// Writes a picture if it could be drawn. Returns the error message, empty on success.
-std::string write_picture(const std::string& file,
-                          const Expected<std::string, RenderError>& picture);
+std::string write_picture(const std::string& file, const Expected<std::string, Error>& picture);
 
 }  // namespace wend::cli

@@ -119,8 +119,8 @@ void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& sc
   display.show(frame(with_snapshot(outcome, recorder.snapshot())));
 }
 
-Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchRecorder& recorder,
-                                          std::optional<double> speed, const Style& style) {
+Expected<std::string, Error> gif_of(const Scene& outcome, const SearchRecorder& recorder,
+                                    std::optional<double> speed, const Style& style) {
   const Scene base = without_path(outcome);
   const auto pixels_after = [&](std::size_t expansions) {
     return draw_pixels(with_snapshot(base, recorder.snapshot(expansions)), kGifWidth, kGifHeight,
@@ -141,15 +141,15 @@ Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchReco
   return animation.finish();
 }
 
-Expected<std::string, RenderError> gif_of(const Scene& scene, const Style& style) {
+Expected<std::string, Error> gif_of(const Scene& scene, const Style& style) {
   const Grid<std::uint32_t> pixels = draw_pixels(scene, kGifWidth, kGifHeight, style);
   GifAnimation animation(pixels.width(), pixels.height(), palette_of(std::span(&pixels, 1)));
   animation.add(pixels, kOutcomeHundredths);
   return animation.finish();
 }
 
-Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive& drive,
-                                                std::optional<double> speed, const Style& style) {
+Expected<std::string, Error> gif_of_drive(const Scene& scene, const Drive& drive,
+                                          std::optional<double> speed, const Style& style) {
   const auto pixels_at = [&](const Scene& base, std::size_t sample) {
     return draw_pixels(scene_at(base, drive, sample), kFrameWidth, kHeight, style,
                        PixelLegend::below);

@@ -33,15 +33,15 @@ void play(const Scene& outcome, const SearchRecorder& recorder, const Screen& sc
           const PictureArguments& pictures, std::optional<double> speed);
 
 /// The same as a GIF.
-Expected<std::string, RenderError> gif_of(const Scene& outcome, const SearchRecorder& recorder,
-                                          std::optional<double> speed, const Style& style);
+Expected<std::string, Error> gif_of(const Scene& outcome, const SearchRecorder& recorder,
+                                    std::optional<double> speed, const Style& style);
 
 /// A GIF of one picture, where there was no search.
-Expected<std::string, RenderError> gif_of(const Scene& scene, const Style& style);
+Expected<std::string, Error> gif_of(const Scene& scene, const Style& style);
 
 /// A GIF: the scene with the robot on its way, and behind it what it drove. `speed` is how many times
 /// as fast as the robot; without one the film takes a few seconds.
-Expected<std::string, RenderError> gif_of_drive(const Scene& scene, const Drive& drive,
-                                                std::optional<double> speed, const Style& style);
+Expected<std::string, Error> gif_of_drive(const Scene& scene, const Drive& drive,
+                                          std::optional<double> speed, const Style& style);
 
 }  // namespace wend::cli

@@ -113,7 +113,7 @@ BenchmarkMap generated(Recipe recipe, Effort effort) {
     recipe.width = quick_size(recipe.width);
     recipe.height = quick_size(recipe.height);
   }
-  const FreeSpace space(
+  const FreeSpace space = *make_free_space(
       generated_map(recipe.kind, recipe.width, recipe.height, kMapSeed, recipe.options),
       recipe.robot);
   return {recipe.title, recipe.about, space,
@@ -121,16 +121,16 @@ BenchmarkMap generated(Recipe recipe, Effort effort) {
           planners_for(space, recipe.planner_option)};
 }
 
-Expected<BenchmarkMap, IoError> loaded(const Benchmark& benchmark,
-                                       const std::filesystem::path& folder) {
+Expected<BenchmarkMap, Error> loaded(const Benchmark& benchmark,
+                                     const std::filesystem::path& folder) {
   const auto file = folder / kFolder / (std::string(benchmark.file) + ".map");
   const auto loaded = load_map(file);
-  if (!loaded) return Unexpected<IoError>(loaded.error());
+  if (!loaded) return Unexpected<Error>(loaded.error());
   const auto scenario = load_scenario(file.string() + ".scen");
-  if (!scenario) return Unexpected<IoError>(scenario.error());
+  if (!scenario) return Unexpected<Error>(scenario.error());
   const auto fits = check_map_size(*scenario, loaded->map.width(), loaded->map.height());
-  if (!fits) return Unexpected<IoError>(fits.error());
-  const FreeSpace space(loaded->map);
+  if (!fits) return Unexpected<Error>(fits.error());
+  const FreeSpace space = *make_free_space(loaded->map);
   std::vector<CellPair> queries;
   for (const ScenarioQuery& query : evenly_sampled(scenario->queries, kMapQueries)) {
     queries.push_back({query.start, query.goal});
@@ -154,11 +154,11 @@ std::vector<BenchmarkMap> generated_maps(Effort effort) {
   return maps;
 }
 
-Expected<std::vector<BenchmarkMap>, IoError> movingai_maps(const std::filesystem::path& folder) {
+Expected<std::vector<BenchmarkMap>, Error> movingai_maps(const std::filesystem::path& folder) {
   std::vector<BenchmarkMap> maps;
   for (const Benchmark& benchmark : kBenchmarks) {
     auto map = loaded(benchmark, folder);
-    if (!map) return Unexpected<IoError>(map.error());
+    if (!map) return Unexpected<Error>(map.error());
     maps.push_back(*std::move(map));
   }
   return maps;

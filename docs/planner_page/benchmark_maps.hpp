@@ -11,7 +11,7 @@
 #include "bench/comparison/random_queries.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -44,6 +44,6 @@ std::vector<BenchmarkMap> generated_maps(Effort effort);
 
 /// MovingAI maps of a data folder, each with a sample of its scenario. An error names the file that
 /// could not be read.
-Expected<std::vector<BenchmarkMap>, IoError> movingai_maps(const std::filesystem::path& folder);
+Expected<std::vector<BenchmarkMap>, Error> movingai_maps(const std::filesystem::path& folder);
 
 }  // namespace wend::planner_page

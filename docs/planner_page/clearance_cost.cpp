@@ -54,8 +54,9 @@ OfficeAnswers answers_in(const FreeSpace& space, const std::vector<CellPair>& qu
 std::string clearance_cost_section(Effort effort) {
   const bool quick = effort == Effort::quick;
   const GridMap map = generated_map("office", quick ? 160 : 600, quick ? 100 : 400, kOfficeSeed);
-  const std::vector<CellPair> queries = random_pairs(
-      FreeSpace(map, {.footprint = Footprint::disc(kRobotRadius)}), quick ? 3 : 200, kOfficeSeed);
+  const std::vector<CellPair> queries =
+      random_pairs(*make_free_space(map, {.footprint = Footprint::disc(kRobotRadius)}),
+                   quick ? 3 : 200, kOfficeSeed);
   MarkdownTable table({{"clearance distance, m", Align::right},
                        {"length / shortest", Align::right},
                        {"mean clearance, m", Align::right},
@@ -67,7 +68,7 @@ std::string clearance_cost_section(Effort effort) {
   };
   std::vector<double> shortest;
   for (const double distance : kDistances) {
-    const FreeSpace space(
+    const FreeSpace space = *make_free_space(
         map, {.footprint = Footprint::disc(kRobotRadius), .clearance_distance = distance});
     OfficeAnswers all = answers_in(space, queries, effort);
     if (shortest.empty()) shortest = all.lengths;

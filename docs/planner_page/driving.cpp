@@ -118,7 +118,8 @@ std::string driving_section(Effort effort) {
   MarkdownTable table(std::move(columns));
   const auto add = [&](const std::string& title, std::string_view kind,
                        const OptionValues& options) {
-    const FreeSpace space(generated_map(kind, size, size, kDrivingSeed, options));
+    const FreeSpace space =
+        *make_free_space(generated_map(kind, size, size, kDrivingSeed, options));
     const std::vector<MeasuredCar> cars = measured_cars(space, count, effort);
     add_row(table, title, "time, µs", cars, &MeasuredCar::us, 1);
     add_row(table, "", "expanded", cars, &MeasuredCar::expanded, 0);

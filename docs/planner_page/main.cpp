@@ -27,12 +27,12 @@ struct Arguments {
 };
 
 /// Everything that the page measures; an error says what was wrong with the data.
-Expected<Measurements, IoError> measure_all(Effort effort, const fs::path& data) {
+Expected<Measurements, Error> measure_all(Effort effort, const fs::path& data) {
   Measurements measurements;
   std::vector<BenchmarkMap> maps = generated_maps(effort);
   if (effort == Effort::full && !data.empty()) {
     const auto more = movingai_maps(data);
-    if (!more) return Unexpected<IoError>(more.error());
+    if (!more) return Unexpected<Error>(more.error());
     maps.insert(maps.end(), more->begin(), more->end());
     measurements.with_movingai_maps = true;
   }
@@ -45,29 +45,29 @@ Expected<Measurements, IoError> measure_all(Effort effort, const fs::path& data)
   return measurements;
 }
 
-Expected<std::string, IoError> page_of(const Arguments& arguments,
-                                       const std::vector<Picture>& pictures) {
+Expected<std::string, Error> page_of(const Arguments& arguments,
+                                     const std::vector<Picture>& pictures) {
   if (!arguments.registry_only) {
     const Effort effort = arguments.quick ? Effort::quick : Effort::full;
     const auto measurements = measure_all(effort, arguments.data);
-    if (!measurements) return Unexpected<IoError>(measurements.error());
+    if (!measurements) return Unexpected<Error>(measurements.error());
     return planners_page(pictures, *measurements);
   }
   const fs::path file = arguments.folder / "planners.md";
   const auto earlier = read_file(file);
-  if (!earlier) return Unexpected<IoError>(earlier.error());
+  if (!earlier) return Unexpected<Error>(earlier.error());
   auto page = with_new_registry_part(*earlier, pictures);
   if (!page)
-    return io_failure(file.string(), 0, "the comments around the registry part are missing");
+    return file_failure(file.string(), 0, "the comments around the registry part are missing");
   return *std::move(page);
 }
 
-Expected<void, IoError> write_all(const fs::path& folder, const std::vector<Picture>& pictures,
-                                  const std::string& page) {
+Expected<void, Error> write_all(const fs::path& folder, const std::vector<Picture>& pictures,
+                                const std::string& page) {
   const fs::path images = folder / kImages;
   std::error_code error;
   fs::create_directories(images, error);
-  if (error) return io_failure(images.string(), 0, error.message());
+  if (error) return file_failure(images.string(), 0, error.message());
   for (const Picture& picture : pictures) {
     const auto written = write_file(images / (picture.planner + ".png"), picture.png);
     if (!written) return written;
@@ -82,11 +82,11 @@ int complain(const std::string& what) {
 
 int run(const Arguments& arguments) {
   const auto pictures = pictures_of_planners();
-  if (!pictures) return complain(pictures.error().message());
+  if (!pictures) return complain(pictures.error().message);
   const auto page = page_of(arguments, *pictures);
-  if (!page) return complain(page.error().message());
+  if (!page) return complain(page.error().message);
   const auto written = write_all(arguments.folder, *pictures, *page);
-  return written ? 0 : complain(written.error().message());
+  return written ? 0 : complain(written.error().message);
 }
 
 }  // namespace

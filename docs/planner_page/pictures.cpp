@@ -51,13 +51,14 @@ struct PictureQuery {
 };
 
 PictureQuery between_rooms() {
-  const FreeSpace space(
+  const FreeSpace space = *make_free_space(
       generated_map("rooms", kWidth, kHeight, kPictureSeed, {{"room_size", "11"}}));
   return {space, Query::between(kStart, kGoal), scene_between(space, kStart, kGoal)};
 }
 
 PictureQuery across_a_parking_lot() {
-  const FreeSpace space(generated_map("parking", kLotWidth, kLotHeight, kPictureSeed));
+  const FreeSpace space =
+      *make_free_space(generated_map("parking", kLotWidth, kLotHeight, kPictureSeed));
   const Pose start = pose_of({{0, 0}, Heading::plus_x});
   const Pose goal = pose_of({{kLotWidth, kLotHeight}, Heading::plus_x});
   Scene scene{.space = space};
@@ -67,13 +68,13 @@ PictureQuery across_a_parking_lot() {
   return {space, {start, {goal}}, std::move(scene), 1};
 }
 
-Expected<Picture, RenderError> picture_of(const PlannerInfo& info) {
+Expected<Picture, Error> picture_of(const PlannerInfo& info) {
   PictureQuery asked =
       info.state_kind == StateKind::corner_pose ? across_a_parking_lot() : between_rooms();
   OptionValues options;
   if (info.state_kind == StateKind::cell_pose) options = {{"turning_radius", "2"}};
   const auto planner = info.make(asked.space, options);
-  if (!planner) return Unexpected<RenderError>({info.name + ": " + planner.error().message()});
+  if (!planner) return failure(planner.error().status, info.name + ": " + planner.error().message);
   SearchRecorder recorder(asked.space, asked.unit);
   asked.query.observer = &recorder;
   Plan plan;
@@ -84,17 +85,17 @@ Expected<Picture, RenderError> picture_of(const PlannerInfo& info) {
   scene.heatmap = {"order of expansion",
                    search_layer(LayerKind::expansion, **planner, recorder).numbers};
   auto png = draw_png(scene);
-  if (!png) return Unexpected<RenderError>(png.error());
+  if (!png) return Unexpected<Error>(png.error());
   return Picture{info.name, *std::move(png), caption_of(info, plan, status, recorder)};
 }
 
 }  // namespace
 
-Expected<std::vector<Picture>, RenderError> pictures_of_planners() {
+Expected<std::vector<Picture>, Error> pictures_of_planners() {
   std::vector<Picture> pictures;
   for (const PlannerInfo& info : planners()) {
     auto picture = picture_of(info);
-    if (!picture) return Unexpected<RenderError>(picture.error());
+    if (!picture) return Unexpected<Error>(picture.error());
     pictures.push_back(*std::move(picture));
   }
   return pictures;

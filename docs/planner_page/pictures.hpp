@@ -18,7 +18,7 @@ struct Picture {
 };
 
 /// One a planner, in the registry's order, with default options.
-Expected<std::vector<Picture>, RenderError> pictures_of_planners();
+Expected<std::vector<Picture>, Error> pictures_of_planners();
 
 /// What map the pictures show.
 std::string about_pictures();

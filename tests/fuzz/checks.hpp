@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "tests/testing/whole_image.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/image/grey_image.hpp"
-#include "wend/io/io_error.hpp"
 #include "wend/io/map/image_map.hpp"
 #include "wend/io/map/losses.hpp"
 #include "wend/io/map/map_format.hpp"
@@ -34,9 +34,9 @@ inline std::string check_text(std::string_view what) {
   return {};
 }
 
-inline std::string check_error(const IoError& error, const std::string& file = kFuzzedFile) {
-  if (error.file != file) return "the error is about another file: " + error.message();
-  return check_text(error.what);
+inline std::string check_error(const Error& error, const std::string& file = kFuzzedFile) {
+  if (!error.where.starts_with(file)) return "the error is about another file: " + error.message;
+  return check_text(error.message);
 }
 
 inline bool same_map(const GridMap& a, const GridMap& b) {
@@ -45,7 +45,7 @@ inline bool same_map(const GridMap& a, const GridMap& b) {
 }
 
 /// The map in the bytes of a file of this format.
-inline Expected<LoadedMap, IoError> load_as(MapFormat format, std::string_view bytes) {
+inline Expected<LoadedMap, Error> load_as(MapFormat format, std::string_view bytes) {
   return info_of(format).load(std::string(bytes), {kFuzzedFile});
 }
 
@@ -79,7 +79,7 @@ inline std::string check_saved_map(const GridMap& map, const MapFormatInfo& info
                              scale ? kScaleMeaning : ImageMeaning{});
   }
   const auto again = load_as(info.format, files->bytes);
-  if (!again) return "a saved map does not load: " + again.error().message();
+  if (!again) return "a saved map does not load: " + again.error().message;
   return same_map(again->map, nearest) ? "" : "another map comes back";
 }
 
@@ -98,7 +98,7 @@ inline std::string check_map(const GridMap& map) {
   return {};
 }
 
-inline std::string check_map(const Expected<LoadedMap, IoError>& loaded) {
+inline std::string check_map(const Expected<LoadedMap, Error>& loaded) {
   if (!loaded) return check_error(loaded.error());
   for (const std::string& note : loaded->notes) {
     const std::string wrong = check_text(note);

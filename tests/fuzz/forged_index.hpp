@@ -31,7 +31,7 @@ inline FreeSpace space_for_forgery() {
       }
     }
   }
-  return FreeSpace(GridMap(cells));
+  return *make_free_space(*make_grid_map(cells));
 }
 
 /// Asks for all pairs of some cells.

@@ -59,7 +59,7 @@ inline std::string fuzz_map_yaml(std::string_view bytes) {
 
   MapYaml yaml = *parse_map_yaml(text, file);
   const auto again = parse_map_yaml(format_map_yaml(yaml), file);
-  if (!again) return "a saved map.yaml does not load: " + again.error().message();
+  if (!again) return "a saved map.yaml does not load: " + again.error().message;
   const bool same = again->image == yaml.image && again->frame == yaml.frame &&
                     again->meaning.mode == yaml.meaning.mode &&
                     again->meaning.negate == yaml.meaning.negate &&

@@ -53,7 +53,7 @@ std::string fuzz_scenario(std::string_view bytes) {
 }
 
 /// A path that was read comes back from the CSV that wend writes of it.
-std::string check_path(const Expected<Path, IoError>& path) {
+std::string check_path(const Expected<Path, Error>& path) {
   if (!path) return check_error(path.error());
   if (path->empty()) return "a path of nothing";
   const auto again = parse_path_csv(path_csv(*path, {}), kFuzzedFile, {});
@@ -99,7 +99,7 @@ std::string fuzz_query_csv(std::string_view bytes) {
 
 std::string fuzz_planner_specs(std::string_view bytes) {
   const auto specs = parse_planner_specs(bytes);
-  if (!specs) return specs.error().message().empty() ? "the error says nothing" : "";
+  if (!specs) return specs.error().message.empty() ? "the error says nothing" : "";
   if (specs->empty()) return "no planner, and no error";
   std::string text;
   for (const PlannerSpec& spec : *specs) text += (text.empty() ? "" : ",") + spec.text;

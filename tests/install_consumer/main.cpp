@@ -7,10 +7,11 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const auto loaded = wend::load_map(argv[1]);
   if (!loaded) {
-    std::puts(loaded.error().message().c_str());
+    std::puts(loaded.error().message.c_str());
     return 2;
   }
-  const wend::FreeSpace space(loaded->map, {.footprint = wend::Footprint::disc(0.0)});
+  const wend::FreeSpace space =
+      *wend::make_free_space(loaded->map, {.footprint = wend::Footprint::disc(0.0)});
   const auto planner = wend::make_planner("astar", space);
   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
   if (!plan) return 1;

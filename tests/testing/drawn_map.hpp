@@ -35,15 +35,15 @@ inline GridMap drawn_map(std::string_view text, Frame frame = {}) {
       if (letter >= '2' && letter <= '9') terrain[{x, y}] = letter - '0';
     }
   }
-  return GridMap(states, frame, terrain);
+  return *make_grid_map(states, frame, terrain);
 }
 
 inline FreeSpace drawn_space(std::string_view text, FreeSpaceOptions options = {}) {
-  return FreeSpace(drawn_map(text), options);
+  return *make_free_space(drawn_map(text), options);
 }
 
 inline FreeSpace open_space(int width, int height) {
-  return FreeSpace(GridMap(Grid<CellState>(width, height, CellState::free)));
+  return *make_free_space(*make_grid_map(Grid<CellState>(width, height, CellState::free)));
 }
 
 }  // namespace wend::test

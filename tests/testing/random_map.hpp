@@ -19,6 +19,11 @@ T one_of(Random& random, const std::array<T, kCount>& values) {
   return values[random.below(kCount)];
 }
 
+/// The same cells in another frame.
+inline GridMap in_frame(const GridMap& map, const Frame& frame) {
+  return *make_grid_map(map.occupied(), map.unknown(), frame, map.terrain());
+}
+
 inline Cell random_cell(Random& random, int width, int height) {
   return {random.between(0, width - 1), random.between(0, height - 1)};
 }
@@ -78,7 +83,7 @@ inline GridMap random_map(Random& random, int width, int height) {
   frame.metric = random.chance(0.3);
   frame.origin = {random.uniform(), random.uniform(), 0};
   const Grid<CellState> states = random_states(random, width, height);
-  return GridMap(states, frame, random_terrain(random, width, height));
+  return *make_grid_map(states, frame, random_terrain(random, width, height));
 }
 
 /// Many small maps, some of one row, column or cell, a few larger ones.

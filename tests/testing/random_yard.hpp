@@ -38,7 +38,7 @@ inline GridMap random_yard(Random& random, int width, int height) {
       if (random.chance(kept)) states[{x, y}] = map.state({x, y});
     }
   }
-  return GridMap(states, map.frame(), random_rough(random, width, height));
+  return *make_grid_map(states, map.frame(), random_rough(random, width, height));
 }
 
 inline GridMap random_yard(Random& random) {

@@ -68,7 +68,7 @@ inline GridMap map_from_image(const GreyImage& image, const ImageMeaning& meanin
   ImageMapRows rows(meaning);
   rows.begin(image.width, image.height, image.maximum);
   for (int y = 0; y < image.height; ++y) rows.add(row_of(image, y), transparent_row_of(image, y));
-  return rows.finish(frame);
+  return *rows.finish(frame);
 }
 
 }  // namespace wend

@@ -11,7 +11,7 @@
 int main() {
   wend::Grid<wend::CellState> cells(10, 7, wend::CellState::free);
   for (int y = 2; y <= 4; ++y) cells[{5, y}] = wend::CellState::occupied;
-  const wend::FreeSpace space{wend::GridMap(cells)};
+  const wend::FreeSpace space = *wend::make_free_space(*wend::make_grid_map(cells));
 
   const auto planner = wend::make_planner("astar", space);
   if (!planner) return 1;

@@ -78,11 +78,15 @@ Status search_everywhere(Search& search, std::span<const Cell> goals, const Limi
   return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
 }
 
+Unexpected<PlanFailure> failed(Status status, const SearchMetrics& metrics = {}) {
+  return Unexpected<PlanFailure>({{status, std::string(describe(status))}, metrics});
+}
+
 }  // namespace
 
 Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span<const Cell> goals,
                                                GridMoves moves, const Limits& limits) {
-  if (const auto status = refusal(space, goals)) return Unexpected<PlanFailure>({*status, {}});
+  if (const auto status = refusal(space, goals)) return failed(*status);
   CostToGo field(space);
   field.costs_ = {space.width(), space.height(), std::numeric_limits<double>::infinity()};
   field.policy_ = {space.width(), space.height(), kNoDirection};
@@ -94,7 +98,7 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
     TerrainField search(TerrainGrid(space, moves), {});
     status = search_everywhere(search, goals, limits, field.costs_, field.policy_, field.metrics_);
   }
-  if (status != Status::found) return Unexpected<PlanFailure>({status, field.metrics_});
+  if (status != Status::found) return failed(status, field.metrics_);
   return field;
 }
 
@@ -104,10 +108,10 @@ std::optional<Direction> CostToGo::policy(Cell cell) const {
 }
 
 Expected<Plan, PlanFailure> CostToGo::path_from(Cell start) const {
-  if (!space_.contains(start)) return Unexpected<PlanFailure>({Status::start_outside, {}});
-  if (!space_.passable(start)) return Unexpected<PlanFailure>({Status::start_blocked, {}});
+  if (!space_.contains(start)) return failed(Status::start_outside);
+  if (!space_.passable(start)) return failed(Status::start_blocked);
   if (costs_[start] == std::numeric_limits<double>::infinity()) {
-    return Unexpected<PlanFailure>({Status::unreachable, {}});
+    return failed(Status::unreachable);
   }
   Plan plan;
   plan.path.append(start);

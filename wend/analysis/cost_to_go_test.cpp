@@ -39,7 +39,7 @@ void on_random_fields(Check&& check) {
     Random random(seed);
     const GridMap map = test::random_map(random);
     const FreeSpaceOptions robot = test::random_robot(random, map.frame().resolution);
-    const FreeSpace space(map, robot);
+    const FreeSpace space = *make_free_space(map, robot);
     const int corners = random.between(0, 2);
     const bool diagonals = random.chance(0.7);
     const GridMoves moves{diagonals ? Connectivity::eight : Connectivity::four,

@@ -26,7 +26,7 @@ FreeSpace with_unknown_free(const FreeSpace& space) {
   FreeSpaceOptions options = space.options();
   if (options.unknown == UnknownPolicy::free || space.map().unknown().count() == 0) return space;
   options.unknown = UnknownPolicy::free;
-  return FreeSpace(space.map(), options);
+  return *make_free_space(space.map(), options);
 }
 
 /// How wide a robot gets from start to goal under each change but that of its size.

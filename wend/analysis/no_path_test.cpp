@@ -181,7 +181,7 @@ TEST(NoPath, NamesTheMinimalChangesThatMakeAPath) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
     const FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
-    const FreeSpace space(map, options);
+    const FreeSpace space = *make_free_space(map, options);
     const GridMoves moves{random.chance(0.8) ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(random.between(0, 2))};
     const test::Robot robot = test::robot_in_cells(options, map.frame());
@@ -238,7 +238,7 @@ TEST(NoPath, KnowsTheCellsThatEachEndReaches) {
     const GridMoves moves{eight ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(corners)};
     const test::Reference book(map, test::robot_in_cells(options, map.frame()), {eight, corners});
-    const FreeSpace space(map, options);
+    const FreeSpace space = *make_free_space(map, options);
     const Cell start = test::random_cell(random, map.width(), map.height());
     const Cell goal = test::random_cell(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));

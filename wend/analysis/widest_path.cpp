@@ -92,7 +92,7 @@ GridMap with_narrow_cells_dear(const FreeSpace& space, std::uint32_t width) {
     states[cell] = map.state(cell);
     if (clearance[cell] <= width) terrain[cell] = kDear;
   }
-  return GridMap(states, map.frame(), std::move(terrain));
+  return *make_grid_map(states, map.frame(), std::move(terrain));
 }
 
 Path cheapest_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves) {
@@ -160,10 +160,11 @@ std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell g
   if (!width) return std::nullopt;
   // Where there is no obstacle, the farthest that a FreeSpace looks.
   const double cells = std::sqrt(static_cast<double>(*width)) / 2;
-  const FreeSpace widest(with_narrow_cells_dear(space, *width),
-                         {.footprint = Footprint::disc(cells * space.map().frame().resolution),
-                          .unknown = space.options().unknown,
-                          .outside = space.outside()});
+  const FreeSpace widest =
+      *make_free_space(with_narrow_cells_dear(space, *width),
+                       {.footprint = Footprint::disc(cells * space.map().frame().resolution),
+                        .unknown = space.options().unknown,
+                        .outside = space.outside()});
   Path path = cheapest_path(widest, start, goal, moves);
   const Point narrowest = narrowest_point(widest, path.cells(), *width, moves.adjacency());
   return WidestPath{distance_in_cells(*width), narrowest, std::move(path)};

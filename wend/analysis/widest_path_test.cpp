@@ -33,7 +33,7 @@ GridMap with_terrain(const GridMap& map, Terrain&& terrain_of) {
       terrain[{x, y}] = terrain_of(Cell{x, y});
     }
   }
-  return GridMap(states, map.frame(), std::move(terrain));
+  return *make_grid_map(states, map.frame(), std::move(terrain));
 }
 
 /// Every radius at which anything changes, largest first: the clearances of all cells, those of the
@@ -89,7 +89,8 @@ void on_random_queries(int count, Check&& check) {
   for (int seed = 1; seed <= test::share_of(count) && !::testing::Test::HasFailure(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const GridMoves moves{random.chance(0.8) ? Connectivity::eight : Connectivity::four,
                           static_cast<CornerRule>(random.between(0, 2))};
     for (int i = 0; i < 3; ++i) {
@@ -203,10 +204,10 @@ TEST(WidestPath, IsNarrowestAtAGoalInANicheThoughThePathHugsAWall) {
 TEST(WidestPath, AgreesWithAPlannerOnAFreeSpaceOfThatRadius) {
   on_random_queries(400, [](const Truth& truth, const std::optional<WidestPath>& widest) {
     const auto status = [&](double radius) {
-      const FreeSpace space(truth.map,
-                            {.footprint = Footprint::disc(radius * truth.map.frame().resolution),
-                             .unknown = truth.space.options().unknown,
-                             .outside = truth.space.outside()});
+      const FreeSpace space = *make_free_space(
+          truth.map, {.footprint = Footprint::disc(radius * truth.map.frame().resolution),
+                      .unknown = truth.space.options().unknown,
+                      .outside = truth.space.outside()});
       const auto planner =
           make_planner("astar", space,
                        {{"connectivity", std::string(choice_name(truth.moves.connectivity))},

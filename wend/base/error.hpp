@@ -1,7 +1,7 @@
 #pragma once
 
-// Error: why user input is invalid. It holds the kind of problem, a sentence that says what is wrong
-// and what would be right, and the part of the input that is wrong.
+// Error: why wend could not do what was asked: the kind of problem, a sentence for people, and the part
+// of the input that is wrong. It is the error type of all functions that return an Expected.
 //
 //   const auto footprint = wend::parse_footprint(text);
 //   if (!footprint) return report(footprint.error().message);
@@ -16,8 +16,10 @@ namespace wend {
 
 struct Error {
   Status status = Status::invalid_option;
-  std::string message;     // a sentence without a full stop
-  std::string where = {};  // the name of the wrong part ("corner 3"), or empty
+  std::string message;  // complete, without a full stop: "office.map:7: row 3 has 2 columns, ..."
+  std::string where = {};  // what is wrong: "office.map:7", "corner 3", an option's name; or empty
+
+  friend bool operator==(const Error&, const Error&) = default;
 };
 
 /// For `return`, from every function that returns an Expected<..., Error>.

@@ -9,8 +9,7 @@
 
 namespace wend {
 
-/// Seconds since some fixed moment, never decreasing. The caller passes it in: the library reads no
-/// clock itself, and tests control the time.
+/// Seconds since some fixed moment, never decreasing.
 using Clock = std::function<double()>;
 
 /// Limits of one query. A search checks `expansions` before every expansion. It checks the clock
@@ -22,8 +21,13 @@ struct Limits {
 
   std::uint64_t expansions = kUnlimited;
   double seconds = std::numeric_limits<double>::infinity();
-  Clock clock;  // needed for `seconds`; without a clock, `seconds` is ignored
+  Clock clock;                                // measures `seconds`; null: the system's steady clock
   const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop the search
+
+  bool timed() const { return clock || seconds < std::numeric_limits<double>::infinity(); }
+
+  /// The time of the clock if timed(), else 0.
+  double now() const;
 };
 
 }  // namespace wend

@@ -7,8 +7,8 @@ namespace {
 
 std::string quoted(std::string_view text) { return '\'' + std::string(text) + '\''; }
 
-Unexpected<std::string> refused(std::string what) {
-  return Unexpected<std::string>(std::move(what));
+Unexpected<Error> refused(std::string what) {
+  return failure(Status::invalid_option, std::move(what));
 }
 
 /// Cuts off and returns the text before the first separator, or all of it.
@@ -64,9 +64,15 @@ std::string unknown_choice(std::string_view text, const std::vector<std::string>
   return quoted(text) + " is not one of " + listed(choices);
 }
 
-OptionError unknown_option(std::string_view name, const std::vector<std::string>& known) {
-  if (known.empty()) return {std::string(name), "there are no options", true};
-  return {std::string(name), suggestion(name, known), true};
+Error option_error(const std::string& option, const std::string& what) {
+  return {Status::invalid_option, "option '" + option + "': " + what, option};
+}
+
+Error unknown_option(std::string_view name, const std::vector<std::string>& known) {
+  Error error = option_error(std::string(name),
+                             known.empty() ? "there are no options" : suggestion(name, known));
+  error.message.insert(0, "unknown ");
+  return error;
 }
 
 std::string format(bool value) { return value ? "true" : "false"; }
@@ -90,7 +96,7 @@ OptionInfo& SchemaBuilder::add(const OptionText& text, OptionKind kind, std::str
                                          std::string(text.former)});
 }
 
-std::optional<OptionError> OptionParser::error() const {
+std::optional<Error> OptionParser::error() const {
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -100,8 +106,9 @@ std::optional<OptionError> OptionParser::error() const {
   return bad_value_;
 }
 
-Expected<std::vector<OptionSpec>, std::string> parse_option_specs(
-    std::string_view list, std::string_view kind, const std::vector<std::string>& names) {
+Expected<std::vector<OptionSpec>, Error> parse_option_specs(std::string_view list,
+                                                            std::string_view kind,
+                                                            const std::vector<std::string>& names) {
   if (list.empty()) return refused("no " + std::string(kind) + " is named");
   std::vector<OptionSpec> specs;
   bool more = true;

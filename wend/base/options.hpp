@@ -30,7 +30,7 @@
 #include <vector>
 
 #include "wend/base/choice.hpp"
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/parse.hpp"
 
 namespace wend {
@@ -63,23 +63,14 @@ struct OptionInfo {
 /// Options as text, by name: {"weight", "1.5"}.
 using OptionValues = std::vector<std::pair<std::string, std::string>>;
 
-struct OptionError {
-  std::string option;
-  std::string what;
-  bool unknown = false;  // no option has this name
-
-  std::string message() const {
-    return (unknown ? "unknown option '" : "option '") + option + "': " + what;
-  }
-};
-
 /// Functions that check and convert the text of one option. Each returns an error text, empty on success.
 namespace option_text {
 std::string parse(std::string_view text, bool& value, OptionRange range = {});
 std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
 std::string parse(std::string_view text, double& value, OptionRange range);
 std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
-OptionError unknown_option(std::string_view name, const std::vector<std::string>& known);
+Error option_error(const std::string& option, const std::string& what);
+Error unknown_option(std::string_view name, const std::vector<std::string>& known);
 std::string format(bool value);
 
 template <class Enum>
@@ -144,12 +135,12 @@ class OptionParser {
     for (const auto& [name, given] : values_) {
       if (!is_name_of(text, name)) continue;
       const std::string wrong = option_text::parse(given, value, range);
-      if (!wrong.empty() && !bad_value_) bad_value_ = OptionError{name, wrong};
+      if (!wrong.empty() && !bad_value_) bad_value_ = option_text::option_error(name, wrong);
     }
   }
 
   /// The first error, if any: an unknown name, else a bad value.
-  std::optional<OptionError> error() const;
+  std::optional<Error> error() const;
 
  private:
   static bool is_name_of(const OptionText& text, std::string_view name) {
@@ -162,7 +153,7 @@ class OptionParser {
   const OptionValues& values_;
   std::vector<std::string> known_;
   std::vector<std::string> former_;
-  std::optional<OptionError> bad_value_;
+  std::optional<Error> bad_value_;
 };
 
 template <class Options>
@@ -176,11 +167,11 @@ std::vector<OptionInfo> option_schema() {
 /// The defaults with `values` applied. Fails for an unknown name, an invalid value, or a number out of
 /// range. If a name is given twice, the last value counts.
 template <class Options>
-Expected<Options, OptionError> parse_options(const OptionValues& values) {
+Expected<Options, Error> parse_options(const OptionValues& values) {
   Options options;
   OptionParser parser(values);
   Options::fields(options, parser);
-  if (auto error = parser.error()) return Unexpected<OptionError>(*std::move(error));
+  if (auto error = parser.error()) return Unexpected<Error>(*std::move(error));
   return options;
 }
 
@@ -196,7 +187,8 @@ struct OptionSpec {
 /// Parses a list of entries with these names. `kind` says what an entry is: "planner". Fails for an
 /// unknown name, a word that is not name=value, and an empty list. Does not check whether the options
 /// are valid.
-Expected<std::vector<OptionSpec>, std::string> parse_option_specs(
-    std::string_view list, std::string_view kind, const std::vector<std::string>& names);
+Expected<std::vector<OptionSpec>, Error> parse_option_specs(std::string_view list,
+                                                            std::string_view kind,
+                                                            const std::vector<std::string>& names);
 
 }  // namespace wend

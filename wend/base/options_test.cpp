@@ -48,13 +48,13 @@ struct NoOptions {
 
 std::string error_of(const OptionValues& values) {
   const auto parsed = parse_options<BoatOptions>(values);
-  return parsed ? "no error" : parsed.error().message();
+  return parsed ? "no error" : parsed.error().message;
 }
 
 TEST(OptionParser, TakesAFormerNameThatIsNotShown) {
   const auto crew_of = [](const OptionValues& values) {
     const auto parsed = parse_options<RenamedOptions>(values);
-    return parsed ? std::to_string(parsed->crew) : parsed.error().message();
+    return parsed ? std::to_string(parsed->crew) : parsed.error().message;
   };
   EXPECT_EQ(crew_of({{"hands", "5"}}), "5");
   EXPECT_EQ(crew_of({{"hands", "5"}, {"crew", "6"}}), "6") << "the last one counts";
@@ -200,7 +200,7 @@ TEST(ParseOptions, SuggestsTheNameThatWasMeant) {
 TEST(ParseOptions, ListsTheNamesWhereNoneIsNear) {
   const std::string error = error_of({{"engine", "6"}});
   EXPECT_EQ(error.find("unknown option 'engine': choose from sail, oars, length"), 0U) << error;
-  EXPECT_EQ(parse_options<NoOptions>({{"engine", "6"}}).error().message(),
+  EXPECT_EQ(parse_options<NoOptions>({{"engine", "6"}}).error().message,
             "unknown option 'engine': there are no options");
 }
 

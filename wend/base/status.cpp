@@ -27,6 +27,8 @@ constexpr std::array kEntries{
     Entry{Status::unsupported_query, "unsupported_query",
           "this planner does not support the query"},
     Entry{Status::invalid_option, "invalid_option", "an option is unknown or out of range"},
+    Entry{Status::invalid_map, "invalid_map", "the map is invalid"},
+    Entry{Status::invalid_file, "invalid_file", "a file is invalid or cannot be read or written"},
     Entry{Status::index_missing, "index_missing", "the planner needs an index and has none"},
     Entry{Status::index_mismatch, "index_mismatch",
           "the index is damaged or belongs to another map"},

@@ -23,6 +23,8 @@ enum class Status {
   unsupported_map,    // this planner cannot plan on such a map (terrain, size)
   unsupported_query,  // this planner cannot answer such a query (no goal, too many goals)
   invalid_option,     // an option is unknown or out of range
+  invalid_map,        // the parts of a map do not fit together, or a value is out of range
+  invalid_file,       // a file cannot be read or written, or its content is invalid
   index_missing,      // the planner needs an index, and none was given
   index_mismatch,     // the index is damaged or belongs to another map
 };

@@ -5,7 +5,7 @@
 //
 //   const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
 //   const auto controller = info->make({{"lookahead", "0.5"}});
-//   if (!controller) report(controller.error().message());
+//   if (!controller) report(controller.error().message);
 //
 // Metres, radians, seconds, in the map's frame. A controller has state (integrals, filters); use
 // one per robot and thread. It may allocate memory in begin(), for a line longer than all before,
@@ -56,7 +56,7 @@ class Controller {
   Controller() = default;
 };
 
-using ControllerResult = Expected<std::unique_ptr<Controller>, OptionError>;
+using ControllerResult = Expected<std::unique_ptr<Controller>, Error>;
 
 struct ControllerInfo {
   std::string name;
@@ -75,7 +75,7 @@ const Registry<ControllerInfo>& controllers();
 template <class Made, class Options>
 ControllerResult make_controller(const OptionValues& values) {
   const auto options = parse_options<Options>(values);
-  if (!options) return Unexpected<OptionError>(options.error());
+  if (!options) return Unexpected<Error>(options.error());
   return std::make_unique<Made>(*options);
 }
 

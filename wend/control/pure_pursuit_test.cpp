@@ -18,9 +18,9 @@ namespace {
 constexpr double kResolution = 0.05;  // m
 
 FreeSpace race_ground() {
-  return FreeSpace(
-      GridMap(Grid<CellState>(1200, 1200),
-              Frame{.resolution = kResolution, .origin = {0, 0, 0}, .y_up = true, .metric = true}));
+  return *make_free_space(*make_grid_map(
+      Grid<CellState>(1200, 1200),
+      Frame{.resolution = kResolution, .origin = {0, 0, 0}, .y_up = true, .metric = true}));
 }
 
 /// In metres, around the middle of the map.

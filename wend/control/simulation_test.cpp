@@ -22,8 +22,8 @@ std::unique_ptr<Controller> driver(std::string_view name, const OptionValues& op
 /// Open ground of 10 cells a metre, for a robot of 0.2 m.
 FreeSpace open_ground() {
   const Frame frame{.resolution = 0.1, .origin = {-3, 2, 0.5}};
-  return FreeSpace(GridMap(Grid<CellState>(120, 120, CellState::free), frame),
-                   {.footprint = Footprint::disc(0.2)});
+  return *make_free_space(*make_grid_map(Grid<CellState>(120, 120, CellState::free), frame),
+                          {.footprint = Footprint::disc(0.2)});
 }
 
 /// Ahead to a wall of obstacles, with a gap of `gap` cells in rows 60 and on.
@@ -32,7 +32,8 @@ FreeSpace walled(int gap) {
   for (int y = 0; y < 120; ++y) {
     if (y < 60 || y >= 60 + gap) cells[{80, y}] = CellState::occupied;
   }
-  return FreeSpace(GridMap(cells, {.resolution = 0.1}), {.footprint = Footprint::disc(0.2)});
+  return *make_free_space(*make_grid_map(cells, {.resolution = 0.1}),
+                          {.footprint = Footprint::disc(0.2)});
 }
 
 const std::vector<Point> kTour{{20, 20}, {60, 20}, {60, 50}, {30, 60}, {90, 90}};
@@ -233,7 +234,8 @@ TEST(Simulate, PassesAGapThatIsWideEnough) {
 TEST(Simulate, CountsCollisionsWhereItDrivesOn) {
   Grid<CellState> cells(120, 120, CellState::free);
   for (const int x : {50, 70, 73, 90}) cells[{x, 61}] = CellState::occupied;
-  const FreeSpace space(GridMap(cells, {.resolution = 0.1}), {.footprint = Footprint::disc(0.2)});
+  const FreeSpace space = *make_free_space(*make_grid_map(cells, {.resolution = 0.1}),
+                                           {.footprint = Footprint::disc(0.2)});
   const auto controller = driver("pure_pursuit");
   const Drive drive = simulate(space, Path::along({{30, 60}, {110, 60}}), *controller, {},
                                {.stop_at_collision = false});

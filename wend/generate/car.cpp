@@ -56,7 +56,7 @@ GridMap generate(MapSize size, const CarOptions& options, Random& random) {
       --rough;
     }
   }
-  return GridMap(cells, {}, std::move(terrain));
+  return *make_grid_map(cells, {}, std::move(terrain));
 }
 
 /// The side of the smallest square that holds the default options.

@@ -98,8 +98,8 @@ void FloorPlan::transpose() {
 }
 
 GridMap FloorPlan::map() const {
-  return GridMap(cells_,
-                 {.resolution = kMetresPerCell, .origin = {}, .y_up = true, .metric = true});
+  return *make_grid_map(cells_,
+                        {.resolution = kMetresPerCell, .origin = {}, .y_up = true, .metric = true});
 }
 
 }  // namespace wend

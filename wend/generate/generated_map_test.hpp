@@ -16,7 +16,7 @@ inline GridMap made(const std::string& name, int width, int height, std::uint64_
 inline std::string error_of(const std::string& name, int width, int height,
                             const OptionValues& options = {}) {
   const auto map = generators().find(name)->make(width, height, 1, options);
-  return map ? "no error" : map.error().message();
+  return map ? "no error" : map.error().message;
 }
 
 /// Draws a map as a text grid: # for occupied, ? for unknown, digits for cells that cost more than 1.

@@ -23,7 +23,7 @@ struct MapSize {
 std::string fault_of(MapSize size, MapSize least);
 
 /// "a map of kind 'maze' with 2 x 9 cells is too small: ...".
-GeneratorError size_error(std::string_view name, MapSize size, std::string_view fault);
+Error size_error(std::string_view name, MapSize size, std::string_view fault);
 
 /// The common part of every generator. Options is an option struct that also has a
 /// `MapSize least_size() const`, and a `std::string shortage(MapSize) const` if a map can be too
@@ -41,14 +41,14 @@ GeneratorInfo generator_info(const std::string& name, std::string summary,
   info.make = [name, generate](int width, int height, std::uint64_t seed,
                                const OptionValues& values) -> GeneratorResult {
     const auto options = parse_options<Options>(values);
-    if (!options) return Unexpected<GeneratorError>({options.error().message()});
+    if (!options) return Unexpected<Error>(options.error());
     const MapSize size{width, height};
     std::string fault = fault_of(  // NOLINT(misc-const-correctness): not where there is a shortage
         size, options->least_size());
     if constexpr (requires { options->shortage(size); }) {
       if (fault.empty()) fault = options->shortage(size);
     }
-    if (!fault.empty()) return Unexpected<GeneratorError>(size_error(name, size, fault));
+    if (!fault.empty()) return Unexpected<Error>(size_error(name, size, fault));
     Random random(seed);  // NOLINT(misc-const-correctness): generate() draws from it
     return generate(size, *options, random);
   };

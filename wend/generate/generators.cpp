@@ -20,9 +20,9 @@ std::string fault_of(MapSize size, MapSize least) {
   return "too large: it can have at most " + text_of(kMost);
 }
 
-GeneratorError size_error(std::string_view name, MapSize size, std::string_view fault) {
-  return {"a map of kind '" + std::string(name) + "' with " + text_of(size) + " cells is " +
-          std::string(fault)};
+Error size_error(std::string_view name, MapSize size, std::string_view fault) {
+  return {Status::invalid_option, "a map of kind '" + std::string(name) + "' with " +
+                                      text_of(size) + " cells is " + std::string(fault)};
 }
 
 #define WEND_GENERATOR(name) GeneratorInfo name##_generator();

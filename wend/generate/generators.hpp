@@ -5,14 +5,14 @@
 //
 //   const wend::GeneratorInfo* maze = wend::generators().find("maze");
 //   const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
-//   if (!map) report(map.error().message());
+//   if (!map) report(map.error().message);
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/map/grid_map.hpp"
@@ -22,14 +22,8 @@ namespace wend {
 /// The largest number of columns or rows of a generated map.
 inline constexpr int kMostGeneratedCells = 16384;
 
-/// Why a map could not be made: a wrong option, or a size that is too small or too large.
-struct GeneratorError {
-  std::string what;
-
-  const std::string& message() const { return what; }
-};
-
-using GeneratorResult = Expected<GridMap, GeneratorError>;
+/// A map, or why it could not be made: a wrong option, or a size that is too small or too large.
+using GeneratorResult = Expected<GridMap, Error>;
 
 struct GeneratorInfo {
   std::string name;

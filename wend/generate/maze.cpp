@@ -28,7 +28,7 @@ GridMap generate(MapSize size, const MazeOptions& options, Random& random) {
   for (const auto& [a, b] : random_spanning_tree(maze.columns(), maze.rows(), random)) {
     fill(maze.cells(), maze.wall_between(a, b), CellState::free);
   }
-  return GridMap(maze.cells());
+  return *make_grid_map(maze.cells());
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ Grid<double> worn_roads(const Grid<CellState>& cells, double share, Random& rand
 GridMap generate(MapSize size, const ParkingOptions& options, Random& random) {
   const Grid<CellState> cells = cells_of(size, options.occupied, random);
   Grid<double> terrain = worn_roads(cells, options.rough, random);
-  return GridMap(cells, {}, std::move(terrain));
+  return *make_grid_map(cells, {}, std::move(terrain));
 }
 
 }  // namespace

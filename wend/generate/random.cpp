@@ -24,7 +24,7 @@ GridMap generate(MapSize size, const RandomMapOptions& options, Random& random) 
   for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
     if (cells.contains(corner)) cells[corner] = CellState::free;
   }
-  return GridMap(cells);
+  return *make_grid_map(cells);
 }
 
 }  // namespace

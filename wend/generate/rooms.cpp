@@ -44,7 +44,7 @@ GridMap generate(MapSize size, const RoomsOptions& options, Random& random) {
       }
     }
   }
-  return GridMap(rooms.cells());
+  return *make_grid_map(rooms.cells());
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ GridMap generate(MapSize size, const RoughOptions& options, Random& random) {
   for (const Cell corner : {Cell{1, 1}, Cell{size.width - 2, size.height - 2}}) {
     fill(cells, Block{corner.x, corner.y, 1, 1}.grown(1), CellState::free);
   }
-  return GridMap(cells, {}, std::move(terrain));
+  return *make_grid_map(cells, {}, std::move(terrain));
 }
 
 }  // namespace

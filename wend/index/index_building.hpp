@@ -1,13 +1,10 @@
 #pragma once
 
 // IndexBuilding: the workers, progress callback and cancel flag of an index build.
-// IndexError: why an index could not be built or used.
 
 #include <atomic>
 #include <functional>
-#include <string>
 
-#include "wend/base/status.hpp"
 #include "wend/base/workers.hpp"
 
 namespace wend {
@@ -22,11 +19,6 @@ struct IndexBuilding {
   void tell(double share) const {
     if (progress) progress(share);
   }
-};
-
-struct IndexError {
-  Status status;     // cancelled, unsupported_map, memory_limit, index_mismatch
-  std::string what;  // "it was built for another map"
 };
 
 }  // namespace wend

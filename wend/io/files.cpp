@@ -43,8 +43,8 @@ class Descriptor {
   int number_;
 };
 
-Unexpected<IoError> failure_of(const fs::path& file, std::string what) {
-  return io_failure(file.string(), 0, std::move(what));
+Unexpected<Error> failure_of(const fs::path& file, std::string what) {
+  return file_failure(file.string(), 0, std::move(what));
 }
 
 std::string cannot_be_written(int error) { return "cannot be written: " + message_of(error); }
@@ -105,10 +105,10 @@ std::string replace_file(const fs::path& target, std::string_view bytes) {
 
 }  // namespace
 
-Expected<std::string, IoError> read_file(const fs::path& file, std::size_t largest) {
+Expected<std::string, Error> read_file(const fs::path& file, std::size_t largest) {
   try {
     auto pieces = FilePieces::open(file, largest);
-    if (!pieces) return Unexpected<IoError>(pieces.error());
+    if (!pieces) return Unexpected<Error>(pieces.error());
     std::string bytes;
     bytes.reserve(pieces->size());
     while (bytes.size() < pieces->size()) {
@@ -123,7 +123,7 @@ Expected<std::string, IoError> read_file(const fs::path& file, std::size_t large
   }
 }
 
-Expected<FilePieces, IoError> FilePieces::open(const fs::path& file, std::size_t largest) {
+Expected<FilePieces, Error> FilePieces::open(const fs::path& file, std::size_t largest) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (error) return failure_of(file, "cannot be opened: " + error.message());
@@ -161,9 +161,9 @@ std::string stream_name(const fs::path& file) {
   return is_standard_input(file) ? "standard input" : file.string();
 }
 
-Expected<std::string, IoError> read_stream(const fs::path& file, std::size_t largest) {
+Expected<std::string, Error> read_stream(const fs::path& file, std::size_t largest) {
   const auto failure = [&file](std::string what) {
-    return io_failure(stream_name(file), 0, std::move(what));
+    return file_failure(stream_name(file), 0, std::move(what));
   };
   const Descriptor stream(is_standard_input(file) ? STDIN_FILENO
                                                   : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
@@ -183,7 +183,7 @@ Expected<std::string, IoError> read_stream(const fs::path& file, std::size_t lar
   return bytes;
 }
 
-Expected<void, IoError> write_file(const fs::path& file, std::string_view bytes) {
+Expected<void, Error> write_file(const fs::path& file, std::string_view bytes) {
   const fs::path target = target_of(file);
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
@@ -193,12 +193,12 @@ Expected<void, IoError> write_file(const fs::path& file, std::string_view bytes)
   return {};
 }
 
-Expected<void, IoError> write_index(const fs::path& file, const IndexBytes& index) {
+Expected<void, Error> write_index(const fs::path& file, const IndexBytes& index) {
   const auto bytes = index.bytes();
   return write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-Expected<IndexBytes, IoError> open_index(const fs::path& file) {
+Expected<IndexBytes, Error> open_index(const fs::path& file) {
   const Descriptor index(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status{};
   if (!index.is_open() || ::fstat(index.number(), &status) != 0)

@@ -8,7 +8,7 @@
 //
 //   if (wend::is_stream(name)) {
 //     const auto bytes = wend::read_stream(name);
-//     if (!bytes) return report(bytes.error().message());
+//     if (!bytes) return report(bytes.error().message);
 //     const auto map = wend::parse_map(*bytes, wend::stream_name(name));
 //   }
 
@@ -20,7 +20,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/index/file/index_bytes.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 
 namespace wend {
 
@@ -28,15 +28,15 @@ namespace wend {
 inline constexpr std::size_t kLargestFile = std::size_t{3} << 30;
 
 /// The bytes of `file`, at most `largest` of them. Also fails if there is not enough memory.
-Expected<std::string, IoError> read_file(const std::filesystem::path& file,
-                                         std::size_t largest = kLargestFile);
+Expected<std::string, Error> read_file(const std::filesystem::path& file,
+                                       std::size_t largest = kLargestFile);
 
 /// A file read piece by piece, for files that are larger than the data made from them.
 class FilePieces {
  public:
   /// Fails with the errors of read_file().
-  static Expected<FilePieces, IoError> open(const std::filesystem::path& file,
-                                            std::size_t largest = kLargestFile);
+  static Expected<FilePieces, Error> open(const std::filesystem::path& file,
+                                          std::size_t largest = kLargestFile);
 
   std::size_t size() const { return size_; }
 
@@ -64,20 +64,20 @@ bool is_stream(const std::filesystem::path& file);
 std::string stream_name(const std::filesystem::path& file);
 
 /// All bytes to the end of the stream. More than `largest` are an error, and so is a folder.
-Expected<std::string, IoError> read_stream(const std::filesystem::path& file,
-                                           std::size_t largest = kLargestFile);
+Expected<std::string, Error> read_stream(const std::filesystem::path& file,
+                                         std::size_t largest = kLargestFile);
 
 /// Writes a file atomically: the bytes go into a temporary file beside it, which then takes its name. If
 /// writing fails, or the program is ended meanwhile by Ctrl-C or kill, the old file stays: on Linux the
 /// temporary file has no name until it is complete (O_TMPFILE), if the file system allows that. A
 /// symbolic link stays one: its target is replaced. A file that is not regular (a pipe, /dev/stdout) is
 /// written directly.
-Expected<void, IoError> write_file(const std::filesystem::path& file, std::string_view bytes);
-Expected<void, IoError> write_index(const std::filesystem::path& file, const IndexBytes& index);
+Expected<void, Error> write_file(const std::filesystem::path& file, std::string_view bytes);
+Expected<void, Error> write_index(const std::filesystem::path& file, const IndexBytes& index);
 
 /// Maps an index into memory: parts that a query does not touch are not read, and programs share the
 /// memory. The reader of the bytes checks whether they are an index, and of what. The file must not be
 /// modified while it is open; it may be replaced by a new file with its name.
-Expected<IndexBytes, IoError> open_index(const std::filesystem::path& file);
+Expected<IndexBytes, Error> open_index(const std::filesystem::path& file);
 
 }  // namespace wend

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
@@ -71,9 +71,9 @@ inline bool same_map(const GridMap& a, const GridMap& b) {
 }
 
 /// "file:line: what" of a result that should be an error, "no error" if it is not.
-template <class T>
-std::string error_of(const Expected<T, IoError>& result) {
-  return result ? "no error" : result.error().message();
+template <class T, class E>
+std::string error_of(const Expected<T, E>& result) {
+  return result ? "no error" : result.error().message;
 }
 
 template <class T>
@@ -82,7 +82,7 @@ std::string error_of(const Expected<T, std::string>& result) {
 }
 
 /// The map in a text of this format, under the name "m".
-inline Expected<LoadedMap, IoError> load_as(MapFormat format, std::string_view text) {
+inline Expected<LoadedMap, Error> load_as(MapFormat format, std::string_view text) {
   return info_of(format).load(std::string(text), {"m"});
 }
 

@@ -1,8 +1,10 @@
 #include "wend/map/grid_map.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <string>
+
+#include "wend/base/parse.hpp"
 
 namespace wend {
 namespace {
@@ -25,38 +27,88 @@ void turn_over(BitGrid& plane) {
   }
 }
 
+std::string text_of(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+std::string size_fault(const BitGrid& occupied, const BitGrid& unknown) {
+  const int width = occupied.width();
+  const int height = occupied.height();
+  if (width < 1 || height < 1) return "the map has no cells";
+  if (static_cast<std::size_t>(width) > GridMap::kMaxCells / static_cast<std::size_t>(height)) {
+    return "the map has " + text_of(width, height) + " cells, more than " +
+           std::to_string(GridMap::kMaxCells);
+  }
+  if (unknown.width() != width || unknown.height() != height) {
+    return "the map has " + text_of(width, height) + " occupied cells, but " +
+           text_of(unknown.width(), unknown.height()) + " unknown cells";
+  }
+  for (int y = 0; y < height; ++y) {
+    const auto words = occupied.row_words(y);
+    const auto others = unknown.row_words(y);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if ((words[i] & others[i]) != 0) {
+        return "a cell in row " + std::to_string(y) + " is both occupied and unknown";
+      }
+    }
+  }
+  return {};
+}
+
+std::string frame_fault(const Frame& frame) {
+  if (!(frame.resolution > 0) || !std::isfinite(frame.resolution)) {
+    return "the resolution " + format_number(frame.resolution) +
+           " is not a positive number of metres a cell";
+  }
+  const Pose& origin = frame.origin;
+  const bool finite =
+      std::isfinite(origin.x) && std::isfinite(origin.y) && std::isfinite(origin.heading);
+  return finite ? "" : "the origin contains NaN or infinity";
+}
+
+std::string terrain_fault(const Grid<double>& terrain, int width, int height) {
+  if (terrain.empty()) return {};
+  if (terrain.width() != width || terrain.height() != height) {
+    return "the terrain has " + text_of(terrain.width(), terrain.height()) +
+           " multipliers for a map of " + text_of(width, height) + " cells";
+  }
+  const auto values = terrain.values();
+  const auto wrong = std::ranges::find_if(
+      values, [](double multiplier) { return !(multiplier >= 1) || !std::isfinite(multiplier); });
+  if (wrong == values.end()) return {};
+  const int at = static_cast<int>(wrong - values.begin());
+  return "the terrain of cell (" + std::to_string(at % width) + ',' + std::to_string(at / width) +
+         ") is " + format_number(*wrong) + ": a multiplier is at least 1 and finite";
+}
+
+Unexpected<Error> invalid_map(std::string message, std::string where) {
+  return failure(Status::invalid_map, std::move(message), std::move(where));
+}
+
 }  // namespace
 
-GridMap::GridMap(const Grid<CellState>& cells, Frame frame, Grid<double> terrain)
-    : GridMap(plane(cells, CellState::occupied), plane(cells, CellState::unknown), frame,
-              std::move(terrain)) {}
+Expected<GridMap, Error> make_grid_map(const Grid<CellState>& cells, const Frame& frame,
+                                       Grid<double> terrain) {
+  return make_grid_map(plane(cells, CellState::occupied), plane(cells, CellState::unknown), frame,
+                       std::move(terrain));
+}
 
-GridMap::GridMap(BitGrid occupied, BitGrid unknown, Frame frame, Grid<double> terrain) {
-  assert(occupied.width() > 0 && occupied.height() > 0);
-  assert(occupied.width() == unknown.width() && occupied.height() == unknown.height());
-  assert(terrain.empty() ||
-         (terrain.width() == occupied.width() && terrain.height() == occupied.height()));
-  assert(std::all_of(terrain.values().begin(), terrain.values().end(), [](double multiplier) {
-    return multiplier >= 1 && std::isfinite(multiplier);
-  }));
-  assert(frame.resolution > 0);
+Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown, const Frame& frame,
+                                       Grid<double> terrain) {
+  std::string fault = size_fault(occupied, unknown);
+  if (!fault.empty()) return invalid_map(std::move(fault), "cells");
+  fault = frame_fault(frame);
+  if (!fault.empty()) return invalid_map(std::move(fault), "frame");
+  fault = terrain_fault(terrain, occupied.width(), occupied.height());
+  if (!fault.empty()) return invalid_map(std::move(fault), "terrain");
   const auto values = terrain.values();
-  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 1; })) {
-    terrain = {};
-  }
-  data_ = std::make_shared<const Data>(
-      Data{std::move(occupied), std::move(unknown), std::move(terrain), frame});
+  if (std::ranges::all_of(values, [](double value) { return value == 1; })) terrain = {};
+  return GridMap(std::make_shared<const GridMap::Data>(
+      GridMap::Data{std::move(occupied), std::move(unknown), std::move(terrain), frame}));
 }
 
-GridMap GridMap::with_frame(Frame frame) const {
-  Data copy = *data_;
-  copy.frame = frame;
-  return GridMap(std::make_shared<const Data>(std::move(copy)));
-}
-
-GridMapBuilder::GridMapBuilder(int width) : occupied_(width, 0), unknown_(width, 0) {
-  assert(width >= 1);
-}
+GridMapBuilder::GridMapBuilder(int width)
+    : occupied_(std::max(width, 0), 0), unknown_(std::max(width, 0), 0) {}
 
 void GridMapBuilder::reserve(int height) {
   occupied_.reserve_rows(height);
@@ -64,8 +116,17 @@ void GridMapBuilder::reserve(int height) {
 }
 
 void GridMapBuilder::append(std::span<const CellState> states, std::span<const double> terrain) {
-  assert(states.size() == static_cast<std::size_t>(width()));
-  assert(terrain.empty() || terrain.size() == states.size());
+  const auto cells = static_cast<std::size_t>(width());
+  if (states.size() != cells || (!terrain.empty() && terrain.size() != cells)) {
+    if (wrong_row_) return;
+    const std::size_t values = states.size() != cells ? states.size() : terrain.size();
+    const std::string row = "row " + std::to_string(height());
+    wrong_row_ = Error{Status::invalid_map,
+                       row + " has " + std::to_string(values) + " values, the map is " +
+                           std::to_string(cells) + " cells wide",
+                       row};
+    return;
+  }
   const bool uniform = std::all_of(terrain.begin(), terrain.end(),
                                    [](double multiplier) { return multiplier == 1; });
   if (!uniform || !terrain_.empty()) {
@@ -80,8 +141,8 @@ void GridMapBuilder::append(std::span<const CellState> states, std::span<const d
   set_state(unknown_.append_row(), states, CellState::unknown);
 }
 
-GridMap GridMapBuilder::finish(Frame frame) && {
-  assert(height() >= 1);
+Expected<GridMap, Error> GridMapBuilder::finish(const Frame& frame) && {
+  if (wrong_row_) return Unexpected<Error>(*std::move(wrong_row_));
   Grid<double> terrain;
   if (!terrain_.empty()) terrain = Grid<double>(width(), height(), std::move(terrain_));
   if (frame.y_up) {
@@ -92,7 +153,7 @@ GridMap GridMapBuilder::finish(Frame frame) && {
       std::swap_ranges(row.begin(), row.end(), terrain.row(terrain.height() - 1 - y).begin());
     }
   }
-  return {std::move(occupied_), std::move(unknown_), frame, std::move(terrain)};
+  return make_grid_map(std::move(occupied_), std::move(unknown_), frame, std::move(terrain));
 }
 
 }  // namespace wend

@@ -8,14 +8,17 @@
 //
 //   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
 //   cells[{3, 4}] = wend::CellState::occupied;
-//   const wend::GridMap map(cells);
+//   const auto map = wend::make_grid_map(cells);
+//   if (!map) return report(map.error().message);
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "wend/base/error.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -29,13 +32,6 @@ class GridMap {
  public:
   /// The most cells a map can have; loaders reject larger ones.
   static constexpr std::size_t kMaxCells = std::size_t{1} << 30;
-
-  /// `terrain` is empty for uniform cost, else as large as `cells`, with every multiplier finite and at
-  /// least 1. The map has at least one cell.
-  explicit GridMap(const Grid<CellState>& cells, Frame frame = {}, Grid<double> terrain = {});
-
-  /// The same from two bit planes of the same size that have no set cell in common.
-  GridMap(BitGrid occupied, BitGrid unknown, Frame frame = {}, Grid<double> terrain = {});
 
   int width() const { return data_->occupied.width(); }
   int height() const { return data_->occupied.height(); }
@@ -62,10 +58,9 @@ class GridMap {
   /// The multipliers, or an empty grid on uniform terrain.
   const Grid<double>& terrain() const { return data_->terrain; }
 
-  /// The same cells in another frame.
-  GridMap with_frame(Frame frame) const;
-
  private:
+  friend Expected<GridMap, Error> make_grid_map(BitGrid, BitGrid, const Frame&, Grid<double>);
+
   struct Data {
     BitGrid occupied;
     BitGrid unknown;
@@ -78,34 +73,46 @@ class GridMap {
   std::shared_ptr<const Data> data_;
 };
 
+/// Makes a map of one cell or more. `terrain` is empty for uniform cost, else as large as `cells`, with
+/// every multiplier finite and at least 1. Fails with invalid_map if that is not so, if the map has more
+/// than GridMap::kMaxCells cells, if the frame's resolution is not finite and above 0, or if its origin
+/// is not finite. O(cells).
+Expected<GridMap, Error> make_grid_map(const Grid<CellState>& cells, const Frame& frame = {},
+                                       Grid<double> terrain = {});
+
+/// The same from two bit planes of the same size, which must have no set cell in common.
+Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown, const Frame& frame = {},
+                                       Grid<double> terrain = {});
+
 /// Builds a GridMap row by row, as loaders read files, without more memory than the map needs.
 ///
 ///   wend::GridMapBuilder rows(2);
 ///   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
-///   const wend::GridMap map = std::move(rows).finish();
+///   const auto map = std::move(rows).finish();
 class GridMapBuilder {
  public:
-  /// Rows have `width` cells, at least 1.
+  /// Rows have `width` cells; finish() fails if that is less than 1.
   explicit GridMapBuilder(int width);
 
   /// Reserves memory for `height` rows. Without it, memory grows with the rows.
   void reserve(int height);
 
-  /// Appends a row. `terrain` has a multiplier for each cell, finite and at least 1. If it is empty,
-  /// all multipliers are 1.
+  /// Appends a row of width() states. `terrain` has a multiplier for each cell, finite and at least 1;
+  /// if it is empty, all multipliers are 1. finish() fails after a row of another length.
   void append(std::span<const CellState> states, std::span<const double> terrain = {});
 
   int width() const { return occupied_.width(); }
   int height() const { return occupied_.height(); }
 
-  /// Makes the map from one or more rows. The first appended row is the top row as drawn: row 0 in a
+  /// Makes the map from one or more rows, or fails as make_grid_map() does. The first appended row is the top row as drawn: row 0 in a
   /// frame with y down, the last row in a frame with y up.
-  GridMap finish(Frame frame = {}) &&;
+  Expected<GridMap, Error> finish(const Frame& frame = {}) &&;
 
  private:
   BitGrid occupied_;
   BitGrid unknown_;
-  std::vector<double> terrain_;  // of all rows; empty while every cell costs 1
+  std::vector<double> terrain_;     // of all rows; empty while every cell costs 1
+  std::optional<Error> wrong_row_;  // the first
 };
 
 }  // namespace wend

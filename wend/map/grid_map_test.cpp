@@ -1,9 +1,11 @@
 #include "wend/map/grid_map.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <array>
+#include <limits>
 
 #include "wend/map/random_bits_test.hpp"
 
@@ -23,7 +25,7 @@ TEST(GridMap, KeepsTheStateOfEveryCell) {
     Random random(seed);
     const Grid<CellState> states =
         random_states(random, random.between(1, 140), random.between(1, 12));
-    const GridMap map(states);
+    const GridMap map = *make_grid_map(states);
     ASSERT_EQ(map.width(), states.width());
     ASSERT_EQ(map.height(), states.height());
     ASSERT_EQ(map.size(), states.size());
@@ -36,7 +38,7 @@ TEST(GridMap, KeepsTheStateOfEveryCell) {
 }
 
 TEST(GridMap, WithoutTerrainCostsOneEverywhere) {
-  const GridMap map(Grid<CellState>(2, 2));
+  const GridMap map = *make_grid_map(Grid<CellState>(2, 2));
   EXPECT_TRUE(map.uniform_terrain());
   EXPECT_TRUE(map.terrain().empty());
   EXPECT_EQ(map.terrain({1, 1}), 1);
@@ -45,7 +47,7 @@ TEST(GridMap, WithoutTerrainCostsOneEverywhere) {
 TEST(GridMap, KeepsTerrain) {
   Grid<double> terrain(3, 2, 1);
   terrain[{2, 0}] = 4.5;
-  const GridMap map(Grid<CellState>(3, 2), {}, terrain);
+  const GridMap map = *make_grid_map(Grid<CellState>(3, 2), {}, terrain);
   EXPECT_FALSE(map.uniform_terrain());
   EXPECT_EQ(map.terrain(), terrain);
   EXPECT_EQ(map.terrain({2, 0}), 4.5);
@@ -53,38 +55,74 @@ TEST(GridMap, KeepsTerrain) {
 }
 
 TEST(GridMap, DropsTerrainThatIsOneEverywhere) {
-  const GridMap map(Grid<CellState>(3, 2), {}, Grid<double>(3, 2, 1));
+  const GridMap map = *make_grid_map(Grid<CellState>(3, 2), {}, Grid<double>(3, 2, 1));
   EXPECT_TRUE(map.uniform_terrain());
   EXPECT_TRUE(map.terrain().empty());
 }
 
 TEST(GridMap, ContainsItsCellsAndNoOthers) {
-  const GridMap map(Grid<CellState>(3, 2));
+  const GridMap map = *make_grid_map(Grid<CellState>(3, 2));
   EXPECT_TRUE(map.contains({2, 1}));
   EXPECT_FALSE(map.contains({3, 1}));
   EXPECT_FALSE(map.contains({2, -1}));
 }
 
-TEST(GridMap, TakesAnotherFrameWithTheSameCells) {
-  Random random(3);
-  const Grid<CellState> states = random_states(random, 5, 4);
-  const GridMap map(states, {}, Grid<double>(5, 4, 2));
-  const Frame frame{.resolution = 0.05, .origin = {1, 2, 0.5}, .y_up = true, .metric = true};
-  const GridMap moved = map.with_frame(frame);
-  EXPECT_EQ(moved.frame(), frame);
-  EXPECT_EQ(map.frame(), Frame{});
-  EXPECT_EQ(moved.occupied(), map.occupied());
-  EXPECT_EQ(moved.unknown(), map.unknown());
-  EXPECT_EQ(moved.terrain(), map.terrain());
+std::string why_no_map(const Expected<GridMap, Error>& map, const std::string& where) {
+  if (map) return "a map";
+  EXPECT_EQ(map.error().status, Status::invalid_map);
+  EXPECT_EQ(map.error().where, where);
+  return map.error().message;
+}
+
+TEST(GridMap, IsNotMadeOfPartsThatDoNotFit) {
+  EXPECT_EQ(why_no_map(make_grid_map(Grid<CellState>()), "cells"), "the map has no cells");
+  EXPECT_EQ(why_no_map(make_grid_map(BitGrid(3, 2), BitGrid(2, 2)), "cells"),
+            "the map has 3 x 2 occupied cells, but 2 x 2 unknown cells");
+  BitGrid both(3, 2);
+  both.set({1, 1}, true);
+  EXPECT_EQ(why_no_map(make_grid_map(both, both), "cells"),
+            "a cell in row 1 is both occupied and unknown");
+  const Grid<CellState> cells(3, 2);
+  EXPECT_EQ(why_no_map(make_grid_map(cells, {}, Grid<double>(2, 3, 1)), "terrain"),
+            "the terrain has 2 x 3 multipliers for a map of 3 x 2 cells");
+}
+
+TEST(GridMap, IsNotMadeOfValuesOutOfRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Grid<CellState> cells(3, 2);
+  for (const double value : {nan, infinity, 0.5, -1.0}) {
+    Grid<double> terrain(3, 2, 1);
+    terrain[{2, 1}] = value;
+    EXPECT_THAT(why_no_map(make_grid_map(cells, {}, terrain), "terrain"),
+                testing::StartsWith("the terrain of cell (2,1) is "));
+  }
+  for (const double resolution : {nan, infinity, 0.0, -0.05}) {
+    EXPECT_THAT(why_no_map(make_grid_map(cells, {.resolution = resolution}), "frame"),
+                testing::HasSubstr("is not a positive number of metres a cell"));
+  }
+  EXPECT_EQ(why_no_map(make_grid_map(cells, {.origin = {0, nan, 0}}), "frame"),
+            "the origin contains NaN or infinity");
+}
+
+TEST(GridMapBuilder, SaysWhichRowHasAnotherLength) {
+  GridMapBuilder rows(2);
+  rows.append(std::array{CellState::free, CellState::free});
+  rows.append(std::array{CellState::free});
+  rows.append(std::array{CellState::free, CellState::free, CellState::free});
+  EXPECT_EQ(why_no_map(std::move(rows).finish(), "row 1"),
+            "row 1 has 1 values, the map is 2 cells wide");
+  EXPECT_EQ(why_no_map(GridMapBuilder(3).finish(), "cells"), "the map has no cells");
+  EXPECT_EQ(why_no_map(GridMapBuilder(-3).finish(), "cells"), "the map has no cells");
 }
 
 TEST(GridMap, SharesItsCellsWithCopies) {
-  const GridMap map(Grid<CellState>(5, 4));
+  const GridMap map = *make_grid_map(Grid<CellState>(5, 4));
   const GridMap copy = map;  // NOLINT(performance-unnecessary-copy-initialization): it is tested
   EXPECT_EQ(&copy.occupied(), &map.occupied());
 }
 
-RC_GTEST_PROP(GridMapBuilder, BuildsWhatTheConstructorDoes, ()) {
+RC_GTEST_PROP(GridMapBuilder, BuildsWhatMakeGridMapDoes, ()) {
   const int width = *rc::gen::inRange(1, 140);
   const int height = *rc::gen::inRange(1, 20);
   const Frame frame{0.5, {1, 2, 3}, *rc::gen::arbitrary<bool>(), true};
@@ -107,8 +145,8 @@ RC_GTEST_PROP(GridMapBuilder, BuildsWhatTheConstructorDoes, ()) {
     rows.append(row, rough);
     RC_ASSERT(rows.height() == from_top + 1);
   }
-  const GridMap map = std::move(rows).finish(frame);
-  const GridMap expected(cells, frame, terrain);
+  const GridMap map = *std::move(rows).finish(frame);
+  const GridMap expected = *make_grid_map(cells, frame, terrain);
   RC_ASSERT(map.occupied() == expected.occupied());
   RC_ASSERT(map.unknown() == expected.unknown());
   RC_ASSERT(map.terrain() == expected.terrain());

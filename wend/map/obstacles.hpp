@@ -7,8 +7,8 @@
 // of several robots on a map share one distance field. Built in O(cells); takes 4.1 bytes for each cell.
 //
 //   const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
-//   const wend::FreeSpace small(obstacles, {.footprint = wend::Footprint::disc(0.2)});
-//   const wend::FreeSpace large(obstacles, {.footprint = wend::Footprint::disc(0.5)});
+//   const auto small = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.2)});
+//   const auto large = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.5)});
 
 #include <cstdint>
 #include <memory>

@@ -57,8 +57,8 @@ TEST(Obstacles, AreWhatThePoliciesSay) {
 
 TEST(Obstacles, WithoutAPolicyBlockTheOutsideOfMapsInMetres) {
   const Grid<CellState> cells(3, 3, CellState::free);
-  EXPECT_EQ(Obstacles(GridMap(cells)).outside(), OutsidePolicy::free);
-  EXPECT_EQ(Obstacles(GridMap(cells, {.resolution = 0.1, .metric = true})).outside(),
+  EXPECT_EQ(Obstacles(*make_grid_map(cells)).outside(), OutsidePolicy::free);
+  EXPECT_EQ(Obstacles(*make_grid_map(cells, {.resolution = 0.1, .metric = true})).outside(),
             OutsidePolicy::blocked);
 }
 

@@ -202,7 +202,7 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
   if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
   const Path dense = path.driven() ? path : divided(path, options.radius);
   auto movable = MovablePath::from(dense, space, options);
-  if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
+  if (!movable) return Unexpected<Error>(std::move(movable).error());
   return CurvatureSweeps(dense, *std::move(movable), options).run();
 }
 

@@ -44,7 +44,7 @@ struct CurvatureOptions {
   }
 };
 
-/// Errors: see SmoothingError. A path is not empty. O(points) a sweep.
+/// Errors: see Error. A path is not empty. O(points) a sweep.
 SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
                                     const CurvatureOptions& options = {});
 

@@ -121,7 +121,7 @@ TEST(CurvatureSmoother, RefusesWhatItCannotDo) {
   const Path drive = Path::through({{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(smooth_by_curvature(drive, space).error().status, Status::unsupported_query);
   const auto off = smooth_by_curvature(Path({{0, 0}, {50, 0}}), space);
-  EXPECT_THAT(off.error().message(), HasSubstr("leaves the map"));
+  EXPECT_THAT(off.error().message, HasSubstr("leaves the map"));
 }
 
 TEST(CurvatureSmoother, IsInTheRegistry) {

@@ -62,7 +62,7 @@ SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
   assert(!path.empty());
   if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
   auto movable = MovablePath::from(path, space, options);
-  if (!movable) return Unexpected<SmoothingError>(std::move(movable).error());
+  if (!movable) return Unexpected<Error>(std::move(movable).error());
   return smoothed(path, *std::move(movable), options);
 }
 

@@ -51,7 +51,7 @@ struct GradientOptions {
   }
 };
 
-/// Errors: see SmoothingError. A path is not empty.
+/// Errors: see Error. A path is not empty.
 SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
                                    const GradientOptions& options = {});
 

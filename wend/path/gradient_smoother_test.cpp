@@ -185,7 +185,8 @@ TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(2, 10), random.between(2, 10));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.5, 1.0});
-    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
+    const FreeSpace space =
+        *make_free_space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
     const Path path = test::random_free_path(random, space, Adjacency::edges);
     if (path.empty()) continue;
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map) +
@@ -207,7 +208,7 @@ TEST(GradientSmoother, IsSafeOnPathsThatTouchObstaclesAndGaps) {
   EXPECT_GT(in_gaps, 30);
 }
 
-SmoothingError error_of(const Path& path, const FreeSpace& space, const GradientOptions& options) {
+Error error_of(const Path& path, const FreeSpace& space, const GradientOptions& options) {
   const auto smoothed = smooth_by_gradient(path, space, options);
   if (smoothed) return {Status::found, ""};
   return smoothed.error();
@@ -215,13 +216,13 @@ SmoothingError error_of(const Path& path, const FreeSpace& space, const Gradient
 
 TEST(GradientSmoother, RefusesWeightsThatDiverge) {
   const FreeSpace space = test::open_space(7, 7);
-  const SmoothingError error = error_of(kStairs, space, {.alpha = 0.4, .beta = 0.4});
+  const Error error = error_of(kStairs, space, {.alpha = 0.4, .beta = 0.4});
   EXPECT_EQ(error.status, Status::invalid_option);
-  EXPECT_THAT(error.message(), HasSubstr("alpha + 4 beta is 2"));
-  EXPECT_THAT(error.message(), HasSubstr("beta must be less than 0.4, or set in_place"));
+  EXPECT_THAT(error.message, HasSubstr("alpha + 4 beta is 2"));
+  EXPECT_THAT(error.message, HasSubstr("beta must be less than 0.4, or set in_place"));
   EXPECT_EQ(error_of(kStairs, space, {.alpha = 0.4, .beta = 0.4, .in_place = true}).status,
             Status::found);
-  EXPECT_THAT(error_of(kStairs, space, {.alpha = 1, .beta = 0.5, .in_place = true}).message(),
+  EXPECT_THAT(error_of(kStairs, space, {.alpha = 1, .beta = 0.5, .in_place = true}).message,
               HasSubstr("alpha + 2 beta is 2"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const GradientOptions& options :
@@ -240,9 +241,9 @@ TEST(GradientSmoother, RefusesDrivesAndPathsThatAreNotFree) {
     EXPECT_EQ(error_of(drive, space, {.unsafe = unsafe}).status, Status::unsupported_query);
   }
   const Path into({{0, 0}, {1, 0}, {2, 0}});
-  const SmoothingError error = error_of(into, space, {});
+  const Error error = error_of(into, space, {});
   EXPECT_EQ(error.status, Status::unsupported_query);
-  EXPECT_THAT(error.message(), HasSubstr("1.5 cells along it, at (2, 0.5), it enters an obstacle"));
+  EXPECT_THAT(error.message, HasSubstr("1.5 cells along it, at (2, 0.5), it enters an obstacle"));
   EXPECT_EQ(error_of(into, space, {.unsafe = true}).status, Status::found);
 }
 

@@ -86,8 +86,9 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
-    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution),
-                                .outside = test::random_outside(random)});
+    const FreeSpace space =
+        *make_free_space(map, {.footprint = Footprint::disc(radius * map.frame().resolution),
+                               .outside = test::random_outside(random)});
     const bool stays_on_map = space.outside() == OutsidePolicy::blocked;
     const Path path = test::random_path(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " + std::to_string(radius) + "\n" +
@@ -172,9 +173,9 @@ RC_GTEST_PROP(PathCollision, OfAPolygonIsNotAfterTheFirstSampleThatOverlaps, ())
   const GridMap map = test::random_map(random, random.between(2, 9), random.between(2, 9));
   const Polygon outline =
       *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
-  const FreeSpace space(map,
-                        {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
-                         .outside = test::random_outside(random)});
+  const FreeSpace space = *make_free_space(
+      map, {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
+            .outside = test::random_outside(random)});
   const auto blocked = test::blocked_squares(space);
   for (int i = 0; i < test::share_of(5); ++i) {
     const Path path = test::random_path(random, map.width(), map.height());

@@ -86,7 +86,8 @@ TEST(PathMetrics, SmallestClearanceIsThatOfTheNearestPoint) {
   for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 12), random.between(1, 12));
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const Path path = test::random_cell_path(random, map.width(), map.height());
     const auto cells = path.cells();
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
@@ -171,7 +172,8 @@ TEST(PathMetrics, OfArcsAndLinesAreThoseOfTheirPoints) {
   for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const Path path = seed % 2 == 0 ? test::random_drive(random, map.width(), map.height())
                                     : test::random_waypoint_path(random, map.width(), map.height());
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));

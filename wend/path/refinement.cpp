@@ -34,8 +34,8 @@ SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, cons
 
 }  // namespace
 
-Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& space,
-                                          const Refinement& refinement) {
+Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
+                                 const Refinement& refinement) {
   const Adjacency adjacency = refinement.adjacency;
   Refined refined{path};
   if (refinement.simplify) {
@@ -52,7 +52,7 @@ Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& spa
       refined.path = resampled(refined.path, 1, space, adjacency);
     }
     auto smoothed = smoothed_by(*refinement.smoother, refined.path, space, adjacency);
-    if (!smoothed) return Unexpected<SmoothingError>(std::move(smoothed).error());
+    if (!smoothed) return Unexpected<Error>(std::move(smoothed).error());
     refined.path = smoothed->path;
     refined.smoothing = *std::move(smoothed);
   }

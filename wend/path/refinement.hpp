@@ -56,7 +56,7 @@ inline constexpr std::uint64_t kMostResampled = 1'000'000;
 
 /// Errors are the smoother's, unsupported_query for a drive that is to be simplified, and
 /// invalid_option for a spacing of more than kMostResampled points.
-Expected<Refined, SmoothingError> refined(const Path& path, const FreeSpace& space,
-                                          const Refinement& refinement);
+Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
+                                 const Refinement& refinement);
 
 }  // namespace wend

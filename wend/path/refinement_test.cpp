@@ -70,7 +70,7 @@ TEST(Refinement, TellsWhatItCannotDo) {
   const FreeSpace space = room();
   const auto unknown = refined(kBend, space, {.smoother = SmootherChoice{"gradien"}});
   EXPECT_EQ(unknown.error().status, Status::invalid_option);
-  EXPECT_THAT(unknown.error().message(), ::testing::HasSubstr("did you mean 'gradient'?"));
+  EXPECT_THAT(unknown.error().message, ::testing::HasSubstr("did you mean 'gradient'?"));
   const Path drive = Path::through({{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(refined(drive, space, {.simplify = Simplification{}}).error().status,
             Status::unsupported_query);

@@ -25,7 +25,7 @@ struct FreeWalk {
       : random(seed),
         map(test::random_map(random, random.between(2, 20), random.between(2, 20))),
         robot(test::random_robot(random, map.frame().resolution)),
-        space(map, {.footprint = robot.footprint, .outside = robot.outside}),
+        space(*make_free_space(map, {.footprint = robot.footprint, .outside = robot.outside})),
         adjacency(random.chance(0.5) ? Adjacency::edges : Adjacency::edges_and_corners),
         path(walk()) {}
 

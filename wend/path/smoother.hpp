@@ -5,7 +5,7 @@
 //
 //   const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
 //   const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
-//   if (!smoothed) report(smoothed.error().message());
+//   if (!smoothed) report(smoothed.error().message);
 //
 // A smoother keeps the path's ends. Unless its option `unsafe` is set, it takes a free path (see
 // path_collision.hpp) and gives a free one, no longer than it: where smoothing would leave free
@@ -16,10 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
-#include "wend/base/status.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -36,15 +35,8 @@ struct Smoothed {
   bool within_bound = true;  // every bend is as wide as asked
 };
 
-/// Why nothing was smoothed.
-struct SmoothingError {
-  Status status;  // invalid_option, or unsupported_query: a drive, a path that is not free
-  std::string what;
-
-  const std::string& message() const { return what; }
-};
-
-using SmoothingResult = Expected<Smoothed, SmoothingError>;
+/// Errors: invalid_option, or unsupported_query for a drive or a path that is not free.
+using SmoothingResult = Expected<Smoothed, Error>;
 
 struct SmootherInfo {
   std::string name;

@@ -39,8 +39,8 @@ std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_p
   return what;
 }
 
-Expected<MovablePath, SmoothingError> MovablePath::from(const Path& path, const FreeSpace& space,
-                                                        std::optional<Adjacency> adjacency) {
+Expected<MovablePath, Error> MovablePath::from(const Path& path, const FreeSpace& space,
+                                               std::optional<Adjacency> adjacency) {
   if (path.driven()) {
     return refused(Status::unsupported_query,
                    "a car's drive is not smoothed: it is arcs that a car can drive already");

@@ -19,8 +19,8 @@
 
 namespace wend {
 
-inline Unexpected<SmoothingError> refused(Status status, std::string what) {
-  return Unexpected<SmoothingError>({status, std::move(what)});
+inline Unexpected<Error> refused(Status status, std::string what) {
+  return Unexpected<Error>({status, std::move(what)});
 }
 
 /// Why gradient descent with such weights would not converge; nothing if it does. `in_place`: each
@@ -40,8 +40,8 @@ class MovablePath {
   /// unsupported_query. The options say `squeeze`, and `unsafe` for an unbound path. The space
   /// outlives it.
   template <class Options>
-  static Expected<MovablePath, SmoothingError> from(const Path& path, const FreeSpace& space,
-                                                    const Options& options) {
+  static Expected<MovablePath, Error> from(const Path& path, const FreeSpace& space,
+                                           const Options& options) {
     std::optional<Adjacency> adjacency;
     if (!options.unsafe) {
       adjacency = options.squeeze ? Adjacency::edges_and_corners : Adjacency::edges;
@@ -50,8 +50,8 @@ class MovablePath {
   }
 
   /// Without an adjacency it is unbound: its points move wherever they are to go.
-  static Expected<MovablePath, SmoothingError> from(const Path& path, const FreeSpace& space,
-                                                    std::optional<Adjacency> adjacency);
+  static Expected<MovablePath, Error> from(const Path& path, const FreeSpace& space,
+                                           std::optional<Adjacency> adjacency);
 
   std::span<const Point> points() const { return points_; }
 
@@ -120,7 +120,7 @@ SmootherInfo smoother_with(std::string name, std::string summary, std::string ci
           [smooth](const Path& path, const FreeSpace& space,
                    const OptionValues& values) -> SmoothingResult {
             const auto options = parse_options<Options>(values);
-            if (!options) return refused(Status::invalid_option, options.error().message());
+            if (!options) return refused(Status::invalid_option, options.error().message);
             return smooth(path, space, *options);
           }};
 }

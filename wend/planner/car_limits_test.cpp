@@ -23,7 +23,7 @@ FreeSpace walled_yard() {
       if (!crooked) states[{x, y}] = CellState::occupied;
     }
   }
-  return FreeSpace(GridMap(states));
+  return *make_free_space(*make_grid_map(states));
 }
 
 /// With each heuristic: some search while they estimate, and find late that the near gate is

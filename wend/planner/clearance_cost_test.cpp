@@ -34,7 +34,7 @@ struct Averages {
 
 Averages averages(const GridMap& map, const FreeSpaceOptions& options, std::uint64_t seed) {
   constexpr int kPaths = 20;
-  const FreeSpace space(map, options);
+  const FreeSpace space = *make_free_space(map, options);
   Random random(seed);
   Averages sums;
   for (int found = 0; found < kPaths;) {

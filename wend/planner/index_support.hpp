@@ -5,7 +5,7 @@
 //
 //   const wend::PlannerInfo& info = *wend::planners().find("hub_labels");
 //   const auto index = info.index_support->build(space, {});
-//   if (!index) report(index.error().message());
+//   if (!index) report(index.error().message);
 //   const auto planner = info.index_support->make_planner(space, {}, *index);
 
 #include "wend/base/options.hpp"
@@ -24,8 +24,8 @@ class IndexSupport {
   IndexSupport& operator=(const IndexSupport&) = delete;
 
   /// What the planner needs to know of a map, to be kept.
-  virtual Expected<IndexBytes, PlannerError> build(const FreeSpace& space,
-                                                   const IndexBuilding& building) const = 0;
+  virtual Expected<IndexBytes, Error> build(const FreeSpace& space,
+                                            const IndexBuilding& building) const = 0;
 
   /// A planner on an index, which it may share with others. An index of something else is
   /// index_mismatch.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
 #include "wend/geometry/cell.hpp"
@@ -67,10 +68,9 @@ struct Plan {
   bool optimal() const { return bound == 1; }
 };
 
-struct PlanFailure {
-  Status status;          // never Status::found
+/// Why there is no path. The status is never Status::found; the message is Planner::reason().
+struct PlanFailure : Error {
   SearchMetrics metrics;  // of the search until then
-  std::string reason{};   // where and why, in words: Planner::reason()
 };
 
 }  // namespace wend

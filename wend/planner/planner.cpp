@@ -9,7 +9,7 @@ Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
   Plan out;
   const Status status = plan(query, out);
   if (status != Status::found) {
-    return Unexpected<PlanFailure>({status, out.metrics, reason(query, status)});
+    return Unexpected<PlanFailure>({{status, reason(query, status)}, out.metrics});
   }
   return out;
 }
@@ -24,9 +24,10 @@ std::optional<Status> Planner::begin(const Query& query, Plan& out) {
   return do_begin(query, out);
 }
 
-void Planner::update(FreeSpace free_space, std::span<const Cell> changed) {
+Expected<void, Error> Planner::update(FreeSpace free_space, std::span<const Cell> changed) {
   free_space_ = std::move(free_space);
-  do_update(changed);
+  if (auto failed = do_update(changed)) return Unexpected<Error>(*std::move(failed));
+  return {};
 }
 
 std::string Planner::reason(const Query& query, Status status) const {

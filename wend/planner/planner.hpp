@@ -7,17 +7,18 @@
 // threads may share the FreeSpace.
 //
 //   auto planner = wend::make_planner("astar", space, {{"weight", "1.5"}});
-//   if (!planner) return report(planner.error().message());
+//   if (!planner) return report(planner.error().message);
 //   const auto plan = (*planner)->plan(wend::Query::between({1, 1}, {8, 5}));
-//   if (!plan) return report(plan.error().reason);
+//   if (!plan) return report(plan.error().message);
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/plan.hpp"
@@ -67,9 +68,17 @@ class Planner {
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
+  /// Another planner with the same options on the same FreeSpace, for another thread. It shares what
+  /// this one has prepared (jump points, an index, a lattice), and has its own memory for searches: if
+  /// there is none left, its queries end with Status::memory_limit. Do not call it while another thread
+  /// uses this planner.
+  std::unique_ptr<Planner> clone() const { return do_clone(); }
+
   /// Replaces the FreeSpace. `changed` lists the cells that may differ, for planners that keep data
-  /// of the others. If the size changes, `changed` must be empty.
-  void update(FreeSpace free_space, std::span<const Cell> changed = {});
+  /// of the others. If the size changes, `changed` must be empty. Fails with unsupported_map or
+  /// memory_limit, as making the planner on this space would; then every query fails until an update
+  /// succeeds.
+  Expected<void, Error> update(FreeSpace free_space, std::span<const Cell> changed = {});
 
  protected:
   explicit Planner(FreeSpace free_space) : free_space_(std::move(free_space)) {}
@@ -89,7 +98,9 @@ class Planner {
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
   virtual int do_corner_unit() const { return 0; }
-  virtual void do_update(std::span<const Cell> changed) = 0;
+  virtual std::unique_ptr<Planner> do_clone() const = 0;
+  /// Why the planner cannot plan on the new free_space(), if it cannot.
+  virtual std::optional<Error> do_update(std::span<const Cell> changed) = 0;
 
   std::optional<Status> check(const Query& query, Plan& out);
 

@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "wend/base/choice.hpp"
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
-#include "wend/base/status.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -68,21 +67,15 @@ constexpr std::array<Choice<Preprocessing>, 3> choice_names(Preprocessing) {
            {"slow", Preprocessing::slow}}};
 }
 
-/// Why a planner could not be made, or its index could not be built.
-struct PlannerError {
-  Status status;  // invalid_option, unsupported_map, memory_limit, index_missing, index_mismatch
-  std::string what;
-
-  const std::string& message() const { return what; }
-};
-
 /// For planners that do not support terrain: an error if the space has terrain.
-std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space);
+std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space);
 
 /// For planners without options: an error if there are options.
-std::optional<PlannerError> refused_options(const OptionValues& values);
+std::optional<Error> refused_options(const OptionValues& values);
 
-using PlannerResult = Expected<std::unique_ptr<Planner>, PlannerError>;
+/// A planner, or why it could not be made: invalid_option, unsupported_map, memory_limit, index_missing
+/// or index_mismatch.
+using PlannerResult = Expected<std::unique_ptr<Planner>, Error>;
 
 struct PlannerInfo {
   std::string name;

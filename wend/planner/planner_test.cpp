@@ -159,8 +159,10 @@ TEST_P(EveryPlanner, StopsWhenTimeIsUpOrItIsCancelled) {
   query.limits.seconds = 1e9;
   EXPECT_EQ(status_of(*planner, query), "found");
   query.limits.clock = nullptr;
-  query.limits.seconds = 0;
-  EXPECT_EQ(status_of(*planner, query), "found") << "without a clock there is no time";
+  query.limits.seconds = -1;
+  EXPECT_EQ(status_of(*planner, query), "time_limit") << "the steady clock is the default";
+  query.limits.seconds = 1e9;
+  EXPECT_EQ(status_of(*planner, query), "found");
 
   std::atomic<bool> cancel = true;
   query.limits.cancel = &cancel;
@@ -234,7 +236,7 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     Random random(seed);
     const GridMap map = test::random_map(random, 15, 12);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
-    const auto made = make_planner(GetParam(), FreeSpace(map));
+    const auto made = make_planner(GetParam(), *make_free_space(map));
     if (!made) {
       EXPECT_EQ(made.error().status, Status::unsupported_map);
       continue;
@@ -260,18 +262,33 @@ TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   const auto planner = make(test::drawn_space(kFourRooms));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unreachable");
   const std::array<Cell, 1> changed{Cell{4, 1}};
-  planner->update(test::drawn_space(R"(
+  ASSERT_TRUE(planner->update(test::drawn_space(R"(
 ....#...
 ........
 ....#.##
 )"),
-                  changed);
+                              changed));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "found");
-  planner->update(test::open_space(100, 50));
+  ASSERT_TRUE(planner->update(test::open_space(100, 50)));
   EXPECT_EQ(planner->free_space().width(), 100);
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "found");
-  planner->update(test::open_space(2, 1));
+  ASSERT_TRUE(planner->update(test::open_space(2, 1)));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
+}
+
+TEST_P(EveryPlanner, SaysAtAnUpdateThatItCannotPlanOnTheSpace) {
+  const auto planner = make(test::drawn_space(kFourRooms));
+  const FreeSpace rough = *make_free_space(
+      *make_grid_map(Grid<CellState>(8, 3, CellState::free), {}, Grid<double>(8, 3, 2)));
+  const auto fresh = make_planner(GetParam(), rough);
+  const auto updated = planner->update(rough);
+  ASSERT_EQ(updated.has_value(), fresh.has_value());
+  if (!updated) {
+    EXPECT_EQ(updated.error().status, Status::unsupported_map);
+    EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unsupported_map");
+  }
+  ASSERT_TRUE(planner->update(test::open_space(8, 3)));
+  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "found");
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner,

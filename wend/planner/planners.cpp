@@ -28,10 +28,10 @@ std::vector<std::string> planner_names(StateKind state_kind) {
 
 namespace {
 
-Expected<const PlannerInfo*, PlannerError> planner_named(std::string_view name) {
+Expected<const PlannerInfo*, Error> planner_named(std::string_view name) {
   const PlannerInfo* info = planners().find(name);
   if (info != nullptr) return info;
-  return Unexpected<PlannerError>({Status::invalid_option, planners().unknown("planner", name)});
+  return failure(Status::invalid_option, planners().unknown("planner", name));
 }
 
 }  // namespace
@@ -39,38 +39,37 @@ Expected<const PlannerInfo*, PlannerError> planner_named(std::string_view name) 
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options) {
   const auto info = planner_named(name);
-  if (!info) return Unexpected<PlannerError>(info.error());
+  if (!info) return Unexpected<Error>(info.error());
   return (*info)->make(space, options);
 }
 
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options, IndexBytes index) {
   const auto info = planner_named(name);
-  if (!info) return Unexpected<PlannerError>(info.error());
+  if (!info) return Unexpected<Error>(info.error());
   if (!(*info)->index_support) {
-    return Unexpected<PlannerError>(
+    return Unexpected<Error>(
         {Status::invalid_option, std::string(name) + " does not use an index"});
   }
   return (*info)->index_support->make_planner(space, options, std::move(index));
 }
 
-std::optional<PlannerError> refused_terrain(std::string_view planner, const FreeSpace& space) {
+std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space) {
   if (space.uniform_terrain()) return std::nullopt;
-  return PlannerError{
-      Status::unsupported_map,
-      std::string(planner) +
-          " supports uniform terrain only; this map has terrain or clearance costs"};
+  return Error{Status::unsupported_map,
+               std::string(planner) +
+                   " supports uniform terrain only; this map has terrain or clearance costs"};
 }
 
-std::optional<PlannerError> refused_options(const OptionValues& values) {
+std::optional<Error> refused_options(const OptionValues& values) {
   if (values.empty()) return std::nullopt;
-  return PlannerError{Status::invalid_option,
-                      "unknown option '" + values.front().first + "': this planner has no options"};
+  return Error{Status::invalid_option,
+               "unknown option '" + values.front().first + "': this planner has no options"};
 }
 
-Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list) {
+Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list) {
   auto specs = parse_option_specs(list, "planner", planners().names());
-  if (!specs) return Unexpected<PlannerError>({Status::invalid_option, specs.error()});
+  if (!specs) return Unexpected<Error>(specs.error());
   return *std::move(specs);
 }
 
@@ -87,9 +86,9 @@ GridMoves moves_of(const PlannerSpec& planner) {
 std::string_view terrain_in_words(const PlannerInfo& planner) {
   if (planner.plans_on_terrain) return "costs count";
   constexpr int kSide = 2;
-  const GridMap rough(Grid<CellState>(kSide, kSide, CellState::free), {},
-                      Grid<double>(kSide, kSide, 2));
-  return planner.make(FreeSpace(rough), {}) ? "ignored" : "refused";
+  const GridMap rough = *make_grid_map(Grid<CellState>(kSide, kSide, CellState::free), {},
+                                       Grid<double>(kSide, kSide, 2));
+  return planner.make(*make_free_space(rough), {}) ? "ignored" : "refused";
 }
 
 }  // namespace wend

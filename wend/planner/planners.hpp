@@ -41,7 +41,7 @@ using PlannerSpec = OptionSpec;
 
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; PlannerInfo::make checks the options.
-Expected<std::vector<PlannerSpec>, PlannerError> parse_planner_specs(std::string_view list);
+Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list);
 
 /// The grid moves of a planner with these options; invalid values count as unset.
 GridMoves moves_of(const PlannerSpec& planner);

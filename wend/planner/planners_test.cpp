@@ -27,7 +27,7 @@ TEST(PlannerSpec, WhatIsNoPlannerIsRefusedWithASuggestion) {
   const auto specs = parse_planner_specs("astr");
   ASSERT_FALSE(specs.has_value());
   EXPECT_EQ(specs.error().status, Status::invalid_option);
-  EXPECT_NE(specs.error().what.find("'astar'"), std::string::npos) << specs.error().what;
+  EXPECT_NE(specs.error().message.find("'astar'"), std::string::npos) << specs.error().message;
 }
 
 TEST(PlannerSpec, EmptyAndHalfWordsAreRefused) {

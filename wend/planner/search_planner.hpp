@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "wend/planner/planner.hpp"
@@ -21,6 +22,13 @@ class SearchPlanner : public Planner {
 
  protected:
   explicit SearchPlanner(FreeSpace free_space) : Planner(std::move(free_space)) {}
+
+  /// The error if allocated() is false, for planners of poses.
+  std::optional<Error> no_memory_for(const std::string& whose) const {
+    if (allocated()) return std::nullopt;
+    return Error{Status::memory_limit,
+                 "no memory for the " + std::to_string(state_count()) + " poses of " + whose};
+  }
 
   std::unique_ptr<Engine> engine_;
 

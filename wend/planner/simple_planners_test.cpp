@@ -17,7 +17,7 @@ Plan plan_of(std::string_view planner, const FreeSpace& space, Cell from, Cell t
              const OptionValues& options = {}) {
   const auto made = make_planner(planner, space, options);
   if (!made) {
-    ADD_FAILURE() << made.error().message();
+    ADD_FAILURE() << made.error().message;
     return {};
   }
   auto plan = (*made)->plan(Query::between(from, to));
@@ -78,7 +78,7 @@ TEST(Greedy, IsSometimesWorseThanAStarAndNeverBetter) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const FreeSpace space(test::random_map(random, 20, 20));
+    const FreeSpace space = *make_free_space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
     if (!space.components().connected(start, goal, Adjacency::edges)) continue;
@@ -122,7 +122,7 @@ TEST(Planners, AnUnknownNameGetsASuggestion) {
   const auto made = make_planner("astr", uniform());
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().status, Status::invalid_option);
-  EXPECT_EQ(made.error().message(), "there is no planner 'astr': did you mean 'astar'?");
+  EXPECT_EQ(made.error().message, "there is no planner 'astr': did you mean 'astar'?");
 }
 
 TEST(Planners, OptionsOfOtherPlannersAreRefused) {

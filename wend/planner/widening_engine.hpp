@@ -32,7 +32,7 @@ class WideningEngine final : public Engine {
       start_ = start;
       goals_.assign(goals.begin(), goals.end());
       limits_ = &limits;
-      begun_ = limits.clock ? limits.clock() : 0;
+      begun_ = limits.now();
     }
     engine_->begin(start, goals, limits, observer);
   }
@@ -63,7 +63,7 @@ class WideningEngine final : public Engine {
     if (outcome != SearchOutcome::cost_overflow) return outcome;
     go_wide();
     rest_ = *limits_;
-    if (rest_.clock) rest_.seconds -= rest_.clock() - begun_;
+    if (rest_.timed()) rest_.seconds -= rest_.now() - begun_;
     engine_->begin(start_, goals_, rest_, nullptr);
     return SearchOutcome::running;
   }

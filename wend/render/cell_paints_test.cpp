@@ -20,7 +20,7 @@ Grid<double> row(const std::vector<double>& values) {
 }
 
 TEST(CellPaints, DrawsLaterRolesOverEarlierOnesButNeverOverObstacles) {
-  Scene scene{.space = FreeSpace(map_of({"..#?."}))};
+  Scene scene{.space = *make_free_space(map_of({"..#?."}))};
   scene.marked = {{CellRole::expanded, marked_of({"****-"}, '*')},
                   {CellRole::frontier, marked_of({"-+++-"}, '+')}};
   const Style style;
@@ -37,7 +37,7 @@ TEST(CellPaints, DrawsLaterRolesOverEarlierOnesButNeverOverObstacles) {
 }
 
 TEST(CellPaints, SpreadHeatFromTheLeastToTheGreatestFiniteValue) {
-  Scene scene{.space = FreeSpace(map_of({"...#?...."}))};
+  Scene scene{.space = *make_free_space(map_of({"...#?...."}))};
   scene.heatmap = {"cost", row({-2, 0, 2, 900, 1, kInfinity, kNaN, 0, -kInfinity})};
   scene.heatmap->values[{3, 0}] = 2;  // on an obstacle: it stays one
   scene.marked = {{CellRole::current, marked_of({"-------@-"}, '@')}};
@@ -55,7 +55,7 @@ TEST(CellPaints, SpreadHeatFromTheLeastToTheGreatestFiniteValue) {
 }
 
 TEST(CellPaints, DrawRoughGroundOnlyWhereNoHeatIs) {
-  Scene scene{.space = FreeSpace(map_of({"29"}))};
+  Scene scene{.space = *make_free_space(map_of({"29"}))};
   const Style style;
   EXPECT_NE((CellPaints(scene, style)[{1, 0}].colour), style.free);
   scene.heatmap = {"cost", row({1, kNaN})};
@@ -64,7 +64,7 @@ TEST(CellPaints, DrawRoughGroundOnlyWhereNoHeatIs) {
 
 /// Neither hides the other, nor looks like it.
 TEST(CellPaints, ShowRoughGroundUnderARole) {
-  Scene scene{.space = FreeSpace(map_of({"29.9#"}))};
+  Scene scene{.space = *make_free_space(map_of({"29.9#"}))};
   scene.marked = {{CellRole::expanded, marked_of({"***-*"}, '*')}};
   const Style style;
   const CellPaints paints(scene, style);
@@ -84,7 +84,7 @@ TEST(CellPaints, ShowRoughGroundUnderARole) {
 }
 
 TEST(CellPaints, DrawAConstantLayerAsTheLeastAndAnEmptyOneNotAtAll) {
-  Scene scene{.space = FreeSpace(map_of({".."}))};
+  Scene scene{.space = *make_free_space(map_of({".."}))};
   const Style style;
   scene.heatmap = {"cost", row({7, 7})};
   EXPECT_EQ((CellPaints(scene, style)[{1, 0}].colour), style.heat(0));
@@ -93,7 +93,7 @@ TEST(CellPaints, DrawAConstantLayerAsTheLeastAndAnEmptyOneNotAtAll) {
 }
 
 TEST(CellPaints, HeedAGivenRange) {
-  Scene scene{.space = FreeSpace(map_of({"..."}))};
+  Scene scene{.space = *make_free_space(map_of({"..."}))};
   scene.heatmap = {"cost", row({0, 5, 30}), HeatRange{0, 10}};
   const Style style;
   const CellPaints paints(scene, style);

@@ -114,7 +114,8 @@ Scene random_drive(bool y_up) {
   for (const int number : numbers) moves.push_back(static_cast<CarMove>(number));
   const CornerPose from{{*rc::gen::inRange(0, width + 1), *rc::gen::inRange(0, height + 1)},
                         static_cast<Heading>(*rc::gen::inRange(0, kHeadings))};
-  return car_on(FreeSpace(GridMap(cells, {.y_up = y_up}, terrain)), driven(from, moves));
+  return car_on(*make_free_space(*make_grid_map(cells, {.y_up = y_up}, terrain)),
+                driven(from, moves));
 }
 
 RC_GTEST_PROP(LatticePicture, IsUpsideDownForAMapUpsideDown, ()) {
@@ -130,7 +131,7 @@ RC_GTEST_PROP(LatticePicture, IsUpsideDownForAMapUpsideDown, ()) {
       terrain[{x, y}] = map.terrain({x, y});
     }
   }
-  upside_down.space = FreeSpace(GridMap(cells, {.y_up = true}, terrain));
+  upside_down.space = *make_free_space(*make_grid_map(cells, {.y_up = true}, terrain));
   RC_ASSERT(mirrored(characters_of(text_picture(drive, {.columns = columns}))) ==
             characters_of(text_picture(upside_down, {.columns = columns})));
 }
@@ -181,8 +182,8 @@ RC_GTEST_PROP(LatticePicture, IsAsciiOfTheSameSizeWhereThatIsWanted, ()) {
 }
 
 RC_GTEST_PROP(LatticePicture, StaysWithinItsColumnsAndRowsAndNumbersCornersApart, ()) {
-  Scene scene{.space = FreeSpace(
-                  GridMap(Grid<CellState>(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 60))))};
+  Scene scene{.space = *make_free_space(*make_grid_map(
+                  Grid<CellState>(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 60))))};
   scene.unit = *rc::gen::inRange(1, 12);
   const int columns = *rc::gen::inRange(1, 120);
   const int rows = *rc::gen::inRange(1, 60);

@@ -16,7 +16,7 @@ std::vector<std::string> labels_of(const Scene& scene) {
 }
 
 TEST(Legend, ExplainsAllThatOccurs) {
-  Scene scene{.space = FreeSpace(map_of({"#..2..?"}), {.footprint = Footprint::disc(1)})};
+  Scene scene{.space = *make_free_space(map_of({"#..2..?"}), {.footprint = Footprint::disc(1)})};
   scene.start = centre_of({3, 0});
   scene.goals = {centre_of({4, 0})};
   scene.path = Path({{3, 0}, {4, 0}});
@@ -35,7 +35,7 @@ TEST(Legend, ExplainsAllThatOccurs) {
 }
 
 TEST(Legend, TellsHowACarDrivesThroughAYard) {
-  Scene scene{.space = FreeSpace(map_of({"#2.", "..."}))};
+  Scene scene{.space = *make_free_space(map_of({"#2.", "..."}))};
   scene.unit = 1;
   scene.path = Path::through({{1, 1, 0}, {2, 1, 0}, {1, 1, 0}});
   scene.start = scene.path.poses().front();
@@ -47,7 +47,7 @@ TEST(Legend, TellsHowACarDrivesThroughAYard) {
 }
 
 TEST(Legend, NamesARoleOnRoughGroundBesideBoth) {
-  Scene scene{.space = FreeSpace(map_of({"3...3"}))};
+  Scene scene{.space = *make_free_space(map_of({"3...3"}))};
   scene.marked = {{CellRole::expanded, marked_of({"**---"}, '*')},
                   {CellRole::frontier, marked_of({"--+--"}, '+')}};
   EXPECT_EQ(labels_of(scene),
@@ -61,7 +61,7 @@ TEST(Legend, NamesARoleOnRoughGroundBesideBoth) {
 }
 
 TEST(Legend, LeavesOutWhatDoesNotOccur) {
-  Scene scene{.space = FreeSpace(map_of({"#.."}))};
+  Scene scene{.space = *make_free_space(map_of({"#.."}))};
   scene.path = Path({{1, 0}});
   scene.arrows.emplace(3, 1);
   scene.heatmap = {"cost", Grid<double>(3, 1, std::numeric_limits<double>::infinity())};

@@ -49,13 +49,6 @@
 
 namespace wend {
 
-/// Why a picture could not be drawn.
-struct RenderError {
-  std::string what;  // "out of memory"
-
-  const std::string& message() const { return what; }
-};
-
 /// The role of a cell in a search, or in the explanation of its failure.
 enum class CellRole : unsigned char {
   expanded,         // visited: closed, or on the walk

@@ -8,7 +8,7 @@ namespace wend {
 namespace {
 
 TEST(Scene, MarksTheEndsOfAPathOfCells) {
-  const Scene scene = scene_of(FreeSpace(map_of({"..."})), Path({{0, 0}, {1, 0}}));
+  const Scene scene = scene_of(*make_free_space(map_of({"..."})), Path({{0, 0}, {1, 0}}));
   EXPECT_EQ(scene.start, ScenePlace(Point{0.5, 0.5}));
   EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Point{1.5, 0.5}}));
   EXPECT_EQ(scene.path.size(), 2U);
@@ -17,7 +17,7 @@ TEST(Scene, MarksTheEndsOfAPathOfCells) {
 
 TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
   const Scene scene =
-      scene_of(FreeSpace(map_of({"..."})), Path::through({{0, 0, 0}, {1, 1, kPi / 2}}));
+      scene_of(*make_free_space(map_of({"..."})), Path::through({{0, 0, 0}, {1, 1, kPi / 2}}));
   EXPECT_EQ(scene.start, ScenePlace(Pose{0, 0, 0}));
   EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Pose{1, 1, kPi / 2}}));
   EXPECT_EQ(scene.unit, 1);
@@ -25,8 +25,8 @@ TEST(Scene, MarksTheEndsOfACarsPathWithTheirHeadings) {
 
 TEST(Scene, MarksTheEndsOfItsLastLine) {
   const Scene scene =
-      scene_of(FreeSpace(map_of({"..."})), {{LineRole::planned, {{0.5, 0.5}, {2.5, 0.5}}},
-                                            {LineRole::driven, {{0.5, 0.5}, {2.25, 0.25}}}});
+      scene_of(*make_free_space(map_of({"..."})), {{LineRole::planned, {{0.5, 0.5}, {2.5, 0.5}}},
+                                                   {LineRole::driven, {{0.5, 0.5}, {2.25, 0.25}}}});
   EXPECT_EQ(scene.start, ScenePlace(Point{0.5, 0.5}));
   EXPECT_EQ(scene.goals, (std::vector<ScenePlace>{Point{2.25, 0.25}}));
   EXPECT_EQ(scene.lines.size(), 2U);

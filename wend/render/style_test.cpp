@@ -129,7 +129,7 @@ void expect_all_apart(const std::vector<Named>& colours, double least, std::stri
 
 /// The style in which a car's plan is drawn.
 Style yard_style(StyleName name) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1, 1)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(1, 1)))};
   scene.unit = 1;
   return style_for(scene, style_of(name));
 }
@@ -253,7 +253,7 @@ TEST(Style, DrawsObstaclesOfAYardRedAndRoughRoadsTheMoreYellowTheRougher) {
 }
 
 TEST(Style, KeepsItsColoursWithoutACarAndBesideHeat) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1, 1)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(1, 1)))};
   const Style style;
   EXPECT_EQ(style_for(scene, style).occupied, style.occupied);
   scene.unit = 1;

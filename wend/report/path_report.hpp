@@ -25,7 +25,7 @@
 #include <string_view>
 
 #include "wend/geometry/frame.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"

@@ -19,7 +19,8 @@ constexpr Frame kPathFrame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = true
 
 /// A space without anything that limits clearance.
 FreeSpace open_space() {
-  return FreeSpace(GridMap(Grid<CellState>(8, 6), kPathFrame), {.outside = OutsidePolicy::free});
+  return *make_free_space(*make_grid_map(Grid<CellState>(8, 6), kPathFrame),
+                          {.outside = OutsidePolicy::free});
 }
 
 const Path kPlanned({{0, 0}, {1, 0}, {2, 0}, {2, 1}});

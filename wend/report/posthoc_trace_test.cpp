@@ -130,7 +130,7 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   const auto names = walking_planners();
   const PlannerInfo& info = *planners().find(names[random.below(names.size())]);
   const test::Trial trial = test::random_trial(seed, info);
-  const FreeSpace space(trial.map, trial.robot);
+  const FreeSpace space = *make_free_space(trial.map, trial.robot);
   if (!info.plans_on_terrain && !space.uniform_terrain()) RC_DISCARD("terrain");
   const Search search{space, info.name, trial.options, test::random_test_query(random, trial.map)};
   RC_LOG() << info.name << ", " << test::text_of(trial, seed) << test::text_of(search.test_query);
@@ -207,7 +207,7 @@ TEST(PosthocTrace, EndsWithoutAParentWhereTheLimitCameBeforeIt) {
 }
 
 TEST(PosthocTrace, CountsRowsFromTheTopWhereYIsUp) {
-  const FreeSpace space(test::drawn_map("...\n##.\n", {.y_up = true}));
+  const FreeSpace space = *make_free_space(test::drawn_map("...\n##.\n", {.y_up = true}));
   const json trace = parsed(trace_of(space, TraceForm::json, kNoLimit), TraceForm::json);
   EXPECT_EQ(trace.at("events").at(0).at("blocked"), json::parse("[[0,0,2,1]]"));
   EXPECT_EQ(trace.at("events").at(1), json::parse(R"({"type":"source","id":0,"x":0,"y":1})"));
@@ -227,8 +227,8 @@ TEST(PosthocTrace, LeavesOutAMapThatTakesTooManyRectangles) {
     const Cell cell{i % 200, i / 200};
     if ((cell.x + cell.y) % 2 == 1) chessboard[cell] = CellState::occupied;
   }
-  PosthocTrace trace(FreeSpace(GridMap(chessboard)), {0, 0}, std::vector<Cell>{}, TraceForm::json,
-                     kNoLimit);
+  PosthocTrace trace(*make_free_space(*make_grid_map(chessboard)), {0, 0}, std::vector<Cell>{},
+                     TraceForm::json, kNoLimit);
   const json events = json::parse(trace.finish({})).at("events");
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events.at(0).at("type"), "source");

@@ -34,7 +34,7 @@ void on_random_spaces(Check&& check) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", keeps away " +
                  std::to_string(options.clearance_distance) + " m at " +
                  std::to_string(options.clearance_cost) + "\n" + test::drawing_of(map));
-    check(map, options, FreeSpace(map, options));
+    check(map, options, *make_free_space(map, options));
   }
 }
 
@@ -67,7 +67,7 @@ TEST(ClearanceCost, IsNothingWithoutADistanceOrACost) {
     for (const auto& [distance, cost] : {std::pair{0.0, 4.0}, {0.0, 1e6}, {3.0, 0.0}}) {
       options.clearance_distance = distance;
       options.clearance_cost = cost;
-      const FreeSpace space(map, options);
+      const FreeSpace space = *make_free_space(map, options);
       ASSERT_EQ(&space.terrain(), &space.map().terrain()) << "the map's own grid";
       ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain());
     }
@@ -93,10 +93,10 @@ TEST(ClearanceCost, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
 TEST(ClearanceCost, IsMeasuredFromTheRobotsEdgeInMetres) {
   // Cells of half a metre, an obstacle on the left: cell x is (x - 0.5) / 2 m from it.
   const GridMap map = test::drawn_map("#.........", {.resolution = 0.5, .metric = true});
-  const FreeSpace space(map, {.footprint = Footprint::disc(0.75),
-                              .outside = OutsidePolicy::free,
-                              .clearance_distance = 2,
-                              .clearance_cost = 8});
+  const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(0.75),
+                                                 .outside = OutsidePolicy::free,
+                                                 .clearance_distance = 2,
+                                                 .clearance_cost = 8});
   EXPECT_EQ(space.terrain({1, 0}), 1) << "the robot cannot stand there";
   EXPECT_DOUBLE_EQ(space.terrain({2, 0}), 9) << "it touches";
   EXPECT_DOUBLE_EQ(space.terrain({4, 0}), 3) << "1 m away";
@@ -112,8 +112,8 @@ TEST(ClearanceCost, MultipliesTheMapsTerrain) {
 }
 
 TEST(ClearanceCost, FadesLessAndLess) {
-  const FreeSpace space(test::drawn_map("#" + std::string(200, '.')),
-                        {.clearance_distance = 100, .clearance_cost = 5});
+  const FreeSpace space = *make_free_space(test::drawn_map("#" + std::string(200, '.')),
+                                           {.clearance_distance = 100, .clearance_cost = 5});
   double before = space.terrain({1, 0});
   double slope = 0.2;
   for (int x = 2; x <= 200; ++x) {

@@ -29,7 +29,7 @@ FreeSpace any_space() {
   const Polygon outline =
       *rc::gen::arbitrary<bool>() ? test::random_polygon() : test::random_right_angled_polygon();
   const Footprint footprint = *Footprint::polygon(outline.scaled(map.frame().resolution));
-  return FreeSpace(map, {.footprint = footprint, .outside = test::random_outside(random)});
+  return *make_free_space(map, {.footprint = footprint, .outside = test::random_outside(random)});
 }
 
 /// A random pose on the map. Half of them lie on quarters of cells and along the axes, where edges touch
@@ -193,8 +193,8 @@ TEST(PointAndDiscFit, AtPosesAsTheirSweepsSay) {
   EXPECT_TRUE(disc.fits({1.5, 0.5, 0}));
   EXPECT_EQ(disc.why_blocked(Pose{1.75, 0.75, 0}), BlockReason::too_close);
 
-  const FreeSpace box(point.obstacles(),
-                      {.footprint = *parse_footprint("0.4,0.2;-0.4,0.2;0,-0.4")});
+  const FreeSpace box = *make_free_space(
+      point.obstacles(), {.footprint = *parse_footprint("0.4,0.2;-0.4,0.2;0,-0.4")});
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Pose pose : {Pose{kNan, 1.5, 0}, Pose{1.5, kNan, 0}, Pose{1.5, 1.5, kNan},

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/parse.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
@@ -78,6 +80,22 @@ Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles, const BitGr
   return terrain;
 }
 
+std::optional<Error> fault_of(const Robot& robot) {
+  const auto wrong = [](const std::string& name, double value) {
+    return Error{
+        Status::invalid_option,
+        "the robot's " + name + " is " + format_number(value) + ": a finite number from 0 expected",
+        name};
+  };
+  const auto valid = [](double value) { return value >= 0 && std::isfinite(value); };
+  if (!robot.footprint.valid()) return wrong("radius", robot.footprint.circumscribed_radius());
+  if (!valid(robot.clearance_distance)) {
+    return wrong("clearance_distance", robot.clearance_distance);
+  }
+  if (!valid(robot.clearance_cost)) return wrong("clearance_cost", robot.clearance_cost);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view describe(BlockReason reason) {
@@ -100,14 +118,19 @@ double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& opt
   return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
 }
 
-FreeSpace::FreeSpace(GridMap map, const FreeSpaceOptions& options)
-    : FreeSpace(Obstacles(std::move(map), options.obstacles()), options.robot()) {}
+Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& options) {
+  Robot robot = options.robot();
+  if (auto fault = fault_of(robot)) return Unexpected<Error>(*std::move(fault));  // before O(cells)
+  return make_free_space(Obstacles(std::move(map), options.obstacles()), std::move(robot));
+}
+
+Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
+  if (auto fault = fault_of(robot)) return Unexpected<Error>(*std::move(fault));
+  return FreeSpace(std::move(obstacles), std::move(robot));
+}
 
 FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
   const Footprint& footprint = robot.footprint;
-  assert(footprint.valid());
-  assert(robot.clearance_distance >= 0 && std::isfinite(robot.clearance_distance));
-  assert(robot.clearance_cost >= 0 && std::isfinite(robot.clearance_cost));
   const double resolution = obstacles.map().frame().resolution;
   const auto& clearance = obstacles.squared_half_cell_clearance();
   const double least = least_squared_half_cells(footprint.circumscribed_radius() / resolution);

@@ -26,8 +26,8 @@
 // which 4.1 are the Obstacles', and eight more if the clearance cost makes any cell cost more.
 //
 //   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
-//   const wend::FreeSpace space(map, {.footprint = *robot});
-//   if (const auto reason = space.why_blocked(wend::Cell{3, 4})) ...
+//   const auto space = wend::make_free_space(map, {.footprint = *robot});
+//   if (const auto reason = space->why_blocked(wend::Cell{3, 4})) ...
 
 #include <cassert>
 #include <cstdint>
@@ -35,6 +35,7 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/base/error.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
@@ -89,11 +90,6 @@ double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& opt
 
 class FreeSpace {
  public:
-  explicit FreeSpace(GridMap map, const FreeSpaceOptions& options = {});
-
-  /// Uses shared obstacles.
-  FreeSpace(Obstacles obstacles, Robot robot);
-
   const GridMap& map() const { return data_->obstacles.map(); }
   const Obstacles& obstacles() const { return data_->obstacles; }
   const Robot& robot() const { return data_->robot; }
@@ -167,6 +163,10 @@ class FreeSpace {
   const ConnectedComponents& components() const { return data_->components; }
 
  private:
+  friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot);
+
+  FreeSpace(Obstacles obstacles, Robot robot);
+
   BlockReason reason_in(Cell blocked) const;
 
   struct Data {
@@ -182,6 +182,13 @@ class FreeSpace {
 
   std::shared_ptr<const Data> data_;
 };
+
+/// Makes the free space of a robot. Fails with invalid_option if the radius of the footprint, or one of
+/// the clearance options, is NaN or out of range; Error::where names it.
+Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& options = {});
+
+/// The same on shared obstacles.
+Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot);
 
 /// The cell of the map that contains a point in grid coordinates, if any; nothing for NaN.
 std::optional<Cell> cell_under(const FreeSpace& space, Point point);

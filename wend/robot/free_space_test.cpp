@@ -25,7 +25,7 @@ struct Sample {
   std::optional<OutsidePolicy> outside;
 
   FreeSpace space() const {
-    return FreeSpace(
+    return *make_free_space(
         map,
         {.footprint = Footprint::disc(radius_mm / 1000.0), .unknown = unknown, .outside = outside});
   }
@@ -99,7 +99,7 @@ Sample random_sample(Random& random) {
   frame.metric = random.chance(0.5);
   constexpr std::array<std::optional<OutsidePolicy>, 3> kOutside{
       std::nullopt, OutsidePolicy::blocked, OutsidePolicy::free};
-  return {GridMap(states, frame), resolution_mm, kRadii[random.below(kRadii.size())],
+  return {*make_grid_map(states, frame), resolution_mm, kRadii[random.below(kRadii.size())],
           random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,
           kOutside[random.below(kOutside.size())]};
 }
@@ -183,15 +183,15 @@ GridMap row_behind_an_obstacle(int width, double resolution) {
   states[{0, 0}] = CellState::occupied;
   Frame frame;
   frame.resolution = resolution;
-  return GridMap(states, frame);
+  return *make_grid_map(states, frame);
 }
 
 TEST(FreeSpace, LetsTheRobotTouchAnObstacle) {
   // The centre of cell 3 is 2.5 cells away from the obstacle.
   const GridMap map = row_behind_an_obstacle(8, 1);
-  EXPECT_TRUE(FreeSpace(map, {.footprint = Footprint::disc(2.5)}).passable({3, 0}));
-  EXPECT_FALSE(FreeSpace(map, {.footprint = Footprint::disc(2.5)}).passable({2, 0}));
-  EXPECT_FALSE(FreeSpace(map, {.footprint = Footprint::disc(2.5001)}).passable({3, 0}));
+  EXPECT_TRUE(make_free_space(map, {.footprint = Footprint::disc(2.5)})->passable({3, 0}));
+  EXPECT_FALSE(make_free_space(map, {.footprint = Footprint::disc(2.5)})->passable({2, 0}));
+  EXPECT_FALSE(make_free_space(map, {.footprint = Footprint::disc(2.5001)})->passable({3, 0}));
 }
 
 TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
@@ -205,8 +205,8 @@ TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
                             Case{0.15, 0.1, 2}, Case{0.175, 0.05, 4}, Case{0.07, 0.02, 4},
                             Case{0.45, 0.3, 2}, Case{0.55, 0.1, 6}, Case{0.05, 0.1, 1}}) {
     SCOPED_TRACE(testing::Message() << given.radius << " m at " << given.resolution);
-    const FreeSpace space(row_behind_an_obstacle(12, given.resolution),
-                          {.footprint = Footprint::disc(given.radius)});
+    const FreeSpace space = *make_free_space(row_behind_an_obstacle(12, given.resolution),
+                                             {.footprint = Footprint::disc(given.radius)});
     EXPECT_FALSE(space.passable({given.first_free - 1, 0}));
     EXPECT_TRUE(space.passable({given.first_free, 0}));
     EXPECT_NEAR(space.radius_in_cells(), given.radius / given.resolution, 1e-12);
@@ -214,15 +214,15 @@ TEST(FreeSpace, ForgivesRoundingInARadiusInMetres) {
 }
 
 TEST(FreeSpace, OfAPointIsEveryCellThatIsNoObstacle) {
-  const FreeSpace space(row_behind_an_obstacle(3, 1));
+  const FreeSpace space = *make_free_space(row_behind_an_obstacle(3, 1));
   EXPECT_FALSE(space.passable({0, 0}));
   EXPECT_TRUE(space.passable({1, 0}));
   EXPECT_EQ(space.why_blocked(Cell{1, 0}), std::nullopt);
 }
 
 TEST(FreeSpace, OfAMapInCellsIsNotNarrowedByTheMapsEdge) {
-  const FreeSpace space(GridMap(Grid<CellState>(3, 3, CellState::free)),
-                        {.footprint = Footprint::disc(100)});
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(3, 3, CellState::free)),
+                                           {.footprint = Footprint::disc(100)});
   EXPECT_EQ(space.outside(), OutsidePolicy::free);
   for (const Cell cell : test::all_cells(3, 3)) {
     EXPECT_TRUE(space.passable(cell));
@@ -233,22 +233,24 @@ TEST(FreeSpace, OfAMapInCellsIsNotNarrowedByTheMapsEdge) {
 }
 
 TEST(FreeSpace, OfAMapInMetresKeepsTheDiscOnTheMap) {
-  const GridMap map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1, .metric = true});
-  const FreeSpace space(map, {.footprint = Footprint::disc(0.15)});
+  const GridMap map =
+      *make_grid_map(Grid<CellState>(5, 3, CellState::free), {.resolution = 0.1, .metric = true});
+  const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(0.15)});
   EXPECT_EQ(space.outside(), OutsidePolicy::blocked);
   EXPECT_EQ(space.options().outside, OutsidePolicy::blocked);
   EXPECT_EQ(space.passable().count(), 3U) << "the middle row, without its ends";
   EXPECT_EQ(space.clearance({2, 1}), 1.5);
   EXPECT_EQ(space.why_blocked(Cell{0, 1}), BlockReason::over_edge);
   EXPECT_EQ(describe(BlockReason::over_edge), "too close to the map's edge for the robot's radius");
-  const FreeSpace hanging(map,
-                          {.footprint = Footprint::disc(0.15), .outside = OutsidePolicy::free});
+  const FreeSpace hanging =
+      *make_free_space(map, {.footprint = Footprint::disc(0.15), .outside = OutsidePolicy::free});
   EXPECT_EQ(hanging.passable().count(), map.size());
-  EXPECT_EQ(FreeSpace(map).passable().count(), map.size()) << "a point fits in every cell";
+  EXPECT_EQ(make_free_space(map)->passable().count(), map.size()) << "a point fits in every cell";
 }
 
 TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
-  const FreeSpace space(row_behind_an_obstacle(5, 0.01), {.footprint = Footprint::disc(1e9)});
+  const FreeSpace space =
+      *make_free_space(row_behind_an_obstacle(5, 0.01), {.footprint = Footprint::disc(1e9)});
   EXPECT_EQ(space.passable().count(), 0U);
   EXPECT_EQ(space.components().count(Adjacency::edges), 0U);
   EXPECT_FALSE(space.far_enough(kNoObstacle - 1.0));
@@ -256,13 +258,15 @@ TEST(FreeSpace, OfAVastRobotIsNothingNextToAnObstacle) {
 }
 
 TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {
-  const FreeSpace space(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.3)});
+  const FreeSpace space =
+      *make_free_space(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.3)});
   EXPECT_TRUE(space.far_enough(36));  // 3 cells, squared, in half-cells
   EXPECT_FALSE(space.far_enough(35.99));
-  const FreeSpace point(row_behind_an_obstacle(5, 0.1));
+  const FreeSpace point = *make_free_space(row_behind_an_obstacle(5, 0.1));
   EXPECT_TRUE(point.far_enough(1));
   EXPECT_FALSE(point.far_enough(0));
-  const FreeSpace small(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.03)});
+  const FreeSpace small =
+      *make_free_space(row_behind_an_obstacle(5, 0.1), {.footprint = Footprint::disc(0.03)});
   EXPECT_TRUE(small.far_enough(0.36)) << "0.3 cells from a point that is no cell's centre";
   EXPECT_FALSE(small.far_enough(0.35));
 }
@@ -270,14 +274,14 @@ TEST(FreeSpace, JudgesOtherDistancesByTheSameRule) {
 TEST(FreeSpace, HasTheMapsTerrain) {
   Grid<double> terrain(2, 1, 1);
   terrain[{1, 0}] = 3;
-  const FreeSpace space(GridMap(Grid<CellState>(2, 1), {}, terrain));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(2, 1), {}, terrain));
   EXPECT_FALSE(space.uniform_terrain());
   EXPECT_EQ(space.terrain({1, 0}), 3);
-  EXPECT_TRUE(FreeSpace(GridMap(Grid<CellState>(2, 1))).uniform_terrain());
+  EXPECT_TRUE(make_free_space(*make_grid_map(Grid<CellState>(2, 1)))->uniform_terrain());
 }
 
 TEST(FreeSpace, SharesEverythingWithCopies) {
-  const FreeSpace space(row_behind_an_obstacle(5, 1));
+  const FreeSpace space = *make_free_space(row_behind_an_obstacle(5, 1));
   const FreeSpace copy =
       space;  // NOLINT(performance-unnecessary-copy-initialization): it is tested
   EXPECT_EQ(&copy.passable(), &space.passable());
@@ -288,6 +292,26 @@ TEST(BlockReason, IsSaidInWords) {
   EXPECT_EQ(describe(BlockReason::obstacle), "an obstacle");
   EXPECT_EQ(describe(BlockReason::unknown), "unknown");
   EXPECT_EQ(describe(BlockReason::too_close), "closer to an obstacle than the robot's radius");
+}
+
+TEST(FreeSpace, IsNotMadeForARobotThatCannotBe) {
+  const GridMap map = *make_grid_map(Grid<CellState>(3, 2));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double wrong : {nan, infinity, -0.1}) {
+    const FreeSpaceOptions too_wide{.footprint = Footprint::disc(wrong)};
+    const FreeSpaceOptions too_far{.clearance_distance = wrong};
+    const FreeSpaceOptions too_dear{.clearance_cost = wrong};
+    for (const auto& [options, where] :
+         {std::pair(too_wide, "radius"), std::pair(too_far, "clearance_distance"),
+          std::pair(too_dear, "clearance_cost")}) {
+      const auto space = make_free_space(map, options);
+      ASSERT_FALSE(space) << where << " " << wrong;
+      EXPECT_EQ(space.error().status, Status::invalid_option);
+      EXPECT_EQ(space.error().where, where);
+      EXPECT_FALSE(make_free_space(Obstacles(map), options.robot()));
+    }
+  }
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ FreeSpace random_space(Random& random) {
   for (const Cell cell : test::all_cells(blocked.width(), blocked.height())) {
     if (blocked[cell]) states[cell] = CellState::occupied;
   }
-  return FreeSpace(GridMap(states), {.footprint = Footprint::disc(random.chance(0.5) ? 0.0 : 1.0)});
+  return *make_free_space(*make_grid_map(states),
+                          {.footprint = Footprint::disc(random.chance(0.5) ? 0.0 : 1.0)});
 }
 
 /// The first of all cells by distance, then row, then column.
@@ -80,7 +81,7 @@ TEST(NearestPassable, IsConnectedToTheOtherEnd) {
 }
 
 TEST(NearestPassable, IsThePassableCellItself) {
-  const FreeSpace space(GridMap(Grid<CellState>(5, 4, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(5, 4, CellState::free)));
   for (const Cell cell : test::all_cells(5, 4)) EXPECT_EQ(nearest_passable(space, cell), cell);
 }
 
@@ -89,18 +90,19 @@ TEST(NearestPassable, IsInTheSmallerRowOfTwoAtTheSameDistance) {
   Grid<CellState> states(10, 10, CellState::occupied);
   states[{8, 9}] = CellState::free;
   states[{5, 0}] = CellState::free;
-  EXPECT_EQ(nearest_passable(FreeSpace(GridMap(states)), {5, 5}), (Cell{5, 0}));
+  EXPECT_EQ(nearest_passable(*make_free_space(*make_grid_map(states)), {5, 5}), (Cell{5, 0}));
 }
 
 TEST(NearestPassable, IsFoundFromFarOutside) {
-  const FreeSpace space(GridMap(Grid<CellState>(5, 4, CellState::free)));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(5, 4, CellState::free)));
   EXPECT_EQ(nearest_passable(space, {1000000000, 1000000000}), (Cell{4, 3}));
   EXPECT_EQ(nearest_passable(space, {-1000000000, 2}), (Cell{0, 2}));
   EXPECT_EQ(nearest_passable(space, {2, -1000000000}), (Cell{2, 0}));
 }
 
 TEST(NearestPassable, IsNoneWhereEverythingIsBlocked) {
-  const FreeSpace space(GridMap(Grid<CellState>(5, 4, CellState::occupied)));
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(5, 4, CellState::occupied)));
   EXPECT_EQ(nearest_passable(space, {2, 2}), std::nullopt);
   EXPECT_EQ(nearest_passable(space, {-100, 2}), std::nullopt);
 }
@@ -108,7 +110,7 @@ TEST(NearestPassable, IsNoneWhereEverythingIsBlocked) {
 TEST(NearestPassable, IsNoneWhereTheOtherEndIsBlocked) {
   Grid<CellState> states(5, 4, CellState::free);
   states[{4, 3}] = CellState::occupied;
-  const FreeSpace space{GridMap(states)};
+  const FreeSpace space = *make_free_space(*make_grid_map(states));
   EXPECT_EQ(nearest_passable(space, {0, 0}, Cell{4, 3}), std::nullopt);
 }
 

@@ -134,7 +134,7 @@ TEST(PointSweep, DecidesLinesAsExactArithmeticDoes) {
   for (std::uint64_t seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 7), random.between(1, 7));
-    const FreeSpace space(map);
+    const FreeSpace space = *make_free_space(map);
     const BruteForce brute(map, true);
     for (int i = 0; i < 30; ++i) {
       const Whole from = random_whole(random, map);
@@ -161,7 +161,7 @@ TEST(PointSweep, DecidesWhereTwoLinesMeetAsExactArithmeticDoes) {
   for (std::uint64_t seed = 1; seed <= 40000 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(2, 4), random.between(2, 4));
-    const FreeSpace space(map);
+    const FreeSpace space = *make_free_space(map);
     const BruteForce brute(map, true);
     const Whole from = random_whole(random, map);
     const Whole corner{kPerCell * random.between(1, map.width() - 1),
@@ -290,7 +290,7 @@ TEST(PointSweep, GoesAlongArcsAsTheirPointsDo) {
   for (std::uint64_t seed = 1; seed <= 1500 && !HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 9), random.between(1, 9));
-    const FreeSpace space(map);
+    const FreeSpace space = *make_free_space(map);
     const Arc arc = test::random_arc(random, map.width(), map.height());
     bool enters = false;
     double clearance = test::kInfinite;

@@ -24,9 +24,10 @@ GridMap rows_of(const GridMap& map, int begin, int end) {
     const auto row = map.terrain().row(y);
     terrain.insert(terrain.end(), row.begin(), row.end());
   }
-  return {std::move(occupied), std::move(unknown), map.frame(),
-          terrain.empty() ? Grid<double>()
-                          : Grid<double>(map.width(), end - begin, std::move(terrain))};
+  return *make_grid_map(std::move(occupied), std::move(unknown), map.frame(),
+                        terrain.empty()
+                            ? Grid<double>()
+                            : Grid<double>(map.width(), end - begin, std::move(terrain)));
 }
 
 /// The number of rows over which an obstacle can still matter.
@@ -136,7 +137,7 @@ SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options,
     const int end = std::min(begin + rows, map.height());
     const int above = std::max(begin - reach, 0);
     const int below = std::min(reach, map.height() - end);
-    const FreeSpace band(rows_of(map, above, end + below), options);
+    const FreeSpace band = *make_free_space(rows_of(map, above, end + below), options);
     for (int y = begin; y < end; ++y) surveyor.add_row_of_band(y, band, y - above);
   }
   return surveyor.finish();

@@ -22,7 +22,7 @@ struct SpaceSurvey {
   friend bool operator==(const SpaceSurvey&, const SpaceSurvey&) = default;
 };
 
-/// The same numbers as from FreeSpace(map, options). O(cells).
+/// The same numbers as from make_free_space(map, options). O(cells).
 SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options);
 
 /// The memory that survey() needs in addition to the map, in bytes.

@@ -11,7 +11,7 @@ namespace {
 
 /// The same, counted cell by cell in a FreeSpace.
 SpaceSurvey counted(const GridMap& map, const FreeSpaceOptions& options) {
-  const FreeSpace space(map, options);
+  const FreeSpace space = *make_free_space(map, options);
   SpaceSurvey survey;
   double sum = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ GridMap random_map(Random& random) {
       if (rough) terrain[{x, y}] = 1 + static_cast<double>(random.below(9));
     }
   }
-  return GridMap(cells, Frame{0.5, {}, true, true}, terrain);
+  return *make_grid_map(cells, Frame{0.5, {}, true, true}, terrain);
 }
 
 TEST(SpaceSurvey, CountsWhatAFreeSpaceHasInBandsOfAnyHeight) {

@@ -46,11 +46,12 @@ TEST(MapEdge, OfAnArcIsThatOfItsPoints) {
 }
 
 TEST(MapEdge, IsPartOfClearanceWhereTheOutsideIsBlocked) {
-  const GridMap map(Grid<CellState>(10, 6, CellState::free));
-  const FreeSpace blocked(map, {.outside = OutsidePolicy::blocked});
+  const GridMap map = *make_grid_map(Grid<CellState>(10, 6, CellState::free));
+  const FreeSpace blocked = *make_free_space(map, {.outside = OutsidePolicy::blocked});
   EXPECT_EQ(edge_clearance(blocked, Point{3, 2}), 2);
   EXPECT_EQ(edge_clearance(blocked, Point{-3, 2}), 0);
-  EXPECT_EQ(edge_clearance(FreeSpace(map), Point{3, 2}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(edge_clearance(*make_free_space(map), Point{3, 2}),
+            std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

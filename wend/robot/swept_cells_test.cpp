@@ -26,7 +26,7 @@ double between(Random& random, double least, double greatest) {
 
 GridMap map_of(BitGrid occupied) {
   BitGrid unknown(occupied.width(), occupied.height());
-  return GridMap(std::move(occupied), std::move(unknown));
+  return *make_grid_map(std::move(occupied), std::move(unknown));
 }
 
 GridMap with_obstacle(int width, int height, Cell cell) {
@@ -113,10 +113,11 @@ TEST(SweptCellsTest, SayWhatTheMapSays) {
     const OutsidePolicy outside =
         random.below(2) == 0 ? OutsidePolicy::blocked : OutsidePolicy::free;
     Random same = random;
-    const FreeSpace space(map, {.footprint = random_shape(random, 0), .outside = outside});
+    const FreeSpace space =
+        *make_free_space(map, {.footprint = random_shape(random, 0), .outside = outside});
     Footprint larger = random_shape(same, space.outline() ? 0.1 : 0);
     if (space.is_point()) larger = Footprint::disc(1e-6);
-    const FreeSpace grown(map, {.footprint = larger, .outside = outside});
+    const FreeSpace grown = *make_free_space(map, {.footprint = larger, .outside = outside});
     const std::vector<Pose> motion = random_motion(random);
     const SweptCells swept(space, motion);
     for (int i = 0; i < 8; ++i) {
@@ -136,7 +137,7 @@ TEST(SweptCellsTest, SayWhatTheMapSays) {
 }
 
 TEST(SweptCellsTest, OfAPointAreTheCellsItTouches) {
-  const FreeSpace space(with_obstacle(8, 8, {-1, -1}));
+  const FreeSpace space = *make_free_space(with_obstacle(8, 8, {-1, -1}));
   const SweptCells diagonal(space, std::vector<Pose>{{0.5, 0.5, 0}, {1.5, 1.5, 0}});
   ASSERT_EQ(diagonal.runs().size(), 2U);
   EXPECT_EQ(diagonal.runs()[0].cells, 3U) << "both cells beside the corner";
@@ -148,11 +149,11 @@ TEST(SweptCellsTest, OfAPointAreTheCellsItTouches) {
 
 /// Wider than a word of 64 cells.
 TEST(SweptCellsTest, OfALongMotionTakeSeveralRuns) {
-  const FreeSpace empty(with_obstacle(200, 5, {-1, -1}));
+  const FreeSpace empty = *make_free_space(with_obstacle(200, 5, {-1, -1}));
   const std::vector<Pose> far{{0.5, 0.5, 0}, {150.5, 0.5, 0}};
   EXPECT_TRUE(fits(empty, SweptCells(empty, far), {3, 2}));
   for (const int x : {3, 66, 67, 100, 153}) {
-    const FreeSpace space(with_obstacle(200, 5, {x, 2}));
+    const FreeSpace space = *make_free_space(with_obstacle(200, 5, {x, 2}));
     const SweptCells swept(space, far);
     EXPECT_FALSE(fits(space, swept, {3, 2})) << x;
     EXPECT_TRUE(fits(space, swept, {3, 1})) << x;

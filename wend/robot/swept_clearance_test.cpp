@@ -44,7 +44,8 @@ void on_random_arcs(int maps, int largest, Check&& check) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map =
         test::random_map(random, random.between(1, largest), random.between(1, largest));
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     for (int i = 0; i < 20; ++i) {
       const Arc arc = test::random_arc(random, map.width(), map.height());
       SCOPED_TRACE("seed " + std::to_string(seed) + ": " + test::text_of(arc) + "\n" +
@@ -79,7 +80,7 @@ TEST(ArcClearance, IsThatOfTheNearestPoint) {
 TEST(ArcClearance, FindsObstaclesFarAwayOnLargeMaps) {
   Grid<CellState> cells(300, 200, CellState::free);
   cells[{130, 7}] = CellState::occupied;
-  const FreeSpace space((GridMap(cells)));
+  const FreeSpace space = *make_free_space((*make_grid_map(cells)));
   EXPECT_DOUBLE_EQ(arc_clearance(space, {{300, 200, 0}, 0, 0}), std::hypot(169, 192));
   EXPECT_DOUBLE_EQ(arc_clearance(space, {{0, 0, 0}, 300, 0}), 7);
   EXPECT_DOUBLE_EQ(arc_clearance(space, arc_to({0, 200, -kPi / 4}, {200, 0})), 61 * std::sqrt(0.5));
@@ -119,7 +120,8 @@ TEST(FitsAlong, LetsDiscsTouch) {
     if (clearance < 1e-3 || clearance == test::kInfinite) return;
     const double metres = clearance * space.map().frame().resolution;
     for (const double larger : {-1e-3, -1e-6, -1e-11, 0.0, 1e-11, 1e-6, 1e-3}) {
-      const FreeSpace just(space.map(), {.footprint = Footprint::disc(metres * (1 + larger)),
+      const FreeSpace just =
+          *make_free_space(space.map(), {.footprint = Footprint::disc(metres * (1 + larger)),
                                          .unknown = space.options().unknown,
                                          .outside = space.outside()});
       ASSERT_EQ(fits_along(just, arc), larger < 1e-9) << clearance << ", larger by " << larger;
@@ -128,7 +130,7 @@ TEST(FitsAlong, LetsDiscsTouch) {
 }
 
 FreeSpace with_radius(const FreeSpace& space, double radius) {
-  return FreeSpace(space.map(), {.footprint = Footprint::disc(radius)});
+  return *make_free_space(space.map(), {.footprint = Footprint::disc(radius)});
 }
 
 TEST(FitsAlong, JudgesMovesOfACarByRadiiThatTouchExactly) {
@@ -173,7 +175,8 @@ void on_random_spaces(int count, Check&& check) {
   for (int seed = 1; seed <= count && !::testing::Test::HasFailure(); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const GridMap map = test::random_map(random, random.between(1, 14), random.between(1, 14));
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));
     check(random, space);
   }
@@ -277,7 +280,8 @@ TEST(LineRoom, IsWhatBothEndsMayMove) {
     Random random(seed);
     const GridMap map = test::random_map(random, random.between(1, 14), random.between(1, 14));
     const double radius = test::one_of<double>(random, std::array{0.0, 0.0, 0.3, 1.0, 2.7});
-    const FreeSpace space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
+    const FreeSpace space =
+        *make_free_space(map, {.footprint = Footprint::disc(radius * map.frame().resolution)});
     const Line line = random_line(random, map);
     const auto room = room_along(space, line);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));

@@ -18,7 +18,7 @@ class LimitCheck {
   /// Starts the clock. `limits` must live as long as the search.
   void begin(const Limits& limits) {
     limits_ = &limits;
-    deadline_ = limits.clock ? limits.clock() + limits.seconds : 0;
+    deadline_ = limits.timed() ? limits.now() + limits.seconds : 0;
     next_ = 0;
   }
 
@@ -32,7 +32,7 @@ class LimitCheck {
     if (limits_->cancel != nullptr && limits_->cancel->load(std::memory_order_relaxed)) {
       return SearchOutcome::cancelled;
     }
-    if (limits_->clock && limits_->clock() > deadline_) return SearchOutcome::time_limit;
+    if (limits_->timed() && limits_->now() > deadline_) return SearchOutcome::time_limit;
     return SearchOutcome::running;
   }
 

@@ -90,11 +90,11 @@ BenchEntry::BenchEntry(PlannerSpec spec, const PlannerInfo& info)
     : spec_(std::move(spec)), info_(info) {}
 
 void BenchEntry::check(const FreeSpace& space) const {
-  const GridMap one_cell(Grid<CellState>(1, 1, CellState::free));
-  const auto tried = info_.make(FreeSpace(one_cell), spec_.options);
-  if (!tried) throw InputError(fmt::format("{}: {}", name(), tried.error().message()));
+  const GridMap one_cell = *make_grid_map(Grid<CellState>(1, 1, CellState::free));
+  const auto tried = info_.make(*make_free_space(one_cell), spec_.options);
+  if (!tried) throw InputError(fmt::format("{}: {}", name(), tried.error().message));
   if (terrain_in_words(info_) != "refused") return;
-  if (const auto refused = refused_terrain(name(), space)) throw InputError(refused->message());
+  if (const auto refused = refused_terrain(name(), space)) throw InputError(refused->message);
 }
 
 bool BenchEntry::takes(const GivenIndex& index) const {
@@ -112,10 +112,10 @@ Preparation BenchEntry::prepare(const FreeSpace& space,
 
 Preparation BenchEntry::build(const FreeSpace& space) const {
   ThreadWorkers one(1);
-  Expected<IndexBytes, PlannerError> index;
+  Expected<IndexBytes, Error> index;
   const double seconds =
       seconds_of(thread_cpu_seconds, [&] { index = build_index(info_, space, one); });
-  if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message()));
+  if (!index) throw InputError(fmt::format("{}: {}", name(), index.error().message));
   const std::uint64_t bytes = index->size();
   return {*std::move(index), {seconds, bytes}};
 }
@@ -129,13 +129,13 @@ PlannerResult BenchEntry::try_make(const FreeSpace& space, const Preparation& pr
 std::unique_ptr<Planner> BenchEntry::make_planner(const FreeSpace& space,
                                                   const Preparation& preparation) const {
   auto planner = try_make(space, preparation);
-  if (!planner) throw InputError(fmt::format("{}: {}", name(), planner.error().message()));
+  if (!planner) throw InputError(fmt::format("{}: {}", name(), planner.error().message));
   return *std::move(planner);
 }
 
 std::vector<BenchEntry> parse_entries(const std::string& list, GridMoves moves) {
   auto specs = parse_option_specs(list, "planner", known_planners().names());
-  if (!specs) throw InputError(specs.error());
+  if (!specs) throw InputError(specs.error().message);
   std::vector<BenchEntry> entries;
   for (PlannerSpec& spec : *specs) {
     const PlannerInfo& info = *known_planners().find(spec.name);

@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 template <class T>
-T loaded_or_throw(Expected<T, IoError> result) {
-  if (!result) throw InputError(result.error().message());
+T loaded_or_throw(Expected<T, Error> result) {
+  if (!result) throw InputError(result.error().message);
   return *std::move(result);
 }
 
@@ -50,7 +50,7 @@ class Fingerprint {
 
 std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
   Fingerprint fingerprint;
-  fingerprint.add(map_hash(FreeSpace(map).passable()));
+  fingerprint.add(map_hash(make_free_space(map)->passable()));
   for (const ScenarioQuery& query : scenario.queries) {
     for (const Cell cell : {query.start, query.goal}) {
       fingerprint.add(static_cast<std::uint64_t>(cell.x));
@@ -69,7 +69,7 @@ BenchScenario load_bench_scenario(const fs::path& file, const std::string& map_f
       map_file.empty() ? loaded_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
   LoadedMap loaded = loaded_or_throw(load_map(map_path));
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
-  if (!fits) throw InputError(fits.error().message());
+  if (!fits) throw InputError(fits.error().message);
   const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);
   scenario.queries = evenly_sampled(scenario.queries, sample);
   return {std::move(scenario), map_path.stem().string(), std::move(loaded.map),
@@ -103,7 +103,7 @@ std::vector<BenchScenario> load_scenarios(const std::vector<std::string>& files_
 
 void set_lengths(std::vector<ScenarioQuery>& queries, const FreeSpace& space, GridMoves moves) {
   const auto planner = make_planner("dijkstra", space, options_of(moves));
-  if (!planner) throw InputError(planner.error().message());
+  if (!planner) throw InputError(planner.error().message);
   ProgressBar bar("lengths", queries.size());
   Plan plan;
   std::uint64_t done = 0;

@@ -15,8 +15,8 @@ namespace wend::cli {
 namespace {
 
 template <class T>
-T stored(Expected<T, IoError> result) {
-  if (!result) throw InputError("--database " + result.error().message());
+T stored(Expected<T, Error> result) {
+  if (!result) throw InputError("--database " + result.error().message);
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
@@ -58,7 +58,7 @@ std::vector<fs::path> shards_of(const fs::path& database) {
 
 BenchDatabase open(const fs::path& file) {
   auto database = BenchDatabase::open(file);
-  if (!database) throw InputError("--database " + database.error().message());
+  if (!database) throw InputError("--database " + database.error().message);
   return *std::move(database);
 }
 
@@ -119,7 +119,7 @@ void merge_shards(const std::string& database) {
   BenchDatabase whole = open(database);
   for (const fs::path& shard : shards) {
     const auto merged = whole.merge(open(shard));
-    if (!merged) throw InputError("--database " + merged.error().message());
+    if (!merged) throw InputError("--database " + merged.error().message);
     fs::remove(shard);
   }
 }

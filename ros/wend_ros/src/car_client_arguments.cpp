@@ -56,7 +56,7 @@ wend::Expected<CarRequest, std::string> random_request(
   const Ends ends = ends_of(numbers);
   for (std::uint64_t i = 0; i < kTries; ++i) {
     const auto yard = car.make(numbers[0] - 1, numbers[1] - 1, seed + i, options);
-    if (!yard) return wrong(yard.error().message());
+    if (!yard) return wrong(yard.error().message);
     if (!is_clear(*yard, ends.start) || !is_clear(*yard, ends.goal)) continue;
     CarRequest request = request_for(*yard);
     request.start = ends.start;
@@ -69,7 +69,7 @@ wend::Expected<CarRequest, std::string> random_request(
 /// From the first corner to the last but one, facing east, as the defaults have it.
 wend::Expected<CarRequest, std::string> file_request(const std::string& file) {
   const auto loaded = wend::load_map(file);
-  if (!loaded) return wrong(loaded.error().message());
+  if (!loaded) return wrong(loaded.error().message);
   if (loaded->map.frame().y_up) return wrong(file + ": a yard has y down, as text grids do");
   CarRequest request = request_for(loaded->map);
   request.start.d = kDefaults[4];

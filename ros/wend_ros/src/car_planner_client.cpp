@@ -103,7 +103,7 @@ int plan_and_show(ros::NodeHandle& node, const wend_ros::CarRequest& request, bo
   Show show(node);
   if (const auto yard = wend_ros::yard_of(request)) {
     show.yard(*yard);
-    show.drive(result, wend::FreeSpace(*yard));
+    show.drive(result, *wend::make_free_space(*yard));
   }
   if (result.status == 0) {
     for (const std::string& line : wend_ros::commands_of(result)) ROS_INFO_STREAM(line);

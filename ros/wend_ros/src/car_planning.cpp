@@ -100,7 +100,7 @@ wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request) {
     cells[{cell.x, cell.y}] = wend::CellState::occupied;
   }
   for (const YardCell& cell : request.roughRoads) terrain[{cell.x, cell.y}] = kRough;
-  return wend::GridMap(cells, {}, std::move(terrain));
+  return *wend::make_grid_map(cells, {}, std::move(terrain));
 }
 
 CarResult plan_car(const CarRequest& request, const Watch& watch) {
@@ -111,8 +111,8 @@ CarResult plan_car(const CarRequest& request, const Watch& watch) {
   const auto goal = pose_of(request.goal, "goal");
   if (!goal) return car_refusal(StatusCode::invalid_request, goal.error());
 
-  auto planner = wend::make_planner("car", wend::FreeSpace(*std::move(yard)), {});
-  if (!planner) return car_refusal(code_of(planner.error().status), planner.error().message());
+  auto planner = wend::make_planner("car", *wend::make_free_space(*std::move(yard)), {});
+  if (!planner) return car_refusal(code_of(planner.error().status), planner.error().message);
   wend::Query query{.start = *start, .goals = {*goal}};
   query.limits.cancel = watch.cancel;
   query.observer = watch.observer;

@@ -28,7 +28,7 @@ wend::GridMap map_from_costs(std::span<const std::uint8_t> costs, int width, int
       }
     }
   }
-  return wend::GridMap(
+  return *wend::make_grid_map(
       cells,
       {.resolution = resolution, .origin = {origin.x, origin.y, 0}, .y_up = true, .metric = true},
       std::move(terrain));

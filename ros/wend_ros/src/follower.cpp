@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
   }
   auto controller = info->make(wend_ros::parameters_of(own, info->options));
   if (!controller) {
-    ROS_ERROR_STREAM(controller.error().message());
+    ROS_ERROR_STREAM(controller.error().message);
     return 2;
   }
   const FollowerNode follower(node, own, *std::move(controller));

@@ -131,7 +131,7 @@ wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGri
       .origin = {info.origin.position.x, info.origin.position.y, yaw_of(info.origin.orientation)},
       .y_up = true,
       .metric = true};
-  return wend::GridMap(cells, frame, std::move(terrain));
+  return *wend::make_grid_map(cells, frame, std::move(terrain));
 }
 
 }  // namespace wend_ros

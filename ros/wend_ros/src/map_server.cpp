@@ -25,7 +25,7 @@ class MapServer {
   /// Loads and publishes a map; what is wrong, empty if nothing is.
   std::string load(const std::string& file) {
     const auto loaded = wend::load_map(file);
-    if (!loaded) return loaded.error().message();
+    if (!loaded) return loaded.error().message;
     for (const std::string& note : loaded->notes) ROS_WARN_STREAM(note);
     message_ = wend_ros::to_message(loaded->map, frame_id_);
     message_.header.stamp = ros::Time::now();

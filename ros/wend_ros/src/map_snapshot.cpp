@@ -33,8 +33,13 @@ std::shared_ptr<const MapSnapshot> MapHolder::snapshot() {
   // Making it under the lock lets a second caller wait for it, not make another.
   const std::lock_guard lock(mutex_);
   if (!snapshot_ && map_) {
-    snapshot_ = std::make_shared<const MapSnapshot>(
-        MapSnapshot{wend::FreeSpace(*map_, robot_), frame_id_, version_});
+    auto space = wend::make_free_space(*map_, robot_);
+    if (!space) {
+      wrong_ = space.error().message;
+      return nullptr;
+    }
+    snapshot_ =
+        std::make_shared<const MapSnapshot>(MapSnapshot{*std::move(space), frame_id_, version_});
   }
   return snapshot_;
 }

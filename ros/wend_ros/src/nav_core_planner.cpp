@@ -83,8 +83,8 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
     const auto height = static_cast<int>(costs.getSizeInCellsY());
     const std::span<const std::uint8_t> values(
         costs.getCharMap(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    return {wend::FreeSpace(map_from_costs(values, width, height, costs.getResolution(),
-                                           {costs.getOriginX(), costs.getOriginY()})),
+    return {*wend::make_free_space(map_from_costs(values, width, height, costs.getResolution(),
+                                                  {costs.getOriginX(), costs.getOriginY()})),
             costmap_->getGlobalFrameID(), ++version_};
   }
 

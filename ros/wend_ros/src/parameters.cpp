@@ -83,7 +83,7 @@ std::string fault_of_footprint(std::string_view text) {
 
 std::string fault_of_primitives(std::string_view file) {
   const auto primitives = wend::load_primitives(file);
-  return primitives ? std::string() : primitives.error().message();
+  return primitives ? std::string() : primitives.error().message;
 }
 
 constexpr std::array kTexts{

@@ -79,8 +79,8 @@ void PlannerNode::load_map_parameter(ros::NodeHandle& own) {
   if (file.empty()) return;
   const auto loaded = wend::load_map(file);
   if (!loaded) {
-    ROS_ERROR_STREAM("~map: " << loaded.error().message());
-    maps_.set_wrong(loaded.error().message());
+    ROS_ERROR_STREAM("~map: " << loaded.error().message);
+    maps_.set_wrong(loaded.error().message);
     return;
   }
   take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));

@@ -21,14 +21,14 @@ double seconds_now() {
 }
 
 /// The planner of a request with all its options, or why it cannot be made.
-wend::Expected<wend::PlannerSpec, wend::PlannerError> spec_of(const Parameters& parameters,
-                                                              const Ask& ask) {
+wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& parameters,
+                                                       const Ask& ask) {
   std::string text = ask.planner.empty() ? parameters.text("planner") : ask.planner;
   if (!ask.options.empty()) text += (text.find(':') == std::string::npos ? ":" : ",") + ask.options;
   auto specs = wend::parse_planner_specs(text);
   if (!specs) return wend::Unexpected(specs.error());
   if (specs->size() != 1) {
-    return wend::Unexpected<wend::PlannerError>(
+    return wend::Unexpected<wend::Error>(
         {wend::Status::invalid_option, "one planner expected, not '" + text + "'"});
   }
   wend::PlannerSpec spec = std::move(specs->front());
@@ -81,7 +81,7 @@ void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& para
   if (smoothed) {
     result.smoothed = to_message(smoothed->path, frame, map.frame_id);
   } else {
-    result.reason = "not smoothed: " + smoothed.error().message();
+    result.reason = "not smoothed: " + smoothed.error().message;
   }
 }
 
@@ -146,7 +146,7 @@ PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters&
                                        const wend::Query& query, const wend::GridMoves& moves) {
   std::vector<wend::Cell> goals;
   for (const wend::Goal& goal : query.goals) goals.push_back(wend::cell_at(goal.point));
-  wend::PlanFailure failure{wend::Status::found, {}};
+  wend::PlanFailure failure{{wend::Status::found, {}}, {}};
   double seconds = 0;
   const auto field = wend::timed(wend::thread_cpu_seconds, seconds, [&] {
     return field_to(map, goals, moves, query.limits, failure);
@@ -171,12 +171,12 @@ PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters&
 PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters, const Ask& ask,
                             const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
-  if (!spec) return refusal(code_of(spec.error().status), spec.error().message());
+  if (!spec) return refusal(code_of(spec.error().status), spec.error().message);
   const std::string key = key_of(*spec);
   auto planner = take(map.version, key);
   if (!planner) {
     auto made = wend::make_planner(spec->name, map.space, spec->options);
-    if (!made) return refusal(code_of(made.error().status), made.error().message());
+    if (!made) return refusal(code_of(made.error().status), made.error().message);
     planner = *std::move(made);
   }
   wend::Query query = query_of(map.space.map().frame(), ask);

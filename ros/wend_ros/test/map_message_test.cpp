@@ -24,7 +24,7 @@ TEST(MapMessage, TurnsAMapWithYDownOver) {
   wend::Grid<wend::CellState> cells(2, 3, wend::CellState::free);
   cells[{1, 0}] = wend::CellState::occupied;  // drawn at the top
   cells[{0, 2}] = wend::CellState::unknown;
-  const auto grid = to_message(wend::GridMap(cells), "map");
+  const auto grid = to_message(*wend::make_grid_map(cells), "map");
   const std::vector<std::int8_t> expected{-1, 0, 0, 0, 0, 100};
   EXPECT_EQ(grid.data, expected) << "the row at the bottom comes first";
 }
@@ -47,7 +47,7 @@ TEST(MapMessage, KeepsRoughGround) {
   wend::Grid<double> terrain(3, 1, 1);
   terrain[{1, 0}] = 2;
   terrain[{2, 0}] = 1000;
-  const auto grid = to_message(wend::GridMap(cells, {}, terrain), "map");
+  const auto grid = to_message(*wend::make_grid_map(cells, {}, terrain), "map");
   EXPECT_EQ(grid.data, (std::vector<std::int8_t>{0, 25, 99})) << "rough is never an obstacle";
   const auto back = map_from(grid, {.occupied_from = 100, .rough = true});
   ASSERT_TRUE(back);

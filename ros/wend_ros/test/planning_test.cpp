@@ -15,10 +15,10 @@ namespace {
 wend::GridMap room() {
   wend::Grid<wend::CellState> cells(100, 100, wend::CellState::free);
   for (int y = 0; y < 80; ++y) cells[{50, y}] = wend::CellState::occupied;
-  return wend::GridMap(cells, {.resolution = 0.1, .y_up = true, .metric = true});
+  return *wend::make_grid_map(cells, {.resolution = 0.1, .y_up = true, .metric = true});
 }
 
-MapSnapshot snapshot() { return {wend::FreeSpace(room()), "map", 1}; }
+MapSnapshot snapshot() { return {*wend::make_free_space(room()), "map", 1}; }
 
 Ask ask(wend::Pose start, wend::Pose goal) {
   return {.start = start, .goals = {goal}, .planner = {}, .options = {}};

@@ -261,17 +261,17 @@ bool paths_may_be_too_long(const Turns& turns, std::span<const GraphArc> arcs) {
   return longest_leg >= kMost;  // for paths without turns
 }
 
-Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
-                                                        const IndexBuilding& building,
-                                                        const ContractionEffort& effort) {
+Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
+                                                   const IndexBuilding& building,
+                                                   const ContractionEffort& effort) {
   const Turns turns(passable);
   const std::vector<GraphArc> arcs = arcs_of(turns);
   if (paths_may_be_too_long(turns, arcs)) {
-    return Unexpected<IndexError>(
+    return Unexpected<Error>(
         {Status::unsupported_map, "paths on this map may cost more than the index can store"});
   }
   auto contracted = contract(turns.size(), arcs, effort, building);
-  if (!contracted) return Unexpected<IndexError>(contracted.error());
+  if (!contracted) return Unexpected<Error>(contracted.error());
   IndexWriter writer(kPlanner, kVersion, passable);
   writer.add(std::span<const std::uint32_t>(&contracted->core_begin, 1));
   writer.add(std::span<const std::uint32_t>(contracted->heights));

@@ -14,7 +14,7 @@
 #include <span>
 #include <string>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/index/corner_hierarchy/graph_contraction.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
@@ -25,9 +25,9 @@
 namespace wend {
 
 /// Fails if it is cancelled or if paths may be too long.
-Expected<IndexBytes, IndexError> build_corner_hierarchy(const BitGrid& passable,
-                                                        const IndexBuilding& building,
-                                                        const ContractionEffort& effort = {});
+Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
+                                                   const IndexBuilding& building,
+                                                   const ContractionEffort& effort = {});
 
 /// An engine for an index of these cells, or what is wrong with the index.
 Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,

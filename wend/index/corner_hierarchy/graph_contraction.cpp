@@ -199,12 +199,12 @@ class Contraction {
 
 }  // namespace
 
-Expected<ContractedGraph, IndexError> contract(std::uint32_t nodes, std::span<const GraphArc> arcs,
-                                               const ContractionEffort& effort,
-                                               const IndexBuilding& building) {
+Expected<ContractedGraph, Error> contract(std::uint32_t nodes, std::span<const GraphArc> arcs,
+                                          const ContractionEffort& effort,
+                                          const IndexBuilding& building) {
   Contraction contraction(nodes, arcs, effort);
   if (!contraction.run(building)) {
-    return Unexpected<IndexError>({Status::cancelled, "the index was not finished"});
+    return failure(Status::cancelled, "the index was not finished");
   }
   return contraction.finish();
 }

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/index/corner_hierarchy/contraction_hierarchy.hpp"
 #include "wend/index/index_building.hpp"
 
@@ -44,8 +44,8 @@ struct ContractedGraph {
 
 /// Arcs have positive costs and no arc joins a node with itself; shortest paths cost less than 2^32.
 /// Fails only if it is cancelled.
-Expected<ContractedGraph, IndexError> contract(std::uint32_t nodes, std::span<const GraphArc> arcs,
-                                               const ContractionEffort& effort,
-                                               const IndexBuilding& building);
+Expected<ContractedGraph, Error> contract(std::uint32_t nodes, std::span<const GraphArc> arcs,
+                                          const ContractionEffort& effort,
+                                          const IndexBuilding& building);
 
 }  // namespace wend

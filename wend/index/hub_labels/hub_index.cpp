@@ -15,7 +15,7 @@
 namespace wend {
 namespace {
 
-using Failure = Unexpected<IndexError>;
+using Failure = Unexpected<Error>;
 
 constexpr int kMostRows = 65536;                 // a cell is stored in two times 16 bits
 constexpr std::size_t kMostCounted = 65535;      // hubs and corners of a record
@@ -129,9 +129,9 @@ class RecordWriter {
 };
 
 template <class Hub>
-Expected<IndexBytes, IndexError> write_index(const CornerGraph& graph, const AllFirstCorners& first,
-                                             const HubLabelling& labelling,
-                                             const IndexBuilding& building) {
+Expected<IndexBytes, Error> write_index(const CornerGraph& graph, const AllFirstCorners& first,
+                                        const HubLabelling& labelling,
+                                        const IndexBuilding& building) {
   const HeavyPaths paths(graph.corners(), labelling);
   const CellComponents components(graph.corners(), first);
   RecordWriter<Hub> records(graph.corners(), first, labelling);
@@ -167,8 +167,8 @@ std::optional<std::string> fault_of(const CornerGraph& graph, const HubLabelling
 
 }  // namespace
 
-Expected<IndexBytes, IndexError> build_hub_index(const BitGrid& passable,
-                                                 const IndexBuilding& building) {
+Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable,
+                                            const IndexBuilding& building) {
   if (passable.width() >= kMostRows / 2 || passable.height() >= kMostRows / 2) {
     return unsupported("a label index is for maps of fewer than 32768 rows and columns");
   }

@@ -26,7 +26,7 @@
 #include <string>
 #include <string_view>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/index/index_engine.hpp"
@@ -38,8 +38,7 @@ inline constexpr std::string_view kHubLabels = "hub_labels";
 
 /// Builds the index of the passable cells. Errors: cancelled or unsupported_map. The bytes do not depend
 /// on the workers.
-Expected<IndexBytes, IndexError> build_hub_index(const BitGrid& passable,
-                                                 const IndexBuilding& building);
+Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable, const IndexBuilding& building);
 
 /// An engine for an index of these cells, or what is wrong with the index. O(bytes).
 Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes index,

@@ -35,7 +35,7 @@ BitGrid random_board(std::uint64_t seed, int width, int height, double density) 
 
 IndexBytes built_labels(const BitGrid& bits, const IndexBuilding& building = {}) {
   auto index = build_hub_index(bits, building);
-  if (!index) ADD_FAILURE() << index.error().what;
+  if (!index) ADD_FAILURE() << index.error().message;
   return index ? *std::move(index) : IndexBytes();
 }
 
@@ -117,7 +117,7 @@ TEST(HubIndex, RefusesBoardsThatAreTooWide) {
   const auto index = build_hub_index(BitGrid(40000, 1), {});
   ASSERT_FALSE(index);
   EXPECT_EQ(index.error().status, Status::unsupported_map);
-  EXPECT_THAT(index.error().what, HasSubstr("32768"));
+  EXPECT_THAT(index.error().message, HasSubstr("32768"));
 }
 
 /// One corridor that runs to and fro, row by row.
@@ -142,7 +142,7 @@ TEST(HubIndex, AnswersOnAWindingWayAndRefusesWhatOutgrowsItsNumbers) {
   const auto longer = build_hub_index(serpentine(500, 300), {});
   ASSERT_FALSE(longer);
   EXPECT_EQ(longer.error().status, Status::unsupported_map);
-  EXPECT_THAT(longer.error().what, HasSubstr("too long"));
+  EXPECT_THAT(longer.error().message, HasSubstr("too long"));
 }
 
 TEST(HubIndex, IsOfOneMap) {

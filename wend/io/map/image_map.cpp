@@ -36,14 +36,16 @@ GreyImage image_of(const GridMap& map, const ValueOf& value_of) {
   return image;
 }
 
-Expected<LoadedMap, IoError> load_bare_image(const std::string& bytes, const MapSource& source,
-                                             const LoadOptions& options) {
+Expected<LoadedMap, Error> load_bare_image(const std::string& bytes, const MapSource& source,
+                                           const LoadOptions& options) {
   ImageMapRows rows({});
   auto notes = decode_image(bytes, rows);
-  if (!notes) return io_failure(source.file, 0, notes.error());
+  if (!notes) return file_failure(source.file, 0, notes.error());
   const Frame frame{.resolution = options.resolution.value_or(1),
                     .metric = options.resolution.has_value()};
-  return LoadedMap{rows.finish(frame), MapFormat::image_map, *std::move(notes)};
+  auto map = rows.finish(frame);
+  if (!map) return file_failure(source.file, 0, map.error().message);
+  return LoadedMap{*std::move(map), MapFormat::image_map, *std::move(notes)};
 }
 
 Expected<MapFiles, std::string> save_bare_image(const GridMap& map,

@@ -51,7 +51,7 @@ class ImageMapRows final : public ImageRows {
            std::span<const unsigned char> transparent) override;
 
   /// To be called after the last row. In a frame with y up, row 0 is the image's bottom row.
-  GridMap finish(const Frame& frame) {
+  Expected<GridMap, Error> finish(const Frame& frame) {
     assert(rows_);
     return std::move(*rows_).finish(frame);
   }

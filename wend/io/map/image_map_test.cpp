@@ -122,11 +122,11 @@ TEST(TrinaryImage, HasTheGreysOfMapSavers) {
   Grid<CellState> cells(3, 1);
   cells[{0, 0}] = CellState::occupied;
   cells[{2, 0}] = CellState::unknown;
-  EXPECT_THAT(trinary_image(GridMap(cells)).values, ElementsAre(0, 254, 205));
+  EXPECT_THAT(trinary_image(*make_grid_map(cells)).values, ElementsAre(0, 254, 205));
 }
 
 TEST(SavedImage, RefusesTerrain) {
-  const GridMap map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, 2));
+  const GridMap map = *make_grid_map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, 2));
   EXPECT_EQ(error_of(encode_map(map, MapFormat::image_map, "m.png")),
             "an image cannot hold terrain; a ROS map.yaml or a text grid can");
 }
@@ -134,13 +134,14 @@ TEST(SavedImage, RefusesTerrain) {
 TEST(ScaleImage, HoldsEveryScaledTerrain) {
   Grid<double> terrain(101, 1);
   for (int v = 0; v <= 100; ++v) terrain[{v, 0}] = scaled_terrain(4, v);
-  const auto image = scale_image(GridMap(Grid<CellState>(101, 1), {}, terrain));
+  const auto image = scale_image(*make_grid_map(Grid<CellState>(101, 1), {}, terrain));
   EXPECT_EQ(map_from_image(image, kScaleMeaning, {}).terrain(), terrain);
 }
 
 TEST(SavedScaleImage, RefusesOtherTerrain) {
   const auto with_terrain = [](CellState state, double terrain) {
-    const GridMap map(Grid<CellState>(1, 1, state), {}, Grid<double>(1, 1, terrain));
+    const GridMap map =
+        *make_grid_map(Grid<CellState>(1, 1, state), {}, Grid<double>(1, 1, terrain));
     return error_of(encode_map(map, MapFormat::map_yaml, "m.yaml"));
   };
   EXPECT_EQ(

@@ -13,24 +13,24 @@
 // the reason. Memory is proportional to the size of the file.
 //
 //   const auto loaded = wend::load_map("office.yaml");
-//   if (!loaded) return report(loaded.error().message());
+//   if (!loaded) return report(loaded.error().message);
 //   plan_on(loaded->map);
 
 #include <filesystem>
 #include <string>
 
 #include "wend/base/expected.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 
 namespace wend {
 
-Expected<LoadedMap, IoError> load_map(const std::filesystem::path& file,
-                                      const LoadOptions& options = {});
+Expected<LoadedMap, Error> load_map(const std::filesystem::path& file,
+                                    const LoadOptions& options = {});
 
 /// The same from bytes in memory. `name` is the name for errors; its extension, if any, decides the
 /// format. The image of a map.yaml is searched for in the working folder.
-Expected<LoadedMap, IoError> parse_map(const std::string& bytes, const std::string& name,
-                                       const LoadOptions& options = {});
+Expected<LoadedMap, Error> parse_map(const std::string& bytes, const std::string& name,
+                                     const LoadOptions& options = {});
 
 }  // namespace wend

@@ -147,7 +147,7 @@ GridMap nearest_map(const GridMap& map, MapFormat wanted) {
     states[cell] = held ? state : CellState::occupied;
     if (terrain_held) terrain[cell] = nearest_terrain(map.terrain(before), state, format);
   }
-  return GridMap(states, frame, std::move(terrain));
+  return *make_grid_map(states, frame, std::move(terrain));
 }
 
 std::vector<std::string> losses(const GridMap& map, MapFormat format) {

@@ -62,7 +62,7 @@ GridMap any_map() {
       }
     }
   }
-  return GridMap(states, any_frame(random), std::move(terrain));
+  return *make_grid_map(states, any_frame(random), std::move(terrain));
 }
 
 GridMap reloaded(const GridMap& map, const std::filesystem::path& file) {
@@ -103,7 +103,7 @@ RC_GTEST_PROP(NearestMap, IsDrawnLikeTheMap, ()) {
 /// No terrain value of the format is nearer.
 RC_GTEST_PROP(NearestMap, RoundsToTheNearestTerrain, ()) {
   const double terrain = 1 + *rc::gen::inRange(0, 12000) / 1000.0;
-  const GridMap map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));
+  const GridMap map = *make_grid_map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));
   const double in_text = nearest_map(map, MapFormat::text_grid).terrain({0, 0});
   for (int held = 1; held <= 9; ++held) {
     RC_ASSERT(std::abs(in_text - terrain) <= std::abs(held - terrain));
@@ -135,7 +135,7 @@ GridMap odd_map(Frame frame) {
   states[{0, row(2)}] = CellState::unknown;
   terrain[{0, row(2)}] = 2;
   states[{0, row(3)}] = CellState::occupied;
-  return GridMap(states, frame, terrain);
+  return *make_grid_map(states, frame, terrain);
 }
 
 constexpr Frame kRosFrame = {0.05, {-1, 2.5, 0.5}, true, true};
@@ -174,7 +174,7 @@ TEST(Losses, OfAMapYaml) {
 }
 
 TEST(Losses, OfAFrameWithYDownInAMapYaml) {
-  const GridMap map(Grid<CellState>(1, 5), {0.5, {1, 0, 0}, false, false});
+  const GridMap map = *make_grid_map(Grid<CellState>(1, 5), {0.5, {1, 0, 0}, false, false});
   EXPECT_THAT(
       losses(map, MapFormat::map_yaml),
       ElementsAre(
@@ -184,19 +184,20 @@ TEST(Losses, OfAFrameWithYDownInAMapYaml) {
 }
 
 TEST(Losses, OfAnImage) {
-  const GridMap map(Grid<CellState>(1, 1), {0.5, {}, false, true});
+  const GridMap map = *make_grid_map(Grid<CellState>(1, 1), {0.5, {}, false, true});
   EXPECT_THAT(
       losses(map, MapFormat::image_map),
       ElementsAre("the resolution of 0.5 m a cell is lost: the unit of an image is the cell"));
 }
 
 TEST(Losses, AreNoneWhereTheFormatHoldsTheMap) {
-  const GridMap plain(Grid<CellState>(3, 2));
+  const GridMap plain = *make_grid_map(Grid<CellState>(3, 2));
   for (const MapFormat format :
        {MapFormat::moving_ai_map, MapFormat::text_grid, MapFormat::image_map}) {
     EXPECT_THAT(losses(plain, format), IsEmpty());
   }
-  EXPECT_THAT(losses(plain.with_frame(kRosFrame), MapFormat::map_yaml), IsEmpty());
+  EXPECT_THAT(losses(*make_grid_map(Grid<CellState>(3, 2), kRosFrame), MapFormat::map_yaml),
+              IsEmpty());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/base/registry.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 
@@ -49,7 +49,7 @@ struct MapFiles {
 };
 
 struct MapFormatInfo {
-  using Loaded = Expected<LoadedMap, IoError>;
+  using Loaded = Expected<LoadedMap, Error>;
 
   MapFormat format;
   std::string_view name;                           // in reports: "text grid"

@@ -35,7 +35,7 @@ GridMap mixed_map() {
       if (terrain[{x, y}] < 1) terrain[{x, y}] = 1;
     }
   }
-  return GridMap(states, {0.5, {}, random.chance(0.5), true}, terrain);
+  return *make_grid_map(states, {0.5, {}, random.chance(0.5), true}, terrain);
 }
 
 TEST(MapFormats, AreComplete) {

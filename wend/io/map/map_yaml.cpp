@@ -86,7 +86,7 @@ class MapYamlReader {
  public:
   MapYamlReader(const YAML::Node& root, const std::string& file) : root_(root), file_(file) {}
 
-  Expected<MapYaml, IoError> read() {
+  Expected<MapYaml, Error> read() {
     yaml_.frame.y_up = true;
     yaml_.frame.metric = true;
     for (const auto step :
@@ -94,14 +94,14 @@ class MapYamlReader {
           &MapYamlReader::read_origin, &MapYamlReader::read_negate, &MapYamlReader::read_thresholds,
           &MapYamlReader::read_mode}) {
       (this->*step)();
-      if (error_) return Unexpected<IoError>(*error_);
+      if (error_) return Unexpected<Error>(*error_);
     }
     return std::move(yaml_);
   }
 
  private:
   void fail(const YAML::Node& node, std::string what) {
-    if (!error_) error_ = IoError{file_, line_of(node.Mark()), std::move(what)};
+    if (!error_) error_ = file_error(file_, line_of(node.Mark()), what);
   }
 
   void check_keys() {
@@ -123,7 +123,7 @@ class MapYamlReader {
     if (node.IsDefined()) {
       fail(node, fmt::format("'{}' has the unknown tag {}", key, quote(node.Tag())));
     } else if (!error_) {
-      error_ = IoError{file_, 0, fmt::format("the key '{}' is missing", key)};
+      error_ = file_error(file_, 0, fmt::format("the key '{}' is missing", key));
     }
     return {};
   }
@@ -213,7 +213,7 @@ class MapYamlReader {
   const YAML::Node root_;
   const std::string& file_;
   MapYaml yaml_;
-  std::optional<IoError> error_;
+  std::optional<Error> error_;
 };
 
 bool is_map_yaml(std::string_view bytes) {
@@ -242,28 +242,28 @@ std::optional<std::filesystem::path> image_in(const std::string& text) {
 
 }  // namespace
 
-Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file) {
+Expected<MapYaml, Error> parse_map_yaml(const std::string& text, const std::string& file) {
   if (text.size() > kLargestYaml) {
-    return io_failure(file, 0,
-                      fmt::format("too large for a map.yaml: {} bytes, the limit is {}",
-                                  text.size(), kLargestYaml));
+    return file_failure(file, 0,
+                        fmt::format("too large for a map.yaml: {} bytes, the limit is {}",
+                                    text.size(), kLargestYaml));
   }
   if (const auto at = first_non_text(text)) {
     const auto lines =
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
-    return io_failure(file, static_cast<std::size_t>(lines) + 1,
-                      fmt::format("not YAML: byte {} is not UTF-8 text", quote(text[*at])));
+    return file_failure(file, static_cast<std::size_t>(lines) + 1,
+                        fmt::format("not YAML: byte {} is not UTF-8 text", quote(text[*at])));
   }
   try {
     if (has_more_documents(text)) {
-      return io_failure(file, 0, "expected one YAML document, there is another after it");
+      return file_failure(file, 0, "expected one YAML document, there is another after it");
     }
     const YAML::Node document = YAML::Load(text);
-    if (document.IsNull()) return io_failure(file, 0, "the file is empty; expected a map.yaml");
+    if (document.IsNull()) return file_failure(file, 0, "the file is empty; expected a map.yaml");
     return MapYamlReader(document, file).read();
   } catch (const YAML::Exception& error) {
-    return io_failure(file, line_of(error.mark),
-                      "YAML: " + printable(error.msg, kLongestComplaint));
+    return file_failure(file, line_of(error.mark),
+                        "YAML: " + printable(error.msg, kLongestComplaint));
   }
 }
 
@@ -280,22 +280,23 @@ std::string format_map_yaml(const MapYaml& yaml) {
       format_number(yaml.meaning.occupied_threshold), format_number(yaml.meaning.free_threshold));
 }
 
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const MapSource& source,
-                                           const LoadOptions& options) {
+Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSource& source,
+                                         const LoadOptions& options) {
   auto yaml = parse_map_yaml(text, source.file);
-  if (!yaml) return Unexpected<IoError>(yaml.error());
+  if (!yaml) return Unexpected<Error>(yaml.error());
   yaml->meaning.scale_factor = options.scale_factor;
 
   const std::filesystem::path image_file = source.folder / yaml->image;
   const auto bytes = read_file(image_file);
-  if (!bytes) return io_failure(source.file, 0, "image " + bytes.error().message());
+  if (!bytes) return file_failure(source.file, 0, "image " + bytes.error().message);
   ImageMapRows rows(yaml->meaning);
   const auto notes = decode_image(*bytes, rows);
   if (!notes) {
-    return io_failure(source.file, 0, "image " + image_file.string() + ": " + notes.error());
+    return file_failure(source.file, 0, "image " + image_file.string() + ": " + notes.error());
   }
-  LoadedMap loaded{
-      rows.finish(yaml->frame), MapFormat::map_yaml, std::move(yaml->notes), {image_file}};
+  auto map = rows.finish(yaml->frame);
+  if (!map) return file_failure(source.file, 0, map.error().message);
+  LoadedMap loaded{*std::move(map), MapFormat::map_yaml, std::move(yaml->notes), {image_file}};
   loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
   return loaded;
 }

@@ -24,7 +24,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/map/image_map.hpp"
 #include "wend/io/map/map_format.hpp"
 
@@ -39,12 +39,12 @@ struct MapYaml {
 };
 
 /// `file` is the name for errors.
-Expected<MapYaml, IoError> parse_map_yaml(const std::string& text, const std::string& file);
+Expected<MapYaml, Error> parse_map_yaml(const std::string& text, const std::string& file);
 
 /// The map that a text describes. Also reads its image, from the source's folder if its name is not
 /// absolute. An error about the image names both files.
-Expected<LoadedMap, IoError> load_map_yaml(const std::string& text, const MapSource& source,
-                                           const LoadOptions& options = {});
+Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSource& source,
+                                         const LoadOptions& options = {});
 
 /// The text of a map.yaml.
 std::string format_map_yaml(const MapYaml& yaml);

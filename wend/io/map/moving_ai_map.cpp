@@ -49,15 +49,15 @@ class MovingAiReader {
   MovingAiReader(LineReader lines, const std::string& file)
       : lines_(std::move(lines)), file_(file) {}
 
-  Expected<LoadedMap, IoError> read() {
+  Expected<LoadedMap, Error> read() {
     for (const auto step : {&MovingAiReader::read_type, &MovingAiReader::read_sizes,
                             &MovingAiReader::check_sizes, &MovingAiReader::read_rows}) {
       if (std::string wrong = (this->*step)(); !wrong.empty()) {
-        return io_failure(file_, lines_.number(), std::move(wrong));
+        return file_failure(file_, lines_.number(), std::move(wrong));
       }
     }
     assert(rows_);
-    return LoadedMap{std::move(*rows_).finish(), MapFormat::moving_ai_map, notes()};
+    return LoadedMap{*std::move(*rows_).finish(), MapFormat::moving_ai_map, notes()};
   }
 
  private:
@@ -171,7 +171,7 @@ class MovingAiReader {
 };
 
 /// Takes linear time and the memory of the map.
-Expected<LoadedMap, IoError> load_moving_ai_map(LineReader lines, const std::string& file) {
+Expected<LoadedMap, Error> load_moving_ai_map(LineReader lines, const std::string& file) {
   return MovingAiReader(std::move(lines), file).read();
 }
 

@@ -20,7 +20,7 @@ std::string moving_ai_error(std::string_view text) {
 
 std::string cells_in(std::string_view text) {
   const auto loaded = load_as(MapFormat::moving_ai_map, text);
-  return loaded ? cells_of(loaded->map) : loaded.error().message();
+  return loaded ? cells_of(loaded->map) : loaded.error().message;
 }
 
 TEST(MovingAiMap, DotGAndSAreFreeAndTheRestIsOccupied) {
@@ -132,10 +132,10 @@ TEST(MovingAiMap, WhatItCannotHoldIsAnError) {
   const auto error = [](const GridMap& map) {
     return error_of(encode_map(map, MapFormat::moving_ai_map));
   };
-  EXPECT_EQ(error(GridMap(cells)),
+  EXPECT_EQ(error(*make_grid_map(cells)),
             "a MovingAI map cannot hold unknown cells (1 cell); a ROS map.yaml, a text grid or an "
             "image can");
-  EXPECT_EQ(error(GridMap(Grid<CellState>(2, 1), {}, Grid<double>(2, 1, 3))),
+  EXPECT_EQ(error(*make_grid_map(Grid<CellState>(2, 1), {}, Grid<double>(2, 1, 3))),
             "a MovingAI map cannot hold terrain; a ROS map.yaml or a text grid can");
 }
 
@@ -144,7 +144,7 @@ TEST(MovingAiMap, AMapWithYUpIsWrittenAsItIsDrawn) {
   cells[{0, 0}] = CellState::occupied;
   Frame frame;
   frame.y_up = true;
-  EXPECT_EQ(encode_map(GridMap(cells, frame), MapFormat::moving_ai_map)->bytes,
+  EXPECT_EQ(encode_map(*make_grid_map(cells, frame), MapFormat::moving_ai_map)->bytes,
             "type octile\nheight 2\nwidth 2\nmap\n..\n@.\n");
 }
 
@@ -155,9 +155,9 @@ RC_GTEST_PROP(MovingAiMap, WrittenMapsReadBack, ()) {
       cell = *rc::gen::element(CellState::free, CellState::occupied);
     }
   }
-  const auto files = encode_map(GridMap(cells), MapFormat::moving_ai_map);
+  const auto files = encode_map(*make_grid_map(cells), MapFormat::moving_ai_map);
   RC_ASSERT(files.has_value());
-  RC_ASSERT(cells_in(files->bytes) == cells_of(GridMap(cells)));
+  RC_ASSERT(cells_in(files->bytes) == cells_of(*make_grid_map(cells)));
 }
 
 }  // namespace

@@ -22,18 +22,18 @@ std::optional<fs::path> companion_of(const fs::path& file) {
 
 }  // namespace
 
-Expected<void, IoError> save_map(const GridMap& map, const fs::path& file) {
+Expected<void, Error> save_map(const GridMap& map, const fs::path& file) {
   try {
     const auto format = saved_format(file);
-    if (!format) return Unexpected<IoError>(format.error());
+    if (!format) return Unexpected<Error>(format.error());
     const auto files = encode_map(map, *format, file);
-    if (!files) return io_failure(file.string(), 0, files.error());
+    if (!files) return file_failure(file.string(), 0, files.error());
     if (const auto companion = companion_of(file)) {
       if (auto written = write_file(*companion, files->companion); !written) return written;
     }
     return write_file(file, files->bytes);
   } catch (const std::bad_alloc&) {
-    return io_failure(file.string(), 0, "not enough memory to save this map");
+    return file_failure(file.string(), 0, "not enough memory to save this map");
   }
 }
 
@@ -44,9 +44,9 @@ Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
   return info_of(format).save(map, file);
 }
 
-Expected<MapFormat, IoError> saved_format(const fs::path& file) {
+Expected<MapFormat, Error> saved_format(const fs::path& file) {
   if (const MapFormatInfo* format = map_format_of(file, MapUse::save)) return format->format;
-  return io_failure(
+  return file_failure(
       file.string(), 0,
       fmt::format("unknown map extension {}; expected {}", quote(file.extension().string()),
                   either_of(map_extensions(MapUse::save))));

@@ -20,14 +20,14 @@
 #include <vector>
 
 #include "wend/base/expected.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend {
 
 /// Each file is replaced completely or left unchanged.
-Expected<void, IoError> save_map(const GridMap& map, const std::filesystem::path& file);
+Expected<void, Error> save_map(const GridMap& map, const std::filesystem::path& file);
 
 /// The bytes that save_map() writes. `file` is their name: images differ by extension, and a map.yaml
 /// names its image. An error says what the format cannot hold.
@@ -35,7 +35,7 @@ Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
                                            const std::filesystem::path& file = {});
 
 /// The format that a file of this name is saved in; an error lists the extensions.
-Expected<MapFormat, IoError> saved_format(const std::filesystem::path& file);
+Expected<MapFormat, Error> saved_format(const std::filesystem::path& file);
 
 /// The picture that saving a map.yaml of this name would replace although it belongs to another map: it
 /// exists, and no map.yaml of this name refers to it. Nothing if no such file is lost.

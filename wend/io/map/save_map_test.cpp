@@ -37,7 +37,7 @@ GridMap saved_and_loaded(const GridMap& map, const fs::path& file) {
 
 TEST(SaveMap, KnowsThePictureOfSomethingElse) {
   const TemporaryFolder folder;
-  const GridMap map(Grid<CellState>(2, 2, CellState::free));
+  const GridMap map = *make_grid_map(Grid<CellState>(2, 2, CellState::free));
   EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), std::nullopt);
   folder.write("floor.png", "a photograph");
   EXPECT_EQ(unrelated_picture(folder / "floor.yaml"), folder / "floor.png");
@@ -54,7 +54,7 @@ TEST(SaveMap, KnowsThePictureOfSomethingElse) {
 }
 
 RC_GTEST_PROP(SaveMap, EveryFormatGivesTheCellsBack, ()) {
-  const GridMap map(any_cells({CellState::free, CellState::occupied}));
+  const GridMap map = *make_grid_map(any_cells({CellState::free, CellState::occupied}));
   const TemporaryFolder folder;
   for (const std::string name : {"m.map", "m.txt", "m.grid", "m.png", "m.pgm"}) {
     RC_ASSERT(cells_of(saved_and_loaded(map, folder / name)) == cells_of(map));
@@ -62,7 +62,8 @@ RC_GTEST_PROP(SaveMap, EveryFormatGivesTheCellsBack, ()) {
 }
 
 RC_GTEST_PROP(SaveMap, GridsAndPicturesKeepUnknownCells, ()) {
-  const GridMap map(any_cells({CellState::free, CellState::occupied, CellState::unknown}));
+  const GridMap map =
+      *make_grid_map(any_cells({CellState::free, CellState::occupied, CellState::unknown}));
   const TemporaryFolder folder;
   for (const std::string name : {"m.txt", "m.png", "m.pgm"}) {
     RC_ASSERT(cells_of(saved_and_loaded(map, folder / name)) == cells_of(map));
@@ -70,8 +71,8 @@ RC_GTEST_PROP(SaveMap, GridsAndPicturesKeepUnknownCells, ()) {
 }
 
 RC_GTEST_PROP(SaveMap, AYamlKeepsTheFrameToo, ()) {
-  const GridMap map(any_cells({CellState::free, CellState::occupied, CellState::unknown}),
-                    kSavedFrame);
+  const GridMap map = *make_grid_map(
+      any_cells({CellState::free, CellState::occupied, CellState::unknown}), kSavedFrame);
   const TemporaryFolder folder;
   const GridMap again = saved_and_loaded(map, folder / "m.yaml");
   RC_ASSERT(cells_of(again) == cells_of(map));
@@ -88,7 +89,7 @@ RC_GTEST_PROP(SaveMap, AYamlKeepsScaledTerrain, ()) {
       }
     }
   }
-  const GridMap map(cells, kSavedFrame, terrain);
+  const GridMap map = *make_grid_map(cells, kSavedFrame, terrain);
   const TemporaryFolder folder;
   const GridMap again = saved_and_loaded(map, folder / "m.yaml");
   RC_ASSERT(cells_of(again) == cells_of(map));
@@ -108,11 +109,11 @@ class SaveMapFile : public testing::Test {
 GridMap with_a_corner(const Frame& frame) {
   Grid<CellState> cells(2, 2);
   cells[{0, 0}] = CellState::occupied;
-  return GridMap(cells, frame);
+  return *make_grid_map(cells, frame);
 }
 
 GridMap with_terrain(double terrain) {
-  return GridMap(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));
+  return *make_grid_map(Grid<CellState>(1, 1), {}, Grid<double>(1, 1, terrain));
 }
 
 TEST_F(SaveMapFile, ComesOutAsTheMapIsDrawn) {
@@ -139,7 +140,7 @@ TEST_F(SaveMapFile, AYamlOfAMapWithYDownIsDrawnTheSameAndStartsAtTheOrigin) {
 }
 
 TEST_F(SaveMapFile, RefusesWhatTheFormatCannotHoldAndWritesNothing) {
-  const GridMap unknown(Grid<CellState>(1, 1, CellState::unknown));
+  const GridMap unknown = *make_grid_map(Grid<CellState>(1, 1, CellState::unknown));
   EXPECT_THAT(saved(unknown, "m.map"),
               HasSubstr("a MovingAI map cannot hold unknown cells (1 cell);"));
   EXPECT_THAT(saved(with_terrain(2), "m.map"), HasSubstr("a MovingAI map cannot hold terrain;"));

@@ -84,7 +84,7 @@ class TextRows {
   /// To be called after at least one row.
   GridMap finish() {
     assert(rows_);
-    return std::move(*rows_).finish();
+    return *std::move(*rows_).finish();
   }
 
  private:
@@ -109,7 +109,7 @@ bool is_text_grid(std::string_view bytes) {
 }
 
 /// Takes linear time and the memory of the map.
-Expected<LoadedMap, IoError> load_text_grid(LineReader lines, const std::string& file) {
+Expected<LoadedMap, Error> load_text_grid(LineReader lines, const std::string& file) {
   TextRows rows(lines.size());
   std::size_t blank_line = 0;
   while (const auto line = lines.next()) {
@@ -117,11 +117,11 @@ Expected<LoadedMap, IoError> load_text_grid(LineReader lines, const std::string&
       if (blank_line == 0) blank_line = lines.number();
       continue;
     }
-    if (blank_line > 0) return io_failure(file, blank_line, "blank line before a row of cells");
+    if (blank_line > 0) return file_failure(file, blank_line, "blank line before a row of cells");
     std::string wrong = rows.append(*line);
-    if (!wrong.empty()) return io_failure(file, lines.number(), std::move(wrong));
+    if (!wrong.empty()) return file_failure(file, lines.number(), std::move(wrong));
   }
-  if (rows.empty()) return io_failure(file, 0, "the text grid has no cells");
+  if (rows.empty()) return file_failure(file, 0, "the text grid has no cells");
   return LoadedMap{rows.finish(), MapFormat::text_grid};
 }
 

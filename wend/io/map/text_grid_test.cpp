@@ -16,7 +16,7 @@ std::string text_grid_error(std::string_view text) {
 
 std::string text_grid_cells(std::string_view text) {
   const auto loaded = load_as(MapFormat::text_grid, text);
-  return loaded ? cells_of(loaded->map) : loaded.error().message();
+  return loaded ? cells_of(loaded->map) : loaded.error().message;
 }
 
 TEST(TextGrid, EveryLetterHasItsMeaning) {
@@ -68,7 +68,7 @@ TEST(TextGrid, AnEmptyFileIsAnError) {
 TEST(TextGrid, WhatItCannotHoldIsAnError) {
   const auto with_terrain = [](CellState state, double terrain) {
     const Grid<CellState> cells(1, 1, state);
-    return encode_map(GridMap(cells, {}, Grid<double>(1, 1, terrain)), MapFormat::text_grid);
+    return encode_map(*make_grid_map(cells, {}, Grid<double>(1, 1, terrain)), MapFormat::text_grid);
   };
   EXPECT_EQ(with_terrain(CellState::free, 9)->bytes, "9\n");
   EXPECT_EQ(error_of(with_terrain(CellState::free, 1.5)),
@@ -88,7 +88,7 @@ RC_GTEST_PROP(TextGrid, WrittenMapsReadBack, ()) {
       if (state == CellState::free) terrain.row(y)[x] = *rc::gen::inRange(1, 10);
     }
   }
-  const GridMap map(cells, {}, terrain);
+  const GridMap map = *make_grid_map(cells, {}, terrain);
   const auto files = encode_map(map, MapFormat::text_grid);
   RC_ASSERT(files.has_value());
   const auto loaded = load_as(MapFormat::text_grid, files->bytes);

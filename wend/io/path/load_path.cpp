@@ -18,20 +18,20 @@ bool is_json(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
-Expected<Path, IoError> load_path(const std::filesystem::path& file, const Frame& frame,
-                                  PathStage stage) {
+Expected<Path, PathFileError> load_path(const std::filesystem::path& file, const Frame& frame,
+                                        PathStage stage) {
   const auto text = read_file(file, kLargestPathFile);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<PathFileError>(text.error());
   return parse_path(*text, file.string(), frame, stage);
 }
 
-Expected<Path, IoError> parse_path(std::string_view text, const std::string& name,
-                                   const Frame& frame, PathStage stage) {
+Expected<Path, PathFileError> parse_path(std::string_view text, const std::string& name,
+                                         const Frame& frame, PathStage stage) {
   try {
     return is_json(name, text) ? parse_path_json(text, name, frame, stage)
                                : parse_path_csv(text, name, frame);
   } catch (const std::bad_alloc&) {
-    return io_failure(name, 0, "not enough memory for this path");
+    return file_failure(name, 0, "not enough memory for this path");
   }
 }
 

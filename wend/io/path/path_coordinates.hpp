@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "wend/geometry/compass.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/text.hpp"
 #include "wend/map/grid_map.hpp"
 

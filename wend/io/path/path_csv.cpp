@@ -106,18 +106,18 @@ class PathColumns {
 
 /// Reads all lines; `take` takes the values of each line from the columns. Fails at the first error.
 template <class Take>
-Expected<void, IoError> read_lines(LineReader& lines, PathColumns& columns, const std::string& file,
-                                   const Take& take) {
+Expected<void, Error> read_lines(LineReader& lines, PathColumns& columns, const std::string& file,
+                                 const Take& take) {
   while (const auto line = lines.next()) {
     columns.read(*line);
     take();
-    if (!columns.wrong().empty()) return io_failure(file, lines.number(), columns.wrong());
+    if (!columns.wrong().empty()) return file_failure(file, lines.number(), columns.wrong());
   }
   return {};
 }
 
-Unexpected<IoError> empty_path(const std::string& file, std::string_view what) {
-  return io_failure(file, 0, fmt::format("the path is empty: expected at least one {}", what));
+Unexpected<Error> empty_path(const std::string& file, std::string_view what) {
+  return file_failure(file, 0, fmt::format("the path is empty: expected at least one {}", what));
 }
 
 /// The columns of a header that has x_m and y_m; nothing for other lines.
@@ -160,12 +160,12 @@ Point centreline_point(PathColumns& columns, const Frame& frame) {
 }
 
 /// Parses a text without the header of another path format.
-Expected<Path, IoError> parse_centreline(std::string_view text, const std::string& file,
-                                         const Frame& frame) {
+Expected<Path, PathFileError> parse_centreline(std::string_view text, const std::string& file,
+                                               const Frame& frame) {
   LineReader lines(text);
   auto columns = read_centreline_header(lines);
   if (!columns) {
-    return io_failure(
+    return file_failure(
         file, 1,
         fmt::format(
             "the first line must be '{}', '{}' or '{}', or name columns x_m and y_m, not {}",
@@ -175,7 +175,7 @@ Expected<Path, IoError> parse_centreline(std::string_view text, const std::strin
   std::vector<Point> points;
   const auto read = read_lines(lines, *columns, file,
                                [&] { points.push_back(centreline_point(*columns, frame)); });
-  if (!read) return Unexpected<IoError>(read.error());
+  if (!read) return Unexpected<PathFileError>(read.error());
   if (points.empty()) return empty_path(file, "point");
   return Path::along(std::move(points));
 }
@@ -226,8 +226,8 @@ std::string no_path_csv(const FailedPlan& plan) {
   return fmt::format("{}\n{}\n", comment, kCellHeader);
 }
 
-Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string& file,
-                                       const Frame& frame) {
+Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::string& file,
+                                             const Frame& frame) {
   LineReader lines(text);
   const std::string_view header = lines.next().value_or("");
   if (header.starts_with(kNoPathComment)) {
@@ -239,7 +239,7 @@ Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string&
   PathColumns columns(header, ',', false);
   Path path;
   std::vector<Point> points;
-  Expected<void, IoError> read;
+  Expected<void, Error> read;
   if (header == kCellHeader) {
     read = read_lines(lines, columns, file, [&] {
       const int x = columns.cell_coordinate(0);
@@ -261,7 +261,7 @@ Expected<Path, IoError> parse_path_csv(std::string_view text, const std::string&
   } else {
     return parse_centreline(text, file, frame);
   }
-  if (!read) return Unexpected<IoError>(read.error());
+  if (!read) return Unexpected<PathFileError>(read.error());
   if (!path.empty()) return path;
   return empty_path(file, header == kCellHeader   ? "cell"
                           : header == kPoseHeader ? "pose"

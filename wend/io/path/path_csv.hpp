@@ -36,7 +36,7 @@
 #include <string>
 
 #include "wend/geometry/frame.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/path/path.hpp"
 
 namespace wend {

@@ -85,31 +85,31 @@ class PlanReader : public nlohmann::json_sax<Json> {
                                              : fmt::format("invalid JSON at {}", quote(token)));
   }
 
-  Expected<Path, IoError> path(const std::string& file) {
+  Expected<Path, PathFileError> path(const std::string& file) {
     const bool smoothed = takes_smoothed();
     const PointList& wanted = smoothed ? smoothed_ : planned_;
     const bool driven = !smoothed && seen_.count("headings") > 0;
     const std::string& fault = driven || smoothed ? wanted.no_pose : wanted.no_cell;
     // If the parser stopped early, headings could still have followed.
     const bool is_sure = wrong_.empty() || !wanted.no_pose.empty();
-    if (is_sure && !fault.empty()) return io_failure(file, 0, fault);
-    if (!wrong_.empty()) return io_failure(file, line_, wrong_);
+    if (is_sure && !fault.empty()) return file_failure(file, 0, fault);
+    if (!wrong_.empty()) return file_failure(file, line_, wrong_);
     if (!failed_.status.empty() && failed_.status != "found") {
       return no_path_failure(file, failed_plan(failed_.status, failed_.reason));
     }
     const std::string_view name = smoothed ? kSmoothed : kPlanned;
     if (seen_.count(std::string(name)) == 0) {
-      return io_failure(file, 0, "the key 'path' is missing, a list of [x,y]");
+      return file_failure(file, 0, "the key 'path' is missing, a list of [x,y]");
     }
     if (driven && headings_.size() != wanted.points.size()) {
-      return io_failure(
+      return file_failure(
           file, 0,
           fmt::format(
               "'headings' has {} entries, 'path' has {} points: expected one for each point",
               headings_.size(), wanted.points.size()));
     }
     if (wanted.points.empty()) {
-      return io_failure(file, 0, fmt::format("'{}' is empty, expected at least one [x,y]", name));
+      return file_failure(file, 0, fmt::format("'{}' is empty, expected at least one [x,y]", name));
     }
     if (smoothed) return Path::along(wanted.points);
     return driven ? driven_path() : path_of_cells();
@@ -232,8 +232,8 @@ class PlanReader : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Expected<Path, IoError> parse_path_json(std::string_view text, const std::string& file,
-                                        const Frame& frame, PathStage stage) {
+Expected<Path, PathFileError> parse_path_json(std::string_view text, const std::string& file,
+                                              const Frame& frame, PathStage stage) {
   PlanReader reader(text, frame.y_up, stage);
   Json::sax_parse(text.begin(), text.end(), &reader);
   return reader.path(file);

@@ -128,18 +128,18 @@ MotionPrimitives::Parts read_parts(JsonReader& reader, const Json& json) {
 
 }  // namespace
 
-Expected<MotionPrimitives, IoError> parse_lattice_json(std::string_view text,
-                                                       const std::string& name) {
+Expected<MotionPrimitives, Error> parse_lattice_json(std::string_view text,
+                                                     const std::string& name) {
   constexpr bool kNoExceptions = false;
   const Json json = Json::parse(without_byte_order_mark(text), nullptr, kNoExceptions);
-  if (json.is_discarded()) return io_failure(name, 0, "the text is not valid JSON");
+  if (json.is_discarded()) return file_failure(name, 0, "the text is not valid JSON");
   JsonReader reader;
   MotionPrimitives::Parts parts = read_parts(reader, json);
-  if (!reader.wrong().empty()) return io_failure(name, 0, reader.wrong());
+  if (!reader.wrong().empty()) return file_failure(name, 0, reader.wrong());
   auto made = MotionPrimitives::make(std::move(parts));
   if (made) return *std::move(made);
   const Error& error = made.error();
-  return io_failure(name, 0, (error.where.empty() ? "" : error.where + ": ") + error.message);
+  return file_failure(name, 0, (error.where.empty() ? "" : error.where + ": ") + error.message);
 }
 
 }  // namespace wend

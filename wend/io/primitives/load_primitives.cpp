@@ -16,18 +16,17 @@ bool begins_with_brace(std::string_view text) {
 
 }  // namespace
 
-Expected<MotionPrimitives, IoError> load_primitives(const std::filesystem::path& file) {
+Expected<MotionPrimitives, Error> load_primitives(const std::filesystem::path& file) {
   const auto text = read_file(file, kLargestPrimitivesFile);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<Error>(text.error());
   return parse_primitives(*text, file.string());
 }
 
-Expected<MotionPrimitives, IoError> parse_primitives(std::string_view text,
-                                                     const std::string& name) {
+Expected<MotionPrimitives, Error> parse_primitives(std::string_view text, const std::string& name) {
   try {
     return begins_with_brace(text) ? parse_lattice_json(text, name) : parse_mprim(text, name);
   } catch (const std::bad_alloc&) {
-    return io_failure(name, 0, "not enough memory for the motion primitives");
+    return file_failure(name, 0, "not enough memory for the motion primitives");
   }
 }
 

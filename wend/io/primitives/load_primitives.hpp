@@ -5,8 +5,8 @@
 // begins with '{' is JSON.
 //
 //   const auto primitives = wend::load_primitives("ackermann.json");
-//   if (!primitives) return report(primitives.error().message());
-//   const wend::FreeSpace space(map, {.footprint = robot, .primitives = *primitives});
+//   if (!primitives) return report(primitives.error().message);
+//   const auto space = wend::make_free_space(map, {.footprint = robot, .primitives = *primitives});
 //
 // .mprim, whose lines come in this order; lengths in metres, headings in radians, offsets in cells:
 //
@@ -32,22 +32,21 @@
 #include <string_view>
 
 #include "wend/base/expected.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/robot/motion_primitives.hpp"
 
 namespace wend {
 
 inline constexpr std::size_t kLargestPrimitivesFile = std::size_t{64} << 20;
 
-Expected<MotionPrimitives, IoError> load_primitives(const std::filesystem::path& file);
+Expected<MotionPrimitives, Error> load_primitives(const std::filesystem::path& file);
 
 /// The same from a text. `name` is the name for errors.
-Expected<MotionPrimitives, IoError> parse_primitives(std::string_view text,
-                                                     const std::string& name);
+Expected<MotionPrimitives, Error> parse_primitives(std::string_view text, const std::string& name);
 
 /// The same for one of the two formats.
-Expected<MotionPrimitives, IoError> parse_mprim(std::string_view text, const std::string& name);
-Expected<MotionPrimitives, IoError> parse_lattice_json(std::string_view text,
-                                                       const std::string& name);
+Expected<MotionPrimitives, Error> parse_mprim(std::string_view text, const std::string& name);
+Expected<MotionPrimitives, Error> parse_lattice_json(std::string_view text,
+                                                     const std::string& name);
 
 }  // namespace wend

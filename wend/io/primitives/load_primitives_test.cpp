@@ -62,12 +62,12 @@ std::string with(std::string_view text, std::string_view part, std::string_view 
 
 std::string error_of(const std::string& text) {
   const auto primitives = parse_primitives(text, "robot");
-  return primitives ? "no error" : primitives.error().message();
+  return primitives ? "no error" : primitives.error().message;
 }
 
 TEST(LoadPrimitivesTest, ReadsMprim) {
   const auto set = parse_primitives(kMprim, "robot.mprim");
-  ASSERT_TRUE(set.has_value()) << set.error().message();
+  ASSERT_TRUE(set.has_value()) << set.error().message;
   EXPECT_EQ(set->resolution(), 0.1);
   EXPECT_EQ(set->headings().size(), 8U);
   ASSERT_EQ(set->all().size(), 3U);
@@ -84,7 +84,7 @@ TEST(LoadPrimitivesTest, ReadsMprim) {
 
 TEST(LoadPrimitivesTest, ReadsJson) {
   const auto set = parse_primitives(kJson, "robot.json");
-  ASSERT_TRUE(set.has_value()) << set.error().message();
+  ASSERT_TRUE(set.has_value()) << set.error().message;
   EXPECT_EQ(set->resolution(), 0.05);
   ASSERT_EQ(set->all().size(), 2U);
   const MotionPrimitive& aside = set->all()[0];
@@ -144,11 +144,11 @@ TEST(LoadPrimitivesTest, ReadsRealFiles) {
   const std::filesystem::path folder = data_folder() / "sbpl";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "WEND_DATA names no data";
   const auto set = load_primitives(folder / "mprim_unicycle_noturninplace.mprim");
-  ASSERT_TRUE(set.has_value()) << set.error().message();
+  ASSERT_TRUE(set.has_value()) << set.error().message;
   EXPECT_EQ(set->all().size(), 80U);
   EXPECT_EQ(set->resolution(), 0.025);
   const auto pr2 = load_primitives(folder / "mprim_pr2_10cm.mprim");
-  ASSERT_TRUE(pr2.has_value()) << pr2.error().message();
+  ASSERT_TRUE(pr2.has_value()) << pr2.error().message;
   EXPECT_EQ(pr2->all().size(), 256U);
   for (const MotionPrimitive& primitive : pr2->all()) EXPECT_LE(primitive.poses.size(), 10U);
 }

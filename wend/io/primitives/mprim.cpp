@@ -120,10 +120,10 @@ MotionPrimitive read_primitive(MprimReader& reader, double resolution, int headi
 
 }  // namespace
 
-Expected<MotionPrimitives, IoError> parse_mprim(std::string_view text, const std::string& name) {
+Expected<MotionPrimitives, Error> parse_mprim(std::string_view text, const std::string& name) {
   MprimReader reader(text);
   const auto failed = [&](std::string what) {
-    return io_failure(name, reader.line(), std::move(what));
+    return file_failure(name, reader.line(), std::move(what));
   };
   const double resolution = reader.number_of("resolution_m");
   if (reader.wrong().empty() && !(resolution > 0)) {
@@ -143,9 +143,9 @@ Expected<MotionPrimitives, IoError> parse_mprim(std::string_view text, const std
     parts.primitives.push_back(read_primitive(reader, resolution, headings));
     const MotionPrimitive& primitive = parts.primitives.back();
     if (reader.wrong().empty() && (primitive.from < 0 || primitive.from >= headings)) {
-      return io_failure(name, line,
-                        fmt::format("startangle_c {} of primitive {} is not from 0 to {}",
-                                    primitive.from, primitive.number, headings - 1));
+      return file_failure(name, line,
+                          fmt::format("startangle_c {} of primitive {} is not from 0 to {}",
+                                      primitive.from, primitive.number, headings - 1));
     }
   }
   if (!reader.wrong().empty()) return failed(reader.wrong());
@@ -155,7 +155,7 @@ Expected<MotionPrimitives, IoError> parse_mprim(std::string_view text, const std
   auto made = MotionPrimitives::make(std::move(parts));
   if (made) return *std::move(made);
   const Error& error = made.error();
-  return io_failure(name, 0, (error.where.empty() ? "" : error.where + ": ") + error.message);
+  return file_failure(name, 0, (error.where.empty() ? "" : error.where + ": ") + error.message);
 }
 
 }  // namespace wend

@@ -135,12 +135,12 @@ class QueryHeader {
 
 }  // namespace
 
-Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
-                                                         const std::string& file) {
+Expected<std::vector<QueryRow>, Error> parse_query_csv(std::string_view text,
+                                                       const std::string& file) {
   LineReader lines(text);
   QueryHeader header;
   const std::string wrong = header.read(lines.next().value_or(""));
-  if (!wrong.empty()) return io_failure(file, 1, wrong);
+  if (!wrong.empty()) return file_failure(file, 1, wrong);
   std::vector<QueryRow> rows;
   while (const auto line = lines.next()) {
     if (!is_blank(*line)) rows.push_back(header.row(*line, lines.number()));
@@ -148,13 +148,13 @@ Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
   return rows;
 }
 
-Expected<std::vector<QueryRow>, IoError> load_query_csv(const std::filesystem::path& file) {
+Expected<std::vector<QueryRow>, Error> load_query_csv(const std::filesystem::path& file) {
   const auto text = read_file(file, kLargestQueryFile);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<Error>(text.error());
   try {
     return parse_query_csv(*text, file.string());
   } catch (const std::bad_alloc&) {
-    return io_failure(file.string(), 0, "not enough memory for these queries");
+    return file_failure(file.string(), 0, "not enough memory for these queries");
   }
 }
 

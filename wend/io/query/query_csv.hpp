@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "wend/base/expected.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 
 namespace wend {
 
@@ -37,9 +37,9 @@ struct QueryRow {
 inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;
 
 /// `file` is the name for errors. Memory is proportional to the text.
-Expected<std::vector<QueryRow>, IoError> parse_query_csv(std::string_view text,
-                                                         const std::string& file);
+Expected<std::vector<QueryRow>, Error> parse_query_csv(std::string_view text,
+                                                       const std::string& file);
 
-Expected<std::vector<QueryRow>, IoError> load_query_csv(const std::filesystem::path& file);
+Expected<std::vector<QueryRow>, Error> load_query_csv(const std::filesystem::path& file);
 
 }  // namespace wend

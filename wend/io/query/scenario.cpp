@@ -124,24 +124,24 @@ std::optional<std::string> common_map_name(const Scenario& scenario) {
 
 }  // namespace
 
-Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file) {
+Expected<Scenario, Error> parse_scenario(std::string_view text, const std::string& file) {
   LineReader lines(text);
   const std::string wrong = wrong_version(lines.next().value_or(""));
-  if (!wrong.empty()) return io_failure(file, 1, wrong);
+  if (!wrong.empty()) return file_failure(file, 1, wrong);
   Scenario scenario{file, {}};
   while (const auto line = lines.next()) {
     if (is_blank(*line)) continue;
     LineParser parser(*line);
     ScenarioQuery query = parser.read(lines.number());
-    if (!parser.wrong().empty()) return io_failure(file, lines.number(), parser.wrong());
+    if (!parser.wrong().empty()) return file_failure(file, lines.number(), parser.wrong());
     scenario.queries.push_back(std::move(query));
   }
   return scenario;
 }
 
-Expected<Scenario, IoError> load_scenario(const fs::path& file) {
+Expected<Scenario, Error> load_scenario(const fs::path& file) {
   const auto text = read_file(file);
-  if (!text) return Unexpected<IoError>(text.error());
+  if (!text) return Unexpected<Error>(text.error());
   return parse_scenario(*text, file.string());
 }
 
@@ -155,39 +155,39 @@ std::string format_scenario(const std::vector<ScenarioQuery>& queries) {
   return text;
 }
 
-Expected<std::vector<fs::path>, IoError> scenarios_in(const fs::path& folder) {
+Expected<std::vector<fs::path>, Error> scenarios_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".scen") files.push_back(entry.path());
   }
-  if (error) return io_failure(folder.string(), 0, error.message());
-  if (files.empty()) return io_failure(folder.string(), 0, "the folder contains no .scen file");
+  if (error) return file_failure(folder.string(), 0, error.message());
+  if (files.empty()) return file_failure(folder.string(), 0, "the folder contains no .scen file");
   std::sort(files.begin(), files.end());
   return files;
 }
 
-Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height) {
+Expected<void, Error> check_map_size(const Scenario& scenario, int width, int height) {
   for (const ScenarioQuery& query : scenario.queries) {
     if (query.map_width == width && query.map_height == height) continue;
-    return io_failure(scenario.file, query.line,
-                      fmt::format("the query is for a {}x{} map, the map is {}x{}; maps are not "
-                                  "scaled",
-                                  query.map_width, query.map_height, width, height));
+    return file_failure(scenario.file, query.line,
+                        fmt::format("the query is for a {}x{} map, the map is {}x{}; maps are not "
+                                    "scaled",
+                                    query.map_width, query.map_height, width, height));
   }
   return {};
 }
 
-Expected<fs::path, IoError> scenario_map_path(const Scenario& scenario) {
+Expected<fs::path, Error> scenario_map_path(const Scenario& scenario) {
   const fs::path file = scenario.file;
   fs::path twin = file.parent_path() / file.stem();
   if (file.extension() == ".scen" && twin.has_extension() && is_file(twin)) return twin;
   const auto name = common_map_name(scenario);
-  if (!name) return io_failure(scenario.file, 0, "expected one map name in all lines");
+  if (!name) return file_failure(scenario.file, 0, "expected one map name in all lines");
   fs::path named = file.parent_path() / *name;
   if (is_file(named)) return named;
-  return io_failure(scenario.file, 0,
-                    fmt::format("its map {} is not in the same folder", quote(*name)));
+  return file_failure(scenario.file, 0,
+                      fmt::format("its map {} is not in the same folder", quote(*name)));
 }
 
 std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,

@@ -20,7 +20,7 @@
 
 #include "wend/base/expected.hpp"
 #include "wend/geometry/cell.hpp"
-#include "wend/io/io_error.hpp"
+#include "wend/io/file_error.hpp"
 
 namespace wend {
 
@@ -45,26 +45,26 @@ struct Scenario {
 };
 
 /// Start and goal lie inside the map size that their line gives; lengths are finite and >= 0.
-Expected<Scenario, IoError> load_scenario(const std::filesystem::path& file);
+Expected<Scenario, Error> load_scenario(const std::filesystem::path& file);
 
 /// The same from a text. `file` is the name for errors.
-Expected<Scenario, IoError> parse_scenario(std::string_view text, const std::string& file);
+Expected<Scenario, Error> parse_scenario(std::string_view text, const std::string& file);
 
 /// The text of a file with these queries; `decimals` is the number of decimals of a length.
 std::string format_scenario(const std::vector<ScenarioQuery>& queries);
 
 /// The `.scen` files directly in a folder, sorted by name. An error if the folder has no such file.
-Expected<std::vector<std::filesystem::path>, IoError> scenarios_in(
+Expected<std::vector<std::filesystem::path>, Error> scenarios_in(
     const std::filesystem::path& folder);
 
 /// Fails, with the line, if a query is for a map of another size. (The format says to scale the map
 /// then; no set that we know needs it, so this is an error.)
-Expected<void, IoError> check_map_size(const Scenario& scenario, int width, int height);
+Expected<void, Error> check_map_size(const Scenario& scenario, int width, int height);
 
 /// The map of a scenario. `X.map.scen` means `X.map` if that file exists, and `X.yaml.scen` means
 /// `X.yaml`; else it is the last part of the map column. In both cases it must be a file in the
 /// scenario's own folder, else it is an error.
-Expected<std::filesystem::path, IoError> scenario_map_path(const Scenario& scenario);
+Expected<std::filesystem::path, Error> scenario_map_path(const Scenario& scenario);
 
 /// At most `count` of the queries, evenly spread and in their order.
 std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,

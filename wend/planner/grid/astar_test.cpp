@@ -21,7 +21,7 @@ Plan plan_of(const FreeSpace& space, const Query& query, const OptionValues& opt
              std::string_view planner = "astar") {
   const auto made = make_planner(planner, space, options);
   if (!made) {
-    ADD_FAILURE() << made.error().message();
+    ADD_FAILURE() << made.error().message;
     return {};
   }
   auto plan = (*made)->plan(query);
@@ -94,7 +94,7 @@ TEST(AStar, WithoutWeightOrEstimateIsDijkstra) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const FreeSpace space(test::random_map(random, 20, 20));
+    const FreeSpace space = *make_free_space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
     if (!space.components().connected(start, goal, Adjacency::edges)) continue;
@@ -114,7 +114,8 @@ TEST(AStar, WithoutWeightOrEstimateIsDijkstra) {
 TEST(AStar, IsOptimalWithAnyConstantAndWeight) {
   Grid<double> terrain(21, 1, 1);
   for (int x = 10; x < 21; ++x) terrain[{x, 0}] = 1.005;
-  const FreeSpace space(GridMap(Grid<CellState>(21, 1, CellState::free), {}, terrain));
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(21, 1, CellState::free), {}, terrain));
   const Query query{pose_at({10, 0}), {pose_at({0, 0}), pose_at({20, 0})}};
   for (const char* constant : {"1e-9", "1e5", "1e9"}) {
     for (const char* weight : {"1", "1e6"}) {
@@ -158,7 +159,7 @@ TEST(AStar, IsNotOptimalWithManhattanOnEightNeighbours) {
   int worse = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
-    const FreeSpace space(test::random_map(random, 20, 20));
+    const FreeSpace space = *make_free_space(test::random_map(random, 20, 20));
     const Cell start = test::random_cell(random, 20, 20);
     const Cell goal = test::random_cell(random, 20, 20);
     if (!space.components().connected(start, goal, Adjacency::edges)) continue;

@@ -41,7 +41,8 @@ TEST_P(BestFirstPlanner, SearchesTheSameWithCompactAndWithWideCosts) {
     Random random(seed);
     const int width = random.between(20, 60);
     const int height = random.between(20, 60);
-    const FreeSpace space{GridMap(test::random_states(random, width, height))};
+    const FreeSpace space =
+        *make_free_space(*make_grid_map(test::random_states(random, width, height)));
     const OptionValues options{{"connectivity", kConnectivities[random.below(2)]},
                                {"corner_rule", kCornerRules[random.below(3)]}};
     const auto compact_planner = make(GetParam(), space, options);
@@ -72,7 +73,7 @@ class Serpentine {
   static constexpr int kWidth = 801;
   static constexpr int kCorridors = 250;
 
-  Serpentine() : space_(GridMap(states())) {}
+  Serpentine() : space_(*make_free_space(*make_grid_map(states()))) {}
 
   const FreeSpace& space() const { return space_; }
 

@@ -65,7 +65,21 @@ std::string reason_in_cells(const FreeSpace& space, const Query& query, Status s
 
 GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
     : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
-  GridPlanner::do_update({});
+  take(choose_parts_(free_space()));
+}
+
+GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts)
+    : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
+  take(std::move(parts));
+}
+
+std::optional<Error> GridPlanner::fault(std::string_view name) const {
+  if (engine_ == nullptr) {
+    if (auto refused = refused_terrain(name, free_space())) return refused;
+  }
+  if (allocated()) return std::nullopt;
+  return Error{Status::memory_limit, "no memory for the nodes of " +
+                                         std::to_string(free_space().map().size()) + " cells"};
 }
 
 std::optional<Status> GridPlanner::do_check(const Query& query) {
@@ -91,13 +105,26 @@ double GridPlanner::do_heuristic(const Pose& pose) const {
   return cell && engine_ != nullptr ? engine_->heuristic(*cell) : 0;
 }
 
-void GridPlanner::do_update(std::span<const Cell> /*changed*/) {
+std::unique_ptr<Planner> GridPlanner::do_clone() const {
+  Parts parts = another_engine_
+                    ? Parts{moves_, another_engine_(), bound_, any_angle_, another_engine_}
+                    : choose_parts_(free_space());
+  return std::unique_ptr<Planner>(new GridPlanner(free_space(), choose_parts_, std::move(parts)));
+}
+
+std::optional<Error> GridPlanner::do_update(std::span<const Cell> /*changed*/) {
   engine_.reset();  // its memory first
-  Parts parts = choose_parts_(free_space());
+  another_engine_ = {};
+  take(choose_parts_(free_space()));
+  return fault("this planner");
+}
+
+void GridPlanner::take(Parts parts) {
   moves_ = parts.moves;
   engine_ = std::move(parts.engine);
   bound_ = parts.bound;
   any_angle_ = parts.any_angle;
+  another_engine_ = std::move(parts.another);
 }
 
 }  // namespace wend

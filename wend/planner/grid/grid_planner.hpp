@@ -51,6 +51,8 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     std::unique_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;                        // what Plan::bound says of every answer
     bool any_angle = false;              // its paths are lines on uniform terrain, not steps
+    /// Makes another engine from what was prepared for this one; null if nothing was.
+    std::function<std::unique_ptr<GridEngine>()> another = {};
   };
 
   /// Called again for another FreeSpace.
@@ -58,7 +60,8 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts);
 
-  bool has_engine() const { return engine_ != nullptr; }
+  /// Why this planner cannot plan on its FreeSpace, if it cannot.
+  std::optional<Error> fault(std::string_view name) const;
 
  private:
   std::optional<Status> do_check(const Query& query) override;
@@ -66,12 +69,17 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   void assess(Plan& out) override;
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
-  void do_update(std::span<const Cell> changed) override;
+  std::unique_ptr<Planner> do_clone() const override;
+  std::optional<Error> do_update(std::span<const Cell> changed) override;
+
+  GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts);
+  void take(Parts parts);
 
   PartsChooser choose_parts_;
   GridMoves moves_;
   double bound_ = Plan::kNoBound;
   bool any_angle_ = false;
+  std::function<std::unique_ptr<GridEngine>()> another_engine_;
   GridQuery cells_;
 };
 
@@ -84,18 +92,12 @@ PlannerInfo grid_planner(PlannerInfo info, ChooseParts parts) {
                                         const OptionValues& values) -> PlannerResult {
     const auto options = parse_options<Options>(values);
     if (!options) {
-      return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+      return Unexpected<Error>(options.error());
     }
     auto planner = std::make_unique<GridPlanner>(
         space,
         [options = *options, parts](const FreeSpace& other) { return parts(other, options); });
-    const auto refused = refused_terrain(name, space);
-    if (refused && !planner->has_engine()) return Unexpected<PlannerError>(*refused);
-    if (!planner->allocated()) {
-      return Unexpected<PlannerError>(
-          {Status::memory_limit,
-           "no memory for the nodes of " + std::to_string(space.map().size()) + " cells"});
-    }
+    if (auto fault = planner->fault(name)) return Unexpected<Error>(*std::move(fault));
     return planner;
   };
   return info;

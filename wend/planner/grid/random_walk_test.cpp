@@ -68,7 +68,7 @@ template <class Check>
 void on_random_walks(Check&& check) {
   for (std::uint64_t seed = 1; seed <= 400 && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
-    const FreeSpace space(test::random_map(random));
+    const FreeSpace space = *make_free_space(test::random_map(random));
     const auto cell = [&] { return test::random_cell(random, space.width(), space.height()); };
     const Cell start = cell();
     const Cell goal = cell();

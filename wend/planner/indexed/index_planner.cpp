@@ -6,10 +6,10 @@
 namespace wend {
 namespace {
 
-using EngineResult = Expected<std::unique_ptr<IndexEngine>, PlannerError>;
+using EngineResult = Expected<std::unique_ptr<IndexEngine>, Error>;
 
-Unexpected<PlannerError> index_failure(Status status, std::string what) {
-  return Unexpected<PlannerError>({status, std::move(what)});
+Unexpected<Error> index_failure(Status status, std::string what) {
+  return Unexpected<Error>({status, std::move(what)});
 }
 
 /// The status if a limit stops the query before any work.
@@ -23,13 +23,23 @@ std::optional<Status> stopped(const Limits& limits) {
 
 class IndexPlanner final : public Planner {
  public:
-  using EngineMaker = std::function<EngineResult(const FreeSpace&)>;
+  /// Builds an index for another FreeSpace.
+  using IndexBuilder = std::function<Expected<IndexBytes, Error>(const FreeSpace&)>;
+  /// Opens an index.
+  using EngineOpener = std::function<EngineResult(const FreeSpace&, IndexBytes)>;
 
-  IndexPlanner(FreeSpace space, std::unique_ptr<IndexEngine> engine, EngineMaker make_engine)
-      : Planner(std::move(space)),
-        make_engine_(std::move(make_engine)),
-        engine_(std::move(engine)),
-        most_cells_(free_space().passable().count()) {}
+  IndexPlanner(FreeSpace space, IndexBuilder build, EngineOpener open)
+      : Planner(std::move(space)), build_(std::move(build)), open_(std::move(open)) {}
+
+  /// Why the index cannot be used, if it cannot.
+  std::optional<Error> use(IndexBytes index) {
+    most_cells_ = free_space().passable().count();
+    auto opened = open_(free_space(), index);
+    if (!opened) return why_none_ = opened.error();
+    engine_ = *std::move(opened);
+    index_ = std::move(index);
+    return std::nullopt;
+  }
 
  private:
   std::optional<Status> do_check(const Query& query) override {
@@ -40,11 +50,11 @@ class IndexPlanner final : public Planner {
   Status do_plan(const Query& query, Plan& out) override {
     const Limits& limits = query.limits;
     if (const auto status = stopped(limits)) return *status;
-    const double begin = limits.clock ? limits.clock() : 0;
+    const double begin = limits.now();
     const Cell start = cells_.start;
     const Cell goal = nearest_goal(start, out.metrics);
     const OctileSteps steps = start == goal ? OctileSteps{} : find(start, goal, out.metrics);
-    if (limits.clock && limits.clock() - begin > limits.seconds) return Status::time_limit;
+    if (limits.timed() && limits.now() - begin > limits.seconds) return Status::time_limit;
     if (start == goal) {
       out.path.append(cells_.start);
       out.metrics = {1, 1, 1};
@@ -82,25 +92,34 @@ class IndexPlanner final : public Planner {
   }
 
   std::string do_reason(const Query& query, Status status) const override {
-    if (engine_ == nullptr) return why_none_.what;
+    if (engine_ == nullptr) return why_none_.message;
     return reason_in_cells(free_space(), query, status);
   }
 
-  void do_update(std::span<const Cell> /*changed*/) override {
-    engine_.reset();  // frees its memory first
-    most_cells_ = free_space().passable().count();
-    auto made = make_engine_(free_space());
-    if (made) {
-      engine_ = *std::move(made);
+  std::unique_ptr<Planner> do_clone() const override {
+    auto planner = std::make_unique<IndexPlanner>(free_space(), build_, open_);
+    if (engine_ == nullptr) {
+      planner->why_none_ = why_none_;
     } else {
-      why_none_ = made.error();
+      planner->use(index_);
     }
+    return planner;
   }
 
-  EngineMaker make_engine_;  // for another FreeSpace
+  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+    engine_.reset();  // frees its memory first
+    index_ = {};
+    auto built = build_(free_space());
+    if (!built) return why_none_ = built.error();
+    return use(*std::move(built));
+  }
+
+  IndexBuilder build_;
+  EngineOpener open_;
+  IndexBytes index_;  // clones share it
   std::unique_ptr<IndexEngine> engine_;
-  std::size_t most_cells_;
-  PlannerError why_none_{Status::found, {}};  // if there is no engine
+  std::size_t most_cells_ = 0;
+  Error why_none_{Status::found, {}};  // if there is no engine
   GridQuery cells_;
 };
 
@@ -109,34 +128,35 @@ class MethodSupport final : public IndexSupport {
   MethodSupport(IndexMethod method, std::string planner)
       : method_(std::move(method)), planner_(std::move(planner)) {}
 
-  Expected<IndexBytes, PlannerError> build(const FreeSpace& space,
-                                           const IndexBuilding& building) const override {
-    if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
+  Expected<IndexBytes, Error> build(const FreeSpace& space,
+                                    const IndexBuilding& building) const override {
+    if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto built = method_.build(space.passable(), building);
-    if (!built) return index_failure(built.error().status, built.error().what);
+    if (!built) return index_failure(built.error().status, built.error().message);
     return *std::move(built);
   }
 
   PlannerResult make_planner(const FreeSpace& space, const OptionValues& options,
                              IndexBytes index) const override {
     if (auto refused = refused_options(options)) {
-      return Unexpected<PlannerError>(*std::move(refused));
+      return Unexpected<Error>(*std::move(refused));
     }
-    auto engine = open(space, std::move(index));
-    if (!engine) return Unexpected<PlannerError>(engine.error());
     // The planner may outlive this object.
-    const auto make_engine = [method = method_, name = planner_](const FreeSpace& other) {
-      const MethodSupport self(method, name);
-      auto built = self.build(other, {});
-      if (!built) return EngineResult(Unexpected<PlannerError>(built.error()));
-      return self.open(other, *std::move(built));
+    const auto build = [method = method_, name = planner_](const FreeSpace& other) {
+      return MethodSupport(method, name).build(other, {});
     };
-    return std::make_unique<IndexPlanner>(space, *std::move(engine), make_engine);
+    const auto open = [method = method_, name = planner_](const FreeSpace& other,
+                                                          IndexBytes bytes) {
+      return MethodSupport(method, name).open(other, std::move(bytes));
+    };
+    auto planner = std::make_unique<IndexPlanner>(space, build, open);
+    if (auto fault = planner->use(std::move(index))) return Unexpected<Error>(*std::move(fault));
+    return planner;
   }
 
  private:
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
-    if (auto refused = refused_terrain(planner_, space)) return Unexpected<PlannerError>(*refused);
+    if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto opened = method_.open(std::move(index), space.passable());
     if (!opened)
       return index_failure(Status::index_mismatch, "index does not match: " + opened.error());
@@ -158,7 +178,7 @@ PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
   info.index_support = support;
   info.make = [support](const FreeSpace& space, const OptionValues& options) -> PlannerResult {
     auto index = support->build(space, {});
-    if (!index) return Unexpected<PlannerError>(index.error());
+    if (!index) return Unexpected<Error>(index.error());
     return support->make_planner(space, options, *std::move(index));
   };
   return info;

@@ -16,7 +16,7 @@ namespace wend {
 
 /// How an index is built and used. Both take the passable cells.
 struct IndexMethod {
-  std::function<Expected<IndexBytes, IndexError>(const BitGrid&, const IndexBuilding&)> build;
+  std::function<Expected<IndexBytes, Error>(const BitGrid&, const IndexBuilding&)> build;
   /// Checks the index, which is cheap compared with reading it once. The error is index_mismatch.
   std::function<Expected<std::unique_ptr<IndexEngine>, std::string>(IndexBytes, const BitGrid&)>
       open;

@@ -128,11 +128,11 @@ GridPlanner::Parts choose_parts(const FreeSpace& space) {
   const auto engine = [graph, dead_ends]<class Cost>(Cost) {
     return std::make_unique<JumpEngine<Cost>>(graph, dead_ends);
   };
-  return {
-      {},
-      std::make_unique<WideningEngine<GridEngine>>([engine] { return engine(std::uint32_t{}); },
-                                                   [engine] { return engine(std::uint64_t{}); }),
-      1};
+  const auto widening = [engine]() -> std::unique_ptr<GridEngine> {
+    return std::make_unique<WideningEngine<GridEngine>>(
+        [engine] { return engine(std::uint32_t{}); }, [engine] { return engine(std::uint64_t{}); });
+  };
+  return {.moves = {}, .engine = widening(), .bound = 1, .another = widening};
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ PlannerInfo jps_planner() {
           .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
             auto refused = refused_options(values);
             if (!refused) refused = refused_terrain("jps", space);
-            if (refused) return Unexpected<PlannerError>(*std::move(refused));
+            if (refused) return Unexpected<Error>(*std::move(refused));
             return std::make_unique<GridPlanner>(space, choose_parts);
           }};
 }

@@ -87,7 +87,7 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
   Random random(31);
   for (int map = 0; map < 40; ++map) {
     GridMap grid = test::random_map(random, 24, 18);
-    const FreeSpace space(grid);
+    const FreeSpace space = *make_free_space(grid);
     auto compact = make_search<Compact>(space.passable());
     auto wide = make_search<JumpPointSearch<std::uint64_t>>(space.passable());
     auto forgetful = make_search<JumpPointSearch<std::uint32_t, 3>>(space.passable());
@@ -119,18 +119,18 @@ GridMap serpentine(int width, int turns) {
       cells[{turn % 2 == 0 ? x : x + 1, 2 * turn + 1}] = CellState::occupied;
     }
   }
-  return GridMap(cells);
+  return *make_grid_map(cells);
 }
 
 TEST(Jps, FindsPathsThatOutgrow32Bits) {
   constexpr int kWidth = 3000;
   constexpr int kTurns = 50;
-  const FreeSpace space(serpentine(kWidth, kTurns));
+  const FreeSpace space = *make_free_space(serpentine(kWidth, kTurns));
   const auto planner = make_planner("jps", space);
   ASSERT_TRUE(planner);
   const Query query = Query::between({0, 0}, {kTurns % 2 == 0 ? kWidth - 1 : 0, 2 * kTurns});
   const auto plan = (*planner)->plan(query);
-  ASSERT_TRUE(plan) << plan.error().reason;
+  ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_GT(plan->cost, 128000) << "or it proves nothing";
   const auto astar = (*make_planner("astar", space))->plan(query);
   ASSERT_TRUE(astar);
@@ -143,27 +143,28 @@ TEST(Jps, PlansOnMapsThatAreVeryWide) {
   Grid<CellState> cells(kWidth, 3, CellState::free);
   for (int x = 0; x < kWidth; ++x) cells[{x, 1}] = CellState::occupied;
   cells[{100, 1}] = cells[{kWidth - 1, 1}] = CellState::free;
-  const FreeSpace space{GridMap(cells)};
+  const FreeSpace space = *make_free_space(*make_grid_map(cells));
   const auto planner = make_planner("jps", space);
   ASSERT_TRUE(planner);
   const auto plan = (*planner)->plan(Query::between({kWidth - 101, 0}, {kWidth - 1, 2}));
-  ASSERT_TRUE(plan) << plan.error().reason;
+  ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->cost, 102) << "by the near gap";
   const auto far = (*planner)->plan(Query::between({0, 0}, {kWidth - 2, 2}));
-  ASSERT_TRUE(far) << far.error().reason;
+  ASSERT_TRUE(far) << far.error().message;
   EXPECT_EQ(far->cost, kWidth) << "by the first gap";
 }
 
 TEST(Jps, RefusesTerrainAndSaysSo) {
   const Grid<CellState> cells(5, 5, CellState::free);
-  const auto planner = make_planner("jps", FreeSpace(GridMap(cells, {}, Grid<double>(5, 5, 2.0))));
+  const auto planner =
+      make_planner("jps", *make_free_space(*make_grid_map(cells, {}, Grid<double>(5, 5, 2.0))));
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::unsupported_map);
-  EXPECT_THAT(planner.error().message(), ::testing::HasSubstr("terrain"));
+  EXPECT_THAT(planner.error().message, ::testing::HasSubstr("terrain"));
 }
 
 TEST(Jps, TakesNoOptions) {
-  const FreeSpace space{GridMap(Grid<CellState>(5, 5, CellState::free))};
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(5, 5, CellState::free)));
   const auto planner = make_planner("jps", space, {{"weight", "2"}});
   ASSERT_FALSE(planner);
   EXPECT_EQ(planner.error().status, Status::invalid_option);

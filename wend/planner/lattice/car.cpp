@@ -31,7 +31,7 @@ struct CarFlags : CarOptions {
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   auto options = parse_options<CarFlags>(values);
   if (!options) {
-    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+    return Unexpected<Error>(options.error());
   }
   if (options->turning_radius > 0) {
     const auto is_resolution = [](const auto& value) {
@@ -39,21 +39,17 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     };
     const auto given = std::ranges::find_if(values, is_resolution);
     if (given != values.end()) {
-      return Unexpected<PlannerError>(
+      return Unexpected<Error>(
           {Status::invalid_option,
            given->first + " and turning_radius set the same value: give one of them"});
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
   if (std::string why = why_no_lattice(space.map(), options->driving); !why.empty()) {
-    return Unexpected<PlannerError>({Status::unsupported_map, std::move(why)});
+    return failure(Status::unsupported_map, std::move(why));
   }
   auto planner = std::make_unique<CarPlanner>(space, *options);
-  if (!planner->allocated()) {
-    return Unexpected<PlannerError>(
-        {Status::memory_limit,
-         "no memory for the " + std::to_string(planner->state_count()) + " poses of the car"});
-  }
+  if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }
 

@@ -92,6 +92,15 @@ CarPlanner::CarPlanner(FreeSpace space, const CarOptions& options)
   CarPlanner::do_update({});
 }
 
+CarPlanner::CarPlanner(const CarPlanner& other)
+    : SearchPlanner(other.free_space()), options_(other.options_), lattice_(other.lattice_) {
+  make_engine();
+}
+
+std::unique_ptr<Planner> CarPlanner::do_clone() const {
+  return std::unique_ptr<Planner>(new CarPlanner(*this));
+}
+
 std::optional<Status> CarPlanner::do_check(const Query& query) {
   if (!lattice_) return Status::unsupported_map;
   if (!std::isfinite(query.start.heading)) return Status::unsupported_query;
@@ -160,12 +169,18 @@ std::uint64_t CarPlanner::do_state_count() const {
   return lattice_ ? lattice_->passable().count() * kHeadings : 0;
 }
 
-void CarPlanner::do_update(std::span<const Cell> /*changed*/) {
+std::optional<Error> CarPlanner::do_update(std::span<const Cell> /*changed*/) {
   engine_.reset();  // its memory first
   lattice_.reset();
-  if (!why_no_lattice(free_space().map(), options_.driving).empty()) return;
-  lattice_ = std::make_unique<CarLattice>(free_space(), options_.driving);
-  engine_ = make_car_engine(*lattice_, options_.heuristic, options_.weight);
+  std::string why_none = why_no_lattice(free_space().map(), options_.driving);
+  if (!why_none.empty()) return Error{Status::unsupported_map, std::move(why_none)};
+  lattice_ = std::make_shared<const CarLattice>(free_space(), options_.driving);
+  make_engine();
+  return fault();
+}
+
+void CarPlanner::make_engine() {
+  if (lattice_) engine_ = make_car_engine(*lattice_, options_.heuristic, options_.weight);
 }
 
 }  // namespace wend

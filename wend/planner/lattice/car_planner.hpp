@@ -33,6 +33,9 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   /// The map has room for the lattice, and its poses can be numbered.
   CarPlanner(FreeSpace space, const CarOptions& options);
 
+  /// Why there is no memory for its searches, if there is none.
+  std::optional<Error> fault() const { return no_memory_for("the car"); }
+
  private:
   std::optional<Status> do_check(const Query& query) override;
   void begin_search(const Limits& limits, SearchObserver* observer) override;
@@ -41,13 +44,17 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   double do_heuristic(const Pose& pose) const override;
   std::uint64_t do_state_count() const override;
   int do_corner_unit() const override { return static_cast<int>(options_.driving.unit); }
-  void do_update(std::span<const Cell> changed) override;
+  std::unique_ptr<Planner> do_clone() const override;
+  std::optional<Error> do_update(std::span<const Cell> changed) override;
+
+  CarPlanner(const CarPlanner& other);
+  void make_engine();
 
   std::optional<Status> take_goal(const Goal& goal);
 
   CarOptions options_;
   // None on a map that has no room for it; then there is no engine either.
-  std::unique_ptr<const CarLattice> lattice_;
+  std::shared_ptr<const CarLattice> lattice_;  // clones share it
   // Of the query that was checked last.
   Pose asked_start_;
   CornerPose start_;

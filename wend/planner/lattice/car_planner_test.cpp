@@ -30,7 +30,7 @@ std::unique_ptr<Planner> car_on(const FreeSpace& space, const OptionValues& opti
 FreeSpace open_yard(int width, int height, bool y_up) {
   Frame frame;
   frame.y_up = y_up;
-  return FreeSpace(GridMap(Grid<CellState>(width, height, CellState::free), frame));
+  return *make_free_space(*make_grid_map(Grid<CellState>(width, height, CellState::free), frame));
 }
 
 Pose at(int x, int y, Heading heading) { return pose_of({{x, y}, heading}); }
@@ -55,7 +55,7 @@ TEST(Car, MakesEachOfItsSixMoves) {
   const auto planner = car_on(test::open_space(5, 5));
   const auto expect_move = [&](const Pose& from, const OneMove& move) {
     const auto plan = planner->plan({from, {move.to}});
-    ASSERT_TRUE(plan) << plan.error().reason;
+    ASSERT_TRUE(plan) << plan.error().message;
     EXPECT_THAT(plan->moves, ElementsAre(move.name));
     EXPECT_THAT(plan->path.poses(), ElementsAre(from, move.to));
   };
@@ -102,8 +102,8 @@ struct Refusal {
 Refusal refusal_of(Planner& planner, const Query& query) {
   const auto plan = planner.plan(query);
   if (plan) return {"found", ""};
-  EXPECT_EQ(plan.error().reason, planner.reason(query, plan.error().status));
-  return {std::string(to_string(plan.error().status)), plan.error().reason};
+  EXPECT_EQ(plan.error().message, planner.reason(query, plan.error().status));
+  return {std::string(to_string(plan.error().status)), plan.error().message};
 }
 
 void expect_refusal(Planner& planner, const Query& query, const std::string& status,
@@ -203,7 +203,7 @@ TEST(Car, SaysOfAMapThatItIsTooSmall) {
   ASSERT_FALSE(made);
   EXPECT_EQ(to_string(made.error().status), "unsupported_map");
   const std::string why = "the map of 4 x 2 cells is too small for a lattice_resolution of 3";
-  EXPECT_EQ(made.error().message(), why);
+  EXPECT_EQ(made.error().message, why);
   const auto planner = car_on(test::open_space(9, 9), {{"lattice_resolution", "3"}});
   planner->update(test::open_space(4, 2));
   expect_refusal(*planner, {at(0, 0, Heading::plus_x), {at(0, 0, Heading::plus_x)}},

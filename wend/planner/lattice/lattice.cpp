@@ -32,10 +32,10 @@ struct LatticeFlags : LatticeOptions {
   }
 };
 
-Expected<MotionPrimitives, PlannerError> primitives_for(const FreeSpace& space,
-                                                        const LatticeFlags& options) {
+Expected<MotionPrimitives, Error> primitives_for(const FreeSpace& space,
+                                                 const LatticeFlags& options) {
   const auto refused = [](std::string why) {
-    return Unexpected<PlannerError>({Status::invalid_option, std::move(why)});
+    return failure(Status::invalid_option, std::move(why));
   };
   if (const auto& primitives = space.robot().primitives) {
     if (options.turning_radius == 0) {
@@ -53,20 +53,16 @@ Expected<MotionPrimitives, PlannerError> primitives_for(const FreeSpace& space,
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   const auto options = parse_options<LatticeFlags>(values);
   if (!options) {
-    return Unexpected<PlannerError>({Status::invalid_option, options.error().message()});
+    return Unexpected<Error>(options.error());
   }
   auto primitives = primitives_for(space, *options);
-  if (!primitives) return Unexpected<PlannerError>(primitives.error());
+  if (!primitives) return Unexpected<Error>(primitives.error());
   std::string why_none = MotionLattice::why_none(space.map(), *primitives);
   if (!why_none.empty()) {
-    return Unexpected<PlannerError>({Status::unsupported_map, std::move(why_none)});
+    return failure(Status::unsupported_map, std::move(why_none));
   }
   auto planner = std::make_unique<LatticePlanner>(space, *std::move(primitives), *options);
-  if (!planner->allocated()) {
-    return Unexpected<PlannerError>(
-        {Status::memory_limit,
-         "no memory for the " + std::to_string(planner->state_count()) + " poses of the robot"});
-  }
+  if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }
 

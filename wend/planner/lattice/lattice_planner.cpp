@@ -50,6 +50,18 @@ LatticePlanner::LatticePlanner(FreeSpace space, MotionPrimitives primitives,
   LatticePlanner::do_update({});
 }
 
+LatticePlanner::LatticePlanner(const LatticePlanner& other)
+    : SearchPlanner(other.free_space()),
+      primitives_(other.primitives_),
+      options_(other.options_),
+      lattice_(other.lattice_) {
+  make_engine();
+}
+
+std::unique_ptr<Planner> LatticePlanner::do_clone() const {
+  return std::unique_ptr<Planner>(new LatticePlanner(*this));
+}
+
 bool LatticePlanner::fits(const LatticePose& place) const {
   return free_space().fits(lattice_->to_grid(place));
 }
@@ -157,11 +169,18 @@ std::uint64_t LatticePlanner::do_state_count() const {
   return free_space().possible().count() * primitives_.headings().size();
 }
 
-void LatticePlanner::do_update(std::span<const Cell> /*changed*/) {
+std::optional<Error> LatticePlanner::do_update(std::span<const Cell> /*changed*/) {
   engine_.reset();  // its memory first
   lattice_.reset();
-  if (!MotionLattice::why_none(free_space().map(), primitives_).empty()) return;
-  lattice_ = std::make_unique<MotionLattice>(free_space(), primitives_, options_.costs);
+  std::string why_none = MotionLattice::why_none(free_space().map(), primitives_);
+  if (!why_none.empty()) return Error{Status::unsupported_map, std::move(why_none)};
+  lattice_ = std::make_shared<const MotionLattice>(free_space(), primitives_, options_.costs);
+  make_engine();
+  return fault();
+}
+
+void LatticePlanner::make_engine() {
+  if (!lattice_) return;
   const auto heuristic = options_.weight == 0 ? LatticeHeuristic::zero : options_.heuristic;
   engine_ = std::make_unique<LatticeEngineOf>(
       LatticeSpace(*lattice_), LatticePriority(*lattice_, heuristic, options_.weight));

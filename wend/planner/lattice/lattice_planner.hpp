@@ -31,6 +31,9 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   /// MotionLattice::why_none() is empty.
   LatticePlanner(FreeSpace space, MotionPrimitives primitives, const LatticeOptions& options);
 
+  /// Why there is no memory for its searches, if there is none.
+  std::optional<Error> fault() const { return no_memory_for("the robot"); }
+
  private:
   std::optional<Status> do_check(const Query& query) override;
   void begin_search(const Limits& limits, SearchObserver* observer) override;
@@ -38,7 +41,11 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::uint64_t do_state_count() const override;
-  void do_update(std::span<const Cell> changed) override;
+  std::unique_ptr<Planner> do_clone() const override;
+  std::optional<Error> do_update(std::span<const Cell> changed) override;
+
+  LatticePlanner(const LatticePlanner& other);
+  void make_engine();
 
   std::optional<Status> take_goal(const Goal& goal);
   bool fits(const LatticePose& place) const;
@@ -46,7 +53,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   MotionPrimitives primitives_;
   LatticeOptions options_;
   // Null if the map's resolution does not suit the primitives; then there is no engine either.
-  std::unique_ptr<const MotionLattice> lattice_;
+  std::shared_ptr<const MotionLattice> lattice_;  // clones share it
   // Of the query that was checked last.
   Pose asked_start_;
   LatticePose start_;

@@ -124,12 +124,13 @@ class GifAnimation::Writer {
     delay_ += centiseconds;
   }
 
-  Expected<std::string, RenderError> finish() {
-    if (state_ == State::empty) return Unexpected<RenderError>({"an animation without frames"});
+  Expected<std::string, Error> finish() {
+    if (state_ == State::empty)
+      return failure(Status::unsupported_query, "an animation without frames");
     write_shown();
     int error = error_;
     EGifCloseFile(file_.release(), error == 0 ? &error : nullptr);
-    if (error != 0) return Unexpected<RenderError>({GifErrorString(error)});
+    if (error != 0) return failure(Status::memory_limit, GifErrorString(error));
     return std::move(bytes_);
   }
 
@@ -239,7 +240,7 @@ void GifAnimation::add(const Grid<std::uint32_t>& pixels, int centiseconds) {
   writer_->add(pixels, centiseconds);
 }
 
-Expected<std::string, RenderError> GifAnimation::finish() { return writer_->finish(); }
+Expected<std::string, Error> GifAnimation::finish() { return writer_->finish(); }
 
 std::vector<std::uint32_t> palette_of(std::span<const Grid<std::uint32_t>> frames) {
   std::unordered_map<std::uint32_t, std::uint64_t> counts;

@@ -51,7 +51,7 @@ class GifAnimation {
   void add(const Grid<std::uint32_t>& pixels, int centiseconds);
 
   /// The bytes of the file. Fails if there was no memory or no frame. To be called once.
-  Expected<std::string, RenderError> finish();
+  Expected<std::string, Error> finish();
 
  private:
   class Writer;

@@ -83,7 +83,7 @@ TEST(Gif, ColoursThatAreNotInThePaletteBecomeTheNearest) {
 
 TEST(Gif, WithoutFramesIsAnError) {
   GifAnimation animation(2, 2, {kRed});
-  EXPECT_EQ(animation.finish().error().message(), "an animation without frames");
+  EXPECT_EQ(animation.finish().error().message, "an animation without frames");
 }
 
 TEST(Gif, MayBeDroppedUnfinished) {

@@ -76,9 +76,8 @@ Grid<std::uint32_t> pixels_of(cairo_surface_t* image) {
   return pixels;
 }
 
-Expected<std::string, RenderError> drawn_file(PictureKind kind, int width, int height,
-                                              const Colour& page,
-                                              const std::function<void(cairo_t*)>& draw) {
+Expected<std::string, Error> drawn_file(PictureKind kind, int width, int height, const Colour& page,
+                                        const std::function<void(cairo_t*)>& draw) {
   std::string bytes;
   const CairoSurface surface = surface_of(kind, width, height, bytes);
   const CairoContext context(cairo_create(surface.get()));
@@ -93,7 +92,7 @@ Expected<std::string, RenderError> drawn_file(PictureKind kind, int width, int h
   cairo_surface_finish(surface.get());  // writes the rest
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS) {
-    return Unexpected<RenderError>({cairo_status_to_string(status)});
+    return failure(Status::memory_limit, cairo_status_to_string(status));
   }
   return bytes;
 }

@@ -41,9 +41,8 @@ Grid<std::uint32_t> pixels_of(cairo_surface_t* image);
 
 /// The bytes of a file of any kind, the same for the same drawing. `draw` gets a context of that
 /// many pixels, filled with the page's colour.
-Expected<std::string, RenderError> drawn_file(PictureKind kind, int width, int height,
-                                              const Colour& page,
-                                              const std::function<void(cairo_t*)>& draw);
+Expected<std::string, Error> drawn_file(PictureKind kind, int width, int height, const Colour& page,
+                                        const std::function<void(cairo_t*)>& draw);
 
 inline void set_source(cairo_t* context, const Colour& colour, double opacity = 1) {
   cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, opacity);

@@ -13,7 +13,8 @@ namespace {
 constexpr int kSide = 2000;  // cells: four share a pixel, and more in a terminal
 
 Scene expanded_at(const std::vector<Cell>& cells) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(kSide, kSide, CellState::free)))};
+  Scene scene{.space =
+                  *make_free_space(*make_grid_map(Grid<CellState>(kSide, kSide, CellState::free)))};
   BitGrid marked(kSide, kSide);
   for (const Cell cell : cells) marked.set(cell, true);
   scene.marked = {{CellRole::expanded, marked}};

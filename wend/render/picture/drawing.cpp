@@ -36,8 +36,8 @@ void draw_scene(cairo_t* context, const Scene& scene, const MapView& view, const
   draw_marks(drawing);
 }
 
-Expected<std::string, RenderError> draw_picture(const Scene& scene, PictureKind kind,
-                                                const Style& style) {
+Expected<std::string, Error> draw_picture(const Scene& scene, PictureKind kind,
+                                          const Style& style) {
   const PictureLayout layout = picture_layout(scene.space.map(), axis_room(scene));
   const double room = layout.width - 2 * PictureLayout::kMargin;
   const Footer footer(legend_of(scene, style), bar_for(scene, layout.view, room), room);

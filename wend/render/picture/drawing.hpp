@@ -33,22 +33,22 @@ constexpr std::array<Choice<PictureKind>, 3> choice_names(PictureKind) {
 }
 
 /// The bytes of a file of that kind.
-Expected<std::string, RenderError> draw_picture(const Scene& scene, PictureKind kind,
-                                                const Style& style = {});
+Expected<std::string, Error> draw_picture(const Scene& scene, PictureKind kind,
+                                          const Style& style = {});
 
 /// The bytes of a PNG file.
-inline Expected<std::string, RenderError> draw_png(const Scene& scene, const Style& style = {}) {
+inline Expected<std::string, Error> draw_png(const Scene& scene, const Style& style = {}) {
   return draw_picture(scene, PictureKind::png, style);
 }
 
 /// The text of an SVG file. The map comes as rectangles where few are enough, else as an embedded
 /// image: the file stays small.
-inline Expected<std::string, RenderError> draw_svg(const Scene& scene, const Style& style = {}) {
+inline Expected<std::string, Error> draw_svg(const Scene& scene, const Style& style = {}) {
   return draw_picture(scene, PictureKind::svg, style);
 }
 
 /// The bytes of a PDF file of one page, 96 pixels an inch; like an SVG otherwise.
-inline Expected<std::string, RenderError> draw_pdf(const Scene& scene, const Style& style = {}) {
+inline Expected<std::string, Error> draw_pdf(const Scene& scene, const Style& style = {}) {
   return draw_picture(scene, PictureKind::pdf, style);
 }
 

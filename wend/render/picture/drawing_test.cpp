@@ -17,13 +17,13 @@ namespace {
 
 Picture png_of(const Scene& scene) {
   const auto png = draw_png(scene);
-  EXPECT_TRUE(png) << png.error().message();
+  EXPECT_TRUE(png) << png.error().message;
   return Picture(*png);
 }
 
 std::string svg_of(const Scene& scene) {
   const auto svg = draw_svg(scene);
-  EXPECT_TRUE(svg) << svg.error().message();
+  EXPECT_TRUE(svg) << svg.error().message;
   return *svg;
 }
 
@@ -41,7 +41,7 @@ constexpr std::uint32_t kStart = 0x009E73;
 constexpr std::uint32_t kGoal = 0xD55E00;
 
 TEST(Drawing, ShowsCellsPathStartAndGoalInAPng) {
-  Scene scene{.space = FreeSpace(map_of({
+  Scene scene{.space = *make_free_space(map_of({
                   "....#",
                   ".##.?",
                   ".....",
@@ -62,7 +62,7 @@ TEST(Drawing, ShowsCellsPathStartAndGoalInAPng) {
 }
 
 TEST(Drawing, DrawsMapsWithYUpAsTheFileLooks) {
-  const Scene scene{.space = FreeSpace(map_of({"#...", "....", "...?"}, {.y_up = true}))};
+  const Scene scene{.space = *make_free_space(map_of({"#...", "....", "...?"}, {.y_up = true}))};
   const Picture picture = png_of(scene);
   const PictureLayout layout = picture_layout(scene.space.map());
   const double cell = layout.view.scale();
@@ -71,8 +71,9 @@ TEST(Drawing, DrawsMapsWithYUpAsTheFileLooks) {
 }
 
 TEST(Drawing, ShowsTheRobotToScale) {
-  Scene scene{.space = FreeSpace(map_of({".......", ".......", ".......", ".......", "......."}),
-                                 {.footprint = Footprint::disc(1.5)})};
+  Scene scene{.space =
+                  *make_free_space(map_of({".......", ".......", ".......", ".......", "......."}),
+                                   {.footprint = Footprint::disc(1.5)})};
   scene.start = Point{3.5, 2.5};
   const Picture picture = png_of(scene);
   EXPECT_NE(pixel_at(picture, scene, {2.3, 2.4}), kFree) << "inside the disc";
@@ -80,7 +81,7 @@ TEST(Drawing, ShowsTheRobotToScale) {
 }
 
 TEST(Drawing, RingsTheNarrowestPlace) {
-  Scene scene{.space = FreeSpace(map_of({".......", ".......", "......."}))};
+  Scene scene{.space = *make_free_space(map_of({".......", ".......", "......."}))};
   scene.narrowest = Point{3.5, 1.5};
   const Picture picture = png_of(scene);
   const double ring = 1.3 * 18 / picture_layout(scene.space.map()).view.scale();
@@ -92,7 +93,7 @@ TEST(Drawing, RingsTheNarrowestPlace) {
 TEST(Drawing, ShrinksHugeMapsAndKeepsThinWallsAndThePathVisible) {
   Grid<CellState> cells(4096, 300);
   for (int y = 0; y < 300; ++y) cells[{2000, y}] = CellState::occupied;
-  Scene scene{.space = FreeSpace(GridMap(cells))};
+  Scene scene{.space = *make_free_space(*make_grid_map(cells))};
   std::vector<Cell> path;
   for (int x = 100; x < 1900; ++x) path.push_back({x, 150});
   scene.path = Path(std::move(path));
@@ -104,7 +105,7 @@ TEST(Drawing, ShrinksHugeMapsAndKeepsThinWallsAndThePathVisible) {
 }
 
 TEST(Drawing, DrawsSmallMapsAsRectanglesInASvg) {
-  Scene scene{.space = FreeSpace(map_of({"..#", "..?"}))};
+  Scene scene{.space = *make_free_space(map_of({"..#", "..?"}))};
   scene.path = Path({{0, 0}, {1, 1}});
   scene.start = centre_of({0, 0});
   scene.goals = {centre_of({1, 1})};
@@ -121,7 +122,7 @@ TEST(Drawing, DrawsSmallMapsAsRectanglesInASvg) {
 
 /// A room of 10 x 6 cells with costs and moves to its left.
 Scene field() {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(10, 6)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(10, 6)))};
   scene.heatmap = {"cost to the goal", Grid<double>(10, 6)};
   scene.arrows.emplace(10, 6, Direction::minus_x);
   for (int y = 0; y < 6; ++y) {
@@ -167,7 +168,7 @@ TEST(Drawing, WritesNumbersOnlyIntoCellsThatAreLargeEnough) {
   EXPECT_GT(inked(numbered, {5, 2}), inked(numbered, {0, 2})) << "5000 has more digits than 0";
   EXPECT_GT(inked(numbered, {0, 2}), 10);
 
-  Scene small{.space = FreeSpace(GridMap(Grid<CellState>(60, 60)))};
+  Scene small{.space = *make_free_space(*make_grid_map(Grid<CellState>(60, 60)))};
   small.heatmap = {"cost", Grid<double>(60, 60, 1.0)};
   const Picture picture = png_of(small);
   for (double x = 0.1; x < 60; x += 0.21) {
@@ -177,7 +178,7 @@ TEST(Drawing, WritesNumbersOnlyIntoCellsThatAreLargeEnough) {
 }
 
 TEST(Drawing, SharesArrowsAmongCellsThatAreTooSmallForOneEach) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(400, 400)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(400, 400)))};
   scene.arrows.emplace(400, 400, Direction::plus_x);
   const Picture picture = png_of(scene);
   int arrows = 0;  // along a row of middle cells, by their shafts
@@ -204,7 +205,7 @@ TEST(Drawing, WritesAPdfOfOnePageOfThePicturesSize) {
 }
 
 TEST(Drawing, GivesPixelsForAnimations) {
-  Scene scene{.space = FreeSpace(map_of({"#..", "..?"}))};
+  Scene scene{.space = *make_free_space(map_of({"#..", "..?"}))};
   const auto pixels = draw_pixels(scene, 100, 100);
   EXPECT_EQ(pixels.width(), 99);
   EXPECT_EQ(pixels.height(), 66);
@@ -219,7 +220,7 @@ TEST(Drawing, GivesPixelsForAnimations) {
 }
 
 TEST(Drawing, ShrinksMapsToPixels) {
-  const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(3000, 1000)))};
+  const Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(3000, 1000)))};
   const auto pixels = draw_pixels(scene, 600, 500);
   EXPECT_EQ(pixels.width(), 600);
   EXPECT_EQ(pixels.height(), 200);
@@ -231,7 +232,7 @@ TEST(Drawing, EmbedsManySpecksAsAnImageInASvg) {
   for (int y = 0; y < 200; y += 2) {
     for (int x = y % 4; x < 200; x += 2) cells[{x, y}] = CellState::occupied;
   }
-  const std::string svg = svg_of({.space = FreeSpace(GridMap(cells))});
+  const std::string svg = svg_of({.space = *make_free_space(*make_grid_map(cells))});
   EXPECT_TRUE(well_formed(svg));
   EXPECT_TRUE(contains(svg, "<image"));
   EXPECT_LT(svg.size(), 100000U);

@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 GridMap map_of_size(int width, int height, bool y_up = false) {
-  return GridMap(Grid<CellState>(width, height), {.y_up = y_up});
+  return *make_grid_map(Grid<CellState>(width, height), {.y_up = y_up});
 }
 
 RC_GTEST_PROP(PictureLayout, LargerSideIsBetween800And1600, ()) {
@@ -75,7 +75,7 @@ TEST(RoundStep, IsTheLeastThatIsNotLess) {
 }
 
 RC_GTEST_PROP(Axes, NumberCornersSoThatNumbersNeverTouch, ()) {
-  Scene scene{.space = FreeSpace(map_of_size(*rc::gen::inRange(1, 3000), 1))};
+  Scene scene{.space = *make_free_space(map_of_size(*rc::gen::inRange(1, 3000), 1))};
   scene.unit = *rc::gen::inRange(1, 30);
   const double scale = *rc::gen::inRange(1, 6000) / 40.0;
   const int step = axis_step(scene, scale);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(PanelLayout, PutsAllPanelsSideBySideInThePicture, ()) {
   const int count = *rc::gen::inRange(1, 10);
   for (int i = 0; i < count; ++i) {
     const Grid<CellState> cells(*rc::gen::inRange(1, 900), *rc::gen::inRange(1, 900));
-    panels.push_back({"title", {.space = FreeSpace(GridMap(cells))}});
+    panels.push_back({"title", {.space = *make_free_space(*make_grid_map(cells))}});
   }
   const PanelLayout layout = panel_layout(panels, *rc::gen::inRange(0, 100));
   RC_ASSERT(layout.places.size() == panels.size());
@@ -134,7 +134,7 @@ RC_GTEST_PROP(PanelLayout, PutsAllPanelsSideBySideInThePicture, ()) {
 
 TEST(PanelLayout, FillsRows) {
   const auto columns = [](int count, int width, int height) {
-    const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height)))};
+    const Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(width, height)))};
     const auto layout =
         panel_layout(std::vector<Panel>(static_cast<std::size_t>(count), {"title", scene}), 50);
     int first_row = 0;

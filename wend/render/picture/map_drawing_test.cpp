@@ -28,7 +28,7 @@ constexpr Style kStyle{.free = colour_from(0xFFFFFF),
 std::uint32_t pixel_of(const Grid<std::uint32_t>& image, int x, int y) { return image[{x, y}]; }
 
 TEST(MapImage, EnlargesCellsToCrispSquares) {
-  const Scene scene{.space = FreeSpace(map_of({"#.", ".?"}))};
+  const Scene scene{.space = *make_free_space(map_of({"#.", ".?"}))};
   const auto image = map_image(CellPaints(scene, kStyle), 6, 6, false);
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 6; ++x) {
@@ -40,7 +40,7 @@ TEST(MapImage, EnlargesCellsToCrispSquares) {
 }
 
 TEST(MapImage, TurnsMapsWithYUpOver) {
-  const Scene scene{.space = FreeSpace(map_of({"#..", "...", "..?"}, {.y_up = true}))};
+  const Scene scene{.space = *make_free_space(map_of({"#..", "...", "..?"}, {.y_up = true}))};
   const auto image = map_image(CellPaints(scene, kStyle), 3, 3, true);
   EXPECT_EQ(pixel_of(image, 0, 0), 0x000000U);
   EXPECT_EQ(pixel_of(image, 2, 2), 0x808080U);
@@ -50,7 +50,7 @@ TEST(MapImage, TurnsMapsWithYUpOver) {
 TEST(MapImage, KeepsThinWallsVisibleWhenItShrinks) {
   Grid<CellState> cells(64, 64);
   for (int y = 0; y < 64; ++y) cells[{21, y}] = CellState::occupied;
-  const Scene scene{.space = FreeSpace(GridMap(cells))};
+  const Scene scene{.space = *make_free_space(*make_grid_map(cells))};
   const auto image = map_image(CellPaints(scene, kStyle), 8, 8, false);
   for (int y = 0; y < 8; ++y) {
     EXPECT_LT(pixel_of(image, 2, y) & 0xFFU, 0xC0U);  // cells 16 to 23
@@ -60,7 +60,7 @@ TEST(MapImage, KeepsThinWallsVisibleWhenItShrinks) {
 }
 
 TEST(MapImage, MixesTheCellsUnderAPixelByTheAreaTheyShare) {
-  const Scene scene{.space = FreeSpace(map_of({".?."}))};
+  const Scene scene{.space = *make_free_space(map_of({".?."}))};
   const auto image = map_image(CellPaints(scene, kStyle), 2, 1, false);
   // Each pixel is two thirds of a free cell and one third of the unknown one.
   EXPECT_EQ(pixel_of(image, 0, 0), 0xD5D5D5U);
@@ -68,7 +68,7 @@ TEST(MapImage, MixesTheCellsUnderAPixelByTheAreaTheyShare) {
 }
 
 TEST(MapImage, PaintsTooCloseExpandedAndRoughCells) {
-  Scene scene{.space = FreeSpace(map_of({"#..2.9"}), {.footprint = Footprint::disc(1)})};
+  Scene scene{.space = *make_free_space(map_of({"#..2.9"}), {.footprint = Footprint::disc(1)})};
   BitGrid expanded(6, 1);
   expanded.set({4, 0}, true);
   scene.marked = {{CellRole::expanded, expanded}};
@@ -83,7 +83,7 @@ RC_GTEST_PROP(MapImage, OfOneColourIsOfOneColourAtAnySize, ()) {
   const int width = *rc::gen::inRange(1, 40);
   const int height = *rc::gen::inRange(1, 40);
   const Grid<CellState> cells(width, height, CellState::unknown);
-  const Scene scene{.space = FreeSpace(GridMap(cells))};
+  const Scene scene{.space = *make_free_space(*make_grid_map(cells))};
   const auto image = map_image(CellPaints(scene, kStyle), *rc::gen::inRange(1, 100),
                                *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>());
   for (const std::uint32_t pixel : image.values()) RC_ASSERT(pixel == 0x808080U);
@@ -98,7 +98,7 @@ std::vector<MapRectangle> rectangles_of(const Scene& scene) {
 
 TEST(MapRectangles, MergeRunsAndEqualRunsBelow) {
   const Style style;
-  const Scene scene{.space = FreeSpace(map_of({
+  const Scene scene{.space = *make_free_space(map_of({
                         "##..",
                         "##.?",
                         "####",
@@ -110,7 +110,7 @@ TEST(MapRectangles, MergeRunsAndEqualRunsBelow) {
 
 TEST(MapRectangles, GiveUpAboveALimit) {
   const Style style;
-  const Scene scene{.space = FreeSpace(map_of({"#.#", ".#."}))};
+  const Scene scene{.space = *make_free_space(map_of({"#.#", ".#."}))};
   const CellPaints paints(scene, style);
   EXPECT_TRUE(map_rectangles(paints, style.free, 3));
   EXPECT_FALSE(map_rectangles(paints, style.free, 2));
@@ -126,7 +126,7 @@ RC_GTEST_PROP(MapRectangles, CoverEveryCellOnceInItsColour, ()) {
       cells[{x, y}] = *rc::gen::element(CellState::free, CellState::occupied, CellState::unknown);
     }
   }
-  const Scene scene{.space = FreeSpace(GridMap(cells))};
+  const Scene scene{.space = *make_free_space(*make_grid_map(cells))};
   std::set<Cell> covered;
   for (const MapRectangle& rectangle : rectangles_of(scene)) {
     for (int y = rectangle.y; y < rectangle.y + rectangle.height; ++y) {
@@ -146,7 +146,7 @@ RC_GTEST_PROP(MapRectangles, CoverEveryCellOnceInItsColour, ()) {
 }
 
 Scene searched_yard(std::optional<int> unit) {
-  Scene scene{.space = FreeSpace(map_of({"5555....", "5555....", "5555....", "....5555"}))};
+  Scene scene{.space = *make_free_space(map_of({"5555....", "5555....", "5555....", "....5555"}))};
   scene.marked = {
       {CellRole::expanded, marked_of({"********", "********", "********", "----****"}, '*')}};
   scene.unit = unit;
@@ -217,7 +217,8 @@ TEST(Stripes, AreACharacterOfTheirOwnInText) {
 }
 
 Scene yard(int width, int height, bool y_up = false) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height), {.y_up = y_up}))};
+  Scene scene{.space =
+                  *make_free_space(*make_grid_map(Grid<CellState>(width, height), {.y_up = y_up}))};
   scene.unit = 1;
   return scene;
 }

@@ -150,8 +150,8 @@ void draw_panel(cairo_t* context, const Panel& panel, const PanelPlace& place, c
 
 }  // namespace
 
-Expected<std::string, RenderError> draw_panels(std::span<const Panel> panels, PictureKind kind,
-                                               const Style& style) {
+Expected<std::string, Error> draw_panels(std::span<const Panel> panels, PictureKind kind,
+                                         const Style& style) {
   assert(!panels.empty());
   const std::vector<Panel> shared = with_shared_ranges(panels);
   const PanelLayout layout = layout_of(shared);

@@ -27,7 +27,7 @@ struct Panel {
 
 /// The bytes of a file of that kind, 600 to 2000 pixels wide, with as many columns as make it
 /// pleasant to look at. Text that does not fit ends in an ellipsis. There is at least one panel.
-Expected<std::string, RenderError> draw_panels(std::span<const Panel> panels, PictureKind kind,
-                                               const Style& style = {});
+Expected<std::string, Error> draw_panels(std::span<const Panel> panels, PictureKind kind,
+                                         const Style& style = {});
 
 }  // namespace wend

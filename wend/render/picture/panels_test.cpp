@@ -10,7 +10,7 @@ namespace wend {
 namespace {
 
 Scene heated(double greatest, std::string title = "cost") {
-  Scene scene{.space = FreeSpace(map_of({"..#", "..."}))};
+  Scene scene{.space = *make_free_space(map_of({"..#", "..."}))};
   scene.heatmap = {std::move(title), Grid<double>(3, 2)};
   scene.heatmap->values[{1, 0}] = greatest;
   return scene;
@@ -18,7 +18,7 @@ Scene heated(double greatest, std::string title = "cost") {
 
 Picture png_of(const std::vector<Panel>& panels, const Style& style = {}) {
   const auto png = draw_panels(panels, PictureKind::png, style);
-  EXPECT_TRUE(png) << png.error().message();
+  EXPECT_TRUE(png) << png.error().message;
   return Picture(*png);
 }
 
@@ -51,7 +51,7 @@ TEST(Panels, MayHaveStylesOfTheirOwn) {
 }
 
 TEST(Panels, GrowByALegendAndCaptions) {
-  const Scene bare{.space = FreeSpace(map_of({"..", ".."}))};
+  const Scene bare{.space = *make_free_space(map_of({"..", ".."}))};
   Scene marked = bare;
   marked.start = centre_of({0, 0});
   const int plain = png_of({{"a", bare}, {"b", bare}}).height();
@@ -61,7 +61,7 @@ TEST(Panels, GrowByALegendAndCaptions) {
 }
 
 TEST(Panels, HaveRoomForALongCaption) {
-  const Scene bare{.space = FreeSpace(map_of({"..", ".."}))};
+  const Scene bare{.space = *make_free_space(map_of({"..", ".."}))};
   std::string reason;
   for (int i = 0; i < 30; ++i) reason += "no path ";
   const int line = 22;

@@ -21,7 +21,8 @@ constexpr std::uint32_t kGoalColour = 0xD55E00;
 constexpr int kPixels = 340;  // of a picture, at most
 
 Scene driven_yard(int width, int height, bool y_up = false) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height), {.y_up = y_up}))};
+  Scene scene{.space =
+                  *make_free_space(*make_grid_map(Grid<CellState>(width, height), {.y_up = y_up}))};
   scene.unit = 1;
   return scene;
 }

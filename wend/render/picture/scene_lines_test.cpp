@@ -21,14 +21,14 @@ namespace {
 constexpr std::uint32_t kFloor = 0xFFFFFF;
 
 FreeSpace open_space(FreeSpaceOptions options = {}) {
-  return FreeSpace(map_of({
-                       ".......",
-                       ".......",
-                       ".......",
-                       ".......",
-                       ".......",
-                   }),
-                   options);
+  return *make_free_space(map_of({
+                              ".......",
+                              ".......",
+                              ".......",
+                              ".......",
+                              ".......",
+                          }),
+                          options);
 }
 
 /// The pixels at points of the map, in grid coordinates.
@@ -73,7 +73,7 @@ TEST(SceneLines, DashAPossiblePathInThePathsColourAndNameIt) {
 }
 
 TEST(SceneLines, DashAPossiblePathInHalfBlocksToo) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(60, 3, CellState::free)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(60, 3, CellState::free)))};
   const Terminal terminal{.graphics = TerminalGraphics::half_blocks,
                           .colours = TerminalColours::true_colour};
   scene.lines = {{LineRole::possible, {{0.5, 1.5}, {59.5, 1.5}}}};

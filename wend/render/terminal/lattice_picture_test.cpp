@@ -18,7 +18,7 @@ Scene parking(bool y_up) {
   const Frame frame{.y_up = y_up};
   std::vector<CarMove> moves{fwd, fwd_plus, fwd, rev_minus, rev, rev_minus};
   for (CarMove& move : moves) move = on_page(move, frame);
-  Scene scene = car_on(FreeSpace(map_of(
+  Scene scene = car_on(*make_free_space(map_of(
                            {
                                "......",
                                "5...2.",
@@ -102,24 +102,25 @@ TEST(LatticePicture, HasNarrowerCellsWhereThereIsLessRoom) {
 }
 
 TEST(LatticePicture, JoinsObstaclesAndShadesRoughRoadsTheMoreTheRougher) {
-  EXPECT_EQ(text_picture(car_on(FreeSpace(map_of({"#.234", ".##59", "?....", "....."})), {})),
-            lines_of({
-                "  0   1   2   3   4   5",
-                "0 ▗▄▄▄▖   ·   ·   ·   ·",
-                "  ▐███▌    ░░░ ▒▒▒ ▒▒▒",
-                "1 ▝▀▀▀▚▄▄▄▄▄▄▄▖   ·   ·",
-                "      ▐███████▌▓▓▓ ▓▓▓",
-                "2 ·   ▝▀▀▀▀▀▀▀▘   ·   ·",
-                "   ???",
-                "3 ·   ·   ·   ·   ·   ·",
-                "",
-                "4 ·   ·   ·   ·   ·   ·",
-            }));
+  EXPECT_EQ(
+      text_picture(car_on(*make_free_space(map_of({"#.234", ".##59", "?....", "....."})), {})),
+      lines_of({
+          "  0   1   2   3   4   5",
+          "0 ▗▄▄▄▖   ·   ·   ·   ·",
+          "  ▐███▌    ░░░ ▒▒▒ ▒▒▒",
+          "1 ▝▀▀▀▚▄▄▄▄▄▄▄▖   ·   ·",
+          "      ▐███████▌▓▓▓ ▓▓▓",
+          "2 ·   ▝▀▀▀▀▀▀▀▘   ·   ·",
+          "   ???",
+          "3 ·   ·   ·   ·   ·   ·",
+          "",
+          "4 ·   ·   ·   ·   ·   ·",
+      }));
 }
 
 TEST(LatticePicture, ShowsRolesTooCloseCellsAndTheNarrowestPlace) {
-  Scene scene =
-      car_on(FreeSpace(map_of({"....", "....", "...#"}), {.footprint = Footprint::disc(1)}), {});
+  Scene scene = car_on(
+      *make_free_space(map_of({"....", "....", "...#"}), {.footprint = Footprint::disc(1)}), {});
   scene.marked = {{CellRole::expanded, marked_of({"*...", "....", "...*"}, '*')}};
   scene.narrowest = Point{1, 2};
   EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 50}),
@@ -138,7 +139,7 @@ TEST(LatticePicture, ShowsRolesTooCloseCellsAndTheNarrowestPlace) {
 }
 
 TEST(LatticePicture, MayShowOnePoseOrNoPath) {
-  const FreeSpace space(map_of({".."}));
+  const FreeSpace space = *make_free_space(map_of({".."}));
   EXPECT_EQ(text_picture(car_on(space, driven({{1, 1}, Heading::minus_x}, {}))),
             lines_of({"  0   1   2", "0 ·   ·   ·", "", "1 ·   ←   ·"}));
   EXPECT_EQ(text_picture(car_on(space, {})),
@@ -146,7 +147,7 @@ TEST(LatticePicture, MayShowOnePoseOrNoPath) {
 }
 
 TEST(LatticePicture, MakesRoomForHeadingsAtTheEdges) {
-  Scene scene = car_on(FreeSpace(map_of({".."})), {});
+  Scene scene = car_on(*make_free_space(map_of({".."})), {});
   scene.start = Pose{1, 0, -kPi / 2};
   scene.goals = {Pose{2, 1, 0}, Pose{0, 0, kPi}, Pose{1, 1, kPi / 2}, Point{2, 0}};
   EXPECT_EQ(text_picture(scene), lines_of({
@@ -161,7 +162,7 @@ TEST(LatticePicture, MakesRoomForHeadingsAtTheEdges) {
 
 TEST(LatticePicture, LeavesOutWhatLiesOutside) {
   Scene scene =
-      car_on(FreeSpace(map_of({"..", ".."})),
+      car_on(*make_free_space(map_of({"..", ".."})),
              Path::through({{1, 1, 0}, {9, 1, 0}, {10, 0, -kPi / 2}, {10, -1e7, -kPi / 2}}));
   scene.start = Pose{-3, 1, 0};
   scene.goals = {Pose{1, 7, 0}};
@@ -177,7 +178,7 @@ TEST(LatticePicture, LeavesOutWhatLiesOutside) {
 }
 
 TEST(LatticePicture, DrawsTheCellsOfALargerUnit) {
-  Scene scene = car_on(FreeSpace(map_of({
+  Scene scene = car_on(*make_free_space(map_of({
                            "....9",
                            "...#9",
                            "22..9",
@@ -197,7 +198,8 @@ TEST(LatticePicture, DrawsTheCellsOfALargerUnit) {
 }
 
 TEST(LatticePicture, ColoursCharactersByWhatTheyMean) {
-  Scene scene = car_on(FreeSpace(map_of({"#.."})), Path::through({{3, 0, 0}, {2, 1, -kPi / 2}}));
+  Scene scene =
+      car_on(*make_free_space(map_of({"#.."})), Path::through({{3, 0, 0}, {2, 1, -kPi / 2}}));
   const std::string text = text_picture(scene, {.colours = true});
   EXPECT_NE(text.find("\x1b[31m▐███▌\x1b[0m"), std::string::npos) << text;
   EXPECT_NE(text.find("\x1b[1;34m→\x1b[0m"), std::string::npos) << text;

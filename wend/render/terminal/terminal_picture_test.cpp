@@ -53,7 +53,7 @@ Scene room() {
   for (int y = 16; y < 20; ++y) {
     for (int x = 0; x < 8; ++x) cells[{x, y}] = CellState::unknown;
   }
-  Scene scene{.space = FreeSpace(GridMap(cells))};
+  Scene scene{.space = *make_free_space(*make_grid_map(cells))};
   scene.path = Path({{2, 10}, {18, 2}, {22, 2}, {36, 18}});
   scene.start = centre_of({2, 10});
   scene.goals = {centre_of({36, 18})};
@@ -79,7 +79,7 @@ TEST(TerminalPicture, KeepsThinWallsAndThePathInAFewCharacters) {
 }
 
 TEST(TerminalPicture, ShowsRolesInAsciiButNotOverWalls) {
-  Scene scene{.space = FreeSpace(map_of({"..##", "..##", "....", "...."}))};
+  Scene scene{.space = *make_free_space(map_of({"..##", "..##", "....", "...."}))};
   scene.marked = {{CellRole::expanded, marked_of({"****", "****", "....", "...."}, '*')},
                   {CellRole::frontier, marked_of({"....", "....", "+...", "...."}, '+')}};
   scene.narrowest = centre_of({3, 3});
@@ -87,7 +87,7 @@ TEST(TerminalPicture, ShowsRolesInAsciiButNotOverWalls) {
 }
 
 TEST(TerminalPicture, DrawsHalfBlocksInTwoColours) {
-  const Scene scene{.space = FreeSpace(map_of({"#.", ".#", "##", "##"}))};
+  const Scene scene{.space = *make_free_space(map_of({"#.", ".#", "##", "##"}))};
   const Terminal terminal{TerminalGraphics::half_blocks, TerminalColours::true_colour};
   const std::string picture = terminal_picture(scene, 2, 2, terminal);
   EXPECT_EQ(std::count(picture.begin(), picture.end(), '\n'), 2);
@@ -97,7 +97,7 @@ TEST(TerminalPicture, DrawsHalfBlocksInTwoColours) {
 }
 
 TEST(TerminalPicture, KeepsMarksApartInSixteenColours) {
-  Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(1000, 1000)))};
+  Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(1000, 1000)))};
   scene.path = Path({{100, 100}, {100, 900}, {900, 900}});
   scene.start = Point{100, 100};
   scene.goals = {Point{900, 900}};
@@ -121,7 +121,7 @@ TEST(TerminalPicture, SpeaksSixelAndKitty) {
 
 /// A yard of 8 x 8 cells; a car drives to the right along row 2, and back around a corner and on.
 Scene yard() {
-  Scene scene{.space = FreeSpace(map_of({
+  Scene scene{.space = *make_free_space(map_of({
                   "......##",
                   "......##",
                   "......22",
@@ -158,7 +158,8 @@ TEST(TerminalPicture, ColoursAYard) {
 }
 
 TEST(TerminalShortage, SaysWhereCellsVanishAndWhatWouldHelp) {
-  const Scene wide{.space = FreeSpace(GridMap(Grid<CellState>(600, 100, CellState::free)))};
+  const Scene wide{
+      .space = *make_free_space(*make_grid_map(Grid<CellState>(600, 100, CellState::free)))};
   const Terminal ascii;
   const Terminal blocks{TerminalGraphics::half_blocks, TerminalColours::true_colour};
   for (const Terminal& terminal : {ascii, blocks}) {
@@ -166,7 +167,8 @@ TEST(TerminalShortage, SaysWhereCellsVanishAndWhatWouldHelp) {
               "too small: 6 x 12 cells a character; a wider terminal or -o FILE.png shows more");
     EXPECT_EQ(terminal_shortage(wide, 300, 80, terminal), "") << "a wall is still seen";
   }
-  const Scene high{.space = FreeSpace(GridMap(Grid<CellState>(100, 600, CellState::free)))};
+  const Scene high{
+      .space = *make_free_space(*make_grid_map(Grid<CellState>(100, 600, CellState::free)))};
   EXPECT_EQ(terminal_shortage(high, 100, 40, blocks),
             "too small: 8 x 16 cells a character; a higher terminal or -o FILE.png shows more");
   const Terminal pixels{TerminalGraphics::kitty, TerminalColours::true_colour};
@@ -174,7 +176,7 @@ TEST(TerminalShortage, SaysWhereCellsVanishAndWhatWouldHelp) {
 }
 
 TEST(TerminalPicture, ShowsHeatAsDigitsInAscii) {
-  Scene scene{.space = FreeSpace(map_of({"...#", "...#"}))};
+  Scene scene{.space = *make_free_space(map_of({"...#", "...#"}))};
   scene.heatmap = {"cost", Grid<double>(4, 2)};
   for (int y = 0; y < 2; ++y) {
     scene.heatmap->values[{1, y}] = 55;
@@ -202,7 +204,7 @@ TEST(TerminalLegend, ExplainsTheColoursOfThePicture) {
 }
 
 TEST(TerminalLegend, IsEmptyWhereThereIsNothingToExplain) {
-  EXPECT_EQ(terminal_legend({.space = FreeSpace(map_of({".#"}))}, 80, {}), "");
+  EXPECT_EQ(terminal_legend({.space = *make_free_space(map_of({".#"}))}, 80, {}), "");
 }
 
 RC_GTEST_PROP(TerminalPicture, StaysWithinColumnsAndRows, ()) {
@@ -211,7 +213,7 @@ RC_GTEST_PROP(TerminalPicture, StaysWithinColumnsAndRows, ()) {
   const int columns = *rc::gen::inRange(0, 120);
   const int rows = *rc::gen::inRange(0, 60);
   const auto colours = *rc::gen::element(TerminalColours::none, TerminalColours::true_colour);
-  const Scene scene{.space = FreeSpace(GridMap(Grid<CellState>(width, height)))};
+  const Scene scene{.space = *make_free_space(*make_grid_map(Grid<CellState>(width, height)))};
   const Terminal terminal{TerminalGraphics::half_blocks, colours};
   std::istringstream lines(terminal_picture(scene, columns, rows, terminal));
   int count = 0;

@@ -26,7 +26,7 @@ inline GridMap map_of(const std::vector<std::string_view>& lines, Frame frame = 
       if (character >= '1' && character <= '9') terrain[cell] = character - '0';
     }
   }
-  return GridMap(cells, frame, terrain);
+  return *make_grid_map(cells, frame, terrain);
 }
 
 /// The cells that are drawn as that character, as a layer; y is down.

@@ -14,7 +14,7 @@ namespace {
 constexpr Frame kYUp{.y_up = true};
 
 TEST(TextPicture, ShowsEveryKindOfCell) {
-  const FreeSpace space(map_of({
+  const FreeSpace space = *make_free_space(map_of({
       "#?1",
       "123",
       "459",
@@ -30,19 +30,19 @@ TEST(TextPicture, MarksTerrainThatIsNoDigitAsRough) {
   Grid<double> terrain(3, 1, 1);
   terrain[{0, 0}] = 1.5;
   terrain[{1, 0}] = 12;
-  const FreeSpace space(GridMap(Grid<CellState>(3, 1), {}, terrain));
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(3, 1), {}, terrain));
   EXPECT_EQ(text_picture({.space = space}), "~~.\n");
 }
 
 TEST(TextPicture, ShowsWhereTheRobotIsTooClose) {
-  const FreeSpace space(map_of({
-                            ".......",
-                            ".......",
-                            "...#...",
-                            ".......",
-                            ".......",
-                        }),
-                        {.footprint = Footprint::disc(1)});
+  const FreeSpace space = *make_free_space(map_of({
+                                               ".......",
+                                               ".......",
+                                               "...#...",
+                                               ".......",
+                                               ".......",
+                                           }),
+                                           {.footprint = Footprint::disc(1)});
   EXPECT_EQ(text_picture({.space = space}), lines_of({
                                                 ".......",
                                                 "..:::..",
@@ -56,7 +56,7 @@ TEST(TextPicture, PointsArrowsAllEightWays) {
   // Around a square by its corners and edges, then away.
   const Path path({{1, 0}, {2, 1}, {2, 2}, {1, 3}, {0, 2}, {0, 1}, {1, 0}});
   const Path straight({{4, 0}, {3, 0}, {3, 1}, {4, 1}, {5, 0}});
-  const FreeSpace space(map_of({
+  const FreeSpace space = *make_free_space(map_of({
       "......",
       "......",
       "......",
@@ -80,7 +80,7 @@ TEST(TextPicture, PointsArrowsAllEightWays) {
 }
 
 TEST(TextPicture, ComesOutAsTheFileLooksWithYUp) {
-  const FreeSpace space(map_of(
+  const FreeSpace space = *make_free_space(map_of(
       {
           "#..",
           "...",
@@ -99,7 +99,7 @@ TEST(TextPicture, ComesOutAsTheFileLooksWithYUp) {
 }
 
 TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverExpandedCells) {
-  Scene scene{.space = FreeSpace(map_of({"......"}))};
+  Scene scene{.space = *make_free_space(map_of({"......"}))};
   scene.path = Path({{1, 0}, {2, 0}, {3, 0}, {4, 0}});
   scene.start = Point{1.9, 0.1};
   scene.goals = {centre_of({4, 0}), centre_of({5, 0})};
@@ -108,7 +108,7 @@ TEST(TextPicture, DrawsStartAndGoalsOverThePathAndThePathOverExpandedCells) {
 }
 
 TEST(TextPicture, PointsArrowsTheNearestWayInAllCellsThatLinesLeadThrough) {
-  Scene scene{.space = FreeSpace(map_of({"......", "......"}))};
+  Scene scene{.space = *make_free_space(map_of({"......", "......"}))};
   scene.path = Path({{0, 0}, {4, 1}, {5, 1}});
   EXPECT_EQ(text_picture(scene), lines_of({"→→→...", "..→→→→"}));
 }
@@ -116,7 +116,7 @@ TEST(TextPicture, PointsArrowsTheNearestWayInAllCellsThatLinesLeadThrough) {
 TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Scene scene{.space = FreeSpace(map_of({"..", ".."}))};
+  Scene scene{.space = *make_free_space(map_of({"..", ".."}))};
   scene.path = Path({{-1, 0}, {0, 0}, {5, 0}});
   scene.start = Point{-0.5, 0.5};
   scene.goals = {Point{0.5, 2}, Point{kInfinity, 0}, Point{kNaN, 0}};
@@ -125,14 +125,14 @@ TEST(TextPicture, LeavesOutWhatLiesOutsideTheMap) {
 }
 
 TEST(TextPicture, ExplainsOnlyWhatIsInThePicture) {
-  Scene scene{.space = FreeSpace(map_of({"..#"}))};
+  Scene scene{.space = *make_free_space(map_of({"..#"}))};
   scene.start = centre_of({0, 0});
   EXPECT_EQ(text_picture(scene, {.legend = true}),
             lines_of({"S.#", "S start   # obstacle   . free"}));
 }
 
 TEST(TextPicture, BreaksALegendThatIsTooLong) {
-  Scene scene{.space = FreeSpace(map_of({"..#"}))};
+  Scene scene{.space = *make_free_space(map_of({"..#"}))};
   scene.start = centre_of({0, 0});
   EXPECT_EQ(text_picture(scene, {.legend = true, .columns = 20}),
             lines_of({"S.#", "S start   # obstacle", ". free"}));
@@ -142,7 +142,7 @@ TEST(TextPicture, BreaksALegendThatIsTooLong) {
 
 TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
   const std::vector<std::string_view> drawn{"**+@#", "s.g!."};
-  Scene scene{.space = FreeSpace(map_of(drawn))};
+  Scene scene{.space = *make_free_space(map_of(drawn))};
   for (const auto& [role, character] : {std::pair(CellRole::expanded, '*'),
                                         {CellRole::frontier, '+'},
                                         {CellRole::current, '@'},
@@ -159,14 +159,14 @@ TEST(TextPicture, ShowsRolesAndTheNarrowestPlaceAndExplainsThem) {
 }
 
 TEST(TextPicture, CanDoWithAscii) {
-  Scene scene{.space = FreeSpace(map_of({"......", ".....#"}))};
+  Scene scene{.space = *make_free_space(map_of({"......", ".....#"}))};
   scene.path = Path({{1, 0}, {2, 0}, {3, 1}, {4, 0}});
   EXPECT_EQ(text_picture(scene, {.legend = true, .ascii = true}),
             lines_of({".>\\...", ".../.#", "> path   # obstacle   . free"}));
 }
 
 TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
-  Scene scene{.space = FreeSpace(map_of({"#....#"}))};
+  Scene scene{.space = *make_free_space(map_of({"#....#"}))};
   scene.path = Path({{1, 0}, {2, 0}, {3, 0}});
   scene.start = centre_of({1, 0});
   scene.goals = {centre_of({3, 0})};
@@ -176,7 +176,7 @@ TEST(TextPicture, ColoursRunsOfCellsOnlyWhenAsked) {
 }
 
 TEST(TextPicture, HeadsWhereACarDoesInTheCellsThatItDrivesThrough) {
-  Scene scene{.space = FreeSpace(map_of({".....", ".....", "....."}))};
+  Scene scene{.space = *make_free_space(map_of({".....", ".....", "....."}))};
   scene.path = Path::through({{0.5, 0.5, 0}, {2.5, 0.5, 0}, {4.5, 2.5, kPi / 2}});
   EXPECT_EQ(text_picture(scene), lines_of({"→→→↘.", "...↘↓", "....↓"}));
   scene.path = Path::through({{3.5, 1.5, 0}, {1.5, 1.5, 0}});
@@ -201,7 +201,7 @@ Scene numbered(const FreeSpace& space) {
 }
 
 TEST(TextArrows, ShowsAPolicyAsDrawn) {
-  Scene scene{.space = FreeSpace(map_of({
+  Scene scene{.space = *make_free_space(map_of({
                   ".#.",
                   "..?",
                   "...",
@@ -223,7 +223,7 @@ TEST(TextArrows, ShowsAPolicyAsDrawn) {
 }
 
 TEST(TextArrows, DrawsTheLastRowFirstWithYUp) {
-  Scene scene{.space = FreeSpace(map_of({"..", ".#"}, {.y_up = true}))};
+  Scene scene{.space = *make_free_space(map_of({"..", ".#"}, {.y_up = true}))};
   ArrowField policy(2, 2);
   policy[{0, 0}] = Direction::plus_y;  // the bottom row
   policy[{0, 1}] = Direction::plus_x_plus_y;
@@ -232,7 +232,7 @@ TEST(TextArrows, DrawsTheLastRowFirstWithYUp) {
 }
 
 TEST(TextNumbers, AlignsWholeNumbersWithoutDecimals) {
-  Scene scene = numbered(FreeSpace(map_of({
+  Scene scene = numbered(*make_free_space(map_of({
       "...",
       ".#.",
   })));
@@ -259,7 +259,7 @@ TEST(TextNumbers, ShowNoDigitsOfTerrain) {
 }
 
 TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
-  Scene scene = numbered(FreeSpace(map_of({"#..?.."}), {.footprint = Footprint::disc(1)}));
+  Scene scene = numbered(*make_free_space(map_of({"#..?.."}), {.footprint = Footprint::disc(1)}));
   Grid<double>& numbers = scene.heatmap->values;
   for (int x = 0; x < 6; ++x) numbers[{x, 0}] = x == 5 ? kNotANumber : kNoNumber;
   EXPECT_EQ(text_numbers(scene), "# : : ? : .\n");
@@ -269,7 +269,7 @@ TEST(TextNumbers, ShowTheMapWhereThereIsNone) {
 }
 
 TEST(TextNumbers, ShowsAsManyDecimalsAsAreNeeded) {
-  Scene scene = numbered(FreeSpace(map_of({"...."})));
+  Scene scene = numbered(*make_free_space(map_of({"...."})));
   Grid<double>& costs = scene.heatmap->values;
   costs[{0, 0}] = 1.5;
   costs[{1, 0}] = 0.1 + 0.2;
@@ -280,13 +280,13 @@ TEST(TextNumbers, ShowsAsManyDecimalsAsAreNeeded) {
 }
 
 TEST(TextNumbers, DrawsTheLastRowFirstWithYUp) {
-  Scene scene = numbered(FreeSpace(map_of({".", "."}, {.y_up = true})));
+  Scene scene = numbered(*make_free_space(map_of({".", "."}, {.y_up = true})));
   scene.heatmap->values[{0, 1}] = 7;
   EXPECT_EQ(text_numbers(scene), lines_of({"7", "0"}));
 }
 
 TEST(TextNumbers, LieOnTheirHeatInColours) {
-  Scene scene = numbered(FreeSpace(map_of({"..#"})));
+  Scene scene = numbered(*make_free_space(map_of({"..#"})));
   scene.heatmap->values[{1, 0}] = 5;
   Style style;
   style.heat_colours.front() = colour_from(0xFFFFFF);

@@ -28,7 +28,7 @@ TEST(GridPath, CostsWhatTheReferenceSays) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const GridMap map = test::random_map(random);
-    const FreeSpace space(map);
+    const FreeSpace space = *make_free_space(map);
     const test::Reference reference(map, {}, {});
     const Cell start = test::random_cell(random, map.width(), map.height());
     if (!space.passable(start)) continue;
@@ -43,7 +43,8 @@ TEST(GridPath, CostsWhatTheReferenceSays) {
 
 /// Steps are counted, not added up: the order of the steps does not show in the last bit.
 TEST(GridPath, OfEqualLengthsCostTheSameToTheLastBit) {
-  const FreeSpace space{GridMap(Grid<CellState>(200, 100, CellState::free))};
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(200, 100, CellState::free)));
   std::vector<Cell> diagonal_first{{0, 0}};
   std::vector<Cell> mixed{{0, 0}};
   const auto go = [](std::vector<Cell>& path, int dx, int dy) {
@@ -60,7 +61,7 @@ TEST(GridPath, OfEqualLengthsCostTheSameToTheLastBit) {
 }
 
 TEST(GridPath, OfOneCellOrNoneCostsNothing) {
-  const FreeSpace space{GridMap(Grid<CellState>(2, 2, CellState::free))};
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(2, 2, CellState::free)));
   EXPECT_EQ(grid_path_cost(space, {}), 0);
   EXPECT_EQ(grid_path_cost(space, std::vector<Cell>{{1, 1}}), 0);
   EXPECT_EQ(check_grid_path(space, {}, {}).value_or(-1), 0);
@@ -71,7 +72,7 @@ FreeSpace small_space() {
   Grid<CellState> states(4, 3, CellState::free);
   states[{1, 1}] = CellState::occupied;
   states[{3, 0}] = CellState::unknown;
-  return FreeSpace{GridMap(states)};
+  return *make_free_space(*make_grid_map(states));
 }
 
 struct Faulty {

@@ -45,7 +45,7 @@ std::vector<Cell> cells_after(const Space& space, Cell from) {
 FreeSpace open_space(bool y_up) {
   Frame frame;
   frame.y_up = y_up;
-  return FreeSpace(GridMap(Grid<CellState>(3, 3, CellState::free), frame));
+  return *make_free_space(*make_grid_map(Grid<CellState>(3, 3, CellState::free), frame));
 }
 
 // Because of this fixed order, expansion orders are the same everywhere.
@@ -66,7 +66,7 @@ TEST(GridSpace, ListsFourNeighboursInTheSameOrder) {
 }
 
 TEST(GridSpace, NumbersCellsRowByRow) {
-  const ExactGrid grid(FreeSpace(GridMap(Grid<CellState>(7, 4, CellState::free))));
+  const ExactGrid grid(*make_free_space(*make_grid_map(Grid<CellState>(7, 4, CellState::free))));
   EXPECT_EQ(grid.state_count(), 28U);
   for (StateId id = 0; id < 28; ++id) {
     const Cell cell{static_cast<int>(id) % 7, static_cast<int>(id) / 7};
@@ -90,7 +90,7 @@ void on_random_spaces(int count, Check&& check) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " +
                  std::to_string(robot.footprint.circumscribed_radius() / map.frame().resolution) +
                  ", corners cut " + std::to_string(corners) + "\n" + test::drawing_of(map));
-    check(FreeSpace(map, robot),
+    check(*make_free_space(map, robot),
           GridMoves{diagonals ? Connectivity::eight : Connectivity::four,
                     static_cast<CornerRule>(corners)},
           reference);
@@ -126,8 +126,8 @@ TEST(GridSpace, HasTheStepsThatTheReferenceHas) {
 
 /// Without obstacles a robot of any size may cut corners.
 TEST(GridSpace, LetsAVastDiscCutCorners) {
-  const FreeSpace space(GridMap(Grid<CellState>(4, 4, CellState::free)),
-                        {.footprint = Footprint::disc(1e9)});
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(4, 4, CellState::free)),
+                                           {.footprint = Footprint::disc(1e9)});
   EXPECT_TRUE(ExactGrid(space, {Connectivity::eight, CornerRule::both}).is_step({1, 1}, {2, 2}));
 }
 
@@ -170,7 +170,7 @@ TEST(GridSpace, UndoesEveryMove) {
 TEST(GridSpace, HasNoStepFromOrToABlockedCellOrOutside) {
   Grid<CellState> states(3, 1, CellState::free);
   states[{1, 0}] = CellState::occupied;
-  const ExactGrid grid{FreeSpace(GridMap(states))};
+  const ExactGrid grid{*make_free_space(*make_grid_map(states))};
   EXPECT_FALSE(grid.is_step({0, 0}, {1, 0}));
   EXPECT_FALSE(grid.is_step({1, 0}, {2, 0}));
   EXPECT_FALSE(grid.is_step({0, 0}, {-1, 0}));
@@ -184,8 +184,8 @@ TEST(GridSpace, HasNoStepFromOrToABlockedCellOrOutside) {
 TEST(GridSpace, OutlivesTheFreeSpaceItWasMadeOf) {
   Grid<double> terrain(3, 1, 1);
   terrain[{1, 0}] = 3;
-  const GridMap map(Grid<CellState>(3, 1, CellState::free), {}, terrain);
-  auto first = std::make_unique<TerrainGrid>(FreeSpace(map));
+  const GridMap map = *make_grid_map(Grid<CellState>(3, 1, CellState::free), {}, terrain);
+  auto first = std::make_unique<TerrainGrid>(*make_free_space(map));
   const TerrainGrid copy = *first;
   first.reset();
   EXPECT_EQ(successors(copy, {0, 0}).front().cost, 2);

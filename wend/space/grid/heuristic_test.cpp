@@ -38,7 +38,7 @@ TEST(Heuristic, FallsByNoMoreThanAStepCostsWhereItIsConsistent) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);
-    const FreeSpace space(map);
+    const FreeSpace space = *make_free_space(map);
     const Cell goal = test::random_cell(random, map.width(), map.height());
     for (const Connectivity connectivity : kConnectivities) {
       const GridMoves moves{connectivity, CornerRule::both};
@@ -56,7 +56,7 @@ TEST(Heuristic, FallsByNoMoreThanAStepCostsWhereItIsConsistent) {
 }
 
 TEST(Heuristic, ManhattanIsNotConsistentOnEightNeighbours) {
-  const FreeSpace space{GridMap(Grid<CellState>(4, 4, CellState::free))};
+  const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(4, 4, CellState::free)));
   const ExactGrid grid(space);
   EXPECT_NEAR(worst_fall(grid, HeuristicKind::manhattan, {0, 0}), 2 - std::sqrt(2), 1e-9);
   EXPECT_FALSE(is_consistent(HeuristicKind::manhattan, Connectivity::eight));

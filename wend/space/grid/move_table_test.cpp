@@ -148,7 +148,8 @@ TEST(CanonicalMoveTable, KeepsACheapestPathToEveryCell) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     Random random(seed);
     const GridMap map = test::random_map(random);
-    const FreeSpace space(map, test::random_robot(random, map.frame().resolution));
+    const FreeSpace space =
+        *make_free_space(map, test::random_robot(random, map.frame().resolution));
     const Cell start = test::random_cell(random, map.width(), map.height());
     if (!space.passable(start)) continue;
     for (const GridMoves moves : kAllMoves) {
@@ -169,7 +170,7 @@ TEST(CanonicalMoveTable, KeepsACheapestPathOnCrowdedMaps) {
     for (int i = 0; i < 49; ++i) {
       if (random.chance(0.35)) states[{i % 7, i / 7}] = CellState::occupied;
     }
-    const FreeSpace space{GridMap(states)};
+    const FreeSpace space = *make_free_space(*make_grid_map(states));
     for (const GridMoves moves : kAllMoves) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", " + text_of(moves) + "\n" +
                    test::drawing_of(space.map()));

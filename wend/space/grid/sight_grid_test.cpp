@@ -23,7 +23,7 @@ int compare_sights(std::uint64_t seed, bool of_a_point, CornerRule rule) {
   const GridMap map = test::random_map(random);
   FreeSpaceOptions options = test::random_robot(random, map.frame().resolution);
   if (of_a_point) options.footprint = Footprint::disc(0);
-  const FreeSpace space(map, options);
+  const FreeSpace space = *make_free_space(map, options);
   const SightGrid grid(space, rule);
   const test::Rules rules{.corners_cut = static_cast<int>(rule)};
   const Reference reference(map, test::robot_in_cells(options, map.frame()), rules);
@@ -56,7 +56,7 @@ TEST(SightGrid, SeesWhatBruteForceSees) {
 }
 
 TEST(SightGrid, KnowsDistances) {
-  const SightGrid grid(FreeSpace(GridMap(Grid<CellState>(9, 9, CellState::free))));
+  const SightGrid grid(*make_free_space(*make_grid_map(Grid<CellState>(9, 9, CellState::free))));
   EXPECT_EQ(SightGrid::distance(grid.state({1, 2}), grid.state({4, 6})), 5);
   EXPECT_EQ(SightGrid::distance(grid.state({4, 6}), grid.state({1, 2})), 5);
 }
@@ -64,7 +64,7 @@ TEST(SightGrid, KnowsDistances) {
 TEST(AnyAnglePath, IsCheckedLineByLine) {
   Grid<CellState> cells(5, 5, CellState::free);
   cells[{2, 1}] = CellState::occupied;
-  const FreeSpace space{GridMap(cells)};
+  const FreeSpace space = *make_free_space(*make_grid_map(cells));
   const auto checked = [&](std::initializer_list<Cell> path) {
     return check_any_angle_path(space, Adjacency::edges, std::vector<Cell>(path));
   };

@@ -70,7 +70,7 @@ TEST(CarSpace, UndoesItsMovesAndCountsWhatTheyCost) {
   int whole = 0;
   for (std::uint64_t seed = 1; seed <= 300 && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
-    const FreeSpace yard(test::random_yard(random));
+    const FreeSpace yard = *make_free_space(test::random_yard(random));
     const CarLattice lattice(
         yard, {.straight_terrain = static_cast<StraightTerrain>(random.between(0, 2))});
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(yard.map()));

@@ -41,7 +41,8 @@ std::map<Cell, double> drives_from(const Car& car, Cell from) {
 }
 
 TEST(CornerSpace, NumbersCorners) {
-  const CarLattice lattice(FreeSpace(GridMap(Grid<CellState>(4, 2, CellState::free))), {});
+  const CarLattice lattice(*make_free_space(*make_grid_map(Grid<CellState>(4, 2, CellState::free))),
+                           {});
   const Corners corners((Car(lattice)));
   EXPECT_EQ(corners.state_count(), 5U * 3U);
   for (StateId id = 0; id < corners.state_count(); ++id) {
@@ -55,7 +56,8 @@ TEST(CornerSpace, HasTheStepsOfACarThatTurnsOnTheSpot) {
   for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     Random random(seed);
     const GridMap map = test::random_yard(random);
-    const FreeSpace yard(map, test::random_car(random, map.frame().resolution, 1));
+    const FreeSpace yard =
+        *make_free_space(map, test::random_car(random, map.frame().resolution, 1));
     const CarLattice lattice(
         yard, {.straight_terrain = static_cast<StraightTerrain>(random.between(0, 2))});
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::drawing_of(map));

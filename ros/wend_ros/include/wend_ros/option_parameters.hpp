@@ -29,7 +29,7 @@ Options options_from_parameters(const ros::NodeHandle& own) {
     wend::OptionValues values{value};
     wend::OptionParser parser(values);
     Options::fields(options, parser);
-    if (const auto error = parser.error()) ROS_ERROR_STREAM(error->message());
+    if (const auto error = parser.error()) ROS_ERROR_STREAM(error->message);
   }
   return options;
 }
