@@ -83,8 +83,7 @@ class Mean {
   double length_ = 0;
 };
 
-PathMetrics measure_cells(const Path& path, const FreeSpace& space) {
-  const auto cells = path.cells();
+PathMetrics measure_cells(std::span<const Cell> cells, const Path& path, const FreeSpace& space) {
   PathMetrics metrics;
   metrics.length = path.length();
   metrics.smallest_clearance = space.clearance(cells.front());
@@ -152,7 +151,8 @@ double Corner::widest_half_turn(double radius, double window) const {
 PathMetrics measure(const Path& path, const FreeSpace& space, double corner_rounding) {
   assert(!path.empty() && corner_rounding >= 0);
   PathMetrics metrics =
-      path.cells().empty() ? measure_arcs(path, space) : measure_cells(path, space);
+      path.visit([&](std::span<const Cell> cells) { return measure_cells(cells, path, space); },
+                 [&](const auto&) { return measure_arcs(path, space); });
   metrics.corner_rounding = corner_rounding;
   metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
