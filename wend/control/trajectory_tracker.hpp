@@ -6,8 +6,9 @@
 //   wend::TrajectoryTracker tracker(*trajectory);
 //   const wend::Drive tracked = wend::simulate(space, path, tracker);
 //
-// The follower's route has to be that of the trajectory's path. The time begins with the first command,
-// so a tracker is for one execution. A robot that cannot turn in place needs a trajectory whose
+// The follower's route has to be that of the trajectory's path, and the trajectory's limits no higher than
+// the robot's: a slower robot falls behind and leaves the path. The time begins with the first command, so
+// a tracker is for one execution. A robot that cannot turn in place needs a trajectory whose
 // smallest_turning_radius() is no less than its own.
 //
 // With the reference's velocity (v, w), and its pose in the robot's frame (x, y, turned by t), it wants

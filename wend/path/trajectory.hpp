@@ -3,7 +3,7 @@
 // Trajectory: a path with time stamps and speeds: where the robot is at each moment, and how fast it
 // drives and turns. It is the fastest one along the path within the limits, from rest to rest.
 //
-//   const wend::TrajectoryLimits limits{.speed = 1, .acceleration = 0.5};
+//   const wend::TrajectoryLimits limits{.speed = 0.4, .acceleration = 0.5};
 //   const auto trajectory = wend::Trajectory::along(path, frame, limits);
 //   if (!trajectory) return report(trajectory.error().message);
 //   const wend::TrajectoryState state = trajectory->at(trajectory->duration() / 2);
