@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -47,8 +48,8 @@ void measure_corners(const Path& path, PathMetrics& metrics) {
   }
 }
 
-void measure_bends(const Path& path, PathMetrics& metrics) {
-  if (!path.driven()) return measure_corners(path, metrics);
+/// Of arcs, and turns in place.
+void measure_arc_bends(const Path& path, PathMetrics& metrics) {
   const std::vector<Segment> segments = path.segments();
   const std::vector<Arc> arcs = path.arcs();
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -156,7 +157,8 @@ PathMetrics measure(const Path& path, const FreeSpace& space, double corner_roun
   metrics.corner_rounding = corner_rounding;
   metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
-  measure_bends(path, metrics);
+  path.visit([&](const JoinedPoses&) { measure_arc_bends(path, metrics); },
+             [&](const auto&) { measure_corners(path, metrics); });
   return metrics;
 }
 
