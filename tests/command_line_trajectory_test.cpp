@@ -114,6 +114,7 @@ TEST_F(TrajectoryCommand, RefusesWhatMakesNoSense) {
   };
   refuses({"--trajectory", folder_ / "a.png"}, "must end with .csv or .json");
   refuses({"--trajectory", folder_ / "none" / "a.csv"}, "does not exist");
+  refuses({"--trajectory", csv_, "-o", csv_}, "-o writes this file, too");
   refuses({"--trajectory", csv_, "--velocity-limits", "speed=0"}, "option 'speed'");
   refuses({"--trajectory", csv_, "--velocity-limits", "pace=1"}, "unknown option 'pace'");
   refuses({"--trajectory", csv_, "--trajectory-period", "0"}, "--trajectory-period");

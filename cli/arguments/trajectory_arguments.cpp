@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/arguments/flags.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
@@ -53,7 +55,7 @@ void TrajectoryArguments::add_limits_to(Parser& app) {
       .type_name("NAME=VALUE,...");
 }
 
-void TrajectoryArguments::check(const Parser& command) const {
+void TrajectoryArguments::check(const Parser& command, const OutputFiles& output) const {
   if (!wanted()) {
     refuse_idle(command, {"--trajectory-period"}, "add --trajectory FILE");
     if (!limits_.empty()) {
@@ -65,6 +67,9 @@ void TrajectoryArguments::check(const Parser& command) const {
     throw InputError(fmt::format("--trajectory {}: the file must end with .csv or .json", file_));
   }
   check_folder(file_, "--trajectory " + file_);
+  if (std::ranges::find(output.files(), file_) != output.files().end()) {
+    throw InputError(fmt::format("--trajectory {}: -o writes this file, too", file_));
+  }
 }
 
 void TrajectoryArguments::check_not_among(const std::vector<std::filesystem::path>& inputs) const {

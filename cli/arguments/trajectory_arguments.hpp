@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/arguments/parser.hpp"
+#include "cli/output/output.hpp"
 #include "wend/io/io_error.hpp"
 #include "wend/path/refinement.hpp"
 #include "wend/report/trajectory_report.hpp"
@@ -25,9 +26,11 @@ class TrajectoryArguments {
 
   bool wanted() const { return !file_.empty(); }
 
-  /// Throws InputError for a file that is neither CSV nor JSON, or is among the inputs, for a missing
+  /// Throws InputError for a file that is neither CSV nor JSON, or that -o writes too, for a missing
   /// folder, and for flags that change nothing without --trajectory.
-  void check(const Parser& command) const;
+  void check(const Parser& command, const OutputFiles& output) const;
+
+  /// Throws InputError if the file is among the inputs.
   void check_not_among(const std::vector<std::filesystem::path>& inputs) const;
 
   /// What --velocity-limits says. Throws InputError for limits out of range.

@@ -69,7 +69,7 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   if (arguments.format != Format::json) {
     refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has the samples");
   }
-  arguments.trajectory.check(follow);
+  arguments.trajectory.check(follow, output);
   if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it needs -o FILE.gif");
   if (arguments.drive.compares()) {
     refuse_idle(follow, {"--controller"}, "--compare names the controllers");

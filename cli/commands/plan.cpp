@@ -93,7 +93,7 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
   if (is_csv_alone(arguments)) {
     refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
   }
-  arguments.trajectory.check(plan);
+  arguments.trajectory.check(plan, output);
   if (!arguments.refine.any() && !arguments.trajectory.wanted()) {
     refuse_idle(plan, {"--corner-rounding"},
                 "it needs --simplify, --smooth, --resample or --trajectory");

@@ -237,7 +237,7 @@ Command add_smooth(Parser& app) {
                 !arguments->trajectory.wanted() && !smooth.given("--corner-rounding")) {
               throw InputError("--smoother none changes nothing: add --simplify or --resample");
             }
-            arguments->trajectory.check(smooth);
+            arguments->trajectory.check(smooth, arguments->output);
             arguments->trajectory.limits();  // wrong ones are refused before the work
             return run(*arguments);
           }};
