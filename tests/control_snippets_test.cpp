@@ -9,8 +9,11 @@
 #include "wend/control/pid.hpp"
 #include "wend/control/simulation.hpp"
 #include "wend/control/speed_profile.hpp"
+#include "wend/control/trajectory_tracker.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/polyline.hpp"
+#include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace {
@@ -54,6 +57,29 @@ TEST(Snippets, OfMotionModelAndPidTerm) {
   wend::PidTerm heading({.proportional = 3, .integral = 0.2, .derivative = 0.1}, 0.1);
   const double turn_rate = heading.output(error, change, 0.05, 1.5);
   EXPECT_NEAR(turn_rate, 3 * 0.2 + 0.2 * 0.2 * 0.05, 1e-12);
+}
+
+TEST(Snippets, OfCornersTrajectoryAndTracker) {
+  const wend::FreeSpace& space = open_ground();
+  const auto plan =
+      wend::make_planner("astar", space).value()->plan(wend::Query::between({1, 1}, {8, 5}));
+  ASSERT_TRUE(plan);
+  const wend::Path curve = wend::rounded_corners(plan->path, space, 0.1);
+  const wend::Path& path = curve;
+  const wend::Frame& frame = space.map().frame();
+
+  const wend::TrajectoryLimits limits{.speed = 0.4, .acceleration = 0.5};
+  const auto trajectory = wend::Trajectory::along(path, frame, limits);
+  const auto reported_or_half = [&] {
+    if (!trajectory) return report(trajectory.error().message);
+    const wend::TrajectoryState state = trajectory->at(trajectory->duration() / 2);
+    EXPECT_GT(state.speed, 0.3);
+  };
+  reported_or_half();
+
+  wend::TrajectoryTracker tracker(*trajectory);
+  const wend::Drive tracked = wend::simulate(space, path, tracker);
+  EXPECT_EQ(tracked.outcome, wend::DriveOutcome::reached);
 }
 
 struct WheeledRobot {

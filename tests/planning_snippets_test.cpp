@@ -109,6 +109,12 @@ TEST(Snippets, OfPath) {
   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
   for (const wend::Arc& arc : path.arcs()) length += arc.length;
   EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
+
+  const std::size_t lines =
+      path.visit([](std::span<const wend::Cell> cells) { return cells.size() - 1; },
+                 [](std::span<const wend::Point> waypoints) { return waypoints.size() - 1; },
+                 [](const wend::JoinedPoses& poses) { return poses.segment_count(); });
+  EXPECT_EQ(lines, 1U);
 }
 
 TEST(Snippets, OfPlanner) {

@@ -24,16 +24,40 @@ Options parsed(const OptionValues& values) {
   return *options;
 }
 
+/// The name that stands for a TrajectoryTracker: it is made for a path, so it is not in the registry.
+constexpr std::string_view kTracker = "trajectory";
+
+/// Of the tracker; the trajectory's other limits are the robot's.
+struct TrackerOptions {
+  TrackingGains gains{};
+  double lateral_acceleration = TrajectoryLimits{}.lateral_acceleration;
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.gains.heading_gain,
+          {0, 1e3});
+    field({"along_gain", "speed per metre that the robot is behind, 1/s"}, self.gains.along_gain,
+          {0, 1e3});
+    field({"side_gain", "curvature per metre beside the path, 1/m^2"}, self.gains.side_gain,
+          {0, 1e3});
+    field({"lateral_acceleration", "upper limit on the lateral acceleration in curves, m/s^2"},
+          self.lateral_acceleration, {1e-3, 1e3});
+  }
+};
+
 ChosenController made(const OptionSpec& spec, const MotionModel& robot) {
+  if (spec.name == kTracker) {
+    return {spec.text, nullptr, parsed<TrackerOptions>(spec.options).gains};
+  }
   const ControllerInfo& info = *wend::controllers().find(spec.name);
   if (const auto why = why_unfit(info, robot)) throw InputError(*why);
   auto controller = info.make(spec.options);
   if (!controller) throw InputError(spec.name + ": " + controller.error().message);
-  return {spec.text, *std::move(controller)};
+  return {spec.text, *std::move(controller), {}};
 }
 
 std::vector<OptionSpec> parse_controllers(const std::string& list) {
-  auto specs = parse_option_specs(list, "controller", wend::controllers().names());
+  auto specs = parse_option_specs(list, "controller", controller_names());
   if (!specs) throw InputError(specs.error().message);
   return *std::move(specs);
 }
@@ -52,10 +76,16 @@ std::string summaries() {
   for (const ControllerInfo& info : wend::controllers()) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", info.name, info.summary);
   }
-  return text;
+  return text + fmt::format("; {}: tracks the trajectory of --trajectory", kTracker);
 }
 
 }  // namespace
+
+std::vector<std::string> controller_names() {
+  auto names = wend::controllers().names();
+  names.emplace_back(kTracker);
+  return names;
+}
 
 void DriveArguments::add_to(Parser& app) {
   app.add_option(
@@ -77,6 +107,7 @@ void DriveArguments::add_to(Parser& app) {
   for (const ControllerInfo& info : wend::controllers()) {
     controller_options_.collect(info.name, info.options);
   }
+  controller_options_.collect(std::string(kTracker), option_schema<TrackerOptions>());
   std::vector<OptionInfo> simulation = option_schema<SimulationOptions>();
   std::erase_if(simulation, is_closed);
   simulation_.collect("", simulation);
@@ -104,6 +135,23 @@ FollowerOptions DriveArguments::following() const {
 }
 
 MotionModel DriveArguments::robot() const { return parsed<MotionModel>(robot_.values_for("")); }
+
+TrajectoryLimits DriveArguments::trajectory_limits() const {
+  const VelocityLimits robot_limits = robot().limits;
+  OptionValues values;
+  if (const auto given = controller_options_.given("lateral_acceleration")) {
+    values.emplace_back("lateral_acceleration", *given);
+  }
+  for (const OptionSpec& spec : parse_controllers(compared_.value_or(controller_))) {
+    if (spec.name != kTracker) continue;
+    values.insert(values.end(), spec.options.begin(), spec.options.end());
+  }
+  return {.speed = robot_limits.speed,
+          .turn_rate = robot_limits.turn_rate,
+          .acceleration = robot_limits.acceleration,
+          .turn_acceleration = robot_limits.turn_acceleration,
+          .lateral_acceleration = parsed<TrackerOptions>(values).lateral_acceleration};
+}
 
 std::vector<ChosenController> DriveArguments::controllers(const MotionModel& robot) const {
   std::vector<OptionSpec> specs;

@@ -11,14 +11,21 @@
 #include "wend/base/options.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/control/trajectory_tracker.hpp"
+#include "wend/path/trajectory.hpp"
 
 namespace wend::cli {
 
-/// A controller that was asked for, as it was typed.
+/// A controller that was asked for, as it was typed. Without a controller: the path's trajectory is
+/// tracked with these gains.
 struct ChosenController {
   std::string text;
   std::unique_ptr<Controller> controller;
+  TrackingGains gains{};
 };
+
+/// What --controller takes: the names in the registry, and "trajectory".
+std::vector<std::string> controller_names();
 
 class DriveArguments {
  public:
@@ -28,6 +35,9 @@ class DriveArguments {
   SimulationOptions simulation(bool loop) const;
   FollowerOptions following() const;
   MotionModel robot() const;
+
+  /// The robot's limits, and --lateral-acceleration.
+  TrajectoryLimits trajectory_limits() const;
 
   /// One or more controllers. Throws InputError for one that does not exist or that the robot cannot
   /// follow.

@@ -189,6 +189,14 @@ OptionValues OptionFlags::values_for(const std::string& owner) const {
   return given_;
 }
 
+std::optional<std::string> OptionFlags::given(std::string_view name) const {
+  std::optional<std::string> last;
+  for (const auto& [option, value] : given_) {
+    if (option == name) last = value;
+  }
+  return last;
+}
+
 const OptionFlags::Flag* OptionFlags::find(const std::string& name) const {
   const auto is_called = [&](const Flag& flag) {
     return flag.name == name || (!name.empty() && flag.former == name);

@@ -5,7 +5,9 @@
 // "furniture" is --furniture and --no-furniture. Options of the same name share a flag;
 // if their choices differ, help shows the value as the option's name: --heuristic HEURISTIC.
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/arguments/parser.hpp"
@@ -30,6 +32,9 @@ class OptionFlags {
   /// The options given, by their names. Throws InputError for one that the owner does not have and for
   /// a number that is out of its range.
   OptionValues values_for(const std::string& owner) const;
+
+  /// The value of an option as it was typed last, whoever has it; nothing if it was not given.
+  std::optional<std::string> given(std::string_view name) const;
 
  private:
   struct Flag {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "cli/arguments/completion_scripts.hpp"
+#include "cli/arguments/drive_arguments.hpp"
 #include "cli/arguments/flags.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
 #include "wend/analysis/layer.hpp"
-#include "wend/control/controller.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/path/smoother.hpp"
 #include "wend/planner/planners.hpp"
@@ -70,7 +70,7 @@ std::vector<std::string> choices_of_planners(const std::string& type) {
 
 /// The words among what may follow a flag; placeholders are in capitals.
 std::vector<std::string> words_of_optional(const std::string& inner) {
-  if (inner.starts_with(kControllerType)) return controllers().names();
+  if (inner.starts_with(kControllerType)) return controller_names();
   std::vector<std::string> words = split(inner, '|');
   std::erase_if(words, [](const std::string& word) {
     return word.empty() || std::isupper(static_cast<unsigned char>(word.front())) != 0;
@@ -83,7 +83,7 @@ std::vector<std::string> words_of(const std::string& type) {
   if (type.starts_with('[')) return words_of_optional(type.substr(1, type.size() - 2));
   if (type == kPlannerType) return planners().names();
   if (type == kSmootherType) return smoothers().names();
-  if (type == kControllerType) return controllers().names();
+  if (type == kControllerType) return controller_names();
   if (type == kGeneratorType) return generators().names();
   if (type == kLayerType) return names_of<LayerKind>();
   if (type == kStyleType) return names_of<StyleName>();

@@ -25,6 +25,7 @@ constexpr const char* kFollowExamples = R"(Examples:
   wend follow office.yaml --start 1,1 --goal 15,9 --controller pid --noise 0.02
   wend follow office.yaml --start 1,1 --goal 15,9 --compare --plot drive.svg
   wend follow office.yaml --path smooth.csv --compare=p_moving,pure_pursuit
+  wend follow office.yaml --path smooth.csv --controller trajectory
   wend follow track.yaml --path centerline.csv --loop --speed 3 -o lap.gif
 
 The path is planned with the robot's radius plus the margin, then simplified,
@@ -51,6 +52,9 @@ void check(const FollowArguments& arguments) {
   if (arguments.drive.compares() && arguments.output.any(".gif")) {
     throw InputError("-o FILE.gif supports one controller only: leave out --compare");
   }
+  if (arguments.loop && arguments.trajectory.wanted()) {
+    throw InputError("--loop does not support --trajectory: a trajectory ends where it stops");
+  }
   if (arguments.plot.empty()) return;
   plot_kind_of(arguments.plot);
   check_folder(arguments.plot, "--plot " + arguments.plot);
@@ -65,6 +69,7 @@ void check_idle(const Parser& follow, const FollowArguments& arguments) {
   if (arguments.format != Format::json) {
     refuse_idle(follow, {"--samples"}, "add --format json; -o FILE.json always has the samples");
   }
+  arguments.trajectory.check(follow, output);
   if (!output.any(".gif")) refuse_idle(follow, {"--film-speed"}, "it needs -o FILE.gif");
   if (arguments.drive.compares()) {
     refuse_idle(follow, {"--controller"}, "--compare names the controllers");
@@ -103,7 +108,11 @@ int run(const FollowArguments& arguments) {
   check(arguments);
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
-  if (!arguments.path.empty()) arguments.output.check_not_among({arguments.path});
+  arguments.trajectory.check_not_among(loaded.files);
+  if (!arguments.path.empty()) {
+    arguments.output.check_not_among({arguments.path});
+    arguments.trajectory.check_not_among({arguments.path});
+  }
   const FreeSpace space = arguments.map.free_space(loaded.map);
   FollowRun run(arguments, space, planning_space(arguments, space));
   if (!run.find_path()) return no_plan;
@@ -163,6 +172,7 @@ Command add_follow(Parser& app) {
       "Also write a picture of the paths (.png, .svg, .pdf), an animation of the trajectory "
       "(.gif), or the robot's pose at every command (.json, .csv); may be given several times",
       "the trajectory (JSON with --format json, else CSV)");
+  arguments->trajectory.add_file_to(follow);
   arguments->drive.add_to(follow);
   follow.footer(kFollowExamples);
   return {follow, [follow, arguments] {

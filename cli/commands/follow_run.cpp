@@ -13,7 +13,9 @@
 #include "cli/output/picture.hpp"
 #include "cli/watching/films.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend/control/trajectory_tracker.hpp"
 #include "wend/io/path/path_csv.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/planner/planner.hpp"
 
 namespace wend::cli {
@@ -100,6 +102,7 @@ std::optional<Path> FollowRun::plan() {
 
 /// Replaces output files of earlier commands with the reason for the failure.
 void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const {
+  arguments_.trajectory.write_failure(plan);
   auto writers =
       picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments_.pictures.style);
   writers[".json"] = [&](const std::string& file) {
@@ -112,10 +115,38 @@ void FollowRun::write_failure(const FailedPlan& plan, const Scene& scene) const 
   arguments_.output.write(writers, arguments_.format == Format::json ? ".json" : ".csv");
 }
 
+/// The robot's own shape has to fit along the rounded corners: the margin is for errors.
+SampledTrajectory FollowRun::timed_path() const {
+  return arguments_.trajectory.along(path_.refined.path, space_,
+                                     arguments_.refine.rounding(coordinates_),
+                                     refinement_.adjacency, arguments_.drive.trajectory_limits());
+}
+
+/// Tracks the trajectory along the path with rounded corners.
+Drive FollowRun::tracked(const TrackingGains& gains) const {
+  if (simulation_.closed) {
+    throw InputError("--loop does not support the controller trajectory: use pure_pursuit");
+  }
+  const Trajectory trajectory = timed_path().trajectory;
+  constexpr double kRounding = 1e-6;
+  if (trajectory.smallest_turning_radius() < robot_.turning_radius() * (1 - kRounding)) {
+    throw InputError(fmt::format(
+        "the trajectory has a turning radius of {:.3g} m, and the bicycle needs {:.3g} m: smooth "
+        "the path with --smoother curvature --turning-radius R",
+        trajectory.smallest_turning_radius(), robot_.turning_radius()));
+  }
+  const Path rounded = rounded_corners(
+      path_.refined.path, space_, arguments_.refine.rounding(coordinates_), refinement_.adjacency);
+  TrajectoryTracker tracker(trajectory, gains);
+  return simulate(space_, rounded, tracker, robot_, simulation_, following_);
+}
+
 void FollowRun::drive() {
   for (ChosenController& chosen : controllers_) {
-    drives_.push_back({chosen.text, simulate(space_, path_.refined.path, *chosen.controller, robot_,
-                                             simulation_, following_)});
+    Drive driven = chosen.controller ? simulate(space_, path_.refined.path, *chosen.controller,
+                                                robot_, simulation_, following_)
+                                     : tracked(chosen.gains);
+    drives_.push_back({chosen.text, std::move(driven)});
   }
 }
 
@@ -159,6 +190,7 @@ std::string FollowRun::text() const {
 }
 
 void FollowRun::write_files() const {
+  if (arguments_.trajectory.wanted()) arguments_.trajectory.write(timed_path());
   const Frame& frame = space_.map().frame();
   const StyleName style = arguments_.pictures.style;
   auto writers = picture_writers(panels(), style);

@@ -11,6 +11,7 @@
 #include "cli/arguments/map_arguments.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
+#include "cli/arguments/trajectory_arguments.hpp"
 #include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
@@ -31,6 +32,7 @@ struct FollowArguments {
   std::optional<double> margin;  // in the user's units
   RefineArguments refine;
   DriveArguments drive;
+  TrajectoryArguments trajectory;
   LimitArguments limits;
   Format format = Format::text;
   bool samples = false;
@@ -56,6 +58,8 @@ class FollowRun {
 
  private:
   std::optional<Path> plan();
+  SampledTrajectory timed_path() const;
+  Drive tracked(const TrackingGains& gains) const;
   Path loaded() const;
   void write_failure(const FailedPlan& plan, const Scene& scene) const;
   Scene scene_of_drive(const ControlledDrive& driven) const;

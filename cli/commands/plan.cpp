@@ -26,6 +26,7 @@ constexpr const char* kPlanExamples = R"(Examples:
   wend plan grid.txt --planner car --start 0,0,E --goal 9,9,any
   wend plan office.yaml --planner lattice --start 1,1,E --goal 15,9,N
   wend plan office.yaml --start 1,1 --goal 15,9 --smooth -o smooth.csv
+  wend plan office.yaml --start 1,1 --goal 15,9 --smooth --trajectory drive.csv
   wend plan office.yaml --queries queries.csv --threads 4 -o answers.csv
   wend generate maze --size 21x11 | wend plan - --start 1,1 --goal 19,9 -o -
 
@@ -82,16 +83,20 @@ bool is_csv_alone(const PlanArguments& arguments) {
 void check_idle(const Parser& plan, const PlanArguments& arguments) {
   const OutputFiles& output = arguments.output;
   if (!arguments.queries.empty()) {
-    refuse_idle(plan, {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding"},
-                "--queries only answers queries; it draws and smooths nothing");
+    refuse_idle(
+        plan,
+        {"--picture", "--style", "--open-list", "--unsafe", "--corner-rounding", "--trajectory"},
+        "--queries only answers queries; it draws, smooths and times nothing");
   }
   arguments.pictures.check(plan, output.any_picture(),
                            arguments.format == TableFormat::text && !output.print());
   if (is_csv_alone(arguments)) {
     refuse_idle(plan, {"--show"}, "a CSV file has no layers; use -o FILE.png or JSON");
   }
-  if (!arguments.refine.any()) {
-    refuse_idle(plan, {"--corner-rounding"}, "it needs --simplify, --smooth or --resample");
+  arguments.trajectory.check(plan, output);
+  if (!arguments.refine.any() && !arguments.trajectory.wanted()) {
+    refuse_idle(plan, {"--corner-rounding"},
+                "it needs --simplify, --smooth, --resample or --trajectory");
   }
   if (!arguments.watch.animate && !output.any(".gif")) {
     refuse_idle(plan, {"--speed"}, "it needs --animate or -o FILE.gif");
@@ -106,6 +111,7 @@ void check_idle(const Parser& plan, const PlanArguments& arguments) {
 
 void check(const PlanArguments& arguments) {
   arguments.output.check();
+  arguments.trajectory.limits();  // wrong ones are refused before the search
   if (!arguments.queries.empty()) return check_queries(arguments);
   if (arguments.ends.start.empty()) throw InputError("--start is required, or --queries FILE");
   if (arguments.ends.goals.empty()) throw InputError("--goal is required, or --queries FILE");
@@ -149,6 +155,7 @@ int run(const PlanArguments& arguments) {
       timed(thread_cpu_seconds, times.load, [&] { return arguments.map.load(); });
   arguments.refine.steer(planner, arguments.map.coordinates(loaded.map));
   arguments.output.check_not_among(loaded.files);
+  arguments.trajectory.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
   const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
                                 [&] { return space_for(arguments, loaded.map, planner); });
@@ -197,6 +204,8 @@ Command add_plan(Parser& app) {
                           "planner is the one that the index is for"))
       .type_name(kFileType);
   arguments->refine.add_to(plan);
+  arguments->trajectory.add_file_to(plan);
+  arguments->trajectory.add_limits_to(plan);
   arguments->limits.add_to(plan);
   add_choice<TableFormat>(
       plan, "--format", arguments->format,

@@ -27,6 +27,7 @@ constexpr int kRowsOfStep = 2;  // what is expanded, and the cursor
 
 void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
   if (!arguments.queries.empty()) return;
+  arguments.trajectory.write_failure(plan);
   arguments.output.write(
       {{".csv", [&](const std::string& file) { return write_bytes(file, no_path_csv(plan)); }},
        {".json",
@@ -105,6 +106,7 @@ void PlanRun::search() {
          asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
+  if (result_.status == Status::found && arguments_.trajectory.wanted()) time_path();
   if (trace && result_.status != Status::cancelled) write_trace(*trace);
   make_layers(query.limits);
 }
@@ -182,6 +184,13 @@ Status PlanRun::step_by_keys(SteppedSearch& search, const SearchRecorder& record
 void PlanRun::refine_path() {
   result_.refined = refine(result_.plan.path, space_, refinement_,
                            arguments_.refine.rounding(arguments_.map.coordinates(space_.map())));
+}
+
+void PlanRun::time_path() {
+  const TrajectoryArguments& trajectory = arguments_.trajectory;
+  result_.trajectory = trajectory.along(
+      path(), space_, arguments_.refine.rounding(arguments_.map.coordinates(space_.map())),
+      refinement_.adjacency, trajectory.limits());
 }
 
 void PlanRun::make_layers(const Limits& limits) {
@@ -267,6 +276,7 @@ std::string PlanRun::text() const {
   if (result_.refined) {
     summary += "\n" + refined_text(*result_.refined, arguments_.map.coordinates(space_.map()));
   }
+  if (result_.trajectory) summary += trajectory_text(result_.trajectory->trajectory);
   // Of a failure there is something to see where a search has begun.
   const bool shows_map = layers_.empty() && !outcome_is_shown_ &&
                          (found || (small && result_.plan.metrics.expanded > 0));
@@ -284,12 +294,16 @@ void PlanRun::write_trace(PosthocTrace& trace) const {
       watch.trace, watch.trace_limit, trace.dropped()));
 }
 
+/// As it is driven: refined, if that was asked for.
+const Path& PlanRun::path() const {
+  return result_.refined ? result_.refined->refined.path : result_.plan.path;
+}
+
 std::string PlanRun::csv() const {
   if (result_.status != Status::found) {
     return no_path_csv({std::string(to_string(result_.status)), result_.reason});
   }
-  const Path& path = result_.refined ? result_.refined->refined.path : result_.plan.path;
-  return path_csv(path, space_.map().frame());
+  return path_csv(path(), space_.map().frame());
 }
 
 std::string PlanRun::json() const { return plan_json(result_, space_.map().frame(), layers_); }
@@ -323,6 +337,11 @@ void PlanRun::write_files() const {
   writers[".json"] = [this](const std::string& file) { return write_bytes(file, json()); };
   writers[".csv"] = [this](const std::string& file) { return write_bytes(file, csv()); };
   writers[".gif"] = [this](const std::string& file) { return write_picture(file, film()); };
+  if (result_.trajectory) {
+    arguments_.trajectory.write(*result_.trajectory);
+  } else {
+    arguments_.trajectory.write_failure({std::string(to_string(result_.status)), result_.reason});
+  }
   arguments_.output.write(writers, arguments_.format == TableFormat::json ? ".json" : ".csv");
 }
 

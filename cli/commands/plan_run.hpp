@@ -13,6 +13,7 @@
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
+#include "cli/arguments/trajectory_arguments.hpp"
 #include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
@@ -40,6 +41,7 @@ struct PlanArguments {
   bool nearest = false;
   TableFormat format = TableFormat::text;
   RefineArguments refine;
+  TrajectoryArguments trajectory;
   PictureArguments pictures;
   ShownLayers layers;
   WatchArguments watch;
@@ -70,6 +72,7 @@ class PlanRun {
   Status step_to_the_end(SteppedSearch& search);
   Status step_by_keys(SteppedSearch& search, const SearchRecorder& recorder);
   void refine_path();
+  void time_path();
   void make_layers(const Limits& limits);
   void fail(Status status, std::string reason);
 
@@ -79,6 +82,7 @@ class PlanRun {
   std::string text() const;
   std::string step_text(const SteppedSearch& search, const SearchRecorder& recorder) const;
   std::vector<Panel> panels() const;
+  const Path& path() const;
   std::string csv() const;
   std::string json() const;
   Expected<std::string, Error> film() const;

@@ -13,6 +13,7 @@
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/arguments/refine_arguments.hpp"
 #include "cli/arguments/search_arguments.hpp"
+#include "cli/arguments/trajectory_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
@@ -35,6 +36,7 @@ struct SmoothArguments {
   OptionFlags options{"smoother"};
   std::optional<double> turning_radius;  // in the user's units
   RefineArguments points;
+  TrajectoryArguments trajectory;
   Format format = Format::text;
   PictureArguments pictures;
   OutputFiles output;
@@ -46,6 +48,7 @@ constexpr const char* kSmoothExamples = R"(Examples:
   wend smooth office.yaml plan.csv --smoother curvature --turning-radius 0.5
   wend smooth office.yaml plan.csv --smoother none --simplify=sight -o taut.csv
   wend smooth office.yaml plan.csv --unsafe --format json
+  wend smooth office.yaml plan.csv --trajectory t.csv --velocity-limits speed=1
 
 A path is a file of `wend plan -o` (.csv, .json; the planned path of a plan), or
 a centreline in metres. The path is simplified first (--simplify), then
@@ -94,12 +97,13 @@ std::optional<SmootherChoice> smoother_of(const SmoothArguments& arguments,
 std::string printed_extension(Format format) { return format == Format::json ? ".json" : ".csv"; }
 
 std::map<std::string, FileWriter> writers_of(const SmoothArguments& arguments,
-                                             const RefinedPath& path, const FreeSpace& space,
-                                             const Scene& scene) {
+                                             const RefinedPath& path,
+                                             const std::optional<SampledTrajectory>& trajectory,
+                                             const FreeSpace& space, const Scene& scene) {
   const Frame& frame = space.map().frame();
   auto writers = picture_writers({{{}, scene}}, arguments.pictures.style);
-  writers[".json"] = [&path, frame](const std::string& file) {
-    return write_bytes(file, smoothing_json(path, frame));
+  writers[".json"] = [&path, &trajectory, frame](const std::string& file) {
+    return write_bytes(file, smoothing_json(path, frame, trajectory));
   };
   writers[".csv"] = [&path, frame](const std::string& file) {
     return write_bytes(file, path_csv(path.refined.path, frame));
@@ -116,6 +120,7 @@ std::optional<PathCollision> collision_of(const Path& path, const FreeSpace& spa
 
 /// Replaces output files of earlier commands with the reason for the failure.
 void write_failure(const SmoothArguments& arguments, const FailedPlan& plan, const Scene& scene) {
+  arguments.trajectory.write_failure(plan);
   auto writers =
       picture_writers({{"no path: " + plan.status, scene, plan.reason}}, arguments.pictures.style);
   writers[".json"] = [&](const std::string& file) {
@@ -146,11 +151,23 @@ void refuse_collision(const SmoothArguments& arguments, const FreeSpace& space, 
   throw NoPathError(failed.reason, failed);
 }
 
+std::optional<SampledTrajectory> trajectory_of(const SmoothArguments& arguments, const Path& path,
+                                               const FreeSpace& space, Adjacency adjacency) {
+  if (!arguments.trajectory.wanted()) return std::nullopt;
+  const double window = arguments.points.rounding(arguments.map.coordinates(space.map()));
+  auto sampled =
+      arguments.trajectory.along(path, space, window, adjacency, arguments.trajectory.limits());
+  arguments.trajectory.write(sampled);
+  return sampled;
+}
+
 int run(const SmoothArguments& arguments) {
   arguments.output.check();
   check_read_once({arguments.map.file, arguments.path});
   const LoadedMap loaded = arguments.map.load();
   arguments.output.check_not_among(loaded.files);
+  arguments.trajectory.check_not_among(loaded.files);
+  arguments.trajectory.check_not_among({arguments.path});
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
   const Path path = path_to_smooth(arguments, space);
@@ -161,13 +178,17 @@ int run(const SmoothArguments& arguments) {
   }
   const RefinedPath refined =
       refine(path, space, refinement, arguments.points.rounding(coordinates));
+  const auto trajectory =
+      trajectory_of(arguments, refined.refined.path, space, refinement.adjacency);
   const Scene scene = scene_of(space, lines_of(refined));
   if (!arguments.output.print()) {
-    print(arguments.format == Format::json ? smoothing_json(refined, loaded.map.frame())
-                                           : picture(scene, detect_screen(), arguments.pictures) +
-                                                 refined_text(refined, coordinates));
+    print(arguments.format == Format::json
+              ? smoothing_json(refined, loaded.map.frame(), trajectory)
+              : picture(scene, detect_screen(), arguments.pictures) +
+                    refined_text(refined, coordinates) +
+                    (trajectory ? trajectory_text(trajectory->trajectory) : ""));
   }
-  arguments.output.write(writers_of(arguments, refined, space, scene),
+  arguments.output.write(writers_of(arguments, refined, trajectory, space, scene),
                          printed_extension(arguments.format));
   return success;
 }
@@ -187,6 +208,8 @@ void add_smoothers(Parser& app, SmoothArguments& arguments) {
       app, "--turning-radius", arguments.turning_radius, kSmoothedRadii,
       "Lower limit on the turning radius, for --smoother curvature (units as --robot-radius)");
   arguments.points.add_points_to(app);
+  arguments.trajectory.add_file_to(app);
+  arguments.trajectory.add_limits_to(app);
   arguments.options.add_to(app);
 }
 
@@ -211,9 +234,11 @@ Command add_smooth(Parser& app) {
             arguments->pictures.check(smooth, arguments->output.any_picture(),
                                       arguments->format != Format::json);
             if (arguments->smoother == kNoSmoother && !arguments->points.any() &&
-                !smooth.given("--corner-rounding")) {
+                !arguments->trajectory.wanted() && !smooth.given("--corner-rounding")) {
               throw InputError("--smoother none changes nothing: add --simplify or --resample");
             }
+            arguments->trajectory.check(smooth, arguments->output);
+            arguments->trajectory.limits();  // wrong ones are refused before the work
             return run(*arguments);
           }};
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/speed_passes.hpp"
+#include "wend/path/trajectory.hpp"
 
 namespace wend {
 namespace {
@@ -20,11 +22,12 @@ double curvature_at(const Polyline& line, double along, double window) {
 
 /// In a bend, and where it changes by so much a metre.
 double speed_in(double curvature, double change, const SpeedProfileOptions& options) {
-  const double bend = std::abs(curvature);
-  const double fastest = std::min({options.limits.speed, options.limits.turn_rate / bend,
-                                   std::sqrt(options.lateral_acceleration / bend),
-                                   std::sqrt(options.limits.turn_acceleration / std::abs(change))});
-  return std::max(fastest, options.min_speed);
+  const double in_bend =
+      fastest_on(curvature, {.speed = options.limits.speed,
+                             .turn_rate = options.limits.turn_rate,
+                             .lateral_acceleration = options.lateral_acceleration});
+  const double while_steering = std::sqrt(options.limits.turn_acceleration / std::abs(change));
+  return std::max(std::min(in_bend, while_steering), options.min_speed);
 }
 
 }  // namespace
@@ -40,9 +43,7 @@ void SpeedProfile::begin(const Polyline& line, const SpeedProfileOptions& option
   if (line.length() == 0) return;
   slow_in_bends(line, options);
   squared_.back() = 0;
-  for (std::size_t i = count - 1; i-- > 0;) {
-    squared_[i] = std::min(squared_[i], squared_[i + 1] + 2 * options.limits.acceleration * step_);
-  }
+  limit_braking(squared_, [&](std::size_t) { return 2 * options.limits.acceleration * step_; });
 }
 
 /// And the lookahead before them.

@@ -13,6 +13,9 @@
 // which the robot stands, to its beginning: v^2 <= v_next^2 + 2 a ds, what it can brake. The curvature
 // is the change of the mean heading (Polyline::heading_at), so that a corner is a bend as long as the
 // window. Metres, radians, seconds. O(length / window) to make.
+//
+// It is for controllers, which find their own way back to the line. A Trajectory (trajectory.hpp) is exact
+// and has time stamps; both use its limits in a bend and the passes of speed_passes.hpp.
 
 #include <vector>
 

@@ -23,12 +23,64 @@ Arc way_between(const Pose& from, const Pose& to) {
   return arc ? *arc : way_of_base(segment_between(from, to));
 }
 
-Segment segment_of(const Pose& from, const Pose& to) {
-  const auto arc = car_arc(from, to);
-  return arc ? Segment{from, arc->length, arc->turn(), 0} : segment_between(from, to);
+/// Straight steps and diagonal ones are counted, so that the sum is exact.
+double length_of(std::span<const Cell> cells) {
+  std::uint64_t straight = 0;
+  std::uint64_t diagonal = 0;
+  double other = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    const int dx = std::abs(cells[i].x - cells[i - 1].x);
+    const int dy = std::abs(cells[i].y - cells[i - 1].y);
+    if (dx + dy == 1) {
+      ++straight;
+    } else if (dx == 1 && dy == 1) {
+      ++diagonal;
+    } else {
+      other += std::hypot(dx, dy);
+    }
+  }
+  return static_cast<double>(straight) + std::numbers::sqrt2 * static_cast<double>(diagonal) +
+         other;
+}
+
+double length_of(std::span<const Point> waypoints) {
+  double length = 0;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    length += distance(waypoints[i - 1], waypoints[i]);
+  }
+  return length;
+}
+
+double length_of(const JoinedPoses& poses) {
+  double length = 0;
+  for (std::size_t i = 0; i < poses.segment_count(); ++i) {
+    length += std::abs(poses.segment(i).length);
+  }
+  return length;
+}
+
+/// Each heads towards the next one, the last like the one before it.
+std::vector<Pose> heading_along(std::span<const Point> points) {
+  std::vector<Pose> poses;
+  poses.reserve(points.size());
+  for (const Point point : points) {
+    if (!poses.empty()) {
+      Pose& last = poses.back();
+      if (point != last.point()) last.heading = std::atan2(point.y - last.y, point.x - last.x);
+    }
+    poses.push_back({point.x, point.y, poses.empty() ? 0 : poses.back().heading});
+  }
+  return poses;
 }
 
 }  // namespace
+
+Segment JoinedPoses::segment(std::size_t i) const {
+  const Pose& from = poses_[i];
+  const Pose& to = poses_[i + 1];
+  const auto arc = car_arc(from, to);
+  return arc ? Segment{from, arc->length, arc->turn(), 0} : segment_between(from, to);
+}
 
 Path Path::through(std::vector<Pose> poses) {
   Path path;
@@ -59,54 +111,18 @@ std::vector<Point> Path::points() const {
 }
 
 double Path::length() const {
-  if (cells_.empty()) {
-    double length = 0;
-    for (std::size_t i = 1; i < waypoints_.size(); ++i) {
-      length += distance(waypoints_[i - 1], waypoints_[i]);
-    }
-    if (driven()) {
-      for (const Arc& arc : arcs()) length += std::abs(arc.length);
-    }
-    return length;
-  }
-  std::uint64_t straight = 0;
-  std::uint64_t diagonal = 0;
-  double other = 0;
-  const std::span<const Cell> steps = cells();
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    const int dx = std::abs(steps[i].x - steps[i - 1].x);
-    const int dy = std::abs(steps[i].y - steps[i - 1].y);
-    if (dx + dy == 1) {
-      ++straight;
-    } else if (dx == 1 && dy == 1) {
-      ++diagonal;
-    } else {
-      other += std::hypot(dx, dy);
-    }
-  }
-  return static_cast<double>(straight) + std::numbers::sqrt2 * static_cast<double>(diagonal) +
-         other;
+  return visit([](std::span<const Cell> cells) { return length_of(cells); },
+               [](std::span<const Point> waypoints) { return length_of(waypoints); },
+               [](const JoinedPoses& poses) { return length_of(poses); });
 }
 
-std::vector<Pose> Path::poses() const {
-  if (driven()) return poses_;
-  std::vector<Pose> poses;
-  poses.reserve(size());
-  for (const Point point : points()) {
-    if (!poses.empty()) {
-      Pose& last = poses.back();
-      if (point != last.point()) last.heading = std::atan2(point.y - last.y, point.x - last.x);
-    }
-    poses.push_back({point.x, point.y, poses.empty() ? 0 : poses.back().heading});
-  }
-  return poses;
-}
+std::vector<Pose> Path::poses() const { return driven() ? poses_ : heading_along(points()); }
 
 std::vector<Arc> Path::arcs() const {
   std::vector<Arc> arcs;
   if (empty()) return arcs;
+  arcs.reserve(size() - 1);
   const std::vector<Pose> poses = this->poses();
-  arcs.reserve(poses.size() - 1);
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Pose& from = poses[i - 1];
     arcs.push_back(driven() ? way_between(from, poses[i])
@@ -118,12 +134,15 @@ std::vector<Arc> Path::arcs() const {
 std::vector<Segment> Path::segments() const {
   std::vector<Segment> segments;
   if (empty()) return segments;
+  segments.reserve(size() - 1);
+  if (driven()) {
+    const JoinedPoses joined(poses_);
+    for (std::size_t i = 0; i < joined.segment_count(); ++i) segments.push_back(joined.segment(i));
+    return segments;
+  }
   const std::vector<Pose> poses = this->poses();
-  segments.reserve(poses.size() - 1);
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Pose& from = poses[i - 1];
-    segments.push_back(driven() ? segment_of(from, poses[i])
-                                : Segment{from, distance(from.point(), poses[i].point()), 0, 0});
+    segments.emplace_back(poses[i - 1], distance(poses[i - 1].point(), poses[i].point()), 0, 0);
   }
   return segments;
 }

@@ -13,10 +13,18 @@
 //
 //   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
 //   for (const wend::Arc& arc : path.arcs()) length += arc.length;
+//
+// Code that has to tell the three kinds apart calls visit() and says for each of them what to do:
+//
+//   const std::size_t lines = path.visit(
+//       [](std::span<const wend::Cell> cells) { return cells.size() - 1; },
+//       [](std::span<const wend::Point> waypoints) { return waypoints.size() - 1; },
+//       [](const wend::JoinedPoses& poses) { return poses.segment_count(); });
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,6 +73,22 @@ class CellBuffer {
   std::size_t size_ = 0;
 };
 
+/// The poses of a car's path, and the segments that join them. A view: the path must outlive it.
+class JoinedPoses {
+ public:
+  explicit JoinedPoses(std::span<const Pose> poses) : poses_(poses) {}
+
+  std::span<const Pose> poses() const { return poses_; }
+  std::size_t segment_count() const { return poses_.empty() ? 0 : poses_.size() - 1; }
+
+  /// From pose i to pose i + 1: the arc that a car drives, if it ends with the heading of pose i + 1;
+  /// else the turn in place or the move to the side. O(1).
+  Segment segment(std::size_t i) const;
+
+ private:
+  std::span<const Pose> poses_;
+};
+
 class Path {
  public:
   Path() = default;
@@ -84,6 +108,19 @@ class Path {
 
   /// Is it made of cells, each a neighbour of the one before? O(n).
   bool of_steps() const;
+
+  /// Calls the visitor for what the path is made of: one takes std::span<const Cell>, one
+  /// std::span<const Point> (the waypoints), one JoinedPoses. An empty path has no cells.
+  template <class... Visitors>
+  decltype(auto) visit(Visitors&&... visitors) const {
+    struct Overloads : std::remove_cvref_t<Visitors>... {
+      using std::remove_cvref_t<Visitors>::operator()...;
+    };
+    const Overloads visitor{std::forward<Visitors>(visitors)...};
+    if (!waypoints_.empty()) return visitor(waypoints());
+    if (!poses_.empty()) return visitor(JoinedPoses(poses_));
+    return visitor(cells());
+  }
 
   /// The cells of a path of cells; else empty.
   std::span<const Cell> cells() const { return cells_.cells(); }

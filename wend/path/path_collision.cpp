@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 #include "wend/base/choice.hpp"
 #include "wend/geometry/angle.hpp"
@@ -215,6 +216,7 @@ class PathSweep {
 std::optional<PathCollision> collision_of_drive(const Path& path, PathSweep& sweep) {
   const std::vector<Arc> arcs = path.arcs();
   const std::vector<Segment> segments = path.segments();
+  if (arcs.empty()) return sweep.go_along(TurnInPlace{path.poses().front(), 0});
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const Segment& segment = segments[i];
     std::optional<PathCollision> collision;
@@ -224,6 +226,19 @@ std::optional<PathCollision> collision_of_drive(const Path& path, PathSweep& swe
       collision = segment.course == 0 ? sweep.go_along(arcs[i]) : sweep.go_along(segment);
     }
     if (collision) return collision;
+  }
+  return std::nullopt;
+}
+
+/// Along lines from point to point.
+std::optional<PathCollision> collision_of_lines(std::span<const Point> points, PathSweep& sweep) {
+  const auto stands = [&](Point point) { return point == points.front(); };
+  if (std::all_of(points.begin(), points.end(), stands)) {
+    return sweep.go_along(Line{points.front(), points.front()});
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (const auto collision = sweep.turn_and_go_along({points[i - 1], points[i]}))
+      return collision;
   }
   return std::nullopt;
 }
@@ -245,19 +260,8 @@ std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& 
   assert(!path.empty());
   const std::vector<Point> points = path.points();
   PathSweep sweep(space, points.front(), adjacency);
-  if (path.driven()) {
-    if (points.size() == 1) return sweep.go_along(TurnInPlace{path.poses().front(), 0});
-    return collision_of_drive(path, sweep);
-  }
-  const auto stands = [&](Point point) { return point == points.front(); };
-  if (std::all_of(points.begin(), points.end(), stands)) {
-    return sweep.go_along(Line{points.front(), points.front()});
-  }
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (const auto collision = sweep.turn_and_go_along({points[i - 1], points[i]}))
-      return collision;
-  }
-  return std::nullopt;
+  return path.visit([&](const JoinedPoses&) { return collision_of_drive(path, sweep); },
+                    [&](const auto&) { return collision_of_lines(points, sweep); });
 }
 
 }  // namespace wend

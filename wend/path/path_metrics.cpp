@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -47,8 +48,8 @@ void measure_corners(const Path& path, PathMetrics& metrics) {
   }
 }
 
-void measure_bends(const Path& path, PathMetrics& metrics) {
-  if (!path.driven()) return measure_corners(path, metrics);
+/// Of arcs, and turns in place.
+void measure_arc_bends(const Path& path, PathMetrics& metrics) {
   const std::vector<Segment> segments = path.segments();
   const std::vector<Arc> arcs = path.arcs();
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -83,8 +84,7 @@ class Mean {
   double length_ = 0;
 };
 
-PathMetrics measure_cells(const Path& path, const FreeSpace& space) {
-  const auto cells = path.cells();
+PathMetrics measure_cells(std::span<const Cell> cells, const Path& path, const FreeSpace& space) {
   PathMetrics metrics;
   metrics.length = path.length();
   metrics.smallest_clearance = space.clearance(cells.front());
@@ -152,11 +152,13 @@ double Corner::widest_half_turn(double radius, double window) const {
 PathMetrics measure(const Path& path, const FreeSpace& space, double corner_rounding) {
   assert(!path.empty() && corner_rounding >= 0);
   PathMetrics metrics =
-      path.cells().empty() ? measure_arcs(path, space) : measure_cells(path, space);
+      path.visit([&](std::span<const Cell> cells) { return measure_cells(cells, path, space); },
+                 [&](const auto&) { return measure_arcs(path, space); });
   metrics.corner_rounding = corner_rounding;
   metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
-  measure_bends(path, metrics);
+  path.visit([&](const JoinedPoses&) { measure_arc_bends(path, metrics); },
+             [&](const auto&) { measure_corners(path, metrics); });
   return metrics;
 }
 

@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/direction.hpp"
@@ -177,6 +180,39 @@ TEST(Path, OfWaypointsKeepsThem) {
   EXPECT_EQ(path, Path::along({{3.25, 6}, {3.25, 5}, {0.25, 1}}));
   path.clear();
   EXPECT_TRUE(path.empty());
+}
+
+std::string kind_of(const Path& path) {
+  return path.visit(
+      [](std::span<const Cell> cells) { return std::to_string(cells.size()) + " cells"; },
+      [](std::span<const Point> points) { return std::to_string(points.size()) + " waypoints"; },
+      [](const JoinedPoses& joined) {
+        return std::to_string(joined.segment_count()) + " segments";
+      });
+}
+
+TEST(Path, IsVisitedAsWhatItIsMadeOf) {
+  EXPECT_EQ(kind_of(Path({Cell{1, 1}, Cell{2, 1}})), "2 cells");
+  EXPECT_EQ(kind_of(Path::along({{0, 0}})), "1 waypoints");
+  EXPECT_EQ(kind_of(Path::through({{0, 0, 0}, {1, 1, kPi / 2}, {1, 1, 0}})), "2 segments");
+  EXPECT_EQ(kind_of(Path()), "0 cells");
+}
+
+TEST(Path, JoinsPosesByTheSegmentsThatItLists) {
+  const Path path = Path::through({{0, 0, 0}, {1, 1, kPi / 2}, {1, 1, 0}, {1, 3, 0}});
+  const auto segments = path.segments();
+  path.visit(
+      [&](const JoinedPoses& joined) {
+        ASSERT_EQ(joined.segment_count(), segments.size());
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+          const Segment segment = joined.segment(i);
+          EXPECT_EQ(segment.from, joined.poses()[i]);
+          EXPECT_EQ(segment.length, segments[i].length);
+          EXPECT_EQ(segment.turn, segments[i].turn);
+          EXPECT_EQ(segment.course, segments[i].course);
+        }
+      },
+      [](const auto&) { FAIL() << "it has poses"; });
 }
 
 }  // namespace

@@ -34,13 +34,16 @@ Polyline::Polyline(std::span<const Point> points, bool closed) : closed_(closed)
 }
 
 Polyline Polyline::of(const Path& path, bool closed, double tolerance) {
-  if (!path.driven()) return Polyline(path.points(), closed);
-  std::vector<Point> points{path.driven_poses().front().point()};
-  for (const Arc& arc : path.arcs()) {
-    const int pieces = pieces_of(arc, tolerance);
-    for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
-  }
-  return Polyline(points, closed);
+  const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
+  const auto along_arcs = [&](const JoinedPoses& joined) {
+    std::vector<Point> points{joined.poses().front().point()};
+    for (const Arc& arc : path.arcs()) {
+      const int pieces = pieces_of(arc, tolerance);
+      for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
+    }
+    return Polyline(points, closed);
+  };
+  return path.visit(along_points, along_arcs);
 }
 
 std::size_t Polyline::piece_at(double along) const {

@@ -19,6 +19,7 @@
 #include "wend/planner/planner_info.hpp"
 #include "wend/report/path_report.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/report/trajectory_report.hpp"
 
 namespace wend {
 
@@ -69,6 +70,9 @@ void put_path(Json& json, const Plan& plan, const Frame& frame,
 Json json_of(const MeasuredPath& path, const Frame& frame);
 void put_refined(Json& json, const RefinedPath& path, const Frame& frame);
 void put_paths(Json& json, const RefinedPath& path, const Frame& frame);
+
+/// The "trajectory" of trajectory_json().
+Json json_of(const SampledTrajectory& sampled);
 
 /// The number of the schema that every report has as its first key, "schema". It grows when a key is
 /// renamed, removed or changes its meaning; not when one is added (docs/compatibility.md).

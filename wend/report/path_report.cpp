@@ -176,9 +176,11 @@ std::string smoothing_text(const RefinedPath& path) {
   return text;
 }
 
-std::string smoothing_json(const RefinedPath& path, const Frame& frame) {
+std::string smoothing_json(const RefinedPath& path, const Frame& frame,
+                           const std::optional<SampledTrajectory>& trajectory) {
   Json json;
   put_paths(json, path, frame);
+  if (trajectory) json["trajectory"] = json_of(*trajectory);
   return text_of(json);
 }
 

@@ -30,6 +30,7 @@
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
+#include "wend/report/trajectory_report.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -83,8 +84,10 @@ std::string smoothing_text(const RefinedPath& path);
 /// {"schema", "path", "path_m", "path_smoothed", "path_smoothed_m", "smoothing": {"smoother", "sweeps",
 /// "converged", "held", "returned", "within_bound"}, "path_metrics", "path_smoothed_metrics"}.
 /// `path` are cells, and is left out for a path without cells; `path_smoothed` are waypoints in grid
-/// coordinates; `smoothing` is null if nothing was smoothed. One line with its line end.
-std::string smoothing_json(const RefinedPath& path, const Frame& frame);
+/// coordinates; `smoothing` is null if nothing was smoothed. With a trajectory along the refined path,
+/// "trajectory" follows: see trajectory_report.hpp. One line with its line end.
+std::string smoothing_json(const RefinedPath& path, const Frame& frame,
+                           const std::optional<SampledTrajectory>& trajectory = {});
 
 /// {"schema": 1, "status": "not_free", "reason": "...", "path": [], "path_m": []}: replaces a path that
 /// does not exist. load_path() reads the status and the reason back.

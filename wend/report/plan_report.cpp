@@ -27,6 +27,7 @@ std::string plan_json(const PlanResult& result, const Frame& frame, std::span<co
   if (result.status != Status::found) json["reason"] = result.reason;
   put_path(json, result.plan, frame, result.state_kind);
   if (result.refined) put_refined(json, *result.refined, frame);
+  if (result.trajectory) json["trajectory"] = json_of(*result.trajectory);
   json["bound"] = result.plan.bound;
   if (has_heading(result.state_kind)) {
     const bool found = !result.plan.path.empty();

@@ -22,6 +22,8 @@
 // the cost remain those of the plan. `path_smoothed` is a list of waypoints in grid coordinates, in
 // which the centre of cell (i,j) is (i+0.5, j+0.5).
 //
+// If a trajectory was asked for, "trajectory" follows: see trajectory_report.hpp.
+//
 // For a car:
 //
 //   {"schema": 1, "planner": "car", "status": "found", "cost": 2.57, "length_cells": 2.57, "length_m": 0.12,
@@ -61,6 +63,7 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/report/path_report.hpp"
+#include "wend/report/trajectory_report.hpp"
 #include "wend/robot/footprint.hpp"
 
 namespace wend {
@@ -87,6 +90,8 @@ struct PlanResult {
   std::uint64_t states = 0;  // Planner::state_count()
   // The refined path, if it was smoothed or the like.
   std::optional<RefinedPath> refined{};
+  // The trajectory along the path, refined or not, if it was asked for.
+  std::optional<SampledTrajectory> trajectory{};
   int unit = 0;  // Planner::corner_unit(): the turning radius of a car in cells
   Footprint footprint{};
 };

@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/footprint.hpp"
 
@@ -122,6 +123,9 @@ std::vector<OptionInfo> full_schema() {
   std::vector<OptionInfo> schema{planner_option()};
   for (const TextParameter& parameter : kTexts) schema.push_back(option_of(parameter));
   for (const OptionInfo& option : wend::option_schema<NodeOptions>()) schema.push_back(option);
+  for (const OptionInfo& option : wend::option_schema<wend::TrajectoryLimits>()) {
+    schema.push_back(option);
+  }
   for (const wend::PlannerInfo& planner : wend::planners()) {
     for (const OptionInfo& option : planner.options) merge(schema, option);
   }

@@ -44,6 +44,27 @@ nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
   return message;
 }
 
+nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string& frame_id,
+                          double period) {
+  nav_msgs::Path message;
+  message.header.frame_id = frame_id;
+  for (const wend::TrajectoryState& state : trajectory.samples(period)) {
+    geometry_msgs::PoseStamped& stamped = message.poses.emplace_back();
+    stamped.header.frame_id = frame_id;
+    stamped.header.stamp = ros::Time(state.time);
+    stamped.pose = to_message(state.pose);
+  }
+  return message;
+}
+
+nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory) {
+  trajectory.header.stamp = start;
+  for (auto& stamped : trajectory.poses) {
+    stamped.header.stamp = start + ros::Duration(stamped.header.stamp.toSec());
+  }
+  return trajectory;
+}
+
 geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path) {
   geometry_msgs::PoseArray poses;
   poses.header = path.header;

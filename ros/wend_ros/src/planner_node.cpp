@@ -37,6 +37,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
     : robot_(node, own),
       plan_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       smoothed_(node.advertise<nav_msgs::Path>("plan_smoothed", 1, true)),
+      trajectory_(node.advertise<nav_msgs::Path>("trajectory", 1, true)),
       poses_(node.advertise<geometry_msgs::PoseArray>("plan_poses", 1, true)),
       expansion_(node.advertise<nav_msgs::OccupancyGrid>("expansion", 1, true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 8, true)) {
@@ -236,6 +237,9 @@ void PlannerNode::publish(const PlanResult& result, const MapSnapshot& map,
   nav_msgs::Path smoothed = result.smoothed.poses.empty() ? path : result.smoothed;
   smoothed.header = path.header;
   smoothed_.publish(smoothed);
+  nav_msgs::Path trajectory = starting_at(now, result.trajectory);
+  trajectory.header.frame_id = map.frame_id;
+  trajectory_.publish(trajectory);
   markers_.publish(path_markers(path, map.space.footprint()));
   if (watch != nullptr && !watch->order().empty()) {
     expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));

@@ -7,7 +7,10 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -64,6 +67,28 @@ wend::Query query_of(const wend::Frame& frame, const Ask& ask) {
   return query;
 }
 
+constexpr double kTrajectoryPeriod = 0.1;  // s
+constexpr double kMostStamps = 1e5;
+
+wend::TrajectoryLimits limits_of(const Parameters& parameters) {
+  return {.speed = parameters.number("speed"),
+          .turn_rate = parameters.number("turn_rate"),
+          .acceleration = parameters.number("acceleration"),
+          .turn_acceleration = parameters.number("turn_acceleration"),
+          .lateral_acceleration = parameters.number("lateral_acceleration")};
+}
+
+void put_trajectory(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
+                    const wend::GridMoves& moves, const wend::Path& path) {
+  if (path.empty()) return;
+  const wend::Path rounded =
+      wend::rounded_corners(path, map.space, wend::kCornerRounding, moves.adjacency());
+  const auto trajectory =
+      wend::Trajectory::along(rounded, map.space.map().frame(), limits_of(parameters));
+  if (!trajectory || trajectory->duration() / kTrajectoryPeriod > kMostStamps) return;
+  result.trajectory = to_message(*trajectory, map.frame_id, kTrajectoryPeriod);
+}
+
 void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
               const wend::GridMoves& moves, const wend::Plan& plan) {
   const wend::Frame& frame = map.space.map().frame();
@@ -72,12 +97,16 @@ void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& para
   result.bound = plan.bound;
   for (const std::string_view move : plan.moves) result.moves.emplace_back(move);
   result.path_metrics = metrics_message(plan.path, map.space);
-  if (!parameters.flag("smooth") || plan.path.driven()) return;
+  if (!parameters.flag("smooth") || plan.path.driven()) {
+    put_trajectory(result, map, parameters, moves, plan.path);
+    return;
+  }
   const wend::GradientOptions options{
       .alpha = parameters.number("smooth_alpha"),
       .beta = parameters.number("smooth_beta"),
       .squeeze = moves.adjacency() == wend::Adjacency::edges_and_corners};
   const auto smoothed = wend::smooth_by_gradient(plan.path, map.space, options);
+  put_trajectory(result, map, parameters, moves, smoothed ? smoothed->path : plan.path);
   if (smoothed) {
     result.smoothed = to_message(smoothed->path, frame, map.frame_id);
   } else {

@@ -162,6 +162,10 @@ TEST_F(PlannerServer, PlansToGoalsFromRvizAndShowsThemToLateSubscribers) {
   EXPECT_EQ(path->poses.size(), 5U);
   EXPECT_EQ(next<geometry_msgs::PoseArray>("plan_poses")->poses.size(), 5U);
   EXPECT_FALSE(next<nav_msgs::Path>("plan_smoothed")->poses.empty());
+  const auto trajectory = next<nav_msgs::Path>("trajectory");
+  ASSERT_FALSE(trajectory->poses.empty());
+  EXPECT_EQ(trajectory->poses.front().header.stamp, trajectory->header.stamp);
+  EXPECT_GT(trajectory->poses.back().header.stamp, trajectory->header.stamp);
   EXPECT_FALSE(next<visualization_msgs::MarkerArray>("markers")->markers.empty());
 }
 

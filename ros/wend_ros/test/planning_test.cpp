@@ -53,6 +53,25 @@ TEST(Planning, AnswersInTheMapsFrame) {
   EXPECT_EQ(result.smoothed.poses.size(), result.path.poses.size());
 }
 
+TEST(Planning, StampsTheTrajectoryByItsLimits) {
+  Planning planning;
+  Parameters parameters;
+  EXPECT_EQ(parameters.set("speed", "2"), "");
+  EXPECT_NE(parameters.set("acceleration", "0"), "");
+  const PlanResult result =
+      planning.answer(snapshot(), parameters, ask({1.05, 1.05, 0}, {1.05, 7.05, 0}));
+  ASSERT_EQ(result.status, 0) << result.reason;
+  const auto& poses = result.trajectory.poses;
+  ASSERT_GT(poses.size(), 2U);
+  EXPECT_EQ(poses.front().header.stamp, ros::Time(0));
+  EXPECT_EQ(poses[1].header.stamp, ros::Time(0.1));
+  EXPECT_NEAR(poses.back().header.stamp.toSec(), 6 / 2.0 + 2 / 1.0, 0.02) << "a trapezoid";
+  EXPECT_NEAR(poses.back().pose.position.y, 7.05, 1e-9);
+  const nav_msgs::Path later = starting_at(ros::Time(100), result.trajectory);
+  EXPECT_EQ(later.header.stamp, ros::Time(100));
+  EXPECT_NEAR((later.poses.back().header.stamp - poses.back().header.stamp).toSec(), 100, 1e-6);
+}
+
 TEST(Planning, TellsWhyThereIsNoPlan) {
   Planning planning;
   EXPECT_EQ(planning.answer(snapshot(), {}, ask({-1, 1, 0}, {9, 1, 0})).status, 203);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
@@ -190,19 +191,19 @@ std::string metres_text(Point metres) {
   return format_number(metres.x) + "," + format_number(metres.y);
 }
 
-std::string cells_csv(const Path& path, const Frame& frame) {
+std::string csv_of(std::span<const Cell> cells, const Frame& frame) {
   std::string text = fmt::format("{}\n", kCellHeader);
-  for (const Cell cell : path.cells()) {
+  for (const Cell cell : cells) {
     fmt::format_to(std::back_inserter(text), "{},{},{}\n", cell.x, cell.y,
                    metres_text(frame.to_metres(centre_of(cell))));
   }
   return text;
 }
 
-std::string poses_csv(const Path& path, const Frame& frame) {
-  const bool driven = path.driven();
+/// With the headings in grid coordinates too if a car drives there.
+std::string csv_of(std::span<const Pose> poses, const Frame& frame, bool driven) {
   std::string text = fmt::format("{}\n", driven ? kPoseHeader : kWaypointHeader);
-  for (const Pose& pose : path.poses()) {
+  for (const Pose& pose : poses) {
     const Pose metres = frame.to_metres(pose);
     const std::string heading = driven ? heading_text(pose.heading, frame) + "," : "";
     // {fmt} also writes the shortest text, but does not write a million as 1e+06.
@@ -215,15 +216,16 @@ std::string poses_csv(const Path& path, const Frame& frame) {
 }  // namespace
 
 std::string path_csv(const Path& path, const Frame& frame) {
-  const bool has_poses = path.driven() || !path.waypoints().empty();
-  return has_poses ? poses_csv(path, frame) : cells_csv(path, frame);
+  return path.visit([&](std::span<const Cell> cells) { return csv_of(cells, frame); },
+                    [&](std::span<const Point>) { return csv_of(path.poses(), frame, false); },
+                    [&](const JoinedPoses& joined) { return csv_of(joined.poses(), frame, true); });
 }
 
-std::string no_path_csv(const FailedPlan& plan) {
+std::string no_path_csv(const FailedPlan& plan, std::string_view header) {
   std::string comment = fmt::format("{}{}: {}", kNoPathComment, plan.status, plan.reason);
   std::ranges::replace_if(
       comment, [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
-  return fmt::format("{}\n{}\n", comment, kCellHeader);
+  return fmt::format("{}\n{}\n", comment, header);
 }
 
 Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::string& file,

@@ -34,6 +34,7 @@
 // Numbers read back exactly; load_path() reads the cells, the poses or the waypoints.
 
 #include <string>
+#include <string_view>
 
 #include "wend/geometry/frame.hpp"
 #include "wend/io/file_error.hpp"
@@ -43,7 +44,8 @@ namespace wend {
 
 std::string path_csv(const Path& path, const Frame& frame);
 
-/// The file of a failed plan. It replaces an older path, so that no robot executes an outdated one.
-std::string no_path_csv(const FailedPlan& plan);
+/// The file of a failed plan, with a header of the columns. It replaces an older path, so that no robot
+/// executes an outdated one.
+std::string no_path_csv(const FailedPlan& plan, std::string_view header = "x,y,x_m,y_m");
 
 }  // namespace wend

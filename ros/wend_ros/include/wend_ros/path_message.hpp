@@ -10,6 +10,7 @@
 
 #include "wend/geometry/frame.hpp"
 #include "wend/path/path.hpp"
+#include "wend/path/trajectory.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend_ros {
@@ -25,6 +26,14 @@ bool is_finite(const geometry_msgs::Pose& pose);
 /// A pose for each cell, waypoint or pose, heading along the path. An empty path stays empty.
 nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
                           const std::string& frame_id);
+
+/// A pose every `period` seconds, and the last one. The stamps of the poses count from 0, when the robot
+/// starts.
+nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string& frame_id,
+                          double period);
+
+/// The same with the stamps of a robot that starts at that time.
+nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory);
 
 geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path);
 

@@ -73,6 +73,7 @@ class PlannerNode {
 
   ros::Publisher plan_;
   ros::Publisher smoothed_;
+  ros::Publisher trajectory_;
   ros::Publisher poses_;
   ros::Publisher expansion_;
   ros::Publisher markers_;

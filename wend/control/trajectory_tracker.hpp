@@ -1,0 +1,48 @@
+#pragma once
+
+// TrajectoryTracker: a controller that tracks a trajectory: it drives the robot to where the trajectory
+// is at the time, at the trajectory's speed.
+//
+//   wend::TrajectoryTracker tracker(*trajectory);
+//   const wend::Drive tracked = wend::simulate(space, path, tracker);
+//
+// The follower's route has to be that of the trajectory's path, and the trajectory's limits no higher than
+// the robot's: a slower robot falls behind and leaves the path. The time begins with the first command, so
+// a tracker is for one execution. A robot that cannot turn in place needs a trajectory whose
+// smallest_turning_radius() is no less than its own.
+//
+// With the reference's velocity (v, w), and its pose in the robot's frame (x, y, turned by t), it wants
+//   v cos(t) + along_gain x   and   w + heading_gain t + side_gain v y.
+// Y. Kanayama, Y. Kimura, F. Miyazaki and T. Noguchi, "A Stable Tracking Control Method for an
+// Autonomous Mobile Robot", 1990.
+
+#include "wend/control/controller.hpp"
+#include "wend/path/trajectory.hpp"
+
+namespace wend {
+
+struct TrackingGains {
+  double along_gain = 2;    // 1/s: speed per metre that the robot is behind
+  double heading_gain = 3;  // 1/s: turn rate per radian of heading error
+  double side_gain = 10;    // 1/m^2: curvature per metre beside the trajectory
+};
+
+class TrajectoryTracker final : public Controller {
+ public:
+  explicit TrajectoryTracker(Trajectory trajectory, const TrackingGains& gains = {});
+
+  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+
+  /// Allocates no memory. O(log pieces).
+  Velocity command(const ControllerInput& input) override;
+
+  /// The time of the next command, s since the first.
+  double time() const { return time_; }
+
+ private:
+  Trajectory trajectory_;
+  TrackingGains gains_;
+  double time_ = 0;
+};
+
+}  // namespace wend

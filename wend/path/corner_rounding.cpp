@@ -1,0 +1,62 @@
+#include "wend/path/corner_rounding.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "wend/geometry/line.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/robot/fits_along.hpp"
+
+namespace wend {
+namespace {
+
+/// So far from a point in a direction.
+Pose displaced(Point point, double heading, double distance) {
+  return {point.x + distance * std::cos(heading), point.y + distance * std::sin(heading), heading};
+}
+
+/// Appends a pose, unless the last one is the same but for rounding.
+void drive_to(std::vector<Pose>& poses, const Pose& pose) {
+  constexpr double kSame = 1e-9;  // cells
+  const bool same = !poses.empty() && distance(poses.back().point(), pose.point()) < kSame &&
+                    std::abs(poses.back().heading - pose.heading) < kSame;
+  if (!same) poses.push_back(pose);
+}
+
+}  // namespace
+
+Path rounded_corners(const Path& path, const FreeSpace& space, double window, Adjacency adjacency) {
+  assert(!path.empty() && window >= 0);
+  if (path.driven()) return path;
+  std::vector<Point> points = path.points();
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() == 1) return Path::through({path.poses().front()});
+  std::vector<Pose> poses;
+  double heading = Line{points[0], points[1]}.heading();
+  drive_to(poses, displaced(points[0], heading, 0));
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const Corner corner(points[i - 2], points[i - 1], points[i]);
+    const Point at = points[i - 1];
+    const double next = Line{at, points[i]}.heading();
+    const double radius = corner.radius(window);
+    const double cut =
+        std::isfinite(radius) && radius > 0 ? radius * corner.half_turn_tangent() : 0;
+    const Pose begin = displaced(at, heading, -cut);
+    const Pose end = displaced(at, next, cut);
+    if (cut > 0 && fits_along(space, arc_to(begin, end.point()), {.adjacency = adjacency})) {
+      drive_to(poses, begin);
+      drive_to(poses, end);
+    } else {
+      drive_to(poses, displaced(at, heading, 0));
+      drive_to(poses, displaced(at, next, 0));
+    }
+    heading = next;
+  }
+  drive_to(poses, displaced(points.back(), heading, 0));
+  return Path::through(std::move(poses));
+}
+
+}  // namespace wend
