@@ -17,7 +17,7 @@
 namespace wend::bench {
 namespace {
 
-using Error = Unexpected<std::string>;
+using Failure = Unexpected<std::string>;
 
 constexpr double kMicroseconds = 1e6;
 constexpr std::size_t kAskedFirst = 10;  // queries that new planners are asked
@@ -124,7 +124,7 @@ Expected<MapTimings, std::string> time_map(const SpeedMap& map, const SpeedPlan&
   MapTimings timings{map.name, space.passable().count(), sample.size(), 0, {}};
   for (Entry& entry : entries) {
     const std::string wrong = entry.prepare();
-    if (!wrong.empty()) return Error(map.name + ": " + wrong);
+    if (!wrong.empty()) return Failure(map.name + ": " + wrong);
     entry.time_first(evenly_sampled(sample, kAskedFirst));
     entry.check(sample, timings.path_cells);
   }
@@ -144,7 +144,7 @@ Expected<std::vector<MapTimings>, std::string> run_speed(
   for (const SpeedMap& map : maps) {
     progress(map.name, all.size(), maps.size());
     auto timings = time_map(map, plan);
-    if (!timings) return Error(timings.error());
+    if (!timings) return Failure(timings.error());
     all.push_back(*std::move(timings));
   }
   return all;

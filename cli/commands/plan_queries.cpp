@@ -70,7 +70,6 @@ class QueryWorker {
     Query query = asked->query();
     query.limits.expansions = arguments_.limits.expansions;
     if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
-    query.limits.clock = steady_seconds;
     query.limits.cancel = &Interruptible::cancelled();
     const Status status = timed(thread_cpu_seconds, answer.seconds,
                                 [&] { return planner_->plan(query, answer.plan); });

@@ -43,8 +43,8 @@ class Descriptor {
   int number_;
 };
 
-Unexpected<Error> failure_of(const fs::path& file, std::string what) {
-  return file_failure(file.string(), 0, std::move(what));
+Unexpected<Error> failure_of(const fs::path& file, const std::string& what) {
+  return file_failure(file.string(), 0, what);
 }
 
 std::string cannot_be_written(int error) { return "cannot be written: " + message_of(error); }
@@ -162,8 +162,8 @@ std::string stream_name(const fs::path& file) {
 }
 
 Expected<std::string, Error> read_stream(const fs::path& file, std::size_t largest) {
-  const auto failure = [&file](std::string what) {
-    return file_failure(stream_name(file), 0, std::move(what));
+  const auto failure = [&file](const std::string& what) {
+    return file_failure(stream_name(file), 0, what);
   };
   const Descriptor stream(is_standard_input(file) ? STDIN_FILENO
                                                   : ::open(file.c_str(), O_RDONLY | O_CLOEXEC));
@@ -188,8 +188,8 @@ Expected<void, Error> write_file(const fs::path& file, std::string_view bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
   const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
-  std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
-  if (!wrong.empty()) return failure_of(file, std::move(wrong));
+  const std::string wrong = is_device ? write_bytes(target, bytes) : replace_file(target, bytes);
+  if (!wrong.empty()) return failure_of(file, wrong);
   return {};
 }
 

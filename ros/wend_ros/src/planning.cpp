@@ -1,7 +1,6 @@
 #include "wend_ros/planning.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -18,10 +17,6 @@ namespace wend_ros {
 namespace {
 
 constexpr std::size_t kMostIdle = 2;
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The planner of a request with all its options, or why it cannot be made.
 wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& parameters,
@@ -211,7 +206,6 @@ PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters
   wend::Query query = query_of(map.space.map().frame(), ask);
   query.observer = watch.observer;
   query.limits.cancel = watch.cancel;
-  query.limits.clock = seconds_now;
   const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
   if (limit > 0) query.limits.seconds = limit;
 

@@ -26,14 +26,14 @@ StatusCode code_of(wend::Status status) {
     case Status::cancelled:
       return StatusCode::cancelled;
     case Status::unsupported_map:
-    case Status::invalid_map:
       return StatusCode::unsupported_map;
     case Status::unsupported_query:
       return StatusCode::unsupported_query;
     case Status::invalid_option:
-      return StatusCode::invalid_planner;
     case Status::invalid_file:
-      return StatusCode::unknown_error;
+      return StatusCode::invalid_planner;
+    case Status::invalid_map:
+      return StatusCode::no_map;
     case Status::index_missing:
       return StatusCode::index_missing;
     case Status::index_mismatch:

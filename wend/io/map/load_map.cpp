@@ -62,8 +62,8 @@ template <class LoadIt>
 Expected<LoadedMap, Error> load_checked(const std::string& file, const LoadOptions& options,
                                         const LoadIt& load_it) {
   try {
-    if (std::string wrong = wrong_options(options); !wrong.empty()) {
-      return file_failure(file, 0, std::move(wrong));
+    if (const std::string wrong = wrong_options(options); !wrong.empty()) {
+      return file_failure(file, 0, wrong);
     }
     Expected<LoadedMap, Error> loaded = load_it();
     if (loaded && options.resolution && !info_of(loaded->format).takes_resolution) {

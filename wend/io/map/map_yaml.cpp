@@ -100,7 +100,7 @@ class MapYamlReader {
   }
 
  private:
-  void fail(const YAML::Node& node, std::string what) {
+  void fail(const YAML::Node& node, const std::string& what) {
     if (!error_) error_ = file_error(file_, line_of(node.Mark()), what);
   }
 

@@ -52,8 +52,8 @@ class MovingAiReader {
   Expected<LoadedMap, Error> read() {
     for (const auto step : {&MovingAiReader::read_type, &MovingAiReader::read_sizes,
                             &MovingAiReader::check_sizes, &MovingAiReader::read_rows}) {
-      if (std::string wrong = (this->*step)(); !wrong.empty()) {
-        return file_failure(file_, lines_.number(), std::move(wrong));
+      if (const std::string wrong = (this->*step)(); !wrong.empty()) {
+        return file_failure(file_, lines_.number(), wrong);
       }
     }
     assert(rows_);

@@ -118,8 +118,8 @@ Expected<LoadedMap, Error> load_text_grid(LineReader lines, const std::string& f
       continue;
     }
     if (blank_line > 0) return file_failure(file, blank_line, "blank line before a row of cells");
-    std::string wrong = rows.append(*line);
-    if (!wrong.empty()) return file_failure(file, lines.number(), std::move(wrong));
+    const std::string wrong = rows.append(*line);
+    if (!wrong.empty()) return file_failure(file, lines.number(), wrong);
   }
   if (rows.empty()) return file_failure(file, 0, "the text grid has no cells");
   return LoadedMap{rows.finish(), MapFormat::text_grid};

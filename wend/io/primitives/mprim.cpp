@@ -122,8 +122,8 @@ MotionPrimitive read_primitive(MprimReader& reader, double resolution, int headi
 
 Expected<MotionPrimitives, Error> parse_mprim(std::string_view text, const std::string& name) {
   MprimReader reader(text);
-  const auto failed = [&](std::string what) {
-    return file_failure(name, reader.line(), std::move(what));
+  const auto failed = [&](const std::string& what) {
+    return file_failure(name, reader.line(), what);
   };
   const double resolution = reader.number_of("resolution_m");
   if (reader.wrong().empty() && !(resolution > 0)) {

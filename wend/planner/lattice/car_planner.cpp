@@ -92,13 +92,14 @@ CarPlanner::CarPlanner(FreeSpace space, const CarOptions& options)
   CarPlanner::do_update({});
 }
 
-CarPlanner::CarPlanner(const CarPlanner& other)
-    : SearchPlanner(other.free_space()), options_(other.options_), lattice_(other.lattice_) {
+CarPlanner::CarPlanner(FreeSpace space, const CarOptions& options,
+                       std::shared_ptr<const CarLattice> lattice)
+    : SearchPlanner(std::move(space)), options_(options), lattice_(std::move(lattice)) {
   make_engine();
 }
 
 std::unique_ptr<Planner> CarPlanner::do_clone() const {
-  return std::unique_ptr<Planner>(new CarPlanner(*this));
+  return std::make_unique<CarPlanner>(free_space(), options_, lattice_);
 }
 
 std::optional<Status> CarPlanner::do_check(const Query& query) {

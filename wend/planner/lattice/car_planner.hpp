@@ -32,6 +32,8 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
  public:
   /// The map has room for the lattice, and its poses can be numbered.
   CarPlanner(FreeSpace space, const CarOptions& options);
+  /// The same on a lattice that exists; null on a map that has no room for it.
+  CarPlanner(FreeSpace space, const CarOptions& options, std::shared_ptr<const CarLattice> lattice);
 
   /// Why there is no memory for its searches, if there is none.
   std::optional<Error> fault() const { return no_memory_for("the car"); }
@@ -47,7 +49,6 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;
 
-  CarPlanner(const CarPlanner& other);
   void make_engine();
 
   std::optional<Status> take_goal(const Goal& goal);

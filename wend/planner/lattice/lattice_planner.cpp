@@ -50,16 +50,18 @@ LatticePlanner::LatticePlanner(FreeSpace space, MotionPrimitives primitives,
   LatticePlanner::do_update({});
 }
 
-LatticePlanner::LatticePlanner(const LatticePlanner& other)
-    : SearchPlanner(other.free_space()),
-      primitives_(other.primitives_),
-      options_(other.options_),
-      lattice_(other.lattice_) {
+LatticePlanner::LatticePlanner(FreeSpace space, MotionPrimitives primitives,
+                               const LatticeOptions& options,
+                               std::shared_ptr<const MotionLattice> lattice)
+    : SearchPlanner(std::move(space)),
+      primitives_(std::move(primitives)),
+      options_(options),
+      lattice_(std::move(lattice)) {
   make_engine();
 }
 
 std::unique_ptr<Planner> LatticePlanner::do_clone() const {
-  return std::unique_ptr<Planner>(new LatticePlanner(*this));
+  return std::make_unique<LatticePlanner>(free_space(), primitives_, options_, lattice_);
 }
 
 bool LatticePlanner::fits(const LatticePose& place) const {

@@ -30,6 +30,9 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
  public:
   /// MotionLattice::why_none() is empty.
   LatticePlanner(FreeSpace space, MotionPrimitives primitives, const LatticeOptions& options);
+  /// The same on a lattice that exists; null on a map that does not suit the primitives.
+  LatticePlanner(FreeSpace space, MotionPrimitives primitives, const LatticeOptions& options,
+                 std::shared_ptr<const MotionLattice> lattice);
 
   /// Why there is no memory for its searches, if there is none.
   std::optional<Error> fault() const { return no_memory_for("the robot"); }
@@ -44,7 +47,6 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;
 
-  LatticePlanner(const LatticePlanner& other);
   void make_engine();
 
   std::optional<Status> take_goal(const Goal& goal);

@@ -6,13 +6,14 @@
 //   code  name                from
 //      0  found               Status::found
 //    200  unknown_error       anything else
-//    201  invalid_planner     invalid_option: no such planner, or options out of range
+//    201  invalid_planner     invalid_option: no such planner, or options out of range;
+//                            invalid_file: a file that they name is invalid
 //    202  tf_error            a pose's frame cannot be taken to the map's
 //    203  start_outside       204  goal_outside
 //    205  start_blocked       206  goal_blocked
 //    207  timeout             time_limit, expansion_limit, step_limit
 //    208  no_valid_path       unreachable
-//    250  no_map              no map has come yet, or one that is no map
+//    250  no_map              no map has come yet, or it is invalid (invalid_map)
 //    251  cancelled           252  memory_limit
 //    253  unsupported_map     254  unsupported_query
 //    255  index_missing       256  index_mismatch
