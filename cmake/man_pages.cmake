@@ -14,4 +14,4 @@ add_custom_command(
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/reference.py" man
           "$<TARGET_FILE:wend_cli>" "${man_folder}"
   VERBATIM)
-install(DIRECTORY "${man_folder}" DESTINATION "${CMAKE_INSTALL_MANDIR}")
+install(DIRECTORY "${man_folder}" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program)
