@@ -34,9 +34,10 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libwend${PROJECT_VERSION_MAJOR})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+file(WRITE "${PROJECT_BINARY_DIR}/debian/triggers" "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/triggers")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION
-    "path planning for robots on maps - shared library
-wend plans paths for robots on grid maps, smooths them and follows them. It
+    "wend plans paths for robots on grid maps, smooths them and follows them. It
 reads the maps of ROS and of MovingAI, and has classic and fast exact planners
 behind one interface.
 .
@@ -48,8 +49,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libwend${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1), libexpected-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-    "path planning for robots on maps - development files
-wend plans paths for robots on grid maps, smooths them and follows them.
+    "wend plans paths for robots on grid maps, smooths them and follows them.
 .
 This package has the C++ headers, and what CMake and pkg-config read.")
 
@@ -57,8 +57,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME wend)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
-    "path planning for robots on maps - command line
-wend plans paths for robots on grid maps, smooths them and follows them.
+    "wend plans paths for robots on grid maps, smooths them and follows them.
 .
 This package has the program: it plans, explains and draws in the terminal and
 to files, and compares and measures planners.")
