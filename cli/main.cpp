@@ -19,6 +19,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output/output.hpp"
+#include "wend/version.hpp"
 
 namespace {
 

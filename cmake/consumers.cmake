@@ -27,6 +27,7 @@ if(WEND_INSTALL)
   wend_add_consumer_test(find_package install_consumer "-DCMAKE_PREFIX_PATH=${prefix}")
   set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installed)
   set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installed)
+  include(cmake/examples.cmake)
 endif()
 
 wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}"

@@ -14,4 +14,7 @@ add_custom_command(
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/reference.py" man
           "$<TARGET_FILE:wend_cli>" "${man_folder}"
   VERBATIM)
-install(DIRECTORY "${man_folder}" DESTINATION "${CMAKE_INSTALL_MANDIR}")
+if(WEND_DEBIAN)
+  add_custom_command(TARGET wend_cli POST_BUILD COMMAND gzip -9nrf "${man_folder}" VERBATIM)
+endif()
+install(DIRECTORY "${man_folder}" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT program)

@@ -1,7 +1,7 @@
+// Loads a map, plans in metres for a disc, and prints the path.
 #include <cstdio>
 
-#include "wend/io/map/load_map.hpp"
-#include "wend/planner/planners.hpp"
+#include "wend/wend.hpp"
 
 int main() {
   const auto loaded = wend::load_map("office.yaml");
@@ -10,9 +10,10 @@ int main() {
   if (!space) return std::puts(space.error().message.c_str()), 2;
   const auto planner = wend::make_planner("astar", *space);
   if (!planner) return std::puts(planner.error().message.c_str()), 2;
-  const auto plan = (*planner)->plan(wend::Query::between({10, 10}, {150, 68}));
+  const wend::Frame& frame = loaded->map.frame();
+  const auto plan = (*planner)->plan({frame.to_grid({1, 1, 0}), {frame.to_grid({15, 6.8, 0})}});
   if (!plan) return std::puts(plan.error().message.c_str()), 1;
-  for (const wend::Point point : plan->path.points_in_metres(space->map().frame())) {
+  for (const wend::Point point : plan->path.points_in_metres(frame)) {
     std::printf("%.2f %.2f\n", point.x, point.y);
   }
 }

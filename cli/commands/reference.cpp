@@ -12,6 +12,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/output.hpp"
+#include "wend/version.hpp"
 
 namespace wend::cli {
 namespace {

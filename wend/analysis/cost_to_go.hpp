@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/geometry/direction.hpp"
@@ -22,7 +23,7 @@
 
 namespace wend {
 
-class CostToGo {
+class WEND_API CostToGo {
  public:
   /// The field to the nearest of `goals`. Fails with goal_outside, goal_blocked, unsupported_query
   /// (no goal) or the limit that was reached.

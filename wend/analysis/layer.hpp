@@ -15,6 +15,7 @@
 #include "wend/analysis/cost_to_go.hpp"
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/planner.hpp"
@@ -60,13 +61,13 @@ constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
 /// The source of a layer.
 enum class LayerSource { search, cost_to_go, map };
 
-LayerSource source_of(LayerKind kind);
+WEND_API LayerSource source_of(LayerKind kind);
 
 /// "order of expansion", "clearance"
-std::string_view title_of(LayerKind kind);
+WEND_API std::string_view title_of(LayerKind kind);
 
 /// Are its numbers lengths, in cells?
-bool is_length(LayerKind kind);
+WEND_API bool is_length(LayerKind kind);
 
 struct Layer {
   LayerKind kind;
@@ -75,13 +76,13 @@ struct Layer {
 };
 
 /// A layer of the search that `recorder` observed. The heuristic is that of `planner`'s last query.
-Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder& recorder);
+WEND_API Layer search_layer(LayerKind kind, const Planner& planner, const SearchRecorder& recorder);
 
 /// A layer of a cost-to-go field for the same space.
-Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& field);
+WEND_API Layer cost_to_go_layer(LayerKind kind, const FreeSpace& space, const CostToGo& field);
 
 /// A layer of the map and the robot. Obstacles have no clearance, and impassable cells have no
 /// terrain.
-Layer map_layer(LayerKind kind, const FreeSpace& space);
+WEND_API Layer map_layer(LayerKind kind, const FreeSpace& space);
 
 }  // namespace wend

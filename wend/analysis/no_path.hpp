@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "wend/analysis/widest_path.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/space/grid/grid_moves.hpp"
@@ -66,12 +67,13 @@ struct NoPath {
 /// stand there. Exact like the planners. ConnectedComponents can count too much: a disc does not
 /// fit between all corners that a point fits through. O(cells); O(cells log cells) for a disc under
 /// the corner rule `both`.
-BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
+WEND_API BitGrid component_of(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
 /// The number of cells of component_of(). O(1) but for a disc under the corner rule `both`.
-std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
+WEND_API std::size_t component_size(const FreeSpace& space, Cell cell, GridMoves moves = {});
 
 /// Both cells are on the map and may be blocked. O(cells log cells).
-NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal, GridMoves moves = {});
+WEND_API NoPath explain_no_path(const FreeSpace& space, Cell start, Cell goal,
+                                GridMoves moves = {});
 
 }  // namespace wend

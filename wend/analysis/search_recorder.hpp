@@ -24,6 +24,7 @@
 #include <optional>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -50,7 +51,7 @@ struct SearchSnapshot {
                                 // vertex); unset before the first expansion
 };
 
-class SearchRecorder final : public SearchObserver {
+class WEND_API SearchRecorder final : public SearchObserver {
  public:
   /// For searches on that space: from cell to cell, or, with a unit of 1 or more, for a car on the
   /// lattice vertices whose coordinates are multiples of the unit.

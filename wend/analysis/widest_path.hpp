@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -34,13 +35,13 @@ struct WidestPath {
 
 /// For the obstacles of a FreeSpace and robots of any size: ignores its radius and clearance cost.
 /// Both cells are on the map. Nothing if not even a point fits. O(cells log cells).
-std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
-                                      GridMoves moves = {});
+WEND_API std::optional<WidestPath> widest_path(const FreeSpace& space, Cell start, Cell goal,
+                                               GridMoves moves = {});
 
 /// The square of that radius alone, in half-cells and exact, like
 /// FreeSpace::squared_half_cell_clearance(). Connectivity and the corner rule `one` make no
 /// difference: two straight steps replace a diagonal step with a passable cell beside it.
-std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start, Cell goal,
-                                                     GridMoves moves = {});
+WEND_API std::optional<std::uint32_t> squared_half_cell_width(const FreeSpace& space, Cell start,
+                                                              Cell goal, GridMoves moves = {});
 
 }  // namespace wend

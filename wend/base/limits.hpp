@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 /// Seconds since some fixed moment, never decreasing.
@@ -15,7 +17,7 @@ using Clock = std::function<double()>;
 /// Limits of one query. A search checks `expansions` before every expansion. It checks the clock
 /// and the cancel flag at its start and then every kExpansionsBetweenClockReads expansions (some
 /// ten microseconds).
-struct Limits {
+struct WEND_API Limits {
   static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
   static constexpr std::uint64_t kExpansionsBetweenClockReads = 256;
 

@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/parse.hpp"
 
@@ -45,7 +46,7 @@ struct OptionText {
 
 enum class OptionKind { flag, integer, number, choice };
 
-std::string_view to_string(OptionKind kind);
+WEND_API std::string_view to_string(OptionKind kind);
 
 /// One option, as the front ends see it.
 struct OptionInfo {
@@ -65,13 +66,13 @@ using OptionValues = std::vector<std::pair<std::string, std::string>>;
 
 /// Functions that check and convert the text of one option. Each returns an error text, empty on success.
 namespace option_text {
-std::string parse(std::string_view text, bool& value, OptionRange range = {});
-std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
-std::string parse(std::string_view text, double& value, OptionRange range);
-std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
-Error option_error(const std::string& option, const std::string& what);
-Error unknown_option(std::string_view name, const std::vector<std::string>& known);
-std::string format(bool value);
+WEND_API std::string parse(std::string_view text, bool& value, OptionRange range = {});
+WEND_API std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
+WEND_API std::string parse(std::string_view text, double& value, OptionRange range);
+WEND_API std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
+WEND_API Error option_error(const std::string& option, const std::string& what);
+WEND_API Error unknown_option(std::string_view name, const std::vector<std::string>& known);
+WEND_API std::string format(bool value);
 
 template <class Enum>
   requires std::is_enum_v<Enum>
@@ -89,7 +90,7 @@ std::string parse(std::string_view text, Enum& value, OptionRange /*range*/) {
 }  // namespace option_text
 
 /// Collects the schema of an option struct. The defaults come from a default-constructed struct.
-class SchemaBuilder {
+class WEND_API SchemaBuilder {
  public:
   void operator()(const OptionText& text, bool& value) {
     add(text, OptionKind::flag, option_text::format(value));
@@ -120,7 +121,7 @@ class SchemaBuilder {
 };
 
 /// Sets the fields of an option struct from text.
-class OptionParser {
+class WEND_API OptionParser {
  public:
   explicit OptionParser(const OptionValues& values) : values_(values) {}
 
@@ -187,8 +188,7 @@ struct OptionSpec {
 /// Parses a list of entries with these names. `kind` says what an entry is: "planner". Fails for an
 /// unknown name, a word that is not name=value, and an empty list. Does not check whether the options
 /// are valid.
-Expected<std::vector<OptionSpec>, Error> parse_option_specs(std::string_view list,
-                                                            std::string_view kind,
-                                                            const std::vector<std::string>& names);
+WEND_API Expected<std::vector<OptionSpec>, Error> parse_option_specs(
+    std::string_view list, std::string_view kind, const std::vector<std::string>& names);
 
 }  // namespace wend

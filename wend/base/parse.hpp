@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 template <std::integral Integer>
@@ -23,15 +25,15 @@ std::optional<Integer> parse_integer(std::string_view text) {
 
 /// Decimal or exponent notation, "inf" and "nan" included: check std::isfinite where it matters.
 /// Nothing for numbers that a double cannot hold (1e999).
-std::optional<double> parse_number(std::string_view text);
+WEND_API std::optional<double> parse_number(std::string_view text);
 
 /// Reads a number in a closed range. Sets `value` and returns an empty text, or returns what is wrong:
 /// "'9' is not between 0 and 5 m", "'0,2' is not a number: the decimal point is a dot, did you mean
 /// 0.2?". Numbers that a double cannot hold are out of every range.
-std::string parse_in_range(std::string_view text, double& value, double least, double greatest,
-                           std::string_view unit = {});
+WEND_API std::string parse_in_range(std::string_view text, double& value, double least,
+                                    double greatest, std::string_view unit = {});
 
 /// The shortest text that parse_number reads back as the same number.
-std::string format_number(double value);
+WEND_API std::string format_number(double value);
 
 }  // namespace wend

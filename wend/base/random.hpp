@@ -9,9 +9,11 @@
 #include <array>
 #include <cstdint>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
-class Random {
+class WEND_API Random {
  public:
   explicit Random(std::uint64_t seed);
 

@@ -10,21 +10,24 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 /// The name with the smallest edit distance to `typed` (letters inserted, deleted, changed or swapped
 /// with a neighbour), if at most a third of its letters differ. O(|typed| * total length of names).
-std::optional<std::string> closest_name(std::string_view typed, std::span<const std::string> names);
+WEND_API std::optional<std::string> closest_name(std::string_view typed,
+                                                 std::span<const std::string> names);
 
 /// "astar, bfs, dfs".
-std::string listed(std::span<const std::string> names);
+WEND_API std::string listed(std::span<const std::string> names);
 
 /// "did you mean 'astar'?", or "choose from astar, bfs, dfs" if no name is similar.
-std::string suggestion(std::string_view typed, std::span<const std::string> names);
+WEND_API std::string suggestion(std::string_view typed, std::span<const std::string> names);
 
 /// "there is no planner 'astr': did you mean 'astar'?"
-std::string unknown_name(std::string_view kind, std::string_view typed,
-                         std::span<const std::string> names);
+WEND_API std::string unknown_name(std::string_view kind, std::string_view typed,
+                                  std::span<const std::string> names);
 
 /// T has a member `name` that converts to std::string.
 template <class T>

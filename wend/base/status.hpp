@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 enum class Status {
@@ -30,12 +32,12 @@ enum class Status {
 };
 
 /// The name in the enum: "found", "start_outside", ...
-std::string_view to_string(Status status);
+WEND_API std::string_view to_string(Status status);
 
 /// One sentence for people, without the details of a query: "the start lies outside the map".
-std::string_view describe(Status status);
+WEND_API std::string_view describe(Status status);
 
 /// Inverse of to_string; nothing for a name that is not in the enum.
-std::optional<Status> status_from_string(std::string_view name);
+WEND_API std::optional<Status> status_from_string(std::string_view name);
 
 }  // namespace wend

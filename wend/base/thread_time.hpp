@@ -15,19 +15,20 @@
 #include <limits>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/limits.hpp"
 
 namespace wend {
 
 /// CPU seconds that the calling thread has used so far, in user and in kernel mode. Falls back to
 /// seconds of the monotonic clock where the system has no CLOCK_THREAD_CPUTIME_ID (POSIX).
-double thread_cpu_seconds();
+WEND_API double thread_cpu_seconds();
 
 /// CPU seconds of all threads of the program, for work that threads share. Has the same fallback.
-double process_cpu_seconds();
+WEND_API double process_cpu_seconds();
 
 /// What these clocks count on this system: "CPU time", or "wall time" if they fall back.
-std::string_view thread_time_name();
+WEND_API std::string_view thread_time_name();
 
 /// How often a measured function runs.
 struct RepetitionRule {

@@ -2,11 +2,12 @@
 
 // ThreadWorkers: Workers that are threads. The threads live only during a run().
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/workers.hpp"
 
 namespace wend {
 
-class ThreadWorkers final : public Workers {
+class WEND_API ThreadWorkers final : public Workers {
  public:
   /// 0: as many threads as the machine runs at once.
   explicit ThreadWorkers(unsigned count = 0);

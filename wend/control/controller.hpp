@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
@@ -69,7 +70,7 @@ struct ControllerInfo {
 };
 
 /// p, p_moving, pid, pure_pursuit.
-const Registry<ControllerInfo>& controllers();
+WEND_API const Registry<ControllerInfo>& controllers();
 
 /// What ControllerInfo::make does: makes a controller from its options as text.
 template <class Made, class Options>
@@ -81,13 +82,13 @@ ControllerResult make_controller(const OptionValues& values) {
 
 /// Why a controller does not fit a robot: it turns in place, and the robot cannot. Nothing if it
 /// fits. The caller that combines the two must ask.
-std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
+WEND_API std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
 
 /// The turn that makes the robot face a point, in (-pi, pi]; 0 if the robot is at the point.
-double turn_to(const Pose& pose, Point point);
+WEND_API double turn_to(const Pose& pose, Point point);
 
 /// The remaining length of a route; past its end, the straight distance to the end.
-double way_left(const Polyline& route, double along, Point point);
+WEND_API double way_left(const Polyline& route, double along, Point point);
 
 /// The errors that P and PID controllers feed back.
 struct TrackingError {
@@ -95,11 +96,11 @@ struct TrackingError {
   double distance = 0;  // m, the remaining length
 };
 
-TrackingError tracking_error_of(const ControllerInput& input);
+WEND_API TrackingError tracking_error_of(const ControllerInput& input);
 
 /// Drives at `linear`, slower with a larger heading error, and stands still from `standing_angle`
 /// on; turns at `angular`.
-Velocity while_turning(double linear, double angular, const TrackingError& error,
-                       double standing_angle, const VelocityLimits& limits);
+WEND_API Velocity while_turning(double linear, double angular, const TrackingError& error,
+                                double standing_angle, const VelocityLimits& limits);
 
 }  // namespace wend

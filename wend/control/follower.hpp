@@ -13,6 +13,7 @@
 
 #include <cstddef>
 
+#include "wend/base/compiler.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/control/route.hpp"
 
@@ -63,7 +64,7 @@ struct FollowerStep {
 /// Progress is 0.05 m along the route or towards it, or a heading error 0.1 rad smaller than at the
 /// last progress. For robots that are too slow for that, it is a tenth of what they can do in
 /// stuck_time. So every run ends, whatever the controller does.
-class Follower {
+class WEND_API Follower {
  public:
   explicit Follower(Controller& controller, VelocityLimits limits = {},
                     FollowerOptions options = {});

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/arc.hpp"
 
 namespace wend {
@@ -42,8 +43,8 @@ struct VelocityLimits {
 
 /// The velocity nearest to `wanted` that the limits allow `seconds` after `now`. If `now` exceeds
 /// the limits, the one nearest to them that the accelerations allow.
-Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
-                 double seconds);
+WEND_API Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
+                          double seconds);
 
 enum class Drivetrain {
   differential,  // turns in place
@@ -54,7 +55,7 @@ constexpr std::array<Choice<Drivetrain>, 2> choice_names(Drivetrain) {
   return {{{"differential", Drivetrain::differential}, {"bicycle", Drivetrain::bicycle}}};
 }
 
-struct MotionModel {
+struct WEND_API MotionModel {
   Drivetrain drivetrain = Drivetrain::differential;
   double wheelbase = 0.3;       // m, of a bicycle
   double steering_limit = 0.6;  // rad, of a bicycle, below pi / 2
@@ -87,12 +88,12 @@ struct Step {
 };
 
 /// Holds a velocity. Below a nanometre a second the robot turns in place.
-Step hold(const Pose& from, const Velocity& velocity, double seconds);
+WEND_API Step hold(const Pose& from, const Velocity& velocity, double seconds);
 
 /// Drives for `seconds` within the limits: the velocity is first limited, then held. A bicycle's
 /// turn rate is at most |linear| / turning_radius(); where that would change it too fast, it brakes
 /// less.
-Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,
-           double seconds);
+WEND_API Step drive(const MotionModel& model, const RobotState& from, const Velocity& wanted,
+                    double seconds);
 
 }  // namespace wend

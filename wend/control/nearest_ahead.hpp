@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/polyline.hpp"
@@ -30,8 +31,8 @@ struct Reach {
 
 /// `gears` says of each line whether it is driven ahead (1) or in reverse (-1), where the robot's
 /// back leads; empty: ahead. O(lines in reach).
-OnPolyline nearest_ahead(const Polyline& line, const Pose& pose, const Reach& reach,
-                         std::span<const std::int8_t> gears = {});
+WEND_API OnPolyline nearest_ahead(const Polyline& line, const Pose& pose, const Reach& reach,
+                                  std::span<const std::int8_t> gears = {});
 
 /// The rest of a path from the robot's place, for plans that are updated while driving.
 ///
@@ -48,6 +49,6 @@ struct Remaining {
 };
 
 /// The rest of a path (not empty); `from` is the previous Remaining::along. O(n).
-Remaining remaining(const Path& path, const Pose& pose, double from = 0);
+WEND_API Remaining remaining(const Path& path, const Pose& pose, double from = 0);
 
 }  // namespace wend

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/polyline.hpp"
@@ -16,14 +17,14 @@ namespace wend {
 
 /// The pose, or, if `reverse`, the pose turned by pi: on a reverse leg the controller sees the
 /// robot turned round.
-Pose turned_round(const Pose& pose, bool reverse);
+WEND_API Pose turned_round(const Pose& pose, bool reverse);
 
 struct RouteLeg {
   Polyline line;         // metres
   bool reverse = false;  // the robot's back leads
 };
 
-class Route {
+class WEND_API Route {
  public:
   /// The route of a path (not empty) in grid coordinates. A car's path has a leg for each stretch
   /// between reversals, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps:

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/path/path.hpp"
@@ -67,7 +68,7 @@ constexpr std::array<Choice<DriveOutcome>, 5> choice_names(DriveOutcome) {
 }
 
 /// "reached the goal", "got stuck", "left the path", "ran into an obstacle", "ran out of time".
-std::string_view describe(DriveOutcome outcome);
+WEND_API std::string_view describe(DriveOutcome outcome);
 
 /// The robot at one moment; grid coordinates, the rest metres, radians and seconds.
 struct DriveSample {
@@ -78,7 +79,7 @@ struct DriveSample {
   double cross_track = 0;    // m, signed: positive left of the route (towards +y from +x)
 };
 
-struct Drive {
+struct WEND_API Drive {
   DriveOutcome outcome = DriveOutcome::reached;
   double time = 0;                 // s
   double distance = 0;             // m
@@ -101,8 +102,8 @@ struct Drive {
 /// (not empty) is in grid coordinates of the space's map. The controller is reset first. With a
 /// controller that why_unfit() rejects, a bicycle gets stuck. O(commands); every run ends: see
 /// Follower.
-Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
-               const MotionModel& model = {}, const SimulationOptions& options = {},
-               const FollowerOptions& follower = {});
+WEND_API Drive simulate(const FreeSpace& space, const Path& path, Controller& controller,
+                        const MotionModel& model = {}, const SimulationOptions& options = {},
+                        const FollowerOptions& follower = {});
 
 }  // namespace wend

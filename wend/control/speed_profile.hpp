@@ -19,6 +19,7 @@
 
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/path/polyline.hpp"
 
@@ -33,7 +34,7 @@ struct SpeedProfileOptions {
   double lookahead_time = 0;        // s: plus the length driven in this time
 };
 
-class SpeedProfile {
+class WEND_API SpeedProfile {
  public:
   /// A profile without a line.
   SpeedProfile() = default;

@@ -16,6 +16,7 @@
 // Y. Kanayama, Y. Kimura, F. Miyazaki and T. Noguchi, "A Stable Tracking Control Method for an
 // Autonomous Mobile Robot", 1990.
 
+#include "wend/base/compiler.hpp"
 #include "wend/control/controller.hpp"
 #include "wend/path/trajectory.hpp"
 
@@ -27,7 +28,7 @@ struct TrackingGains {
   double side_gain = 10;    // 1/m^2: curvature per metre beside the trajectory
 };
 
-class TrajectoryTracker final : public Controller {
+class WEND_API TrajectoryTracker final : public Controller {
  public:
   explicit TrajectoryTracker(Trajectory trajectory, const TrackingGains& gains = {});
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
@@ -51,6 +52,6 @@ struct GeneratorInfo {
 /// are in metres, 0.1 m a cell, y up, with the lower left corner at (0, 0) and unknown cells around the
 /// building and inside obstacles; the others have a plain frame. `car` and the parking yard are for cars
 /// that stand on corners of cells and turn with a radius of one cell; rough road costs 2.
-const Registry<GeneratorInfo>& generators();
+WEND_API const Registry<GeneratorInfo>& generators();
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
 //   const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
@@ -22,11 +23,11 @@ struct Arc {
 
 /// The arc that leaves a pose along its heading, or in reverse if the point is behind, and ends in
 /// the point. For a point beside the pose: a half circle.
-Arc arc_to(const Pose& from, Point to);
+WEND_API Arc arc_to(const Pose& from, Point to);
 
 /// The point or pose after driving `length` of an arc, from 0 to arc.length; headings are in (-pi, pi].
-Point point_on(const Arc& arc, double length);
-Pose pose_on(const Arc& arc, double length);
+WEND_API Point point_on(const Arc& arc, double length);
+WEND_API Pose pose_on(const Arc& arc, double length);
 
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
 

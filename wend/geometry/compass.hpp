@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
@@ -36,19 +37,19 @@ constexpr T on_page(T in_grid, const Frame& frame) {
 }
 
 /// "down", "down_right", "right", ...
-std::string_view name_of(Direction direction, const Frame& frame);
+WEND_API std::string_view name_of(Direction direction, const Frame& frame);
 
 /// "FWD", "FWD_RIGHT", "FWD_LEFT", "REV", "REV_RIGHT" or "REV_LEFT".
-std::string_view name_of(CarMove move, const Frame& frame);
+WEND_API std::string_view name_of(CarMove move, const Frame& frame);
 
 /// The same for a segment between two poses, or "TURN_RIGHT", "TURN_LEFT" in place, "SIDE_RIGHT" or
 /// "SIDE_LEFT" without turning.
-std::string_view name_of(const Segment& segment, const Frame& frame);
+WEND_API std::string_view name_of(const Segment& segment, const Frame& frame);
 
 /// "N", "W", "E" or "S"
-std::string_view letter_of(Heading heading, const Frame& frame);
+WEND_API std::string_view letter_of(Heading heading, const Frame& frame);
 
 /// Reads N, W, E, S in upper or lower case, or their numbers 0, 1, 2, 3; nothing for any other text.
-std::optional<Heading> parse_heading(std::string_view text, const Frame& frame);
+WEND_API std::optional<Heading> parse_heading(std::string_view text, const Frame& frame);
 
 }  // namespace wend

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
 
@@ -134,12 +135,12 @@ constexpr Cell ahead(Heading heading) {
 }
 
 /// The angle from +x towards +y: a multiple of pi / 2 in (-pi, pi].
-double radians_of(Heading heading);
+WEND_API double radians_of(Heading heading);
 
 /// The heading nearest to a finite angle.
-Heading nearest_heading(double radians);
+WEND_API Heading nearest_heading(double radians);
 
 /// The heading with exactly this angle, as radians_of() gives it; nothing for other angles.
-std::optional<Heading> exact_heading(double radians);
+WEND_API std::optional<Heading> exact_heading(double radians);
 
 }  // namespace wend

@@ -10,12 +10,13 @@
 
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
 
-struct Frame {
+struct WEND_API Frame {
   double resolution = 1;  // metres a cell, > 0
   Pose origin{};          // metres, radians
   bool y_up = false;      // row 0 is drawn at the bottom

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
 
@@ -28,9 +29,9 @@ struct Line {
   }
 };
 
-double distance(const Line& line, Point point);
+WEND_API double distance(const Line& line, Point point);
 
 /// The distance to the closed square of a cell; 0 if the line touches it, crosses it or lies inside.
-double distance(const Line& line, Cell square);
+WEND_API double distance(const Line& line, Cell square);
 
 }  // namespace wend

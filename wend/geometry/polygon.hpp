@@ -14,13 +14,14 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
 
-class Polygon {
+class WEND_API Polygon {
  public:
   static constexpr std::size_t kMostCorners = 64;
   static constexpr double kLargestCoordinate = 1e6;
@@ -53,13 +54,13 @@ class Polygon {
 };
 
 /// The distance from a point, inside or outside, to the nearest point of the outline. O(corners).
-double distance_to_outline(const Polygon& polygon, Point point);
+WEND_API double distance_to_outline(const Polygon& polygon, Point point);
 
 /// The distance from a point to the farthest point of the polygon. O(corners).
-double farthest_distance(const Polygon& polygon, Point point);
+WEND_API double farthest_distance(const Polygon& polygon, Point point);
 
 /// Is a point inside the simple polygon with these corners? For points on the outline the answer may be
 /// either. O(corners).
-bool is_inside(std::span<const Point> corners, Point point);
+WEND_API bool is_inside(std::span<const Point> corners, Point point);
 
 }  // namespace wend

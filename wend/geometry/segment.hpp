@@ -12,6 +12,7 @@
 
 #include <array>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/pose.hpp"
 
@@ -31,20 +32,20 @@ struct Segment {
 };
 
 /// The shortest segment that turns the shorter way: by (-pi, pi].
-Segment segment_between(const Pose& from, const Pose& to);
+WEND_API Segment segment_between(const Pose& from, const Pose& to);
 
 /// The way of the base point: its heading is the direction of travel, which is not the robot's where the
 /// segment has a course. Of length 0 for a turn in place.
-Arc way_of_base(const Segment& segment);
+WEND_API Arc way_of_base(const Segment& segment);
 
 /// The pose after a share of the segment, from 0 to 1; headings are in (-pi, pi].
-Pose pose_on(const Segment& segment, double share);
+WEND_API Pose pose_on(const Segment& segment, double share);
 
 inline Pose end_of(const Segment& segment) { return pose_on(segment, 1); }
 
 /// The part of a segment before a share of it.
-Segment beginning_of(const Segment& segment, double share);
+WEND_API Segment beginning_of(const Segment& segment, double share);
 
-std::array<Segment, 2> halves_of(const Segment& segment);
+WEND_API std::array<Segment, 2> halves_of(const Segment& segment);
 
 }  // namespace wend

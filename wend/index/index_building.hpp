@@ -12,7 +12,7 @@ namespace wend {
 struct IndexBuilding {
   Workers* workers = nullptr;  // not owned; null: one thread
   /// Called with the finished share of the work, from 0 to 1, never decreasing, on the building thread.
-  std::function<void(double share)> progress;
+  std::function<void(double share)> progress = {};
   const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop
 
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }

@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/io/file_error.hpp"
@@ -28,11 +29,11 @@ namespace wend {
 inline constexpr std::size_t kLargestFile = std::size_t{3} << 30;
 
 /// The bytes of `file`, at most `largest` of them. Also fails if there is not enough memory.
-Expected<std::string, Error> read_file(const std::filesystem::path& file,
-                                       std::size_t largest = kLargestFile);
+WEND_API Expected<std::string, Error> read_file(const std::filesystem::path& file,
+                                                std::size_t largest = kLargestFile);
 
 /// A file read piece by piece, for files that are larger than the data made from them.
-class FilePieces {
+class WEND_API FilePieces {
  public:
   /// Fails with the errors of read_file().
   static Expected<FilePieces, Error> open(const std::filesystem::path& file,
@@ -54,30 +55,32 @@ class FilePieces {
 };
 
 /// Is the file standard input: "-" or /dev/stdin?
-bool is_standard_input(const std::filesystem::path& file);
+WEND_API bool is_standard_input(const std::filesystem::path& file);
 
 /// Is the file standard input, an open file by its number (/dev/fd/63, as shells name `<(command)`), or
 /// a named pipe?
-bool is_stream(const std::filesystem::path& file);
+WEND_API bool is_stream(const std::filesystem::path& file);
 
 /// The name of a stream in error messages: "standard input", or the name of its file.
-std::string stream_name(const std::filesystem::path& file);
+WEND_API std::string stream_name(const std::filesystem::path& file);
 
 /// All bytes to the end of the stream. More than `largest` are an error, and so is a folder.
-Expected<std::string, Error> read_stream(const std::filesystem::path& file,
-                                         std::size_t largest = kLargestFile);
+WEND_API Expected<std::string, Error> read_stream(const std::filesystem::path& file,
+                                                  std::size_t largest = kLargestFile);
 
 /// Writes a file atomically: the bytes go into a temporary file beside it, which then takes its name. If
 /// writing fails, or the program is ended meanwhile by Ctrl-C or kill, the old file stays: on Linux the
 /// temporary file has no name until it is complete (O_TMPFILE), if the file system allows that. A
 /// symbolic link stays one: its target is replaced. A file that is not regular (a pipe, /dev/stdout) is
 /// written directly.
-Expected<void, Error> write_file(const std::filesystem::path& file, std::string_view bytes);
-Expected<void, Error> write_index(const std::filesystem::path& file, const IndexBytes& index);
+WEND_API Expected<void, Error> write_file(const std::filesystem::path& file,
+                                          std::string_view bytes);
+WEND_API Expected<void, Error> write_index(const std::filesystem::path& file,
+                                           const IndexBytes& index);
 
 /// Maps an index into memory: parts that a query does not touch are not read, and programs share the
 /// memory. The reader of the bytes checks whether they are an index, and of what. The file must not be
 /// modified while it is open; it may be replaced by a new file with its name.
-Expected<IndexBytes, Error> open_index(const std::filesystem::path& file);
+WEND_API Expected<IndexBytes, Error> open_index(const std::filesystem::path& file);
 
 }  // namespace wend

@@ -11,54 +11,56 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 constexpr char lower_case(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
-std::string lower_case(std::string text);
+WEND_API std::string lower_case(std::string text);
 
 /// The text without the blanks around it.
-std::string_view trimmed(std::string_view text);
+WEND_API std::string_view trimmed(std::string_view text);
 
 /// Whether a line has only blanks.
-bool is_blank(std::string_view line);
+WEND_API bool is_blank(std::string_view line);
 
 /// The words of a line, separated by blanks.
-std::vector<std::string_view> words_of(std::string_view line);
+WEND_API std::vector<std::string_view> words_of(std::string_view line);
 
 /// The fields between separators: one more than there are separators.
-std::vector<std::string_view> fields_of(std::string_view line, char separator);
+WEND_API std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
 /// "a, b or c"
-std::string either_of(const std::vector<std::string>& names);
+WEND_API std::string either_of(const std::vector<std::string>& names);
 
 /// The position of the first byte that is not valid UTF-8, or is a control character other than tab and
 /// line ends. Nothing if all bytes are text. O(n).
-std::optional<std::size_t> first_non_text(std::string_view bytes);
+WEND_API std::optional<std::size_t> first_non_text(std::string_view bytes);
 
 /// The text without the byte-order mark that some editors put before it: EF BB BF.
-std::string_view without_byte_order_mark(std::string_view text);
+WEND_API std::string_view without_byte_order_mark(std::string_view text);
 
 /// 'text' in single quotes, for error messages: at most the first 40 bytes, then "..."; bytes that are
 /// not printable ASCII as \xNN.
-std::string quote(std::string_view text);
-std::string quote(char letter);
+WEND_API std::string quote(std::string_view text);
+WEND_API std::string quote(char letter);
 
 /// The same without quotes, and at most the first `longest` bytes.
-std::string printable(std::string_view text, std::size_t longest);
+WEND_API std::string printable(std::string_view text, std::size_t longest);
 
 /// The first `longest` bytes as one line for people: other alphabets stay where the text is UTF-8, line
 /// ends and tabs become blanks. Other bytes are shown as by printable(), and only the first quarter of
 /// them, so that the result has at most `longest` bytes.
-std::string text_line(std::string_view text, std::size_t longest);
+WEND_API std::string text_line(std::string_view text, std::size_t longest);
 
 /// The lines of a text, one after the other, with LF or CRLF line ends. A byte-order mark at the
 /// beginning is skipped.
 ///
 ///   LineReader lines(text);
 ///   while (const auto line = lines.next()) ...  // lines.number() is the line's number, from 1
-class LineReader {
+class WEND_API LineReader {
  public:
   /// Gives the text piece by piece, an empty piece at its end. A piece is valid until the next call.
   using Pieces = std::function<std::string_view()>;

@@ -10,11 +10,12 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
 
 namespace wend {
 
-class BitGrid {
+class WEND_API BitGrid {
  public:
   BitGrid() = default;
   BitGrid(int width, int height);

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 
@@ -23,7 +24,7 @@ enum class Adjacency {
   edges_and_corners,  // or a corner (8-connected)
 };
 
-class ConnectedComponents {
+class WEND_API ConnectedComponents {
  public:
   ConnectedComponents() = default;
 
@@ -95,7 +96,7 @@ void for_each_run(std::span<const std::uint64_t> words, int width, Take&& take) 
 
 /// Counts the 4-connected components of the set cells of a grid and finds the size of the largest. Takes
 /// the grid row by row, in the memory of two rows.
-class ComponentCounter {
+class WEND_API ComponentCounter {
  public:
   explicit ComponentCounter(int width) : width_(width) {}
 

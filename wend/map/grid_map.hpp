@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
@@ -77,19 +78,19 @@ class GridMap {
 /// every multiplier finite and at least 1. Fails with invalid_map if that is not so, if the map has more
 /// than GridMap::kMaxCells cells, if the frame's resolution is not finite and above 0, or if its origin
 /// is not finite. O(cells).
-Expected<GridMap, Error> make_grid_map(const Grid<CellState>& cells, const Frame& frame = {},
-                                       Grid<double> terrain = {});
+WEND_API Expected<GridMap, Error> make_grid_map(const Grid<CellState>& cells,
+                                                const Frame& frame = {}, Grid<double> terrain = {});
 
 /// The same from two bit planes of the same size, which must have no set cell in common.
-Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown, const Frame& frame = {},
-                                       Grid<double> terrain = {});
+WEND_API Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown,
+                                                const Frame& frame = {}, Grid<double> terrain = {});
 
 /// Builds a GridMap row by row, as loaders read files, without more memory than the map needs.
 ///
 ///   wend::GridMapBuilder rows(2);
 ///   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});
 ///   const auto map = std::move(rows).finish();
-class GridMapBuilder {
+class WEND_API GridMapBuilder {
  public:
   /// Rows have `width` cells; finish() fails if that is less than 1.
   explicit GridMapBuilder(int width);

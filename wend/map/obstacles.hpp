@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
@@ -28,7 +29,7 @@ enum class OutsidePolicy { blocked, free };
 
 /// The default policy: blocked for a map in metres (Frame::metric), which shows a part of the world;
 /// free for a map in cells, which shows all of its world.
-OutsidePolicy default_outside_policy(const Frame& frame);
+WEND_API OutsidePolicy default_outside_policy(const Frame& frame);
 
 struct ObstacleOptions {
   UnknownPolicy unknown = UnknownPolicy::blocked;
@@ -37,7 +38,7 @@ struct ObstacleOptions {
   friend bool operator==(const ObstacleOptions&, const ObstacleOptions&) = default;
 };
 
-class Obstacles {
+class WEND_API Obstacles {
  public:
   explicit Obstacles(GridMap map, ObstacleOptions options = {});
 

@@ -7,6 +7,7 @@
 //
 // Each corner becomes the widest arc that stays within a window of it (Corner, path_metrics.hpp).
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -17,7 +18,7 @@ namespace wend {
 /// (>= 0). The robot fits along every arc: a corner whose arc would touch something remains, with a
 /// turn in place, and so does a corner where the path turns back. So do all with a window of 0. A
 /// path of poses is returned unchanged. O(n) arcs, each as fits_along().
-Path rounded_corners(const Path& path, const FreeSpace& space, double window,
-                     Adjacency adjacency = Adjacency::edges);
+WEND_API Path rounded_corners(const Path& path, const FreeSpace& space, double window,
+                              Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

@@ -23,6 +23,7 @@
 
 #include <cstdint>
 
+#include "wend/base/compiler.hpp"
 #include "wend/path/smoother.hpp"
 
 namespace wend {
@@ -52,7 +53,7 @@ struct GradientOptions {
 };
 
 /// Errors: see Error. A path is not empty.
-SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
-                                   const GradientOptions& options = {});
+WEND_API SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
+                                            const GradientOptions& options = {});
 
 }  // namespace wend

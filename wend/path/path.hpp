@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
@@ -74,7 +75,7 @@ class CellBuffer {
 };
 
 /// The poses of a car's path, and the segments that join them. A view: the path must outlive it.
-class JoinedPoses {
+class WEND_API JoinedPoses {
  public:
   explicit JoinedPoses(std::span<const Pose> poses) : poses_(poses) {}
 
@@ -89,7 +90,7 @@ class JoinedPoses {
   std::span<const Pose> poses_;
 };
 
-class Path {
+class WEND_API Path {
  public:
   Path() = default;
   explicit Path(std::vector<Cell> cells) : cells_(std::move(cells)) {}

@@ -20,6 +20,7 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -36,7 +37,7 @@ enum class CollisionKind {
 
 /// "leaves the map", "enters an obstacle", "comes closer to an obstacle than the robot's radius",
 /// "overlaps an obstacle with its footprint", "passes between two obstacles that touch at a corner".
-std::string_view describe(CollisionKind kind);
+WEND_API std::string_view describe(CollisionKind kind);
 
 struct PathCollision {
   CollisionKind kind = CollisionKind::obstacle;
@@ -47,7 +48,7 @@ struct PathCollision {
 };
 
 /// Nothing if the whole path (not empty) is free. O(length) far from obstacles.
-std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,
-                                             Adjacency adjacency = Adjacency::edges);
+WEND_API std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& space,
+                                                      Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

@@ -3,6 +3,7 @@
 // PathMetrics: the length, turning, turning radius and clearance of a path. Corner: the widest arc
 // that rounds a corner of it.
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -25,7 +26,7 @@ inline constexpr double kCornerRounding = 0.1;
 /// overlap: a polyline whose corners are all rounded is a curve that can be driven. Of points sampled
 /// from a circle at even distances, the arc is narrower than the circle by the factor cos(turn / 2), so
 /// that the radius is never overstated, and approached where the points are dense.
-class Corner {
+class WEND_API Corner {
  public:
   /// At `at`, between lines from `from` and to `to`; both have a length. A turn of less than a
   /// nanoradian is rounding: straight on.
@@ -80,7 +81,7 @@ struct PathMetrics {
 /// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
 /// neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
 /// arc_clearance().
-PathMetrics measure(const Path& path, const FreeSpace& space,
-                    double corner_rounding = kCornerRounding);
+WEND_API PathMetrics measure(const Path& path, const FreeSpace& space,
+                             double corner_rounding = kCornerRounding);
 
 }  // namespace wend

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 
@@ -27,7 +28,7 @@ struct OnPolyline {
   double distance = 0;  // from the point of the query
 };
 
-class Polyline {
+class WEND_API Polyline {
  public:
   /// Needs at least one point, all finite. `closed`: a line joins the last to the first.
   explicit Polyline(std::span<const Point> points, bool closed = false);
@@ -70,9 +71,9 @@ class Polyline {
 };
 
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
-std::vector<Pose> poses_along(const Polyline& line, double spacing);
+WEND_API std::vector<Pose> poses_along(const Polyline& line, double spacing);
 
 /// The same along a path of poses, with their headings.
-std::vector<Pose> poses_along(const Path& drive, double spacing);
+WEND_API std::vector<Pose> poses_along(const Path& drive, double spacing);
 
 }  // namespace wend

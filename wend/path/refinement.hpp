@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/options.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/smoother.hpp"
@@ -56,7 +57,7 @@ inline constexpr std::uint64_t kMostResampled = 1'000'000;
 
 /// Errors are the smoother's, unsupported_query for a drive that is to be simplified, and
 /// invalid_option for a spacing of more than kMostResampled points.
-Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
-                                 const Refinement& refinement);
+WEND_API Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
+                                          const Refinement& refinement);
 
 }  // namespace wend

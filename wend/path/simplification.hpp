@@ -9,6 +9,7 @@
 // Paths must not be empty, and have cells or waypoints; a car's path can only be resampled.
 // Lengths are in cells.
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/path/path.hpp"
 #include "wend/robot/free_space.hpp"
@@ -16,23 +17,23 @@
 namespace wend {
 
 /// Without the points where the path goes straight on: the same way. O(n).
-Path without_collinear(const Path& path);
+WEND_API Path without_collinear(const Path& path);
 
 /// Ramer-Douglas-Peucker (U. Ramer 1972; D. Douglas and T. Peucker 1973): every point of the path
 /// left out is within `tolerance` (>= 0) of the line that replaces it. Where that line is not free
 /// it is split on. O(n^2) at worst.
-Path simplified(const Path& path, double tolerance, const FreeSpace& space,
-                Adjacency adjacency = Adjacency::edges);
+WEND_API Path simplified(const Path& path, double tolerance, const FreeSpace& space,
+                         Adjacency adjacency = Adjacency::edges);
 
 /// From point to point of the path as far as sight leads, the swept disc fitting through, forwards and
 /// backwards; of the points at which it bends either way the shortest way. Never longer than the
 /// path. O(bends log n) sights tested.
-Path string_pulled(const Path& path, const FreeSpace& space,
-                   Adjacency adjacency = Adjacency::edges);
+WEND_API Path string_pulled(const Path& path, const FreeSpace& space,
+                            Adjacency adjacency = Adjacency::edges);
 
 /// Points at equal distances along, as near to `spacing` (> 0) as divides the length; between two of
 /// them the path's own points stay where the straight line is not free. Of a drive: its arcs divided.
-Path resampled(const Path& path, double spacing, const FreeSpace& space,
-               Adjacency adjacency = Adjacency::edges);
+WEND_API Path resampled(const Path& path, double spacing, const FreeSpace& space,
+                        Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
@@ -47,6 +48,6 @@ struct SmootherInfo {
 };
 
 /// gradient, curvature.
-const Registry<SmootherInfo>& smoothers();
+WEND_API const Registry<SmootherInfo>& smoothers();
 
 }  // namespace wend

@@ -29,6 +29,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/segment.hpp"
@@ -37,7 +38,7 @@
 namespace wend {
 
 /// All are finite and greater than 0. The names and defaults are those of a follower's VelocityLimits.
-struct TrajectoryLimits {
+struct WEND_API TrajectoryLimits {
   double speed = 0.5;               // m/s, ahead and in reverse
   double turn_rate = 1.5;           // rad/s
   double acceleration = 1;          // m/s^2 along the path, also for braking
@@ -59,7 +60,7 @@ struct TrajectoryLimits {
 };
 
 /// The highest speed on a curvature (1/m), without regard to what lies before and behind it.
-double fastest_on(double curvature, const TrajectoryLimits& limits);
+WEND_API double fastest_on(double curvature, const TrajectoryLimits& limits);
 
 /// The robot at one moment.
 struct TrajectoryState {
@@ -80,7 +81,7 @@ struct TrajectoryPiece {
   double acceleration = 0;  // m/s^2, negative for braking; of a turn in place rad/s^2
 };
 
-class Trajectory {
+class WEND_API Trajectory {
  public:
   /// The fastest trajectory along a path, which is in grid coordinates; `frame` is its map's. The path
   /// is not checked for collisions. Errors: invalid_option for a limit that is not finite or not

@@ -18,6 +18,7 @@
 #include <span>
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/status.hpp"
 #include "wend/planner/observer.hpp"
@@ -27,7 +28,7 @@
 
 namespace wend {
 
-class Planner {
+class WEND_API Planner {
  public:
   virtual ~Planner() = default;
   Planner(const Planner&) = delete;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
 #include "wend/robot/free_space.hpp"
@@ -68,10 +69,10 @@ constexpr std::array<Choice<Preprocessing>, 3> choice_names(Preprocessing) {
 }
 
 /// For planners that do not support terrain: an error if the space has terrain.
-std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space);
+WEND_API std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space);
 
 /// For planners without options: an error if there are options.
-std::optional<Error> refused_options(const OptionValues& values);
+WEND_API std::optional<Error> refused_options(const OptionValues& values);
 
 /// A planner, or why it could not be made: invalid_option, unsupported_map, memory_limit, index_missing
 /// or index_mismatch.

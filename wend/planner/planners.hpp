@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
@@ -17,22 +18,22 @@ namespace wend {
 
 class IndexBytes;  // wend/index/file/index_bytes.hpp
 
-const Registry<PlannerInfo>& planners();
+WEND_API const Registry<PlannerInfo>& planners();
 
 /// The names of the planners with that motion.
-std::vector<std::string> planner_names(StateKind state_kind);
+WEND_API std::vector<std::string> planner_names(StateKind state_kind);
 
 /// Makes a planner by name; an unknown name or option is Status::invalid_option.
-PlannerResult make_planner(std::string_view name, const FreeSpace& space,
-                           const OptionValues& options = {});
+WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                                    const OptionValues& options = {});
 
 /// The same on an existing index; index_mismatch if the index does not match this planner and map,
 /// invalid_option if the planner does not use an index.
-PlannerResult make_planner(std::string_view name, const FreeSpace& space,
-                           const OptionValues& options, IndexBytes index);
+WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,
+                                    const OptionValues& options, IndexBytes index);
 
 /// "costs count", "ignored" or "refused".
-std::string_view terrain_in_words(const PlannerInfo& planner);
+WEND_API std::string_view terrain_in_words(const PlannerInfo& planner);
 
 /// A planner and its options in one word, as in lists on the command line:
 ///
@@ -41,9 +42,9 @@ using PlannerSpec = OptionSpec;
 
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; PlannerInfo::make checks the options.
-Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list);
+WEND_API Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list);
 
 /// The grid moves of a planner with these options; invalid values count as unset.
-GridMoves moves_of(const PlannerSpec& planner);
+WEND_API GridMoves moves_of(const PlannerSpec& planner);
 
 }  // namespace wend

@@ -14,12 +14,13 @@
 #include <string>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/polygon.hpp"
 
 namespace wend {
 
-class Footprint {
+class WEND_API Footprint {
  public:
   static constexpr double kLargestRadius = 1e9;  // metres
 
@@ -69,9 +70,9 @@ class Footprint {
 /// Reads "point", "disc:0.2" or the corners of a polygon, written as "0.4,0.25; 0.4,-0.25; -0.3,0" or
 /// like ROS costmaps as "[[0.4, 0.25], [0.4, -0.25], [-0.3, 0]]". Blanks between numbers and
 /// punctuation do not matter.
-Expected<Footprint, Error> parse_footprint(std::string_view typed);
+WEND_API Expected<Footprint, Error> parse_footprint(std::string_view typed);
 
 /// Writes the first of these notations; parse_footprint() reads it back as the same footprint.
-std::string text_of(const Footprint& footprint);
+WEND_API std::string text_of(const Footprint& footprint);
 
 }  // namespace wend

@@ -35,6 +35,7 @@
 #include <optional>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -83,12 +84,12 @@ enum class BlockReason {
 };
 
 /// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius", ...
-std::string_view describe(BlockReason reason);
+WEND_API std::string_view describe(BlockReason reason);
 
 /// The memory of a FreeSpace without its map.
-double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options);
+WEND_API double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options);
 
-class FreeSpace {
+class WEND_API FreeSpace {
  public:
   const GridMap& map() const { return data_->obstacles.map(); }
   const Obstacles& obstacles() const { return data_->obstacles; }
@@ -185,12 +186,13 @@ class FreeSpace {
 
 /// Makes the free space of a robot. Fails with invalid_option if the radius of the footprint, or one of
 /// the clearance options, is NaN or out of range; Error::where names it.
-Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& options = {});
+WEND_API Expected<FreeSpace, Error> make_free_space(GridMap map,
+                                                    const FreeSpaceOptions& options = {});
 
 /// The same on shared obstacles.
-Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot);
+WEND_API Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot);
 
 /// The cell of the map that contains a point in grid coordinates, if any; nothing for NaN.
-std::optional<Cell> cell_under(const FreeSpace& space, Point point);
+WEND_API std::optional<Cell> cell_under(const FreeSpace& space, Point point);
 
 }  // namespace wend

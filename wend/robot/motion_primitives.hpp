@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
@@ -35,7 +36,7 @@ struct MotionPrimitive {
   friend bool operator==(const MotionPrimitive&, const MotionPrimitive&) = default;
 };
 
-class MotionPrimitives {
+class WEND_API MotionPrimitives {
  public:
   static constexpr std::size_t kMostHeadings = 256;
   static constexpr std::size_t kMostPrimitives = 8192;

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -12,8 +13,8 @@ namespace wend {
 /// map), among those connected to `connected_to` if it is given; ties go to the smaller row, then the
 /// smaller column. Nothing if no cell is passable. O(cells examined): it searches growing squares around
 /// `from` until no nearer cell is possible.
-std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
-                                     std::optional<Cell> connected_to = std::nullopt,
-                                     Adjacency adjacency = Adjacency::edges);
+WEND_API std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
+                                              std::optional<Cell> connected_to = std::nullopt,
+                                              Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

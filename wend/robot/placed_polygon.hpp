@@ -12,6 +12,7 @@
 #include <array>
 #include <span>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/box.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/polygon.hpp"
@@ -21,7 +22,7 @@ namespace wend {
 
 inline constexpr double kOverlapTolerance = 1e-9;  // cells
 
-class PlacedPolygon {
+class WEND_API PlacedPolygon {
  public:
   PlacedPolygon(const Polygon& polygon, const Pose& pose);
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/map/connected_components.hpp"
@@ -23,16 +24,16 @@ namespace wend {
 /// The clearance in cells; 0 if the arc touches an obstacle, infinite if nothing is near. An arc of
 /// length 0 has the clearance of its point. O(cells of a box around the arc as wide as what the
 /// clearance of the cells that it passes leaves open).
-double arc_clearance(const FreeSpace& space, const Arc& arc);
+WEND_API double arc_clearance(const FreeSpace& space, const Arc& arc);
 
 /// The clearance of the straight way between the centres of a cell and one of its eight neighbours (or
 /// itself), exact, squared and in half-cells, like FreeSpace::squared_half_cell_clearance(); 0 where a
 /// diagonal way touches an obstacle. Both cells are on the map. O(1).
-std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to);
+WEND_API std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to);
 
 /// The same between any two cells of the map, in cells; infinite where nothing is near. O(1) for
 /// neighbours, else as arc_clearance().
-double way_clearance(const FreeSpace& space, Cell from, Cell to);
+WEND_API double way_clearance(const FreeSpace& space, Cell from, Cell to);
 
 /// The largest room that room_along() reports, in cells.
 inline constexpr double kMostRoom = 1;
@@ -45,7 +46,7 @@ inline constexpr double kMostRoom = 1;
 /// disc_fits_along(), or ends in a gap between two obstacles (in_gap()), where the lines before and after
 /// it decide. O(1) where the clearance of a cell decides, else O(cells within the radius and kMostRoom),
 /// for each length.
-std::optional<double> room_along(const FreeSpace& space, const Line& line,
-                                 Adjacency adjacency = Adjacency::edges);
+WEND_API std::optional<double> room_along(const FreeSpace& space, const Line& line,
+                                          Adjacency adjacency = Adjacency::edges);
 
 }  // namespace wend

@@ -12,12 +12,13 @@
 #include <string_view>
 #include <utility>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
 
-class IndexBytes {
+class WEND_API IndexBytes {
  public:
   /// The alignment of the bytes and of each section: a cache line.
   static constexpr std::size_t kAlignment = 64;
@@ -51,7 +52,7 @@ struct IndexSection {
   std::uint64_t bytes = 0;
 };
 
-struct IndexHeader {
+struct WEND_API IndexHeader {
   static constexpr std::array<char, 8> kMagic{'w', 'e', 'n', 'd', '-', 'i', 'd', 'x'};
   static constexpr std::uint32_t kFormat = 1;  // of this header
   static constexpr std::size_t kMostSections = 26;
@@ -74,20 +75,20 @@ struct IndexHeader {
 };
 
 /// A hash of the passable cells: two different maps have the same hash with a probability of 2^-64.
-std::uint64_t map_hash(const BitGrid& passable);
+WEND_API std::uint64_t map_hash(const BitGrid& passable);
 
 /// Returns the header of a complete file (its sections lie within the file and the checksum is right),
 /// or what is wrong. O(bytes).
-Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
+WEND_API Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
 
 /// Why the index does not match a map; empty if it matches.
-std::string index_fault(const IndexHeader& header, std::string_view planner, std::uint32_t version,
-                        const BitGrid& passable);
+WEND_API std::string index_fault(const IndexHeader& header, std::string_view planner,
+                                 std::uint32_t version, const BitGrid& passable);
 
 namespace index_file {
 
 /// The checksum of all bytes after the checksum field.
-std::uint64_t checksum_of(std::span<const std::byte> file);
+WEND_API std::uint64_t checksum_of(std::span<const std::byte> file);
 
 }  // namespace index_file
 

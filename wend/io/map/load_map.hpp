@@ -19,18 +19,19 @@
 #include <filesystem>
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
 
 namespace wend {
 
-Expected<LoadedMap, Error> load_map(const std::filesystem::path& file,
-                                    const LoadOptions& options = {});
+WEND_API Expected<LoadedMap, Error> load_map(const std::filesystem::path& file,
+                                             const LoadOptions& options = {});
 
 /// The same from bytes in memory. `name` is the name for errors; its extension, if any, decides the
 /// format. The image of a map.yaml is searched for in the working folder.
-Expected<LoadedMap, Error> parse_map(const std::string& bytes, const std::string& name,
-                                     const LoadOptions& options = {});
+WEND_API Expected<LoadedMap, Error> parse_map(const std::string& bytes, const std::string& name,
+                                              const LoadOptions& options = {});
 
 }  // namespace wend

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 
@@ -23,14 +24,14 @@ namespace wend {
 /// The nearest map that the format can hold: save_map() accepts it, and load_map() then returns exactly
 /// this map. If the format has no unknown cells, they become occupied; terrain is rounded to the nearest
 /// value of the format. O(n) in time and memory.
-GridMap nearest_map(const GridMap& map, MapFormat format);
+WEND_API GridMap nearest_map(const GridMap& map, MapFormat format);
 
 /// The differences in nearest_map(), one sentence for users each: how many cells change, how they change
 /// and why. Empty if and only if the format holds the whole map. O(n).
-std::vector<std::string> losses(const GridMap& map, MapFormat format);
+WEND_API std::vector<std::string> losses(const GridMap& map, MapFormat format);
 
 /// Why save_map() rejects a map: the first cell that the format cannot hold, and which formats can.
 /// Empty if it holds all cells; the frame and the terrain of occupied cells do not count.
-std::string cells_not_held(const GridMap& map, MapFormat format);
+WEND_API std::string cells_not_held(const GridMap& map, MapFormat format);
 
 }  // namespace wend

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/io/file_error.hpp"
@@ -48,7 +49,7 @@ struct MapFiles {
   std::string companion{};  // the second file, for a format that has one
 };
 
-struct MapFormatInfo {
+struct WEND_API MapFormatInfo {
   using Loaded = Expected<LoadedMap, Error>;
 
   MapFormat format;
@@ -87,8 +88,8 @@ struct MapFormatInfo {
               const LoadOptions& options = {}) const;
 };
 
-const Registry<MapFormatInfo>& map_formats();
-const MapFormatInfo& info_of(MapFormat format);
+WEND_API const Registry<MapFormatInfo>& map_formats();
+WEND_API const MapFormatInfo& info_of(MapFormat format);
 
 /// "ROS map.yaml", "MovingAI", "text grid", "image"
 inline std::string_view to_string(MapFormat format) { return info_of(format).name; }
@@ -96,15 +97,15 @@ inline std::string_view to_string(MapFormat format) { return info_of(format).nam
 enum class MapUse { load, save };
 
 /// The format of a file of this name, by its extension in any case; null if no format has it.
-const MapFormatInfo* map_format_of(const std::filesystem::path& file, MapUse use);
+WEND_API const MapFormatInfo* map_format_of(const std::filesystem::path& file, MapUse use);
 
 /// All extensions: ".yaml", ".yml", ".map", ...
-std::vector<std::string> map_extensions(MapUse use);
+WEND_API std::vector<std::string> map_extensions(MapUse use);
 
 /// For help: "a ROS map.yaml (.yaml, .yml), a MovingAI map (.map), ... or an image (.png, .pgm)".
-std::string map_formats_text(MapUse use);
+WEND_API std::string map_formats_text(MapUse use);
 
 /// The numbers of the rows in the order in which a map is drawn, from the top one down.
-std::vector<int> rows_from_top(const GridMap& map);
+WEND_API std::vector<int> rows_from_top(const GridMap& map);
 
 }  // namespace wend

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/io/map/map_format.hpp"
@@ -27,21 +28,21 @@
 namespace wend {
 
 /// Each file is replaced completely or left unchanged.
-Expected<void, Error> save_map(const GridMap& map, const std::filesystem::path& file);
+WEND_API Expected<void, Error> save_map(const GridMap& map, const std::filesystem::path& file);
 
 /// The bytes that save_map() writes. `file` is their name: images differ by extension, and a map.yaml
 /// names its image. An error says what the format cannot hold.
-Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
-                                           const std::filesystem::path& file = {});
+WEND_API Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
+                                                    const std::filesystem::path& file = {});
 
 /// The format that a file of this name is saved in; an error lists the extensions.
-Expected<MapFormat, Error> saved_format(const std::filesystem::path& file);
+WEND_API Expected<MapFormat, Error> saved_format(const std::filesystem::path& file);
 
 /// The picture that saving a map.yaml of this name would replace although it belongs to another map: it
 /// exists, and no map.yaml of this name refers to it. Nothing if no such file is lost.
-std::optional<std::filesystem::path> unrelated_picture(const std::filesystem::path& file);
+WEND_API std::optional<std::filesystem::path> unrelated_picture(const std::filesystem::path& file);
 
 /// Every file that save_map() writes for this name: a map.yaml has its picture beside it.
-std::vector<std::filesystem::path> saved_files(const std::filesystem::path& file);
+WEND_API std::vector<std::filesystem::path> saved_files(const std::filesystem::path& file);
 
 }  // namespace wend

@@ -26,6 +26,7 @@
 #include <string>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/file_error.hpp"
@@ -38,18 +39,20 @@ inline constexpr std::size_t kLargestPathFile = std::size_t{256} << 20;
 /// Which path of a plan to load: as planned, or as smoothed. If a plan has only one, that one is loaded.
 enum class PathStage { planned, smoothed };
 
-Expected<Path, PathFileError> load_path(const std::filesystem::path& file, const Frame& frame,
-                                        PathStage stage = PathStage::planned);
+WEND_API Expected<Path, PathFileError> load_path(const std::filesystem::path& file,
+                                                 const Frame& frame,
+                                                 PathStage stage = PathStage::planned);
 
 /// The same from a text, which is JSON if it begins with '{'. `name` is the name for errors.
-Expected<Path, PathFileError> parse_path(std::string_view text, const std::string& name,
-                                         const Frame& frame, PathStage stage = PathStage::planned);
+WEND_API Expected<Path, PathFileError> parse_path(std::string_view text, const std::string& name,
+                                                  const Frame& frame,
+                                                  PathStage stage = PathStage::planned);
 
 /// The same for one of the two formats. `file` is the name for errors.
-Expected<Path, PathFileError> parse_path_csv(std::string_view text, const std::string& file,
-                                             const Frame& frame);
-Expected<Path, PathFileError> parse_path_json(std::string_view text, const std::string& file,
-                                              const Frame& frame,
-                                              PathStage stage = PathStage::planned);
+WEND_API Expected<Path, PathFileError> parse_path_csv(std::string_view text,
+                                                      const std::string& file, const Frame& frame);
+WEND_API Expected<Path, PathFileError> parse_path_json(std::string_view text,
+                                                       const std::string& file, const Frame& frame,
+                                                       PathStage stage = PathStage::planned);
 
 }  // namespace wend

@@ -36,16 +36,17 @@
 #include <string>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/path/path.hpp"
 
 namespace wend {
 
-std::string path_csv(const Path& path, const Frame& frame);
+WEND_API std::string path_csv(const Path& path, const Frame& frame);
 
 /// The file of a failed plan, with a header of the columns. It replaces an older path, so that no robot
 /// executes an outdated one.
-std::string no_path_csv(const FailedPlan& plan, std::string_view header = "x,y,x_m,y_m");
+WEND_API std::string no_path_csv(const FailedPlan& plan, std::string_view header = "x,y,x_m,y_m");
 
 }  // namespace wend

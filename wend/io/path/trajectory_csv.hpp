@@ -12,15 +12,16 @@
 
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/path/trajectory.hpp"
 
 namespace wend {
 
 /// `period` in seconds, > 0.
-std::string trajectory_csv(const Trajectory& trajectory, double period);
+WEND_API std::string trajectory_csv(const Trajectory& trajectory, double period);
 
 /// The file of a failed plan: the comment of no_path_csv() and the header.
-std::string no_trajectory_csv(const FailedPlan& plan);
+WEND_API std::string no_trajectory_csv(const FailedPlan& plan);
 
 }  // namespace wend

@@ -31,6 +31,7 @@
 #include <string>
 #include <string_view>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/io/file_error.hpp"
 #include "wend/robot/motion_primitives.hpp"
@@ -39,14 +40,16 @@ namespace wend {
 
 inline constexpr std::size_t kLargestPrimitivesFile = std::size_t{64} << 20;
 
-Expected<MotionPrimitives, Error> load_primitives(const std::filesystem::path& file);
+WEND_API Expected<MotionPrimitives, Error> load_primitives(const std::filesystem::path& file);
 
 /// The same from a text. `name` is the name for errors.
-Expected<MotionPrimitives, Error> parse_primitives(std::string_view text, const std::string& name);
+WEND_API Expected<MotionPrimitives, Error> parse_primitives(std::string_view text,
+                                                            const std::string& name);
 
 /// The same for one of the two formats.
-Expected<MotionPrimitives, Error> parse_mprim(std::string_view text, const std::string& name);
-Expected<MotionPrimitives, Error> parse_lattice_json(std::string_view text,
-                                                     const std::string& name);
+WEND_API Expected<MotionPrimitives, Error> parse_mprim(std::string_view text,
+                                                       const std::string& name);
+WEND_API Expected<MotionPrimitives, Error> parse_lattice_json(std::string_view text,
+                                                              const std::string& name);
 
 }  // namespace wend

@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/io/file_error.hpp"
 
@@ -37,9 +38,9 @@ struct QueryRow {
 inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;
 
 /// `file` is the name for errors. Memory is proportional to the text.
-Expected<std::vector<QueryRow>, Error> parse_query_csv(std::string_view text,
-                                                       const std::string& file);
+WEND_API Expected<std::vector<QueryRow>, Error> parse_query_csv(std::string_view text,
+                                                                const std::string& file);
 
-Expected<std::vector<QueryRow>, Error> load_query_csv(const std::filesystem::path& file);
+WEND_API Expected<std::vector<QueryRow>, Error> load_query_csv(const std::filesystem::path& file);
 
 }  // namespace wend

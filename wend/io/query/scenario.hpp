@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/io/file_error.hpp"
@@ -45,33 +46,33 @@ struct Scenario {
 };
 
 /// Start and goal lie inside the map size that their line gives; lengths are finite and >= 0.
-Expected<Scenario, Error> load_scenario(const std::filesystem::path& file);
+WEND_API Expected<Scenario, Error> load_scenario(const std::filesystem::path& file);
 
 /// The same from a text. `file` is the name for errors.
-Expected<Scenario, Error> parse_scenario(std::string_view text, const std::string& file);
+WEND_API Expected<Scenario, Error> parse_scenario(std::string_view text, const std::string& file);
 
 /// The text of a file with these queries; `decimals` is the number of decimals of a length.
-std::string format_scenario(const std::vector<ScenarioQuery>& queries);
+WEND_API std::string format_scenario(const std::vector<ScenarioQuery>& queries);
 
 /// The `.scen` files directly in a folder, sorted by name. An error if the folder has no such file.
-Expected<std::vector<std::filesystem::path>, Error> scenarios_in(
+WEND_API Expected<std::vector<std::filesystem::path>, Error> scenarios_in(
     const std::filesystem::path& folder);
 
 /// Fails, with the line, if a query is for a map of another size. (The format says to scale the map
 /// then; no set that we know needs it, so this is an error.)
-Expected<void, Error> check_map_size(const Scenario& scenario, int width, int height);
+WEND_API Expected<void, Error> check_map_size(const Scenario& scenario, int width, int height);
 
 /// The map of a scenario. `X.map.scen` means `X.map` if that file exists, and `X.yaml.scen` means
 /// `X.yaml`; else it is the last part of the map column. In both cases it must be a file in the
 /// scenario's own folder, else it is an error.
-Expected<std::filesystem::path, Error> scenario_map_path(const Scenario& scenario);
+WEND_API Expected<std::filesystem::path, Error> scenario_map_path(const Scenario& scenario);
 
 /// At most `count` of the queries, evenly spread and in their order.
-std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
-                                          std::size_t count);
+WEND_API std::vector<ScenarioQuery> evenly_sampled(const std::vector<ScenarioQuery>& queries,
+                                                   std::size_t count);
 
 /// Whether the length `found` matches the query: it may differ by 1e-5 of the length or, if the file
 /// prints 2 or 8 decimals, by half a unit of the last one.
-bool length_matches(const ScenarioQuery& query, double found);
+WEND_API bool length_matches(const ScenarioQuery& query, double found);
 
 }  // namespace wend

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/connected_components.hpp"
@@ -63,7 +64,7 @@ struct GridMoves {
 // Pruning for Pathfinding on Grid Maps", 2011, without the jumps; N. Sturtevant and S. Rabin,
 // "Canonical Orderings on Grids", 2016.)
 
-class MoveTable {
+class WEND_API MoveTable {
  public:
   enum class Pruning { none, canonical };
 

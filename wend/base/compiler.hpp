@@ -1,0 +1,11 @@
+#pragma once
+
+// What differs between compilers.
+
+/// Marks the classes and functions that a shared library exports. Every symbol without it is hidden.
+/// WEND_SHARED is defined for wend as a shared library and for those who link it.
+#if defined(WEND_SHARED)
+#define WEND_API __attribute__((visibility("default")))
+#else
+#define WEND_API
+#endif
