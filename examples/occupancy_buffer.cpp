@@ -5,7 +5,7 @@
 #include "wend/wend.hpp"
 
 int main() {
-  constexpr std::array<const char*, 4> buffer{"........", "..####..", "..#..#..", "........"};
+  const std::array<const char*, 4> buffer{"........", "..####..", "..#..#..", "........"};
   wend::GridMapBuilder rows(8);
   for (const char* line : buffer) {
     std::array<wend::CellState, 8> row{};
