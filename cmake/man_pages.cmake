@@ -11,6 +11,7 @@ set(man_folder "${PROJECT_BINARY_DIR}/man/man1")
 add_custom_command(
   TARGET wend_cli
   POST_BUILD
+  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${man_folder}"
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/reference.py" man
           "$<TARGET_FILE:wend_cli>" "${man_folder}"
   VERBATIM)
