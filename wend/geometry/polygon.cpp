@@ -97,9 +97,14 @@ Expected<Polygon, Error> Polygon::make(std::vector<Point> corners) {
     if (auto fault = fault_of_corner(corners, i)) return Unexpected<Error>(*std::move(fault));
   }
   if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
-  const double area = twice_signed_area(corners);
-  if (area == 0) return failure(Status::invalid_option, "the polygon has no area");
-  if (area < 0) std::reverse(corners.begin() + 1, corners.end());
+  if (twice_signed_area(corners) < 0) {
+    std::reverse(corners.begin() + 1, corners.end());
+    // In the other order rounding differs: what is made here must be accepted again.
+    if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
+  }
+  if (!(twice_signed_area(corners) > 0)) {
+    return failure(Status::invalid_option, "the polygon has no area");
+  }
   return Polygon(std::move(corners));
 }
 
