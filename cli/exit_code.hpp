@@ -23,6 +23,13 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The value of a result. Throws InputError with the message of an error.
+template <class T>
+T value_or_throw(Expected<T, Error> result) {
+  if (!result) throw InputError(result.error().message);
+  return *std::move(result);
+}
+
 /// Ends a subcommand with no_plan: the path file says why there is no path.
 class NoPathError : public std::runtime_error {
  public:

@@ -39,17 +39,15 @@ Expected<ComparisonRun, Error> ComparisonRun::make(const FreeSpace& space,
   ComparisonRun run(space);
   const auto kind = state_kind_of(specs);
   if (!kind) {
-    return Unexpected<Error>(
-        {Status::invalid_option,
-         "planners of different states, of cells or of poses, cannot be compared"});
+    return failure(Status::invalid_option,
+                   "planners of different states, of cells or of poses, cannot be compared");
   }
   run.comparison_.frame = space.map().frame();
   run.comparison_.state_kind = *kind;
   for (PlannerSpec& spec : specs) {
     const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
     if (planner.error() && planner.error()->status == Status::invalid_option) {
-      return Unexpected<Error>(
-          {Status::invalid_option, spec.text + ": " + planner.error()->message});
+      return failure(Status::invalid_option, spec.text + ": " + planner.error()->message);
     }
     run.specs_.push_back(std::move(spec));
   }

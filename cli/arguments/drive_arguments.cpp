@@ -19,15 +19,13 @@ bool is_closed(const OptionInfo& option) { return option.name == "closed"; }
 
 template <class Options>
 Options parsed(const OptionValues& values) {
-  auto options = parse_options<Options>(values);
-  if (!options) throw InputError(options.error().message);
-  return *options;
+  return value_or_throw(parse_options<Options>(values));
 }
 
 /// The name that stands for a TrajectoryTracker: it is made for a path, so it is not in the registry.
 constexpr std::string_view kTracker = "trajectory";
 
-/// Of the tracker; the trajectory's other limits are the robot's.
+/// The options of the tracker. The trajectory takes its other limits from the robot.
 struct TrackerOptions {
   TrackingGains gains{};
   double lateral_acceleration = TrajectoryLimits{}.lateral_acceleration;
@@ -57,9 +55,7 @@ ChosenController made(const OptionSpec& spec, const MotionModel& robot) {
 }
 
 std::vector<OptionSpec> parse_controllers(const std::string& list) {
-  auto specs = parse_option_specs(list, "controller", controller_names());
-  if (!specs) throw InputError(specs.error().message);
-  return *std::move(specs);
+  return value_or_throw(parse_option_specs(list, "controller", controller_names()));
 }
 
 /// Every controller that the robot can obey.

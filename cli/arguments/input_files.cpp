@@ -63,15 +63,11 @@ void check_read_once(const std::vector<std::string>& names) {
 }
 
 LoadedMap read_map(const std::string& file, const LoadOptions& options) {
-  auto loaded = load_map_or_stream(file, options);
-  if (!loaded) throw InputError(loaded.error().message);
-  return *std::move(loaded);
+  return value_or_throw(load_map_or_stream(file, options));
 }
 
 std::vector<QueryRow> read_queries(const std::string& file) {
-  auto rows = load_queries_or_stream(file);
-  if (!rows) throw InputError(rows.error().message);
-  return *std::move(rows);
+  return value_or_throw(load_queries_or_stream(file));
 }
 
 Path read_path(const std::string& file, const Frame& frame, PathStage stage) {

@@ -25,12 +25,6 @@ std::string size_of(double bytes) {
                           : fmt::format("{:.3g} GB", megabytes / 1000);
 }
 
-FreeSpace made_free_space(const GridMap& map, const FreeSpaceOptions& options) {
-  auto space = make_free_space(map, options);
-  if (!space) throw InputError(space.error().message);
-  return *std::move(space);
-}
-
 }  // namespace
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
@@ -120,11 +114,7 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
   }
   const Coordinates units = coordinates(map);
   std::optional<MotionPrimitives> moves;
-  if (!primitives.empty()) {
-    auto loaded = load_primitives(primitives);
-    if (!loaded) throw InputError(loaded.error().message);
-    moves = *std::move(loaded);
-  }
+  if (!primitives.empty()) moves = value_or_throw(load_primitives(primitives));
   return {.footprint = footprint.scaled(units.in_metres(1)),
           .unknown = unknown,
           .outside = outside,
@@ -134,7 +124,7 @@ FreeSpaceOptions RobotArguments::options(const GridMap& map) const {
 }
 
 FreeSpace RobotArguments::free_space(const GridMap& map) const {
-  return made_free_space(map, options(map));
+  return value_or_throw(make_free_space(map, options(map)));
 }
 
 void MapArguments::add_to(Parser& app) {
@@ -156,7 +146,7 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   const FreeSpaceOptions robot = options(map);
   const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
-  return made_free_space(map, robot);
+  return value_or_throw(make_free_space(map, robot));
 }
 
 void check_memory(const std::string& file, const GridMap& map, double need,

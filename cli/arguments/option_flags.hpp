@@ -33,7 +33,7 @@ class OptionFlags {
   /// a number that is out of its range.
   OptionValues values_for(const std::string& owner) const;
 
-  /// The value of an option as it was typed last, whoever has it; nothing if it was not given.
+  /// The last value that was typed for an option of this name; nothing if it was not given.
   std::optional<std::string> given(std::string_view name) const;
 
  private:

@@ -21,9 +21,7 @@
 namespace wend::cli {
 
 std::vector<PlannerSpec> parse_planners(const std::string& text) {
-  auto specs = parse_planner_specs(text);
-  if (!specs) throw InputError(specs.error().message);
-  return *std::move(specs);
+  return value_or_throw(parse_planner_specs(text));
 }
 
 PlannerSpec parse_planner(const std::string& text) {

@@ -99,9 +99,7 @@ FreeSpace planning_space(const FollowArguments& arguments, const FreeSpace& spac
   const double per_unit = larger.coordinates(map).in_metres(1);
   larger.footprint = Footprint::disc(larger.footprint.circumscribed_radius() +
                                      arguments.margin.value_or(kMargin / per_unit));
-  auto larger_space = make_free_space(space.obstacles(), larger.options(map).robot());
-  if (!larger_space) throw InputError(larger_space.error().message);
-  return *std::move(larger_space);
+  return value_or_throw(make_free_space(space.obstacles(), larger.options(map).robot()));
 }
 
 int run(const FollowArguments& arguments) {

@@ -76,10 +76,8 @@ GridMap generate(const GenerateArguments& arguments) {
   const Size size = arguments.size.empty()
                         ? Size{generator->default_width, generator->default_height}
                         : parse_size(arguments.size);
-  auto map = generator->make(size.width, size.height, arguments.seed,
-                             arguments.options.values_for(generator->name));
-  if (!map) throw InputError(map.error().message);
-  return *std::move(map);
+  return value_or_throw(generator->make(size.width, size.height, arguments.seed,
+                                        arguments.options.values_for(generator->name)));
 }
 
 double free_share(const GridMap& map) {

@@ -9,7 +9,7 @@
 // The follower's route has to be that of the trajectory's path, and the trajectory's limits no higher than
 // the robot's: a slower robot falls behind and leaves the path. The time begins with the first command, so
 // a tracker is for one execution. A robot that cannot turn in place needs a trajectory whose
-// smallest_turning_radius() is no less than its own.
+// smallest_turning_radius() is at least that of the robot.
 //
 // With the reference's velocity (v, w), and its pose in the robot's frame (x, y, turned by t), it wants
 //   v cos(t) + along_gain x   and   w + heading_gain t + side_gain v y.

@@ -99,7 +99,7 @@ Expected<Polygon, Error> Polygon::make(std::vector<Point> corners) {
   if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
   if (twice_signed_area(corners) < 0) {
     std::reverse(corners.begin() + 1, corners.end());
-    // In the other order rounding differs: what is made here must be accepted again.
+    // Rounding depends on the order, and the corners of a valid polygon must be valid in its own.
     if (auto fault = crossing_edges(corners)) return Unexpected<Error>(*std::move(fault));
   }
   if (!(twice_signed_area(corners) > 0)) {

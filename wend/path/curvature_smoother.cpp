@@ -199,7 +199,7 @@ class CurvatureSweeps {
 SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
                                     const CurvatureOptions& options) {
   assert(!path.empty());
-  if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
+  if (const auto fault = fault_of(options)) return failure(Status::invalid_option, *fault);
   const Path dense = path.driven() ? path : divided(path, options.radius);
   auto movable = MovablePath::from(dense, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());

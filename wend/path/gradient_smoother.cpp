@@ -60,7 +60,7 @@ Smoothed smoothed(const Path& path, MovablePath moved, const GradientOptions& op
 SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
                                    const GradientOptions& options) {
   assert(!path.empty());
-  if (const auto fault = fault_of(options)) return refused(Status::invalid_option, *fault);
+  if (const auto fault = fault_of(options)) return failure(Status::invalid_option, *fault);
   auto movable = MovablePath::from(path, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());
   return smoothed(path, *std::move(movable), options);

@@ -48,7 +48,7 @@ void measure_corners(const Path& path, PathMetrics& metrics) {
   }
 }
 
-/// Of arcs, and turns in place.
+/// The bends of a path of poses: its arcs and its turns in place.
 void measure_arc_bends(const Path& path, PathMetrics& metrics) {
   const std::vector<Segment> segments = path.segments();
   const std::vector<Arc> arcs = path.arcs();

@@ -23,7 +23,7 @@ SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, cons
                             Adjacency adjacency) {
   const SmootherInfo* info = smoothers().find(choice.name);
   if (info == nullptr) {
-    return refused(Status::invalid_option, smoothers().unknown("smoother", choice.name));
+    return failure(Status::invalid_option, smoothers().unknown("smoother", choice.name));
   }
   OptionValues options = choice.options;
   if (adjacency == Adjacency::edges_and_corners) {
@@ -40,7 +40,7 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   Refined refined{path};
   if (refinement.simplify) {
     if (path.driven()) {
-      return refused(
+      return failure(
           Status::unsupported_query,
           "a path of the car planner cannot be simplified: its arcs need their end points");
     }
@@ -59,7 +59,7 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   if (refinement.spacing) {
     const double points = refined.path.length() / *refinement.spacing;
     if (points > static_cast<double>(kMostResampled)) {
-      return refused(Status::invalid_option,
+      return failure(Status::invalid_option,
                      "resampling would make " + std::to_string(static_cast<std::uint64_t>(points)) +
                          " points, and " + std::to_string(kMostResampled) +
                          " is the limit: choose a larger spacing");

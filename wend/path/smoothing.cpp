@@ -42,13 +42,13 @@ std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_p
 Expected<MovablePath, Error> MovablePath::from(const Path& path, const FreeSpace& space,
                                                std::optional<Adjacency> adjacency) {
   if (path.driven()) {
-    return refused(Status::unsupported_query,
+    return failure(Status::unsupported_query,
                    "a car's drive is not smoothed: it is arcs that a car can drive already");
   }
   MovablePath movable(space, path.points(), adjacency);
   if (adjacency && !movable.look_around()) {
     if (const auto collision = first_collision(path, space, *adjacency)) {
-      return refused(Status::unsupported_query, text_of(*collision));
+      return failure(Status::unsupported_query, text_of(*collision));
     }
   }
   return movable;

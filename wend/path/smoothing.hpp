@@ -19,10 +19,6 @@
 
 namespace wend {
 
-inline Unexpected<Error> refused(Status status, std::string what) {
-  return Unexpected<Error>({status, std::move(what)});
-}
-
 /// Why gradient descent with such weights would not converge; nothing if it does. `in_place`: each
 /// point sees where its neighbours are already, not where they were in the sweep before.
 std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place);
@@ -120,7 +116,7 @@ SmootherInfo smoother_with(std::string name, std::string summary, std::string ci
           [smooth](const Path& path, const FreeSpace& space,
                    const OptionValues& values) -> SmoothingResult {
             const auto options = parse_options<Options>(values);
-            if (!options) return refused(Status::invalid_option, options.error().message);
+            if (!options) return Unexpected<Error>(options.error());
             return smooth(path, space, *options);
           }};
 }

@@ -96,7 +96,7 @@ class WEND_API Trajectory {
   double length() const;
 
   /// The radius of the tightest curve, m; 0 with a turn in place, infinite on a line. A robot that
-  /// steers needs one that is no less than its own.
+  /// steers needs a trajectory whose radius is at least its own.
   double smallest_turning_radius() const;
 
   /// The state at a time; before the start and after the end the robot stands there. O(log pieces).

@@ -48,8 +48,7 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
   const auto info = planner_named(name);
   if (!info) return Unexpected<Error>(info.error());
   if (!(*info)->index_support) {
-    return Unexpected<Error>(
-        {Status::invalid_option, std::string(name) + " does not use an index"});
+    return failure(Status::invalid_option, std::string(name) + " does not use an index");
   }
   return (*info)->index_support->make_planner(space, options, std::move(index));
 }
@@ -68,9 +67,7 @@ std::optional<Error> refused_options(const OptionValues& values) {
 }
 
 Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list) {
-  auto specs = parse_option_specs(list, "planner", planners().names());
-  if (!specs) return Unexpected<Error>(specs.error());
-  return *std::move(specs);
+  return parse_option_specs(list, "planner", planners().names());
 }
 
 GridMoves moves_of(const PlannerSpec& planner) {

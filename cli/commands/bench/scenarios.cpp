@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-T loaded_or_throw(Expected<T, Error> result) {
-  if (!result) throw InputError(result.error().message);
-  return *std::move(result);
-}
-
 std::vector<fs::path> scenario_files(const std::vector<std::string>& files_and_folders) {
   std::vector<fs::path> files;
   for (const std::string& name : files_and_folders) {
@@ -32,7 +26,7 @@ std::vector<fs::path> scenario_files(const std::vector<std::string>& files_and_f
       files.emplace_back(name);
       continue;
     }
-    const std::vector<fs::path> inside = loaded_or_throw(scenarios_in(name));
+    const std::vector<fs::path> inside = value_or_throw(scenarios_in(name));
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
@@ -64,10 +58,10 @@ std::uint64_t fingerprint_of(const Scenario& scenario, const GridMap& map) {
 
 BenchScenario load_bench_scenario(const fs::path& file, const std::string& map_file,
                                   std::size_t sample) {
-  Scenario scenario = loaded_or_throw(load_scenario(file));
+  Scenario scenario = value_or_throw(load_scenario(file));
   const fs::path map_path =
-      map_file.empty() ? loaded_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
-  LoadedMap loaded = loaded_or_throw(load_map(map_path));
+      map_file.empty() ? value_or_throw(scenario_map_path(scenario)) : fs::path(map_file);
+  LoadedMap loaded = value_or_throw(load_map(map_path));
   const auto fits = check_map_size(scenario, loaded.map.width(), loaded.map.height());
   if (!fits) throw InputError(fits.error().message);
   const std::uint64_t fingerprint = fingerprint_of(scenario, loaded.map);

@@ -267,8 +267,8 @@ Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
   const Turns turns(passable);
   const std::vector<GraphArc> arcs = arcs_of(turns);
   if (paths_may_be_too_long(turns, arcs)) {
-    return Unexpected<Error>(
-        {Status::unsupported_map, "paths on this map may cost more than the index can store"});
+    return failure(Status::unsupported_map,
+                   "paths on this map may cost more than the index can store");
   }
   auto contracted = contract(turns.size(), arcs, effort, building);
   if (!contracted) return Unexpected<Error>(contracted.error());

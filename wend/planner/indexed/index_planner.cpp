@@ -8,10 +8,6 @@ namespace {
 
 using EngineResult = Expected<std::unique_ptr<IndexEngine>, Error>;
 
-Unexpected<Error> index_failure(Status status, std::string what) {
-  return Unexpected<Error>({status, std::move(what)});
-}
-
 /// The status if a limit stops the query before any work.
 std::optional<Status> stopped(const Limits& limits) {
   if (limits.cancel != nullptr && limits.cancel->load(std::memory_order_relaxed)) {
@@ -132,7 +128,7 @@ class MethodSupport final : public IndexSupport {
                                     const IndexBuilding& building) const override {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto built = method_.build(space.passable(), building);
-    if (!built) return index_failure(built.error().status, built.error().message);
+    if (!built) return Unexpected<Error>(built.error());
     return *std::move(built);
   }
 
@@ -158,8 +154,7 @@ class MethodSupport final : public IndexSupport {
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto opened = method_.open(std::move(index), space.passable());
-    if (!opened)
-      return index_failure(Status::index_mismatch, "index does not match: " + opened.error());
+    if (!opened) return failure(Status::index_mismatch, "index does not match: " + opened.error());
     return *std::move(opened);
   }
 

@@ -39,9 +39,8 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     };
     const auto given = std::ranges::find_if(values, is_resolution);
     if (given != values.end()) {
-      return Unexpected<Error>(
-          {Status::invalid_option,
-           given->first + " and turning_radius set the same value: give one of them"});
+      return failure(Status::invalid_option,
+                     given->first + " and turning_radius set the same value: give one of them");
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
