@@ -1,5 +1,7 @@
 // wend plan: a path from a start to a goal.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <utility>
 #include <vector>
