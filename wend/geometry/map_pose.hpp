@@ -1,0 +1,31 @@
+#pragma once
+
+// MapPoint and MapPose: a position, and a position with a heading, in map coordinates: metres and
+// radians in the map's frame. Point and Pose (pose.hpp) are in grid coordinates; Frame converts.
+// These are types of their own, so that metres in place of cells do not compile.
+
+#include <cmath>
+
+namespace wend {
+
+struct MapPoint {
+  double x = 0;  // metres
+  double y = 0;
+
+  friend constexpr bool operator==(const MapPoint&, const MapPoint&) = default;
+};
+
+struct MapPose {
+  double x = 0;  // metres
+  double y = 0;
+  double heading = 0;  // radians, counter-clockwise from the frame's +x
+
+  constexpr MapPoint point() const { return {x, y}; }
+
+  friend constexpr bool operator==(const MapPose&, const MapPose&) = default;
+};
+
+/// Euclidean distance in metres.
+inline double distance(MapPoint a, MapPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace wend
