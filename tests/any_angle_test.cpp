@@ -36,7 +36,7 @@ void compare(const Trial& trial, const std::string& name, std::uint64_t seed, Le
   if (!planner) return;  // terrain
   const auto astar = make_planner("astar", space, trial.options);
   ASSERT_TRUE(astar) << astar.error().message;
-  const Adjacency adjacency = moves_of(PlannerSpec{"astar", "astar", trial.options}).adjacency();
+  const Adjacency adjacency = parse_options<GridMoves>(trial.options)->adjacency();
   Random random(seed);
   for (int i = 0; i < 4; ++i) {
     const Query query = random_test_query(random, trial.map).query();

@@ -26,4 +26,5 @@
 #include "wend/planner/planners.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/nearest_passable.hpp"
+#include "wend/session/session.hpp"
 #include "wend/version.hpp"

@@ -110,6 +110,11 @@ Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver
   return plan;
 }
 
+GridMoves ComparisonRun::grid_moves(std::size_t planner) const {
+  const Planner* const made = planners_[planner].planner();
+  return made == nullptr ? GridMoves{} : made->grid_moves().value_or(GridMoves{});
+}
+
 SearchRecorder ComparisonRun::record(std::size_t planner, std::size_t query) const {
   const Planner* const made = planners_[planner].planner();
   SearchRecorder recorder(space_, made == nullptr ? 0 : made->corner_unit());

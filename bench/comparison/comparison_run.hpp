@@ -47,6 +47,9 @@ class ComparisonRun {
 
   const std::vector<PlannerSpec>& planners() const { return specs_; }
 
+  /// How a planner on cells moves; the default for others.
+  GridMoves grid_moves(std::size_t planner) const;
+
   /// Records a planner's search of an answered query, as far as it went.
   SearchRecorder record(std::size_t planner, std::size_t query) const;
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -41,15 +40,6 @@ double whole_but_for_rounding(double number) {
 
 bool fits_cell(double number) {
   return std::abs(number) <= static_cast<double>(std::numeric_limits<int>::max());
-}
-
-/// Four digits after the point are a tenth of a millimetre.
-std::string metres(Point point) {
-  const auto digits = [](double value) {
-    const double rounded = std::round(value * 1e4) / 1e4 + 0.0;
-    return format_number(std::isfinite(rounded) ? rounded : value);
-  };
-  return fmt::format("({},{}) m", digits(point.x), digits(point.y));
 }
 
 constexpr std::string_view kAny = "any";
@@ -119,10 +109,11 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
                     name, quote(typed)));
   }
   const Point point = parse_point(name, typed, "cell");
-  if (metric_) {
-    const auto cell = frame_.cell_at(point);
-    if (!cell) return {name, kFarOutside, metres(point)};
-    return {name, *cell, metres(point) + ", cell " + cell_text(*cell)};
+  if (metric()) {
+    const std::string text = metres_text({point.x, point.y});
+    const auto cell = frame().cell_at(point);
+    if (!cell) return {name, kFarOutside, text};
+    return {name, *cell, text + ", cell " + cell_text(*cell)};
   }
   if (!fits_cell(point.x) || !fits_cell(point.y)) return {name, kFarOutside, "(" + typed + ")"};
   const Cell cell{static_cast<int>(point.x), static_cast<int>(point.y)};
@@ -135,81 +126,21 @@ Point Coordinates::parse_point(const std::string& name, const std::string& typed
   if (!point) {
     throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
   }
-  if (!metric_ && (!is_whole(point->x) || !is_whole(point->y))) {
+  if (!metric() && (!is_whole(point->x) || !is_whole(point->y))) {
     throw InputError(
         fmt::format("--{0}: {1} is not a {2}: the coordinates of a {2} are whole numbers{3}", name,
-                    quote(typed), what, frame_.metric ? "; without --cells, X,Y are metres" : ""));
+                    quote(typed), what, frame().metric ? "; without --cells, X,Y are metres" : ""));
   }
   return *point;
 }
 
 Point Coordinates::in_grid(Point typed) const {
-  if (!metric_) return typed;
-  const Point point = frame_.to_grid(typed);
+  if (!metric()) return typed;
+  const Point point = frame().to_grid(typed);
   return {whole_but_for_rounding(point.x), whole_but_for_rounding(point.y)};
 }
 
-std::string Coordinates::text(Cell cell) const {
-  if (!metric_) return cell_text(cell);
-  return text(centre_of(cell));
-}
-
-std::string Coordinates::text(Point point) const {
-  const Cell cell{static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
-  if (metric_) return metres(frame_.to_metres(point)) + ", cell " + cell_text(cell);
-  if (point == centre_of(cell)) return "cell " + cell_text(cell);
-  return fmt::format("({:g},{:g}), cell {}", point.x, point.y, cell_text(cell));
-}
-
-std::string Coordinates::radius_argument(double cells) const {
-  // A multiple of 1 / kDigits, up to rounding, is not rounded down.
-  constexpr double kDigits = 1e4;
-  const double radius = metric_ ? cells * frame_.resolution : cells;
-  return format_number(std::floor(radius * kDigits * (1 + 1e-9)) / kDigits);
-}
-
-std::string Coordinates::length(double cells) const {
-  if (metric_) return fmt::format("{:.3g} m", cells * frame_.resolution);
-  return fmt::format("{:.4g} {}", cells, cells == 1 ? "cell" : "cells");
-}
-
-std::string Coordinates::area(std::size_t cells) const {
-  std::string count = fmt::format("{} {}", cells, cells == 1 ? "cell" : "cells");
-  if (!frame_.metric) return count;
-  const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
-  return area < 100 ? fmt::format("{} ({:.3g} m2)", count, area)
-                    : fmt::format("{} ({:.0f} m2)", count, area);
-}
-
-std::string Coordinates::extent() const {
-  if (metric_) return metric_extent();
-  return fmt::format("the cells with x from 0 to {} and y from 0 to {}", width_ - 1, height_ - 1);
-}
-
-std::string Coordinates::extent_of_corners() const {
-  if (metric_) return metric_extent();
-  return fmt::format("the grid vertices with x from 0 to {} and y from 0 to {}", width_, height_);
-}
-
-std::string Coordinates::metric_extent() const {
-  const double right = width_;
-  const double top = height_;
-  const std::array<Point, 4> corners{
-      frame_.to_metres(Point{0, 0}), frame_.to_metres(Point{right, 0}),
-      frame_.to_metres(Point{right, top}), frame_.to_metres(Point{0, top})};
-  if (frame_.origin.heading == 0) {
-    return fmt::format("x from {:.6g} to {:.6g} m and y from {:.6g} to {:.6g} m", corners[0].x,
-                       corners[2].x, corners[0].y, corners[2].y);
-  }
-  return fmt::format(
-      "the rectangle {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} to {:.6g},{:.6g} m",
-      corners[0].x, corners[0].y, corners[1].x, corners[1].y, corners[2].x, corners[2].y,
-      corners[3].x, corners[3].y);
-}
-
 bool has_heading(std::string_view typed) { return std::count(typed.begin(), typed.end(), ',') > 1; }
-
-std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
 
 std::string size_text(const GridMap& map) {
   const Frame& frame = map.frame();
@@ -223,6 +154,11 @@ std::string size_text(const GridMap& map) {
 
 Goal TypedPose::goal() const {
   return heading ? Goal(Pose{point.x, point.y, *heading}) : Goal(point);
+}
+
+Place TypedPose::named(const std::string& name) const {
+  const bool fits = fits_cell(point.x) && fits_cell(point.y);
+  return {name, fits ? cell_at(point) : kFarOutside, text};
 }
 
 ScenePlace TypedPose::place() const {

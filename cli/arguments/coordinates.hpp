@@ -20,26 +20,14 @@
 #include "wend/planner/plan.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/path_report.hpp"
+#include "wend/session/units.hpp"
 
 namespace wend::cli {
 
-/// A place that was typed: which cell it names.
-struct Place {
-  std::string name;  // "start", "goal"
-  Cell cell;         // may lie outside the map
-  std::string text;  // "(3,4)" or "(1.25,3.4) m, cell (25,68)"
-};
-
-class Coordinates {
+/// Reads what people type, and says places in the same units.
+class Coordinates : public Units {
  public:
-  Coordinates(const GridMap& map, bool cells)
-      : frame_(map.frame()),
-        width_(map.width()),
-        height_(map.height()),
-        metric_(frame_.metric && !cells) {}
-
-  /// Does the user count in metres?
-  bool metric() const { return metric_; }
+  Coordinates(const GridMap& map, bool cells) : Units(map, cells) {}
 
   /// "X,Y": a place in the map's frame, or a cell. Throws InputError for any other text, for one with
   /// a heading too.
@@ -52,55 +40,12 @@ class Coordinates {
   /// Converts a point from the user's units to grid coordinates, without rounding errors at vertices.
   Point in_grid(Point typed) const;
 
-  const Frame& frame() const { return frame_; }
-
-  /// A place that is known by its cell.
-  Place place(const std::string& name, Cell cell) const { return {name, cell, text(cell)}; }
-
-  /// A cell as the user counts.
-  std::string text(Cell cell) const;
-
-  /// A point in grid coordinates, and the cell that it lies in: "(1.25,3.4) m, cell (25,68)".
-  std::string text(Point point) const;
-
-  /// A radius in cells as --robot-radius takes it, rounded down.
-  std::string radius_argument(double cells) const;
-
-  /// A length given in cells: "2.83 cells" or "0.14 m".
-  std::string length(double cells) const;
-
-  /// A number of cells as an area: "57 cells", and "(0.14 m2)" where the map has metres.
-  std::string area(std::size_t cells) const;
-
-  /// What the map covers: "the cells with x from 0 to 9 and y from 0 to 4".
-  std::string extent() const;
-
-  /// The same for its vertices: from 0 to 10 and from 0 to 5.
-  std::string extent_of_corners() const;
-
-  /// A length in the user's units, in metres.
-  double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
-
-  /// The same in cells.
-  double in_cells(double length) const { return metric_ ? length / frame_.resolution : length; }
-
   /// The user's unit of length.
-  LengthUnit unit() const { return metric_ ? metres_of(frame_) : LengthUnit{}; }
-
- private:
-  std::string metric_extent() const;
-
-  Frame frame_;
-  int width_;
-  int height_;
-  bool metric_;
+  LengthUnit unit() const { return metric() ? metres_of(frame()) : LengthUnit{}; }
 };
 
 /// Does the text have a heading, valid or not, after X,Y?
 bool has_heading(std::string_view typed);
-
-/// "(3,4)"
-std::string cell_text(Cell cell);
 
 /// "160 x 100 cells, 8 x 5 m"
 std::string size_text(const GridMap& map);
@@ -111,6 +56,9 @@ struct TypedPose {
   std::string text;               // "(0,0,E)", "(1.5,2,45deg) m"
 
   Goal goal() const;
+
+  /// For messages; `name` is "start" or "goal".
+  Place named(const std::string& name) const;
 
   /// For a picture.
   ScenePlace place() const;

@@ -5,6 +5,7 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
@@ -147,6 +148,17 @@ FreeSpace MapArguments::free_space(const GridMap& map, double planner_bytes_per_
   const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
   check_memory(map, per_cell * static_cast<double>(map.size()));
   return value_or_throw(make_free_space(map, robot));
+}
+
+std::unique_ptr<Session> MapArguments::session(const GridMap& map,
+                                               double planner_bytes_per_cell) const {
+  FreeSpaceOptions robot = options(map);
+  const double per_cell = free_space_bytes_per_cell(map, robot) + planner_bytes_per_cell;
+  check_memory(map, per_cell * static_cast<double>(map.size()));
+  auto session = std::make_unique<Session>(map, std::move(robot),
+                                           SessionOptions{.hints = command_line_hints()});
+  if (const auto view = session->view(); !view) throw InputError(view.error().message);
+  return session;
 }
 
 void check_memory(const std::string& file, const GridMap& map, double need,

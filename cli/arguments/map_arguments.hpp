@@ -2,6 +2,7 @@
 
 // The map file argument, also of convert, and the robot arguments of plan, field, info and bench.
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 
@@ -60,6 +62,9 @@ struct MapArguments : MapFileArguments, RobotArguments {
 
   /// Throws NoPathError if the free space and planners of this size do not fit into memory.
   FreeSpace free_space(const GridMap& map, double planner_bytes_per_cell = 0) const;
+
+  /// The same as a session that explains itself in the options of the command line.
+  std::unique_ptr<Session> session(const GridMap& map, double planner_bytes_per_cell) const;
 };
 
 /// Throws NoPathError with the status memory_limit if more bytes are needed than `available`, where

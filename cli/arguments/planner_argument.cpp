@@ -19,6 +19,17 @@
 #include "wend/planner/planners.hpp"
 
 namespace wend::cli {
+namespace {
+
+constexpr std::uint64_t kSteps = 1000;  // of the progress bar of an index
+
+IndexBuilding told_to(ProgressBar& bar, Workers& workers) {
+  return {&workers, [&bar](double share) {
+            bar.update(static_cast<std::uint64_t>(static_cast<double>(kSteps) * share));
+          }};
+}
+
+}  // namespace
 
 std::vector<PlannerSpec> parse_planners(const std::string& text) {
   return value_or_throw(parse_planner_specs(text));
@@ -48,21 +59,20 @@ bool has_option(const std::vector<OptionInfo>& options, std::string_view name) {
   return std::ranges::find(options, name, &OptionInfo::name) != options.end();
 }
 
-Expected<GivenIndex, std::string> read_given_index(const std::string& file) {
+Expected<GivenIndex, Error> read_given_index(const std::string& file) {
   auto bytes = open_index(file);
   if (!bytes) throw InputError(bytes.error().message);
   const auto header = read_index_header(bytes->bytes());
-  if (!header) return Unexpected<std::string>(fmt::format("{}: {}", file, header.error()));
+  if (!header) {
+    return failure(Status::index_mismatch, fmt::format("{}: {}", file, header.error()), file);
+  }
   return GivenIndex{file, *header, *std::move(bytes)};
 }
 
 Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSpace& space,
                                         Workers& workers) {
-  constexpr double kSteps = 1000;
-  ProgressBar bar("index of " + planner.name, static_cast<std::uint64_t>(kSteps));
-  const IndexBuilding building{
-      &workers, [&](double share) { bar.update(static_cast<std::uint64_t>(kSteps * share)); }};
-  return planner.index_support->build(space, building);
+  ProgressBar bar("index of " + planner.name, kSteps);
+  return planner.index_support->build(space, told_to(bar, workers));
 }
 
 std::string planners_with_index() {
@@ -73,27 +83,21 @@ std::string planners_with_index() {
   return or_list(names);
 }
 
-PlannerMaker::PlannerMaker(PlannerSpec spec, FreeSpace space,
-                           std::optional<Expected<GivenIndex, std::string>> given)
-    : spec_(std::move(spec)), space_(std::move(space)), given_(std::move(given)) {}
-
-PlannerResult PlannerMaker::make(WorkTimes& times) {
-  if (given_ && !*given_) {
-    return failure(Status::index_mismatch, given_->error());
+Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner,
+                                    const IndexArgument& given, WorkTimes& times) {
+  if (given) {
+    if (!*given) return Unexpected<Error>(given->error());
+    session.set_index(planner.name, (*given)->bytes);
+    return false;
   }
-  const PlannerInfo& info = info_of(spec_);
-  if (!given_ && !built_ && info.index_support) {
-    ThreadWorkers workers;
-    auto index = timed(process_cpu_seconds, times.index.emplace(0),
-                       [&] { return build_index(info, space_, workers); });
-    if (!index) return Unexpected<Error>(index.error());
-    built_ = *std::move(index);
-  }
-  return timed(thread_cpu_seconds, times.planner.emplace(0), [&] {
-    if (given_) return make_planner(spec_.name, space_, spec_.options, (*given_)->bytes);
-    return built_ ? info.index_support->make_planner(space_, spec_.options, *built_)
-                  : info.make(space_, spec_.options);
+  if (!info_of(planner).index_support) return false;
+  ProgressBar bar("index of " + planner.name, kSteps);
+  ThreadWorkers workers;
+  const auto built = timed(process_cpu_seconds, times.index.emplace(0), [&] {
+    return session.build_index(planner.name, told_to(bar, workers));
   });
+  if (!built) return Unexpected<Error>(built.error());
+  return true;
 }
 
 }  // namespace wend::cli

@@ -1,7 +1,7 @@
 #pragma once
 
-// --planner and --index: planners by name, each with options ("astar", "astar:weight=2,bfs"), the index
-// that a planner is given or that is built now, and PlannerMaker, which makes planners for a map.
+// --planner and --index: planners by name, each with options ("astar", "astar:weight=2,bfs"), and the index
+// that a planner is given or that is built now.
 
 #include <optional>
 #include <string>
@@ -16,6 +16,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/report/plan_report.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 
@@ -43,7 +44,7 @@ struct GivenIndex {
 
 /// Throws InputError if the file cannot be read. If it is damaged or not an index, the error says what
 /// is wrong.
-Expected<GivenIndex, std::string> read_given_index(const std::string& file);
+Expected<GivenIndex, Error> read_given_index(const std::string& file);
 
 /// Builds with a progress bar.
 Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSpace& space,
@@ -52,26 +53,12 @@ Expected<IndexBytes, Error> build_index(const PlannerInfo& planner, const FreeSp
 /// "hub_labels or corner_hierarchy": the planners that can plan on an index.
 std::string planners_with_index();
 
-/// Makes planners for one map, on one index where the planner needs one.
-class PlannerMaker {
- public:
-  /// `given`: the index to plan on, if one was given, or what is wrong with it.
-  PlannerMaker(PlannerSpec spec, FreeSpace space,
-               std::optional<Expected<GivenIndex, std::string>> given);
+/// An index that was given with --index, or what is wrong with it.
+using IndexArgument = std::optional<Expected<GivenIndex, Error>>;
 
-  /// Makes a planner with its own scratch memory; sets the times of it and its index. The first call
-  /// builds an index that was not given.
-  PlannerResult make(WorkTimes& times);
-
-  bool built_index() const { return built_.has_value(); }
-
-  const PlannerSpec& spec() const { return spec_; }
-
- private:
-  PlannerSpec spec_;
-  FreeSpace space_;
-  std::optional<Expected<GivenIndex, std::string>> given_;
-  std::optional<IndexBytes> built_;
-};
+/// Gives a session's planners of this name the index that they need: the given one, or one that is built
+/// now; sets the time of that. Returns whether it was built.
+Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner,
+                                    const IndexArgument& given, WorkTimes& times);
 
 }  // namespace wend::cli

@@ -116,12 +116,11 @@ std::optional<SmootherChoice> RefineArguments::smoother_choice(
   return choice;
 }
 
-Refinement RefineArguments::refinement(const Coordinates& coordinates, Adjacency adjacency) const {
+Refinement RefineArguments::refinement(const Coordinates& coordinates) const {
   Refinement refinement;
   if (simplify) refinement.simplify = simplification_of(*simplify, coordinates);
   refinement.smoother = smoother_choice(coordinates);
   if (resample) refinement.spacing = coordinates.in_cells(*resample);
-  refinement.adjacency = adjacency;
   return refinement;
 }
 

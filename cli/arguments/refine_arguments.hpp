@@ -39,8 +39,9 @@ struct RefineArguments {
   /// the smoother has it.
   void steer(PlannerSpec& planner, const Coordinates& coordinates) const;
 
-  /// Throws InputError for invalid text.
-  Refinement refinement(const Coordinates& coordinates, Adjacency adjacency) const;
+  /// For a planner that does not cut corners; who knows the planner sets the adjacency. Throws InputError
+  /// for invalid text.
+  Refinement refinement(const Coordinates& coordinates) const;
 
   /// What paths are measured with, in cells.
   double rounding(const Coordinates& coordinates) const;

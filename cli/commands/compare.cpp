@@ -18,8 +18,8 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/explainer.hpp"
 #include "cli/output/gnuplot.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
@@ -145,15 +145,6 @@ void answer_all(ComparisonRun& run, std::vector<Query> queries, const LimitArgum
   }
 }
 
-/// Why a planner that moves from cell to cell found nothing.
-std::string reason_in_cells(const ComparedQuery& query, const ComparisonRow& row,
-                            const FreeSpace& space, const Coordinates& coordinates,
-                            GridMoves moves) {
-  const Ends ends{coordinates.place("start", cell_at(query.start.point())),
-                  coordinates.place("goal", cell_at(query.goal.point))};
-  return Explainer(space, coordinates, moves).explain(row.status, ends, {}, {});
-}
-
 /// Says why planners found nothing, as `wend plan` does; cars already have reasons, except for limits.
 void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const FreeSpace& space) {
   const Coordinates coordinates = arguments.map.coordinates(space.map());
@@ -161,13 +152,16 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   limits.expansions = arguments.limits.expansions;
   limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
   for (ComparedQuery& query : run.comparison().queries) {
+    const Ends ends{coordinates.place("start", cell_at(query.start.point())),
+                    {coordinates.place("goal", cell_at(query.goal.point))}};
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
+      const Explainer explainer = explainer_for(space, coordinates, run.grid_moves(i));
       if (is_limit(row.status)) {
-        row.reason = explain_limit(row.status, limits, metrics);
+        row.reason = explainer.stopped(row.status, limits, metrics);
       } else if (!row.found() && row.reason.empty()) {
-        row.reason = reason_in_cells(query, row, space, coordinates, moves_of(run.planners()[i]));
+        row.reason = explainer.explain(row.status, ends, limits, metrics);
       }
     }
   }

@@ -11,7 +11,7 @@
 #include "cli/arguments/option_flags.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/explainer.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/terminal.hpp"
@@ -49,13 +49,13 @@ class ExplainRun {
         moves_(moves),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        explainer_(space_, coordinates_, moves_),
-        ends_{coordinates_.parse("start", arguments.start),
-              coordinates_.parse("goal", arguments.goal)} {
-    for (const Place& place : {ends_.start, ends_.goal}) {
+        explainer_(space_, coordinates_, moves_, command_line_hints()),
+        start_(coordinates_.parse("start", arguments.start)),
+        goal_(coordinates_.parse("goal", arguments.goal)) {
+    for (const Place& place : {start_, goal_}) {
       if (!space_.contains(place.cell)) throw InputError(explainer_.outside(place));
     }
-    why_ = explain_no_path(space_, ends_.start.cell, ends_.goal.cell, moves_);
+    why_ = explain_no_path(space_, start_.cell, goal_.cell, moves_);
   }
 
   ExitCode report() const;
@@ -74,7 +74,8 @@ class ExplainRun {
   FreeSpace space_;
   Coordinates coordinates_;
   Explainer explainer_;
-  Ends ends_;
+  Place start_;
+  Place goal_;
   NoPath why_;
 };
 
@@ -89,9 +90,8 @@ std::string line(std::string_view name, const std::string& what) {
 std::string ExplainRun::headline() const {
   const std::string text =
       why_.path_exists()
-          ? fmt::format("there is a path from {} to {}", ends_.start.text, ends_.goal.text)
-          : fmt::format("there is no path from start {} to goal {}", ends_.start.text,
-                        ends_.goal.text);
+          ? fmt::format("there is a path from {} to {}", start_.text, goal_.text)
+          : fmt::format("there is no path from start {} to goal {}", start_.text, goal_.text);
   return folded(text, kColumns) + "\n";
 }
 
@@ -120,7 +120,7 @@ std::string ExplainRun::causes() const {
 /// The ends that lie on an obstacle: "start and goal"; empty where none does.
 std::string ExplainRun::on_obstacles() const {
   std::string names;
-  for (const Place& place : {ends_.start, ends_.goal}) {
+  for (const Place& place : {start_, goal_}) {
     if (space_.why_blocked(place.cell) != BlockReason::obstacle) continue;
     names += (names.empty() ? "" : " and ") + place.name;
   }
@@ -136,8 +136,8 @@ std::string ExplainRun::parted() const {
 std::string ExplainRun::text() const {
   std::string text = headline();
   text += picture(scene(), detect_screen(), arguments_.pictures);
-  text += line("start's component", component(ends_.start, why_.start_component)) +
-          line("goal's component", component(ends_.goal, why_.goal_component));
+  text += line("start's component", component(start_, why_.start_component)) +
+          line("goal's component", component(goal_, why_.goal_component));
   text += line("widest path", why_.widest ? "robot " + explainer_.width(*why_.widest)
                                           : "none, even with radius 0: " + parted());
   if (why_.path_exists()) return text;
@@ -153,7 +153,7 @@ std::string ExplainRun::text() const {
 }
 
 Scene ExplainRun::scene() const {
-  return no_path_scene(space_, ends_.start.cell, ends_.goal.cell, moves_, coordinates_, why_);
+  return no_path_scene(space_, start_.cell, goal_.cell, moves_, coordinates_, why_);
 }
 
 ExitCode ExplainRun::report() const {

@@ -12,8 +12,8 @@
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/explainer.hpp"
 #include "cli/output/field_text.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/plan_text.hpp"
 #include "cli/output/terminal.hpp"
@@ -57,7 +57,7 @@ class FieldRun {
         moves_(moves),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        explainer_(space_, coordinates_, moves_) {
+        explainer_(space_, coordinates_, moves_, command_line_hints()) {
     for (const auto& typed : arguments.goals) goals_.push_back(coordinates_.parse("goal", typed));
     for (const auto& typed : arguments.starts) {
       starts_.push_back(coordinates_.parse("start", typed));
@@ -120,7 +120,7 @@ std::string FieldRun::explain_goals(const Limits& limits, const SearchMetrics& m
     const std::string text = explainer_.blocked(goal);
     if (!text.empty()) return text;
   }
-  return explain_limit(report_.status, limits, metrics);
+  return explainer_.stopped(report_.status, limits, metrics);
 }
 
 std::string FieldRun::explain_start(Status status, const Place& start) const {

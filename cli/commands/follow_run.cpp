@@ -53,7 +53,7 @@ FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpac
       planning_space_(std::move(planning_space)),
       coordinates_(arguments.map.coordinates(space_.map())),
       planner_(steered(arguments, coordinates_)),
-      refinement_(arguments.refine.refinement(coordinates_, moves_of(planner_).adjacency())),
+      refinement_(arguments.refine.refinement(coordinates_)),
       robot_(arguments.drive.robot()),
       simulation_(arguments.drive.simulation(arguments.loop)),
       following_(arguments.drive.following()),
@@ -78,11 +78,14 @@ Path FollowRun::loaded() const {
 
 std::optional<Path> FollowRun::plan() {
   const auto asked = typed_query(planner_, planning_space_, coordinates_, arguments_.ends);
-  if (arguments_.nearest) {
-    for (const auto& note : asked->move_to_nearest()) complain(note);
-  }
   auto planner = info_of(planner_).make(planning_space_, planner_.options);
   if (!planner) throw InputError(planner.error().message);
+  const GridMoves moves = (*planner)->grid_moves().value_or(GridMoves{});
+  refinement_.adjacency = moves.adjacency();
+  const Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
+  if (arguments_.nearest) {
+    for (const auto& note : asked->move_to_nearest(explainer)) complain(note);
+  }
   ProgressBar progress("planning", (*planner)->state_count());
   Query query = asked->query();
   query.limits = arguments_.limits.limits(progress);
@@ -94,9 +97,10 @@ std::optional<Path> FollowRun::plan() {
   const FailedPlan failed{
       std::string(to_string(status)),
       fmt::format("{} (these radii include the planning margin of {})",
-                  asked->reason(**planner, status, query.limits, plan.metrics), margin)};
+                  explainer.explain(**planner, query, asked->ends(), status, plan.metrics),
+                  margin)};
   complain(failed.reason);
-  write_failure(failed, asked->scene_of_failure(status));
+  write_failure(failed, asked->scene_of_failure(status, moves));
   return std::nullopt;
 }
 

@@ -107,7 +107,7 @@ int build(const BuildArguments& arguments) {
 
 int info(const IndexInfoArguments& arguments) {
   const auto index = read_given_index(arguments.file);
-  if (!index) throw InputError(index.error());
+  if (!index) throw InputError(index.error().message);
   const IndexHeader& header = index->header;
   if (arguments.format == Format::json) {
     Json sections = Json::array();

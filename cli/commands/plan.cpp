@@ -38,8 +38,7 @@ of lattice and car are printed as commands. Exit codes: 0 found, 1 no path
 (standard error gives the reason), 2 bad usage or input.)";
 
 /// The planner that was asked for, else the one that the index is for.
-std::string planner_text(const PlanArguments& arguments,
-                         const std::optional<Expected<GivenIndex, std::string>>& index) {
+std::string planner_text(const PlanArguments& arguments, const IndexArgument& index) {
   if (!arguments.planner.empty()) return arguments.planner;
   if (!arguments.map.primitives.empty()) return "lattice";
   if (!index) return "astar";
@@ -128,12 +127,12 @@ void check(const PlanArguments& arguments) {
 }
 
 /// If a map does not fit into memory, the path files say so.
-FreeSpace space_for(const PlanArguments& arguments, const GridMap& map,
-                    const PlannerSpec& planner) {
+std::unique_ptr<Session> session_for(const PlanArguments& arguments, const GridMap& map,
+                                     const PlannerSpec& planner) {
   const std::uint64_t planners = arguments.queries.empty() ? 1 : arguments.threads;
   try {
-    return arguments.map.free_space(
-        map, static_cast<double>(planners) * info_of(planner).bytes_per_cell);
+    return arguments.map.session(map,
+                                 static_cast<double>(planners) * info_of(planner).bytes_per_cell);
   } catch (const NoPathError& error) {
     write_failed_plan(arguments, error.plan());
     throw;
@@ -143,7 +142,7 @@ FreeSpace space_for(const PlanArguments& arguments, const GridMap& map,
 int run(const PlanArguments& arguments) {
   check(arguments);
   WorkTimes times;
-  std::optional<Expected<GivenIndex, std::string>> index;
+  IndexArgument index;
   if (!arguments.index.empty()) {
     index = timed(thread_cpu_seconds, times.index.emplace(0),
                   [&] { return read_given_index(arguments.index); });
@@ -159,11 +158,10 @@ int run(const PlanArguments& arguments) {
   arguments.output.check_not_among(loaded.files);
   arguments.trajectory.check_not_among(loaded.files);
   check_not_among(loaded.files, arguments.watch.trace, "--trace " + arguments.watch.trace);
-  const FreeSpace space = timed(thread_cpu_seconds, times.free_space,
-                                [&] { return space_for(arguments, loaded.map, planner); });
-  PlannerMaker maker(std::move(planner), space, std::move(index));
-  if (!arguments.queries.empty()) return run_queries(arguments, maker, space);
-  PlanRun run(arguments, std::move(maker), space, times);
+  const auto session = timed(thread_cpu_seconds, times.free_space,
+                             [&] { return session_for(arguments, loaded.map, planner); });
+  if (!arguments.queries.empty()) return run_queries(arguments, *session, planner, index);
+  PlanRun run(arguments, *session, std::move(planner), std::move(index), times);
   run.plan();
   return run.report();
 }

@@ -12,6 +12,7 @@
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/base/thread_workers.hpp"
@@ -26,12 +27,14 @@ constexpr std::size_t kMostRowsTold = 5;
 class QueryWorker {
  public:
   QueryWorker(const PlanArguments& arguments, const PlannerSpec& spec, FreeSpace space,
-              std::unique_ptr<Planner> planner)
+              WarmPlanner planner)
       : arguments_(arguments),
         spec_(spec),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        planner_(std::move(planner)) {}
+        planner_(std::move(planner)),
+        explainer_(
+            explainer_for(space_, coordinates_, planner_->grid_moves().value_or(GridMoves{}))) {}
 
   /// Does not throw: the answer to an invalid row says so.
   QueryAnswer answer(const QueryRow& row) {
@@ -66,7 +69,7 @@ class QueryWorker {
   void ask(QueryAnswer& answer) {
     const auto asked = typed_query(spec_, space_, coordinates_, {answer.start, {answer.goal}});
     if (arguments_.nearest)
-      answer.reason = fmt::format("{}", fmt::join(asked->move_to_nearest(), "; "));
+      answer.reason = fmt::format("{}", fmt::join(asked->move_to_nearest(explainer_), "; "));
     Query query = asked->query();
     query.limits.expansions = arguments_.limits.expansions;
     if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;
@@ -79,24 +82,26 @@ class QueryWorker {
     fail(answer, status,
          status == Status::unreachable
              ? fmt::format("{}; `wend explain` shows the reason", describe(status))
-             : asked->reason(*planner_, status, query.limits, answer.plan.metrics));
+             : explainer_.explain(*planner_, query, asked->ends(), status, answer.plan.metrics));
   }
 
   const PlanArguments& arguments_;
   const PlannerSpec& spec_;
   FreeSpace space_;
   Coordinates coordinates_;
-  std::unique_ptr<Planner> planner_;
+  WarmPlanner planner_;
+  Explainer explainer_;
 };
 
-std::vector<QueryWorker> make_workers(const PlanArguments& arguments, PlannerMaker& maker,
-                                      const FreeSpace& space, unsigned count) {
+/// They share what their planners prepare.
+std::vector<QueryWorker> make_workers(const PlanArguments& arguments, Session& session,
+                                      const PlannerSpec& planner, std::size_t count) {
+  const FreeSpace space = value_or_throw(session.view()).space;
+  auto planners = session.planners(planner, count);
+  if (!planners) throw InputError(planners.error().message);
   std::vector<QueryWorker> workers;
-  for (unsigned i = 0; i < count; ++i) {
-    WorkTimes times;  // unused: answers have only the search times
-    auto planner = maker.make(times);
-    if (!planner) throw InputError(planner.error().message);
-    workers.emplace_back(arguments, maker.spec(), space, *std::move(planner));
+  for (WarmPlanner& each : *planners) {
+    workers.emplace_back(arguments, planner, space, std::move(each));
   }
   return workers;
 }
@@ -169,15 +174,18 @@ void check_queries(const PlanArguments& arguments) {
   }
 }
 
-ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const FreeSpace& space) {
+ExitCode run_queries(const PlanArguments& arguments, Session& session, const PlannerSpec& planner,
+                     const IndexArgument& index) {
   const std::vector<QueryRow> rows = read_queries(arguments.queries);
-  const auto most =
-      static_cast<unsigned>(std::clamp<std::size_t>(rows.size(), 1, arguments.threads));
-  std::vector<QueryWorker> workers = make_workers(arguments, maker, space, most);
+  WorkTimes times;  // unused: answers have only the search times
+  if (const auto built = provide_index(session, planner, index, times); !built) {
+    throw InputError(built.error().message);
+  }
+  const std::size_t most = std::clamp<std::size_t>(rows.size(), 1, arguments.threads);
+  std::vector<QueryWorker> workers = make_workers(arguments, session, planner, most);
+  const Frame frame = value_or_throw(session.view()).space.map().frame();
   const std::vector<QueryAnswer> answers = answers_to(rows, workers);
-  const auto text = [&](TableFormat format) {
-    return text_of(maker.spec(), answers, space.map().frame(), format);
-  };
+  const auto text = [&](TableFormat format) { return text_of(planner, answers, frame, format); };
   if (!arguments.output.print()) print(text(arguments.format));
   arguments.output.write(
       {{".csv", [&](const std::string& file) { return write_bytes(file, text(TableFormat::csv)); }},

@@ -12,6 +12,7 @@ void check_queries(const PlanArguments& arguments);
 
 /// Answers every row of the file, and prints and writes the answers. Throws InputError if the file
 /// cannot be read, but not for an invalid row.
-ExitCode run_queries(const PlanArguments& arguments, PlannerMaker& maker, const FreeSpace& space);
+ExitCode run_queries(const PlanArguments& arguments, Session& session, const PlannerSpec& planner,
+                     const IndexArgument& index);
 
 }  // namespace wend::cli

@@ -35,22 +35,22 @@ void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan) {
       arguments.format == TableFormat::json ? ".json" : ".csv");
 }
 
-PlanRun::PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
-                 const WorkTimes& times)
+PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec planner,
+                 IndexArgument index, const WorkTimes& times)
     : arguments_(arguments),
-      maker_(std::move(planner)),
-      space_(std::move(space)),
-      asked_(typed_query(maker_.spec(), space_, arguments.map.coordinates(space_.map()),
-                         arguments.ends)),
-      refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()),
-                                              moves_of(maker_.spec()).adjacency())) {
+      session_(session),
+      spec_(std::move(planner)),
+      index_(std::move(index)),
+      space_(value_or_throw(session.view()).space),
+      asked_(typed_query(spec_, space_, arguments.map.coordinates(space_.map()), arguments.ends)),
+      refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()))) {
   result_.times = times;
   asked_->check(arguments.layers);
-  if (!arguments.refine.any() || info_of(maker_.spec()).state_kind == StateKind::cell) return;
+  if (!arguments.refine.any() || info_of(spec_).state_kind == StateKind::cell) return;
   throw InputError(
       fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
                   "planner {} consists of arcs",
-                  maker_.spec().name));
+                  spec_.name));
 }
 
 /// On large maps a search is slowed down only for those who ask for what it did.
@@ -61,23 +61,35 @@ bool PlanRun::records() const {
 }
 
 void PlanRun::plan() {
-  result_.planner = maker_.spec().name;
-  result_.state_kind = info_of(maker_.spec()).state_kind;
+  result_.planner = spec_.name;
+  result_.state_kind = info_of(spec_).state_kind;
   result_.footprint = space_.footprint();
+  auto planner = make_planner();
+  if (!planner) {
+    if (planner.error().status == Status::invalid_option) {
+      throw InputError(planner.error().message);
+    }
+    return fail(planner.error().status, planner.error().message);
+  }
+  planner_ = *std::move(planner);
+  moves_ = (*planner_)->grid_moves().value_or(GridMoves{});
+  refinement_.adjacency = moves_.adjacency();
+  result_.states = (*planner_)->state_count();
+  result_.unit = (*planner_)->corner_unit();
   if (arguments_.nearest) {
-    for (const auto& note : asked_->move_to_nearest()) complain(note);
+    const auto coordinates = arguments_.map.coordinates(space_.map());
+    const Explainer explainer = explainer_for(space_, coordinates, moves_);
+    for (const auto& note : asked_->move_to_nearest(explainer)) complain(note);
   }
-  auto planner = maker_.make(result_.times);
-  if (planner) {
-    planner_ = *std::move(planner);
-    result_.states = planner_->state_count();
-    result_.unit = planner_->corner_unit();
-    search();
-  } else if (planner.error().status == Status::invalid_option) {
-    throw InputError(planner.error().message);
-  } else {
-    fail(planner.error().status, planner.error().message);
-  }
+  search();
+}
+
+Expected<WarmPlanner, Error> PlanRun::make_planner() {
+  const auto built = provide_index(session_, spec_, index_, result_.times);
+  if (!built) return Unexpected<Error>(built.error());
+  built_index_ = *built;
+  return timed(thread_cpu_seconds, result_.times.planner.emplace(0),
+               [&] { return session_.planner(spec_); });
 }
 
 void PlanRun::search() {
@@ -102,8 +114,10 @@ void PlanRun::search() {
     if (!told.empty() && !cancelled) search_for(told, query);
   }
   if (result_.status != Status::found) {
-    fail(result_.status,
-         asked_->reason(*planner_, result_.status, query.limits, result_.plan.metrics));
+    const Explainer explainer =
+        explainer_for(space_, arguments_.map.coordinates(space_.map()), moves_);
+    fail(result_.status, explainer.explain(**planner_, query, asked_->ends(), result_.status,
+                                           result_.plan.metrics));
   }
   if (result_.status == Status::found && arguments_.refine.any()) refine_path();
   if (result_.status == Status::found && arguments_.trajectory.wanted()) time_path();
@@ -114,7 +128,7 @@ void PlanRun::search() {
 void PlanRun::search_to_the_end(const Query& query) {
   const Interruptible interruptible;  // what it did until then is reported
   result_.status = timed(thread_cpu_seconds, result_.times.search,
-                         [&] { return planner_->plan(query, result_.plan); });
+                         [&] { return (*planner_)->plan(query, result_.plan); });
 }
 
 /// Repeats the search, as far as it went, with an observer, so that the observer's time does not
@@ -124,7 +138,7 @@ void PlanRun::search_for(SearchObserver& observer, Query query) {
   query.limits.expansions = result_.plan.metrics.expanded;
   query.observer = &observer;
   Plan plan;
-  planner_->plan(query, plan);
+  (*planner_)->plan(query, plan);
 }
 
 /// Is the search looked at before it is over?
@@ -132,11 +146,10 @@ bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.o
 
 /// Only the search is timed, not the person.
 Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
-  if (!info_of(maker_.spec()).can_step) {
-    throw InputError(
-        fmt::format("--step: the planner {} does not support stepping", maker_.spec().name));
+  if (!info_of(spec_).can_step) {
+    throw InputError(fmt::format("--step: the planner {} does not support stepping", spec_.name));
   }
-  SteppedSearch search(*planner_, query, recorder, told, result_.plan);
+  SteppedSearch search(**planner_, query, recorder, told, result_.plan);
   const Status status =
       arguments_.watch.step ? step_by_keys(search, recorder) : step_to_the_end(search);
   result_.times.search = search.seconds();
@@ -146,7 +159,7 @@ Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, Ob
 /// Tells the open list on the way, if that is asked for.
 std::optional<Status> PlanRun::go_on(SteppedSearch& search) {
   if (arguments_.watch.open_list && search.expansions() == open_lists_told_) {
-    tell(open_list_text(planner_->open_list(kMostOpenEntries), space_.map().frame()));
+    tell(open_list_text((*planner_)->open_list(kMostOpenEntries), space_.map().frame()));
     ++open_lists_told_;
   }
   return search.go_on();
@@ -195,13 +208,14 @@ void PlanRun::time_path() {
 
 void PlanRun::make_layers(const Limits& limits) {
   std::optional<CostToGo> field;
-  if (arguments_.layers.any_from(LayerSource::cost_to_go)) field = asked_->cost_to_go(limits);
+  if (arguments_.layers.any_from(LayerSource::cost_to_go))
+    field = asked_->cost_to_go(moves_, limits);
   const bool searched = recorder_ && !recorder_->expansions().empty();
   layers_.clear();
   for (const LayerKind kind : arguments_.layers.kinds()) {
     switch (source_of(kind)) {
       case LayerSource::search:
-        if (searched) layers_.push_back(search_layer(kind, *planner_, *recorder_));
+        if (searched) layers_.push_back(search_layer(kind, **planner_, *recorder_));
         break;
       case LayerSource::cost_to_go:
         if (field) layers_.push_back(cost_to_go_layer(kind, space_, *field));
@@ -226,7 +240,7 @@ Scene PlanRun::outcome() const {
     scene.lines = lines_of(*result_.refined);
     return scene;
   }
-  const bool walked = maker_.spec().name == "random_walk" && recorder_;
+  const bool walked = spec_.name == "random_walk" && recorder_;
   if (!walked && !result_.plan.path.empty()) {
     scene.path = result_.plan.path;
   } else if (recorder_ && !recorder_->expansions().empty()) {
@@ -240,10 +254,10 @@ std::string PlanRun::step_text(const SteppedSearch& search, const SearchRecorder
   std::vector<Layer> layers;
   for (const LayerKind kind : arguments_.layers.kinds()) {
     if (source_of(kind) == LayerSource::search) {
-      layers.push_back(search_layer(kind, *planner_, recorder));
+      layers.push_back(search_layer(kind, **planner_, recorder));
     }
   }
-  const OpenList open = planner_->open_list(kMostOpenEntries);
+  const OpenList open = (*planner_)->open_list(kMostOpenEntries);
   const Frame& frame = space_.map().frame();
   const std::string keys = Stepper::keys(screen_.columns);
   const auto rows_below =
@@ -270,7 +284,7 @@ std::string PlanRun::text() const {
   }
   std::string summary;
   if (found) summary += asked_->summary(result_);
-  if (found && maker_.built_index()) {
+  if (found && built_index_) {
     summary += "index     built for this query and not saved; `wend index build` saves it\n";
   }
   if (result_.refined) {
@@ -313,7 +327,7 @@ std::vector<Panel> PlanRun::panels() const {
   if (result_.status == Status::found) return layer_panels(outcome(), layers_);
   const bool gave_up = result_.plan.metrics.expanded > 0 && result_.status != Status::unreachable;
   std::vector<Panel> panels{{fmt::format("no path: {}", to_string(result_.status)),
-                             gave_up ? outcome() : asked_->scene_of_failure(result_.status),
+                             gave_up ? outcome() : asked_->scene_of_failure(result_.status, moves_),
                              result_.reason}};
   if (layers_.empty()) return panels;
   for (Panel& panel : layer_panels(outcome(), layers_)) panels.push_back(std::move(panel));

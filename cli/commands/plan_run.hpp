@@ -26,6 +26,7 @@
 #include "wend/planner/planner.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/report/plan_report.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 
@@ -53,9 +54,9 @@ void write_failed_plan(const PlanArguments& arguments, const FailedPlan& plan);
 
 class PlanRun {
  public:
-  /// `times` are those of the work done for the query so far.
-  PlanRun(const PlanArguments& arguments, PlannerMaker planner, FreeSpace space,
-          const WorkTimes& times);
+  /// `times` are those of the work done for the query so far. The session has a map.
+  PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec planner,
+          IndexArgument index, const WorkTimes& times);
 
   /// Plans. Throws InputError for options out of range.
   void plan();
@@ -64,6 +65,7 @@ class PlanRun {
   ExitCode report();
 
  private:
+  Expected<WarmPlanner, Error> make_planner();
   void search();
   void search_to_the_end(const Query& query);
   void search_for(SearchObserver& observer, Query query);
@@ -92,10 +94,14 @@ class PlanRun {
 
   const PlanArguments& arguments_;
   Screen screen_ = detect_screen();
-  PlannerMaker maker_;
+  Session& session_;
+  PlannerSpec spec_;
+  IndexArgument index_;
+  bool built_index_ = false;
   FreeSpace space_;
   std::unique_ptr<TypedQuery> asked_;
-  std::unique_ptr<Planner> planner_;
+  std::optional<WarmPlanner> planner_;
+  GridMoves moves_;  // of a planner on cells
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;
   Refinement refinement_;

@@ -171,7 +171,8 @@ int run(const SmoothArguments& arguments) {
   const FreeSpace space = arguments.map.free_space(loaded.map);
   const Coordinates coordinates = arguments.map.coordinates(loaded.map);
   const Path path = path_to_smooth(arguments, space);
-  Refinement refinement = arguments.points.refinement(coordinates, arguments.moves.adjacency());
+  Refinement refinement = arguments.points.refinement(coordinates);
+  refinement.adjacency = arguments.moves.adjacency();
   refinement.smoother = smoother_of(arguments, coordinates);
   if (const auto collision = collision_of(path, space, refinement)) {
     refuse_collision(arguments, space, path, *collision, coordinates);

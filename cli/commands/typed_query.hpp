@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
-#include "cli/output/explainer.hpp"
+#include "cli/output/no_path_scene.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/shown_layers.hpp"
 #include "wend/analysis/cost_to_go.hpp"
@@ -42,26 +42,25 @@ class TypedQuery {
   /// The query for a planner, without limits.
   virtual Query query() const = 0;
 
+  /// The same in words.
+  virtual Ends ends() const = 0;
+
   /// --nearest: moves the ends to where the robot can stand. Returns a line for each end moved.
   /// Throws InputError if that is impossible.
-  virtual std::vector<std::string> move_to_nearest() = 0;
+  virtual std::vector<std::string> move_to_nearest(const Explainer& explainer) = 0;
 
   /// The map with start and goals.
   virtual Scene scene() const = 0;
 
   /// The same with the reason why there is no path, as far as it can be drawn.
-  virtual Scene scene_of_failure(Status status) const = 0;
+  virtual Scene scene_of_failure(Status status, GridMoves moves) const = 0;
 
   /// Costs to the goals from everywhere; nothing if there are none.
-  virtual std::optional<CostToGo> cost_to_go(const Limits& limits) const = 0;
+  virtual std::optional<CostToGo> cost_to_go(GridMoves moves, const Limits& limits) const = 0;
 
   /// Observers of a search for it.
   virtual SearchRecorder recorder() const = 0;
   virtual PosthocTrace trace(TraceForm form, std::uint64_t most_events) const = 0;
-
-  /// Why the planner found nothing, in one or more sentences.
-  virtual std::string reason(const Planner& planner, Status status, const Limits& limits,
-                             const SearchMetrics& metrics) const = 0;
 
   /// The path step by step, as lines; empty if the map is too large for that to help.
   virtual std::string steps(const Plan& plan, const Screen& screen) const = 0;
@@ -79,19 +78,17 @@ std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSp
 
 class CellQuery final : public TypedQuery {
  public:
-  CellQuery(FreeSpace space, const Coordinates& coordinates, GridMoves moves,
-            const EndArguments& ends);
+  CellQuery(FreeSpace space, const Coordinates& coordinates, const EndArguments& ends);
 
   void check(const ShownLayers& /*layers*/) const override {}
   Query query() const override;
-  std::vector<std::string> move_to_nearest() override;
+  Ends ends() const override;
+  std::vector<std::string> move_to_nearest(const Explainer& explainer) override;
   Scene scene() const override;
-  Scene scene_of_failure(Status status) const override;
-  std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
+  Scene scene_of_failure(Status status, GridMoves moves) const override;
+  std::optional<CostToGo> cost_to_go(GridMoves moves, const Limits& limits) const override;
   SearchRecorder recorder() const override;
   PosthocTrace trace(TraceForm form, std::uint64_t most_events) const override;
-  std::string reason(const Planner& planner, Status status, const Limits& limits,
-                     const SearchMetrics& metrics) const override;
   std::string steps(const Plan& plan, const Screen& screen) const override;
   std::string summary(const PlanResult& result) const override;
 
@@ -100,7 +97,6 @@ class CellQuery final : public TypedQuery {
 
   FreeSpace space_;
   Coordinates coordinates_;
-  GridMoves moves_;
   Place start_;
   std::vector<Place> goals_;
 };
@@ -113,22 +109,18 @@ class PoseQuery final : public TypedQuery {
 
   void check(const ShownLayers& layers) const override;
   Query query() const override;
-  std::vector<std::string> move_to_nearest() override;
+  Ends ends() const override;
+  std::vector<std::string> move_to_nearest(const Explainer& explainer) override;
   Scene scene() const override;
   /// Components and the widest path apply to discs only.
-  Scene scene_of_failure(Status /*status*/) const override { return scene(); }
-  std::optional<CostToGo> cost_to_go(const Limits& limits) const override;
+  Scene scene_of_failure(Status /*status*/, GridMoves /*moves*/) const override { return scene(); }
+  std::optional<CostToGo> cost_to_go(GridMoves moves, const Limits& limits) const override;
   SearchRecorder recorder() const override;
   PosthocTrace trace(TraceForm form, std::uint64_t most_events) const override;
-  std::string reason(const Planner& planner, Status status, const Limits& limits,
-                     const SearchMetrics& metrics) const override;
   std::string steps(const Plan& plan, const Screen& screen) const override;
   std::string summary(const PlanResult& result) const override;
 
  private:
-  std::string outside(const std::string& name, const TypedPose& pose) const;
-  std::string as_typed() const;
-
   FreeSpace space_;
   Coordinates coordinates_;
   int unit_;  // of a lattice of corners, in map cells; 0: cells
@@ -136,9 +128,7 @@ class PoseQuery final : public TypedQuery {
   std::vector<TypedPose> goals_;
 };
 
-/// Moves blocked ends to the nearest passable cells that are connected to the other end; says so,
-/// a line for each. Ends outside the map stay where they are.
-std::vector<std::string> move_to_nearest(Ends& ends, const FreeSpace& space,
-                                         const Coordinates& coordinates, GridMoves moves);
+/// Words for the command line, for a planner that moves so.
+Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves);
 
 }  // namespace wend::cli

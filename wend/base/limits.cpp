@@ -4,10 +4,13 @@
 
 namespace wend {
 
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 double Limits::now() const {
   if (clock) return clock();
-  if (!timed()) return 0;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return timed() ? steady_seconds() : 0;
 }
 
 }  // namespace wend

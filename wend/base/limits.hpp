@@ -14,6 +14,9 @@ namespace wend {
 /// Seconds since some fixed moment, never decreasing.
 using Clock = std::function<double()>;
 
+/// The system's steady clock.
+WEND_API double steady_seconds();
+
 /// Limits of one query. A search checks `expansions` before every expansion. It checks the clock
 /// and the cancel flag at its start and then every kExpansionsBetweenClockReads expansions (some
 /// ten microseconds).

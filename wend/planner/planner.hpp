@@ -25,6 +25,7 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
 
@@ -66,6 +67,9 @@ class WEND_API Planner {
   /// The number of valid states.
   std::uint64_t state_count() const { return do_state_count(); }
 
+  /// How it steps from cell to cell; nothing if its states have headings.
+  std::optional<GridMoves> grid_moves() const { return do_grid_moves(); }
+
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
@@ -98,6 +102,7 @@ class WEND_API Planner {
   virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
+  virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.

@@ -70,16 +70,6 @@ Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view l
   return parse_option_specs(list, "planner", planners().names());
 }
 
-GridMoves moves_of(const PlannerSpec& planner) {
-  const std::vector<OptionInfo> schema = option_schema<GridMoves>();
-  OptionValues values;
-  for (const auto& value : planner.options) {
-    const auto is_it = [&value](const OptionInfo& option) { return option.name == value.first; };
-    if (std::any_of(schema.begin(), schema.end(), is_it)) values.push_back(value);
-  }
-  return parse_options<GridMoves>(values).value_or(GridMoves{});
-}
-
 std::string_view terrain_in_words(const PlannerInfo& planner) {
   if (planner.plans_on_terrain) return "costs count";
   constexpr int kSide = 2;

@@ -12,7 +12,6 @@
 #include "wend/base/registry.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planner_info.hpp"
-#include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
 
@@ -43,8 +42,5 @@ using PlannerSpec = OptionSpec;
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; PlannerInfo::make checks the options.
 WEND_API Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list);
-
-/// The grid moves of a planner with these options; invalid values count as unset.
-WEND_API GridMoves moves_of(const PlannerSpec& planner);
 
 }  // namespace wend

@@ -6,20 +6,18 @@
 namespace wend {
 namespace {
 
-/// Keeps the nearest of the cells that are offered.
+/// Keeps the nearest of the cells that are offered and accepted.
 class Nearest {
  public:
-  Nearest(const FreeSpace& space, Cell from, std::optional<Cell> connected_to, Adjacency adjacency)
-      : space_(space), from_(from), connected_to_(connected_to), adjacency_(adjacency) {}
+  Nearest(Cell from, const std::function<bool(Cell)>& accepts) : from_(from), accepts_(accepts) {}
 
   void offer(Cell cell) {
-    if (!space_.passable(cell)) return;
-    if (connected_to_ && !space_.components().connected(cell, *connected_to_, adjacency_)) return;
     const std::int64_t dx = std::int64_t{cell.x} - from_.x;
     const std::int64_t dy = std::int64_t{cell.y} - from_.y;
     const std::int64_t squared = dx * dx + dy * dy;
     const bool before = cell_ && (cell.y < cell_->y || (cell.y == cell_->y && cell.x < cell_->x));
     if (!cell_ || squared < squared_ || (squared == squared_ && before)) {
+      if (!accepts_(cell)) return;
       cell_ = cell;
       squared_ = squared;
     }
@@ -31,10 +29,8 @@ class Nearest {
   std::optional<Cell> cell() const { return cell_; }
 
  private:
-  const FreeSpace& space_;
   Cell from_;
-  std::optional<Cell> connected_to_;
-  Adjacency adjacency_;
+  const std::function<bool(Cell)>& accepts_;
   std::optional<Cell> cell_;
   std::int64_t squared_ = 0;
 };
@@ -47,9 +43,9 @@ std::int64_t outside_by(int coordinate, int size) {
 
 }  // namespace
 
-std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
-                                     std::optional<Cell> connected_to, Adjacency adjacency) {
-  Nearest nearest(space, from, connected_to, adjacency);
+std::optional<Cell> nearest_cell(const FreeSpace& space, Cell from,
+                                 const std::function<bool(Cell)>& accepts) {
+  Nearest nearest(from, accepts);
   const std::int64_t first =
       std::max(outside_by(from.x, space.width()), outside_by(from.y, space.height()));
   const std::int64_t last =
@@ -70,6 +66,14 @@ std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
     }
   }
   return nearest.cell();
+}
+
+std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
+                                     std::optional<Cell> connected_to, Adjacency adjacency) {
+  return nearest_cell(space, from, [&](Cell cell) {
+    return space.passable(cell) &&
+           (!connected_to || space.components().connected(cell, *connected_to, adjacency));
+  });
 }
 
 }  // namespace wend

@@ -2,6 +2,7 @@
 
 // The nearest cell where the robot may stand, for a start or goal that is blocked.
 
+#include <functional>
 #include <optional>
 
 #include "wend/base/compiler.hpp"
@@ -16,5 +17,9 @@ namespace wend {
 WEND_API std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
                                               std::optional<Cell> connected_to = std::nullopt,
                                               Adjacency adjacency = Adjacency::edges);
+
+/// The same among the cells that `accepts` accepts; it is asked only about cells of the map.
+WEND_API std::optional<Cell> nearest_cell(const FreeSpace& space, Cell from,
+                                          const std::function<bool(Cell)>& accepts);
 
 }  // namespace wend

@@ -44,13 +44,26 @@ bool has_option(const PlannerInfo& info, const std::string& name) {
                      [&](const OptionInfo& option) { return option.name == name; });
 }
 
+bool is_of_moves(const std::string& option) {
+  return option == "connectivity" || option == "corner_rule";
+}
+
+/// The moves that were typed after a planner's name; invalid ones are refused when it is made.
+GridMoves typed_moves(const PlannerSpec& spec) {
+  OptionValues values;
+  for (const auto& value : spec.options) {
+    if (is_of_moves(value.first)) values.push_back(value);
+  }
+  return parse_options<GridMoves>(values).value_or(GridMoves{});
+}
+
 /// Gives a planner the same moves as all others; otherwise the lengths would differ.
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
   if (info.state_kind != StateKind::cell) {
     throw InputError(fmt::format(
         "{}: scenarios support grid planners only, and this planner is for a car", spec.text));
   }
-  const GridMoves own = moves_of(spec);
+  const GridMoves own = typed_moves(spec);
   if (own != GridMoves{} && own != moves) {
     throw InputError(
         fmt::format("{}: all planners must use the same moves: set --connectivity and "
@@ -62,9 +75,7 @@ void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
     throw InputError(fmt::format(
         "{}: this planner supports only 8 neighbours without corner cutting", spec.text));
   }
-  std::erase_if(spec.options, [](const auto& option) {
-    return option.first == "connectivity" || option.first == "corner_rule";
-  });
+  std::erase_if(spec.options, [](const auto& option) { return is_of_moves(option.first); });
   spec.options.emplace_back("connectivity", name_of(moves.connectivity));
   spec.options.emplace_back("corner_rule", name_of(moves.corner_rule));
 }
@@ -76,7 +87,7 @@ std::vector<GivenIndex> open_indexes(const std::vector<std::string>& files) {
   indexes.reserve(files.size());
   for (const std::string& file : files) {
     auto index = read_given_index(file);
-    if (!index) throw InputError("--index " + index.error());
+    if (!index) throw InputError("--index " + index.error().message);
     indexes.push_back(*std::move(index));
   }
   return indexes;

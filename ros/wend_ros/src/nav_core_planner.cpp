@@ -50,10 +50,15 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
       ROS_ERROR("the start or the goal pose contains NaN or infinity");
       return false;
     }
-    const MapSnapshot map = snapshot();
+    take_costmap();
+    const auto map = session_.view();
+    if (!map) {
+      ROS_ERROR_STREAM(map.error().message);
+      return false;
+    }
     for (const auto* pose : {&start, &goal}) {
-      if (pose->header.frame_id == map.frame_id) continue;
-      ROS_ERROR_STREAM("a pose in the frame '" << pose->header.frame_id << "', '" << map.frame_id
+      if (pose->header.frame_id == map->frame_id) continue;
+      ROS_ERROR_STREAM("a pose in the frame '" << pose->header.frame_id << "', '" << map->frame_id
                                                << "' expected");
       return false;
     }
@@ -61,7 +66,7 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                   .goals = {pose_from(goal.pose)},
                   .planner = {},
                   .options = {}};
-    const PlanResult result = planning_.answer(map, parameters_, ask);
+    const PlanResult result = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
       return false;
@@ -76,22 +81,21 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
 
  private:
   /// The costmap as it is now: every plan has a map of its own.
-  MapSnapshot snapshot() {
+  void take_costmap() {
     costmap_2d::Costmap2D& costs = *costmap_->getCostmap();
     const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costs.getMutex());
     const auto width = static_cast<int>(costs.getSizeInCellsX());
     const auto height = static_cast<int>(costs.getSizeInCellsY());
     const std::span<const std::uint8_t> values(
         costs.getCharMap(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    return {*wend::make_free_space(map_from_costs(values, width, height, costs.getResolution(),
-                                                  {costs.getOriginX(), costs.getOriginY()})),
-            costmap_->getGlobalFrameID(), ++version_};
+    session_.set_map(map_from_costs(values, width, height, costs.getResolution(),
+                                    {costs.getOriginX(), costs.getOriginY()}),
+                     costmap_->getGlobalFrameID());
   }
 
   costmap_2d::Costmap2DROS* costmap_ = nullptr;  // move_base's
   Parameters parameters_;
-  Planning planning_;
-  std::uint64_t version_ = 0;
+  wend::Session session_{session_options()};
 };
 
 }  // namespace wend_ros

@@ -17,16 +17,6 @@
 namespace wend_ros {
 namespace {
 
-wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
-  return {.footprint = parameters.footprint(),
-          .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
-                                                     : wend::UnknownPolicy::blocked,
-          .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
-                                                          : wend::OutsidePolicy::blocked,
-          .clearance_distance = parameters.number("clearance_distance"),
-          .primitives = parameters.primitives()};
-}
-
 wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {
   return wend::Unexpected<PlanResult>(refusal(code, std::move(reason)));
 }
@@ -43,7 +33,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
       markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 8, true)) {
   reading_.occupied_from = own.param("occupied_from", reading_.occupied_from);
   reconfigure_ = std::make_unique<Reconfigure>(own, [this](const Parameters& parameters) {
-    maps_.set_robot(robot_of(parameters));
+    session_.set_robot(robot_of(parameters));
     wake();
   });
   const double replan_rate = own.param("replan_rate", 0.0);
@@ -81,7 +71,7 @@ void PlannerNode::load_map_parameter(ros::NodeHandle& own) {
   const auto loaded = wend::load_map(file);
   if (!loaded) {
     ROS_ERROR_STREAM("~map: " << loaded.error().message);
-    maps_.set_wrong(loaded.error().message);
+    session_.clear_map(loaded.error().message);
     return;
   }
   take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));
@@ -93,7 +83,7 @@ void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   auto map = map_from(message, reading);
   if (!map) {
     ROS_ERROR_STREAM("/map: " << map.error());
-    maps_.set_wrong(map.error());
+    session_.clear_map(map.error());
     return;
   }
   ROS_INFO_STREAM("/map: " << map->width() << " x " << map->height() << " cells in the frame '"
@@ -101,7 +91,7 @@ void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   // rviz draws a box for each; of large maps /map itself has to do.
   constexpr std::size_t kMostBoxes = 250'000;
   if (map->size() <= kMostBoxes) markers_.publish(yard_markers(*map, message.header.frame_id));
-  maps_.set_map(*std::move(map), message.header.frame_id);
+  session_.set_map(*std::move(map), message.header.frame_id);
   wake();
 }
 
@@ -133,7 +123,7 @@ void PlannerNode::cancel(const std_msgs::Empty&) {
     wanted_ = active_ = false;
     cancel_topics_ = true;
   }
-  if (const auto map = maps_.snapshot()) publish(PlanResult(), *map, nullptr);
+  if (const auto map = session_.view()) publish(PlanResult(), *map, nullptr);
 }
 
 void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
@@ -181,14 +171,15 @@ void PlannerNode::plan_for_topics() {
 }
 
 wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
-                                                    const MapSnapshot& map) const {
+                                                    const wend::Session::View& map) const {
   Ask ask{.start = {},
           .goals = {},
           .any_heading = request.any_heading != 0,
           .planner = request.planner,
           .options = request.options,
           .time_limit = request.time_limit,
-          .from_field = request.from_field != 0};
+          .from_field = request.from_field != 0,
+          .nearest = request.nearest != 0};
   if (request.goals.empty()) return refused(StatusCode::invalid_request, "there is no goal");
   const auto start =
       request.use_start ? robot_.in(map.frame_id, request.start) : robot_.in(map.frame_id);
@@ -204,14 +195,14 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
 
 PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                                SearchWatch* watch) {
-  const auto map = maps_.snapshot();
+  const auto map = session_.view();
   PlanResult result;
   if (!map) {
-    result = refusal(StatusCode::no_map, maps_.why_none());
+    result = refusal(code_of(map.error().status), map.error().message);
   } else if (const auto ask = ask_of(request, *map); !ask) {
     result = ask.error();
   } else {
-    result = planning_.answer(*map, reconfigure_->parameters(), *ask, {cancel, watch});
+    result = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
   }
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
@@ -226,7 +217,7 @@ PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<boo
   return result;
 }
 
-void PlannerNode::publish(const PlanResult& result, const MapSnapshot& map,
+void PlannerNode::publish(const PlanResult& result, const wend::Session::View& map,
                           const SearchWatch* watch) {
   const ros::Time now = ros::Time::now();
   nav_msgs::Path path = result.path;

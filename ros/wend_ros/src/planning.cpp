@@ -1,13 +1,9 @@
 #include "wend_ros/planning.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/path/corner_rounding.hpp"
-#include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
@@ -15,8 +11,6 @@
 
 namespace wend_ros {
 namespace {
-
-constexpr std::size_t kMostIdle = 2;
 
 /// The planner of a request with all its options, or why it cannot be made.
 wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& parameters,
@@ -37,29 +31,15 @@ wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& paramet
   return spec;
 }
 
-/// Do all its points lie in cells that have numbers?
-bool are_cells(const wend::Query& query) {
+/// The goals' cells; fewer than goals if the numbers of one are too large for a cell.
+std::vector<wend::Cell> cells_of(const std::vector<wend::Goal>& goals) {
   constexpr double kMost = 1e9;
-  const auto is_cell = [](wend::Point point) {
-    return std::abs(point.x) < kMost && std::abs(point.y) < kMost;
-  };
-  return is_cell(query.start.point()) &&
-         std::ranges::all_of(query.goals, [&](const auto& goal) { return is_cell(goal.point); });
-}
-
-std::string key_of(const wend::PlannerSpec& spec) {
-  std::string key = spec.name;
-  for (const auto& [name, value] : spec.options) key += "," + name + "=" + value;
-  return key;
-}
-
-wend::Query query_of(const wend::Frame& frame, const Ask& ask) {
-  wend::Query query{.start = frame.to_grid(ask.start), .goals = {}};
-  for (const wend::Pose& goal : ask.goals) {
-    const wend::Pose in_grid = frame.to_grid(goal);
-    query.goals.push_back(ask.any_heading ? wend::Goal(in_grid.point()) : wend::Goal(in_grid));
+  std::vector<wend::Cell> cells;
+  for (const wend::Goal& goal : goals) {
+    if (!(std::abs(goal.point.x) < kMost && std::abs(goal.point.y) < kMost)) break;
+    cells.push_back(wend::cell_at(goal.point));
   }
-  return query;
+  return cells;
 }
 
 constexpr double kTrajectoryPeriod = 0.1;  // s
@@ -73,39 +53,49 @@ wend::TrajectoryLimits limits_of(const Parameters& parameters) {
           .lateral_acceleration = parameters.number("lateral_acceleration")};
 }
 
-void put_trajectory(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
-                    const wend::GridMoves& moves, const wend::Path& path) {
-  if (path.empty()) return;
-  const wend::Path rounded =
-      wend::rounded_corners(path, map.space, wend::kCornerRounding, moves.adjacency());
-  const auto trajectory =
-      wend::Trajectory::along(rounded, map.space.map().frame(), limits_of(parameters));
-  if (!trajectory || trajectory->duration() / kTrajectoryPeriod > kMostStamps) return;
-  result.trajectory = to_message(*trajectory, map.frame_id, kTrajectoryPeriod);
+wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const Watch& watch,
+                             wend::PlannerSpec planner) {
+  wend::PlanRequest request{.start = {ask.start.x, ask.start.y, ask.start.heading}, .goals = {}};
+  for (const wend::Pose& goal : ask.goals) {
+    wend::MapGoal& added = request.goals.emplace_back(wend::MapGoal{{goal.x, goal.y}});
+    if (!ask.any_heading) added.heading = goal.heading;
+  }
+  request.planner = std::move(planner);
+  request.limits.cancel = watch.cancel;
+  const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
+  if (limit > 0) request.limits.seconds = limit;
+  request.observer = watch.observer;
+  request.nearest = ask.nearest;
+  request.trajectory = limits_of(parameters);
+  return request;
 }
 
-void put_plan(PlanResult& result, const MapSnapshot& map, const Parameters& parameters,
-              const wend::GridMoves& moves, const wend::Plan& plan) {
-  const wend::Frame& frame = map.space.map().frame();
-  result.path = to_message(plan.path, frame, map.frame_id);
+/// Grid planners' paths are smoothed; a drive is smooth as it is.
+void refine_as_asked(wend::PlanRequest& request, const Parameters& parameters) {
+  const wend::PlannerInfo* info = wend::planners().find(request.planner.name);
+  const bool of_cells = info != nullptr && info->state_kind == wend::StateKind::cell;
+  if (!parameters.flag("smooth") || !of_cells) return;
+  request.refinement.smoother = wend::SmootherChoice{
+      "gradient",
+      {{"alpha", parameters.text("smooth_alpha")}, {"beta", parameters.text("smooth_beta")}}};
+}
+
+void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::string& frame_id) {
+  const wend::Frame& frame = answer.space.map().frame();
+  const wend::Plan& plan = answer.plan;
+  result.status_name = to_string(StatusCode::found);
+  result.path = to_message(plan.path, frame, frame_id);
   result.cost = plan.cost;
   result.bound = plan.bound;
   for (const std::string_view move : plan.moves) result.moves.emplace_back(move);
-  result.path_metrics = metrics_message(plan.path, map.space);
-  if (!parameters.flag("smooth") || plan.path.driven()) {
-    put_trajectory(result, map, parameters, moves, plan.path);
-    return;
+  result.path_metrics = metrics_message(plan.path, answer.space);
+  if (answer.refined) result.smoothed = to_message(answer.refined->path, frame, frame_id);
+  if (answer.trajectory && answer.trajectory->duration() / kTrajectoryPeriod <= kMostStamps) {
+    result.trajectory = to_message(*answer.trajectory, frame_id, kTrajectoryPeriod);
   }
-  const wend::GradientOptions options{
-      .alpha = parameters.number("smooth_alpha"),
-      .beta = parameters.number("smooth_beta"),
-      .squeeze = moves.adjacency() == wend::Adjacency::edges_and_corners};
-  const auto smoothed = wend::smooth_by_gradient(plan.path, map.space, options);
-  put_trajectory(result, map, parameters, moves, smoothed ? smoothed->path : plan.path);
-  if (smoothed) {
-    result.smoothed = to_message(smoothed->path, frame, map.frame_id);
-  } else {
-    result.reason = "not smoothed: " + smoothed.error().message;
+  if (answer.fault) result.reason = "not smoothed: " + answer.fault->message;
+  for (const std::string& note : answer.notes) {
+    result.reason += (result.reason.empty() ? "" : "; ") + note;
   }
 }
 
@@ -126,113 +116,99 @@ PlanResult refusal(StatusCode code, std::string reason) {
   return result;
 }
 
-std::unique_ptr<wend::Planner> Planning::take(std::uint64_t version, const std::string& spec) {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(idle_, [&](const Warm& warm) { return warm.version != version; });
-  for (auto warm = idle_.begin(); warm != idle_.end(); ++warm) {
-    if (warm->spec != spec) continue;
-    auto planner = std::move(warm->planner);
-    idle_.erase(warm);
-    return planner;
-  }
-  return nullptr;
+namespace {
+
+/// Where to plan from and to instead, if an end is blocked.
+void put_nearest(PlanResult& result, const wend::Session& session, wend::Status status,
+                 const Ask& ask) {
+  const auto nearest = [&](const wend::Pose& pose) {
+    return session.nearest({pose.x, pose.y, pose.heading});
+  };
+  const auto put = [&](auto& message, const wend::Pose& pose) {
+    if (const auto free = nearest(pose)) {
+      message.push_back(to_message(wend::Pose{free->x, free->y, free->heading}));
+    }
+  };
+  if (status == wend::Status::start_blocked) put(result.nearest_start, ask.start);
+  if (status == wend::Status::goal_blocked) put(result.nearest_goal, ask.goals.front());
 }
 
-void Planning::give_back(Warm warm) {
-  const std::lock_guard lock(mutex_);
-  if (idle_.size() >= kMostIdle) idle_.erase(idle_.begin());
-  idle_.push_back(std::move(warm));
-}
-
-/// The field of costs to the goals, made once for a map, goals and moves.
-std::shared_ptr<const wend::CostToGo> Planning::field_to(const MapSnapshot& map,
-                                                         const std::vector<wend::Cell>& goals,
-                                                         const wend::GridMoves& moves,
-                                                         const wend::Limits& limits,
-                                                         wend::PlanFailure& failure) {
-  const std::lock_guard lock(mutex_);
-  if (field_ && field_->version == map.version && field_->goals == goals &&
-      field_->moves == moves) {
-    return field_->costs;
-  }
-  auto made = wend::CostToGo::make(map.space, goals, moves, limits);
-  if (!made) {
-    failure = made.error();
-    return nullptr;
-  }
-  failure.metrics = made->metrics();
-  field_ =
-      Field{map.version, goals, moves, std::make_shared<const wend::CostToGo>(*std::move(made))};
-  return field_->costs;
-}
-
-PlanResult Planning::answer_from_field(const MapSnapshot& map, const Parameters& parameters,
-                                       const wend::Query& query, const wend::GridMoves& moves) {
-  std::vector<wend::Cell> goals;
-  for (const wend::Goal& goal : query.goals) goals.push_back(wend::cell_at(goal.point));
-  wend::PlanFailure failure{{wend::Status::found, {}}, {}};
-  double seconds = 0;
-  const auto field = wend::timed(wend::thread_cpu_seconds, seconds, [&] {
-    return field_to(map, goals, moves, query.limits, failure);
-  });
-  const auto refused = [&](wend::Status status) {
+PlanResult answer_from_field(wend::Session& session, const wend::Session::View& view,
+                             const wend::PlanRequest& request, wend::GridMoves moves) {
+  const wend::Query query = wend::query_of(request, view.space.map().frame());
+  std::vector<wend::Cell> goals = cells_of(query.goals);
+  const bool known =
+      goals.size() == query.goals.size() && cells_of({wend::Goal(query.start)}).size() == 1;
+  if (!known) return refusal(StatusCode::unsupported_query, "an end is too far from the map");
+  const auto from = session.cost_to_go(view, goals, moves, request.limits);
+  const auto refused = [](wend::Status status) {
     return refusal(code_of(status), std::string(wend::describe(status)));
   };
   PlanResult result;
-  if (!field) {
-    result = refused(failure.status);
-  } else if (const auto plan = field->path_from(wend::cell_at(query.start.point())); !plan) {
+  if (!from) {
+    result = refused(from.error().status);
+    put_metrics(result, from.error().metrics, from.error().search_seconds);
+  } else if (auto plan = from->costs->path_from(wend::cell_at(query.start.point())); !plan) {
     result = refused(plan.error().status);
   } else {
-    result.status_name = to_string(StatusCode::found);
-    put_plan(result, map, parameters, moves, *plan);
+    wend::PlanAnswer answer{.space = view.space, .plan = *std::move(plan), .moves = moves};
+    wend::finish_path(answer, request);
+    put_answer(result, answer, view.frame_id);
   }
+  if (from) put_metrics(result, from->metrics, from->search_seconds);
   result.from_field = 1;
-  put_metrics(result, failure.metrics, seconds);
   return result;
 }
 
-PlanResult Planning::answer(const MapSnapshot& map, const Parameters& parameters, const Ask& ask,
-                            const Watch& watch) {
+}  // namespace
+
+wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
+  return {.footprint = parameters.footprint(),
+          .unknown = parameters.flag("unknown_free") ? wend::UnknownPolicy::free
+                                                     : wend::UnknownPolicy::blocked,
+          .outside = parameters.text("outside") == "free" ? wend::OutsidePolicy::free
+                                                          : wend::OutsidePolicy::blocked,
+          .clearance_distance = parameters.number("clearance_distance"),
+          .primitives = parameters.primitives()};
+}
+
+wend::SessionOptions session_options() {
+  return {.hints = {.unknown_free = "~unknown_free",
+                    .outside_free = "~outside 'free'",
+                    .squeeze = "~connectivity 8 and ~corner_rule both",
+                    .robot_radius = "~robot_radius",
+                    .nearest = "`nearest` in the request",
+                    .limit_seconds = "~time_limit"},
+          .clock = wend::thread_cpu_seconds};
+}
+
+PlanResult answer(wend::Session& session, const wend::Session::View& view,
+                  const Parameters& parameters, const Ask& ask, const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
   if (!spec) return refusal(code_of(spec.error().status), spec.error().message);
-  const std::string key = key_of(*spec);
-  auto planner = take(map.version, key);
-  if (!planner) {
-    auto made = wend::make_planner(spec->name, map.space, spec->options);
-    if (!made) return refusal(code_of(made.error().status), made.error().message);
-    planner = *std::move(made);
-  }
-  wend::Query query = query_of(map.space.map().frame(), ask);
-  query.observer = watch.observer;
-  query.limits.cancel = watch.cancel;
-  const double limit = ask.time_limit > 0 ? ask.time_limit : parameters.number("time_limit");
-  if (limit > 0) query.limits.seconds = limit;
-
+  wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
+  refine_as_asked(request, parameters);
   if (ask.from_field) {
-    const wend::PlannerInfo& info = *wend::planners().find(spec->name);
-    const bool by_steps = info.state_kind == wend::StateKind::cell && !info.any_angle;
-    if (by_steps && are_cells(query)) {
-      return answer_from_field(map, parameters, query, wend::moves_of(*spec));
+    const auto planner = session.planner(*spec);
+    if (!planner) return refusal(code_of(planner.error().status), planner.error().message);
+    const auto moves = (*planner)->grid_moves();
+    if (!moves || wend::planners().find(spec->name)->any_angle) {
+      return refusal(StatusCode::unsupported_query,
+                     "only planners from cell to cell answer from a field");
     }
-    return refusal(StatusCode::unsupported_query,
-                   "only planners from cell to cell answer from a field");
+    return answer_from_field(session, view, request, *moves);
   }
-
-  wend::Plan plan;
-  double seconds = 0;
-  const wend::Status status =
-      wend::timed(wend::thread_cpu_seconds, seconds, [&] { return planner->plan(query, plan); });
+  const auto answered = session.plan(view, request);
   PlanResult result;
-  if (status == wend::Status::found) {
-    result.status_name = to_string(StatusCode::found);
-    put_plan(result, map, parameters, wend::moves_of(*spec), plan);
+  if (answered) {
+    put_answer(result, *answered, view.frame_id);
+    put_metrics(result, answered->plan.metrics, answered->search_seconds);
   } else {
-    const std::string reason = planner->reason(query, status);
-    result = refusal(code_of(status), reason);
+    const wend::RequestFailure& failed = answered.error();
+    result = refusal(code_of(failed.status), failed.message);
+    put_nearest(result, session, failed.status, ask);
+    put_metrics(result, failed.metrics, failed.search_seconds);
   }
-  put_metrics(result, plan.metrics, seconds);
-  give_back({map.version, key, std::move(planner)});
   return result;
 }
 

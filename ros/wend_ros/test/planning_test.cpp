@@ -18,7 +18,20 @@ wend::GridMap room() {
   return *wend::make_grid_map(cells, {.resolution = 0.1, .y_up = true, .metric = true});
 }
 
-MapSnapshot snapshot() { return {*wend::make_free_space(room()), "map", 1}; }
+/// Answers queries in a room.
+class Planning {
+ public:
+  Planning() { session_.set_map(room()); }
+
+  void set_robot(const Parameters& parameters) { session_.set_robot(robot_of(parameters)); }
+
+  PlanResult answer(const Parameters& parameters, const Ask& ask, const Watch& watch = {}) {
+    return wend_ros::answer(session_, *session_.view(), parameters, ask, watch);
+  }
+
+ private:
+  wend::Session session_{session_options()};
+};
 
 Ask ask(wend::Pose start, wend::Pose goal) {
   return {.start = start, .goals = {goal}, .planner = {}, .options = {}};
@@ -42,7 +55,7 @@ TEST(StatusCodes, OfEveryReasonHaveANameAndNav2sNumbers) {
 
 TEST(Planning, AnswersInTheMapsFrame) {
   Planning planning;
-  const PlanResult result = planning.answer(snapshot(), {}, ask({1.05, 1.05, 0}, {9.05, 1.05, 0}));
+  const PlanResult result = planning.answer({}, ask({1.05, 1.05, 0}, {9.05, 1.05, 0}));
   ASSERT_EQ(result.status, 0) << result.reason;
   EXPECT_EQ(result.path.header.frame_id, "map");
   EXPECT_NEAR(result.path.poses.front().pose.position.x, 1.05, 1e-9);
@@ -58,8 +71,7 @@ TEST(Planning, StampsTheTrajectoryByItsLimits) {
   Parameters parameters;
   EXPECT_EQ(parameters.set("speed", "2"), "");
   EXPECT_NE(parameters.set("acceleration", "0"), "");
-  const PlanResult result =
-      planning.answer(snapshot(), parameters, ask({1.05, 1.05, 0}, {1.05, 7.05, 0}));
+  const PlanResult result = planning.answer(parameters, ask({1.05, 1.05, 0}, {1.05, 7.05, 0}));
   ASSERT_EQ(result.status, 0) << result.reason;
   const auto& poses = result.trajectory.poses;
   ASSERT_GT(poses.size(), 2U);
@@ -74,26 +86,52 @@ TEST(Planning, StampsTheTrajectoryByItsLimits) {
 
 TEST(Planning, TellsWhyThereIsNoPlan) {
   Planning planning;
-  EXPECT_EQ(planning.answer(snapshot(), {}, ask({-1, 1, 0}, {9, 1, 0})).status, 203);
-  EXPECT_EQ(planning.answer(snapshot(), {}, ask({1, 1, 0}, {9, 11, 0})).status, 204);
-  EXPECT_EQ(planning.answer(snapshot(), {}, ask({5.05, 1, 0}, {9, 1, 0})).status, 205);
-  const PlanResult blocked = planning.answer(snapshot(), {}, ask({1, 1, 0}, {5.05, 1, 0}));
+  EXPECT_EQ(planning.answer({}, ask({-1, 1, 0}, {9, 1, 0})).status, 203);
+  EXPECT_EQ(planning.answer({}, ask({1, 1, 0}, {9, 11, 0})).status, 204);
+  EXPECT_EQ(planning.answer({}, ask({5.05, 1, 0}, {9, 1, 0})).status, 205);
+  const PlanResult blocked = planning.answer({}, ask({1, 1, 0}, {5.05, 1, 0}));
   EXPECT_EQ(blocked.status, 206);
   EXPECT_NE(blocked.reason.find("obstacle"), std::string::npos) << blocked.reason;
+}
+
+TEST(Planning, SaysWhatWouldHelpInTheNamesOfItsParameters) {
+  Planning planning;
+  Parameters wide;
+  EXPECT_EQ(wide.set("robot_radius", "1.5"), "");
+  planning.set_robot(wide);
+  const PlanResult result = planning.answer(wide, ask({2.05, 2.05, 0}, {8.05, 2.05, 0}));
+  EXPECT_EQ(result.status, 208);
+  EXPECT_NE(result.reason.find("(~robot_radius 1.05)"), std::string::npos) << result.reason;
+}
+
+TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
+  Planning planning;
+  Ask blocked = ask({5.05, 1.05, 1}, {9.05, 1.05, 0});
+  const PlanResult refused = planning.answer({}, blocked);
+  ASSERT_EQ(refused.status, 205);
+  ASSERT_EQ(refused.nearest_start.size(), 1U);
+  EXPECT_TRUE(refused.nearest_goal.empty());
+  EXPECT_NEAR(refused.nearest_start.front().position.x, 4.95, 1e-9);
+  EXPECT_NEAR(pose_from(refused.nearest_start.front()).heading, 1, 1e-9);
+  blocked.nearest = true;
+  const PlanResult moved = planning.answer({}, blocked);
+  ASSERT_EQ(moved.status, 0) << moved.reason;
+  EXPECT_NE(moved.reason.find("planning from"), std::string::npos) << moved.reason;
+  EXPECT_NEAR(moved.path.poses.front().pose.position.x, 4.95, 1e-9);
 }
 
 TEST(Planning, ChecksPlannersAndOptions) {
   Planning planning;
   Ask wrong = ask({1, 1, 0}, {9, 1, 0});
   wrong.planner = "astr";
-  const PlanResult unknown = planning.answer(snapshot(), {}, wrong);
+  const PlanResult unknown = planning.answer({}, wrong);
   EXPECT_EQ(unknown.status, 201);
   EXPECT_NE(unknown.reason.find("astar"), std::string::npos) << unknown.reason;
   wrong.planner = "astar";
   wrong.options = "weight=-3";
-  EXPECT_EQ(planning.answer(snapshot(), {}, wrong).status, 201);
+  EXPECT_EQ(planning.answer({}, wrong).status, 201);
   wrong.options = "weight=3";
-  const PlanResult weighted = planning.answer(snapshot(), {}, wrong);
+  const PlanResult weighted = planning.answer({}, wrong);
   EXPECT_EQ(weighted.status, 0) << weighted.reason;
   EXPECT_EQ(weighted.bound, 3);
 }
@@ -105,7 +143,7 @@ TEST(Planning, TakesItsOptionsFromTheParameters) {
   EXPECT_EQ(parameters.text("weight"), "2") << "lambda is its other name";
   EXPECT_NE(parameters.set("lambda", "-1"), "");
   EXPECT_EQ(parameters.set("smooth", "false"), "");
-  const PlanResult result = planning.answer(snapshot(), parameters, ask({1, 1, 0}, {9, 1, 0}));
+  const PlanResult result = planning.answer(parameters, ask({1, 1, 0}, {9, 1, 0}));
   EXPECT_EQ(result.bound, 2);
   EXPECT_TRUE(result.smoothed.poses.empty());
 }
@@ -113,26 +151,25 @@ TEST(Planning, TakesItsOptionsFromTheParameters) {
 TEST(Planning, IsStoppedByItsFlag) {
   Planning planning;
   const std::atomic<bool> cancel{true};
-  const PlanResult result =
-      planning.answer(snapshot(), {}, ask({1, 1, 0}, {9, 1, 0}), {&cancel, nullptr});
+  const PlanResult result = planning.answer({}, ask({1, 1, 0}, {9, 1, 0}), {&cancel, nullptr});
   EXPECT_EQ(result.status, static_cast<int>(StatusCode::cancelled));
 }
 
 TEST(Planning, AnswersFromTheFieldWithTheSameCost) {
   Planning planning;
   Ask from_field = ask({1, 1, 0}, {9, 1, 0});
-  const double cost = planning.answer(snapshot(), {}, from_field).cost;
+  const double cost = planning.answer({}, from_field).cost;
   from_field.from_field = true;
-  const PlanResult first = planning.answer(snapshot(), {}, from_field);
+  const PlanResult first = planning.answer({}, from_field);
   ASSERT_EQ(first.status, 0) << first.reason;
   EXPECT_TRUE(first.from_field);
   EXPECT_NEAR(first.cost, cost, 1e-9);
   from_field.start = {2, 2, 0};
-  const PlanResult second = planning.answer(snapshot(), {}, from_field);
+  const PlanResult second = planning.answer({}, from_field);
   EXPECT_TRUE(second.from_field);
   EXPECT_EQ(second.metrics.expanded, 0U) << "the field was there already";
   from_field.from_field = false;
-  EXPECT_NEAR(planning.answer(snapshot(), {}, from_field).cost, second.cost, 1e-9);
+  EXPECT_NEAR(planning.answer({}, from_field).cost, second.cost, 1e-9);
 }
 
 TEST(Parameters, AreDescribedFromTheSchema) {

@@ -69,6 +69,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   void assess(Plan& out) override;
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
+  std::optional<GridMoves> do_grid_moves() const override { return moves_; }
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;
 

@@ -45,6 +45,7 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
   std::uint64_t do_state_count() const override;
+  std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
   int do_corner_unit() const override { return static_cast<int>(options_.driving.unit); }
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;

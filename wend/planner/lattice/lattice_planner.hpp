@@ -43,6 +43,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   void assess(Plan& out) override;
   std::string do_reason(const Query& query, Status status) const override;
   double do_heuristic(const Pose& pose) const override;
+  std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
   std::uint64_t do_state_count() const override;
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;

@@ -58,16 +58,16 @@ class PlannerNode {
   PlanResult answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                     SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
-  wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request, const MapSnapshot& map) const;
-  void publish(const PlanResult& result, const MapSnapshot& map, const SearchWatch* watch);
+  wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
+                                         const wend::Session::View& map) const;
+  void publish(const PlanResult& result, const wend::Session::View& map, const SearchWatch* watch);
 
   void plan_for_topics();
   bool wait_for_topics();
   void wake();
 
-  MapHolder maps_;
+  wend::Session session_{session_options()};
   MapReading reading_;
-  Planning planning_;
   RobotPose robot_;
   std::unique_ptr<Reconfigure> reconfigure_;
 

@@ -6,16 +6,11 @@
 #include <wend_ros/PlanResult.h>
 
 #include <atomic>
-#include <cstdint>
-#include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "wend/analysis/cost_to_go.hpp"
-#include "wend/planner/planner.hpp"
-#include "wend_ros/map_snapshot.hpp"
+#include "wend/geometry/pose.hpp"
+#include "wend/session/session.hpp"
 #include "wend_ros/parameters.hpp"
 #include "wend_ros/status_codes.hpp"
 
@@ -30,6 +25,7 @@ struct Ask {
   std::string options;    // "heuristic=euclidean"
   double time_limit = 0;  // s; 0: the parameter's
   bool from_field = false;
+  bool nearest = false;  // moves blocked ends to the nearest free cells
 };
 
 struct Watch {
@@ -40,38 +36,14 @@ struct Watch {
 /// A failure as an answer.
 PlanResult refusal(StatusCode code, std::string reason);
 
-class Planning {
- public:
-  PlanResult answer(const MapSnapshot& map, const Parameters& parameters, const Ask& ask,
-                    const Watch& watch = {});
+/// The robot of the parameters.
+wend::FreeSpaceOptions robot_of(const Parameters& parameters);
 
- private:
-  /// A planner that was made before, and what it was made for.
-  struct Warm {
-    std::uint64_t version;
-    std::string spec;
-    std::unique_ptr<wend::Planner> planner;
-  };
-  struct Field {
-    std::uint64_t version;
-    std::vector<wend::Cell> goals;
-    wend::GridMoves moves;
-    std::shared_ptr<const wend::CostToGo> costs;
-  };
+/// A session that measures CPU time and explains itself in the names of the parameters.
+wend::SessionOptions session_options();
 
-  std::unique_ptr<wend::Planner> take(std::uint64_t version, const std::string& spec);
-  void give_back(Warm warm);
-  PlanResult answer_from_field(const MapSnapshot& map, const Parameters& parameters,
-                               const wend::Query& query, const wend::GridMoves& moves);
-  std::shared_ptr<const wend::CostToGo> field_to(const MapSnapshot& map,
-                                                 const std::vector<wend::Cell>& goals,
-                                                 const wend::GridMoves& moves,
-                                                 const wend::Limits& limits,
-                                                 wend::PlanFailure& failure);
-
-  std::mutex mutex_;
-  std::vector<Warm> idle_;
-  std::optional<Field> field_;
-};
+/// Plans on a view of the session, and refines and times the path as the parameters say.
+PlanResult answer(wend::Session& session, const wend::Session::View& view,
+                  const Parameters& parameters, const Ask& ask, const Watch& watch = {});
 
 }  // namespace wend_ros

@@ -1,0 +1,30 @@
+#pragma once
+
+// Why there is no plan, as a scene, and what wend's explanations call the command line's options.
+
+#include <span>
+#include <string>
+
+#include "cli/arguments/coordinates.hpp"
+#include "wend/analysis/no_path.hpp"
+#include "wend/render/scene.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/session/explainer.hpp"
+
+namespace wend::cli {
+
+/// What explanations call the options of the command line.
+Hints command_line_hints();
+
+/// The scene of a start and its goals, one or more; those outside the map are left out.
+Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,
+                    GridMoves moves, const Coordinates& coordinates);
+
+/// The same for one goal and a known reason. Start and goal must be on the map.
+Scene no_path_scene(const FreeSpace& space, Cell start, Cell goal, GridMoves moves,
+                    const Coordinates& coordinates, const NoPath& why);
+
+/// What a path needs: "path for a robot of 0.45 m through unknown cells".
+std::string describe(const Way& way, const Coordinates& coordinates);
+
+}  // namespace wend::cli

@@ -1,0 +1,218 @@
+#include "wend/session/explainer.hpp"
+
+#include <cmath>
+
+#include "wend/base/parse.hpp"
+#include "wend/session/nearest_ends.hpp"
+
+namespace wend {
+namespace {
+
+bool is_about_a_goal(Status status) {
+  return status == Status::goal_outside || status == Status::goal_blocked ||
+         status == Status::unreachable;
+}
+
+/// " (--unknown free)"; empty for an empty hint.
+std::string in_brackets(const std::string& hint, const std::string& value = {}) {
+  if (hint.empty()) return {};
+  return " (" + hint + (value.empty() ? "" : " " + value) + ')';
+}
+
+std::string joined_texts(const std::vector<std::string>& texts, std::string_view separator) {
+  std::string all;
+  for (const std::string& text : texts) {
+    if (!all.empty()) all += separator;
+    all += text;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string Explainer::explain(Status status, const Ends& ends, const Limits& limits,
+                               const SearchMetrics& metrics) const {
+  if (ends.goals.size() > 1 && is_about_a_goal(status)) return explain_goals(ends);
+  const Place& goal = ends.goals.front();
+  switch (status) {
+    case Status::start_outside:
+      return outside(ends.start);
+    case Status::goal_outside:
+      return outside(goal);
+    case Status::start_blocked:
+      return blocked_end(ends.start, goal);
+    case Status::goal_blocked:
+      return blocked_end(goal, ends.start);
+    case Status::unreachable:
+      return unreachable(ends.start, goal);
+    default:
+      return stopped(status, limits, metrics);
+  }
+}
+
+std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
+                               Status status, const SearchMetrics& metrics) const {
+  if (planner.grid_moves()) return explain(status, ends, query.limits, metrics);
+  if (is_limit(status)) return stopped(status, query.limits, metrics);
+  const int unit = planner.corner_unit();
+  if (status == Status::start_outside || status == Status::goal_outside) {
+    const Place& place = status == Status::start_outside ? ends.start : ends.goals.front();
+    return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
+           (unit > 0 ? units_.extent_of_corners() : units_.extent());
+  }
+  return as_asked(ends, unit) + planner.reason(query, status);
+}
+
+/// Reasons of planners of poses are in cells. If these are not what was asked, that comes first.
+std::string Explainer::as_asked(const Ends& ends, int corner_unit) const {
+  if (!units_.metric() && corner_unit <= 1) return {};
+  std::vector<std::string> goals;
+  for (const Place& goal : ends.goals) goals.push_back(goal.text);
+  return "from " + ends.start.text + " to " + joined_texts(goals, " or ") + ": ";
+}
+
+std::string Explainer::explain_goals(const Ends& ends) const {
+  std::vector<std::string> reasons;
+  for (const Place& goal : ends.goals) {
+    const std::string reason = blocked(goal);
+    reasons.push_back(reason.empty() ? "there is no path to the goal " + goal.text : reason);
+  }
+  return "none of " + std::to_string(ends.goals.size()) +
+         " goals can be reached: " + joined_texts(reasons, "; ");
+}
+
+std::string Explainer::outside(const Place& place) const {
+  return "the " + place.name + ' ' + place.text + " is outside the map, which covers " +
+         units_.extent();
+}
+
+std::string Explainer::blocked(const Place& place) const {
+  const auto reason = space_.why_blocked(place.cell);
+  if (!reason) return {};
+  if (*reason == BlockReason::outside) return outside(place);
+  return "the " + place.name + ' ' + place.text + " is blocked: " + why(place, *reason);
+}
+
+std::string Explainer::why(const Place& place, BlockReason reason) const {
+  switch (reason) {
+    case BlockReason::obstacle:
+      return "the cell is an obstacle";
+    case BlockReason::unknown:
+      if (hints_.unknown_free.empty()) return "the cell is unknown";
+      return "the cell is unknown (" + hints_.unknown_free + " makes unknown cells free)";
+    case BlockReason::too_close:
+      return too_near(place, "the nearest obstacle");
+    case BlockReason::over_edge:
+      return "the robot would extend beyond the map: " + too_near(place, "the edge") +
+             (hints_.outside_free.empty() ? "" : " (" + hints_.outside_free + " allows it)");
+    case BlockReason::outside:
+    case BlockReason::overlaps:
+    case BlockReason::leaves:
+      break;
+  }
+  return std::string(describe(reason));
+}
+
+/// Planners on cells know no headings and take a polygon for the disc around it.
+std::string Explainer::too_near(const Place& place, std::string_view obstacle) const {
+  const std::string_view radius = space_.outline()
+                                      ? "the radius of the disc around the robot's footprint"
+                                      : "the robot's radius";
+  return std::string(obstacle) + " is " + units_.length(space_.clearance(place.cell)) + " away, " +
+         std::string(radius) + " is " + units_.length(space_.radius_in_cells());
+}
+
+std::string Explainer::blocked_end(const Place& place, const Place& other) const {
+  std::string text = blocked(place);
+  if (!space_.passable(other.cell)) text += ". Also, " + blocked(other);
+  return text + ". " + nearest(place, other);
+}
+
+std::string Explainer::nearest(const Place& place, const Place& other) const {
+  const auto cell = nearest_free(space_, place.cell, other.cell, moves_.adjacency());
+  if (!cell) return "The map has no free cell for this robot";
+  const double away = distance(centre_of(*cell), centre_of(place.cell));
+  std::string text = "The nearest free cell";
+  if (space_.passable(other.cell)) text += " that is connected to the " + other.name;
+  text += " is " + units_.text(*cell) + ", " + units_.length(away) + " away";
+  if (hints_.nearest.empty()) return text;
+  return text + ": " + hints_.nearest + " plans " + (place.name == "start" ? "from" : "to") +
+         " that cell";
+}
+
+std::vector<std::string> Explainer::move_to_nearest(Ends& ends) const {
+  Place& goal = ends.goals.front();
+  const NearestEnds moved = nearest_ends(space_, ends.start.cell, goal.cell, moves_.adjacency());
+  std::vector<std::string> notes;
+  if (moved.start != ends.start.cell) notes.push_back(move(ends.start, moved.start, "from"));
+  if (moved.goal != goal.cell) notes.push_back(move(goal, moved.goal, "to"));
+  return notes;
+}
+
+std::string Explainer::move(Place& place, Cell cell, std::string_view preposition) const {
+  const double away = distance(centre_of(cell), centre_of(place.cell));
+  std::string note = blocked(place) + "; planning " + std::string(preposition) + ' ' +
+                     units_.text(cell) + ", " + units_.length(away) + " away";
+  place.cell = cell;
+  place.text = units_.text(cell);
+  return note;
+}
+
+std::string Explainer::unreachable(const Place& start, const Place& goal) const {
+  const NoPath why = explain_no_path(space_, start.cell, goal.cell, moves_);
+  std::string text = "there is no path from start " + start.text + " to goal " + goal.text +
+                     ": the start's connected component has " + units_.area(why.start_component) +
+                     ", the goal's has " + units_.area(why.goal_component) + ". ";
+  if (why.ways.empty()) return text + "Obstacles separate the two, even for a robot with radius 0";
+  std::vector<std::string> changes;
+  for (const Way& way : why.ways) changes.push_back(change(way));
+  text += "A path exists with " + joined_texts(changes, "; or ");
+  return hints_.explain.empty() ? text : text + ". " + hints_.explain;
+}
+
+std::string Explainer::change(const Way& way) const {
+  std::vector<std::string> changes;
+  if (way.unknown_free) changes.push_back("unknown cells free" + in_brackets(hints_.unknown_free));
+  if (way.squeeze) {
+    changes.push_back("moves between obstacles that touch at a corner" +
+                      in_brackets(hints_.squeeze));
+  }
+  if (way.smaller_robot) {
+    changes.push_back("a radius of at most " + units_.length(way.widest.radius) +
+                      in_brackets(hints_.robot_radius, units_.radius(way.widest.radius)));
+  }
+  return joined_texts(changes, " and ");
+}
+
+std::string Explainer::width(const WidestPath& widest) const {
+  if (std::isinf(widest.radius)) return "of any size: no obstacle is in the way";
+  return "with a radius of up to " + units_.length(widest.radius) + ", narrowest at " +
+         units_.text(widest.narrowest);
+}
+
+std::string Explainer::stopped(Status status, const Limits& limits,
+                               const SearchMetrics& metrics) const {
+  const std::string expansions = std::to_string(metrics.expanded) + " expansions";
+  switch (status) {
+    case Status::expansion_limit:
+      return "stopped after " + expansions +
+             in_brackets(hints_.limit_expansions, std::to_string(limits.expansions));
+    case Status::time_limit:
+      return "stopped after " + format_number(limits.seconds) + " s and " + expansions +
+             in_brackets(hints_.limit_seconds, format_number(limits.seconds));
+    case Status::cancelled:
+      return "cancelled after " + expansions;
+    case Status::step_limit:
+      return "the walk ended after " + std::to_string(metrics.expanded - 1) + " steps" +
+             in_brackets(hints_.limit_steps);
+    default:
+      return std::string(describe(status));
+  }
+}
+
+bool is_limit(Status status) {
+  return status == Status::expansion_limit || status == Status::time_limit ||
+         status == Status::step_limit || status == Status::cancelled;
+}
+
+}  // namespace wend

@@ -1,0 +1,99 @@
+#pragma once
+
+// Explainer: why a query has no path, in sentences: which end is blocked, by what, how far the nearest
+// free cell is, or what separates start and goal, and what would open a path.
+//
+//   const wend::Explainer explainer(space, wend::Units(space.map()), {}, {});
+//   report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/analysis/no_path.hpp"
+#include "wend/base/compiler.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/base/status.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/session/units.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+/// What a front end calls the options that an explanation recommends, such as "--unknown free". An
+/// explanation leaves out what is empty.
+struct Hints {
+  std::string unknown_free = {};      // unknown cells count as free
+  std::string outside_free = {};      // the robot may extend beyond the map
+  std::string squeeze = {};           // diagonal moves between obstacles that touch
+  std::string robot_radius = {};      // a radius follows
+  std::string nearest = {};           // plans from or to the nearest free cell
+  std::string explain = {};           // shows the explanation: "`wend explain` shows where"
+  std::string limit_expansions = {};  // a number follows
+  std::string limit_seconds = {};     // a number follows
+  std::string limit_steps = {};
+};
+
+/// The start and the goals of a query, in words.
+struct Ends {
+  Place start;
+  std::vector<Place> goals;  // one or more
+};
+
+class WEND_API Explainer {
+ public:
+  /// For planners that move so. O(1).
+  Explainer(FreeSpace space, Units units, GridMoves moves, Hints hints)
+      : space_(std::move(space)), units_(units), moves_(moves), hints_(std::move(hints)) {}
+
+  /// Why a query ended with this status, in one or more sentences. O(cells log cells) if start and goal
+  /// are not connected, else O(cells until the nearest free one).
+  std::string explain(Status status, const Ends& ends, const Limits& limits,
+                      const SearchMetrics& metrics) const;
+
+  /// The same for a query that `planner` answered. A planner whose states have headings gives the
+  /// reason itself.
+  std::string explain(const Planner& planner, const Query& query, const Ends& ends, Status status,
+                      const SearchMetrics& metrics) const;
+
+  /// "the start (3,4) is outside the map, which covers ..."
+  std::string outside(const Place& place) const;
+
+  /// "the start (3,4) is blocked: the cell is an obstacle"; empty if it is not.
+  std::string blocked(const Place& place) const;
+
+  /// Moves start and goal (one) to free cells by nearest_ends(). A sentence for each that moved: "the start
+  /// (3,4) is blocked: ...; planning from (3,5), 1 cell away".
+  std::vector<std::string> move_to_nearest(Ends& ends) const;
+
+  /// Why a search was stopped: "stopped after 1000 expansions"; for other statuses, what they mean.
+  std::string stopped(Status status, const Limits& limits, const SearchMetrics& metrics) const;
+
+  /// What would open a path: "unknown cells free (--unknown free)".
+  std::string change(const Way& way) const;
+
+  /// How wide a path is and where it is narrowest: "with a radius of up to 0.3 m, narrowest at ...".
+  std::string width(const WidestPath& widest) const;
+
+ private:
+  std::string explain_goals(const Ends& ends) const;
+  std::string move(Place& place, Cell cell, std::string_view preposition) const;
+  std::string blocked_end(const Place& place, const Place& other) const;
+  std::string nearest(const Place& place, const Place& other) const;
+  std::string unreachable(const Place& start, const Place& goal) const;
+  std::string as_asked(const Ends& ends, int corner_unit) const;
+  std::string too_near(const Place& place, std::string_view obstacle) const;
+  std::string why(const Place& place, BlockReason reason) const;
+
+  FreeSpace space_;
+  Units units_;
+  GridMoves moves_;
+  Hints hints_;
+};
+
+/// Did a search end at a limit, or because it was cancelled?
+WEND_API bool is_limit(Status status);
+
+}  // namespace wend

@@ -1,0 +1,61 @@
+#include "wend/session/plan_request.hpp"
+
+#include "wend/path/corner_rounding.hpp"
+
+namespace wend {
+
+std::vector<MapPose> PlanAnswer::poses() const {
+  const Frame& frame = space.map().frame();
+  std::vector<MapPose> metres;
+  for (const Pose& pose : path().poses()) {
+    const auto in_metres = frame.to_metres(pose);
+    metres.push_back({in_metres.x, in_metres.y, in_metres.heading});
+  }
+  return metres;
+}
+
+Query query_of(const PlanRequest& request, const Frame& frame) {
+  const auto point_of = [&](MapPoint point) { return frame.to_grid(Point{point.x, point.y}); };
+  const auto pose_of = [&](const MapPose& pose) {
+    return frame.to_grid(Pose{pose.x, pose.y, pose.heading});
+  };
+  Query query{pose_of(request.start), {}, request.limits, request.observer};
+  for (const MapGoal& goal : request.goals) {
+    if (goal.heading) {
+      query.goals.emplace_back(pose_of({goal.point.x, goal.point.y, *goal.heading}));
+    } else {
+      query.goals.emplace_back(point_of(goal.point));
+    }
+  }
+  return query;
+}
+
+Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
+                                       Adjacency adjacency, const TrajectoryLimits& limits,
+                                       double corner_rounding) {
+  const Path rounded = rounded_corners(path, space, corner_rounding, adjacency);
+  return Trajectory::along(rounded, space.map().frame(), limits);
+}
+
+void finish_path(PlanAnswer& answer, const PlanRequest& request) {
+  Refinement refinement = request.refinement;
+  refinement.adjacency = answer.moves.value_or(GridMoves{}).adjacency();
+  if (refinement.simplify || refinement.smoother || refinement.spacing) {
+    auto refined = wend::refined(answer.plan.path, answer.space, refinement);
+    if (refined) {
+      answer.refined = *std::move(refined);
+    } else {
+      answer.fault = std::move(refined.error());
+    }
+  }
+  if (!request.trajectory) return;
+  auto trajectory = timed_path(answer.path(), answer.space, refinement.adjacency,
+                               *request.trajectory, request.corner_rounding);
+  if (trajectory) {
+    answer.trajectory = *std::move(trajectory);
+  } else if (!answer.fault) {
+    answer.fault = std::move(trajectory.error());
+  }
+}
+
+}  // namespace wend

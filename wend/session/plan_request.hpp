@@ -1,0 +1,82 @@
+#pragma once
+
+// PlanRequest: what a Session plans, in metres of the map's frame, and what is done with the path.
+// PlanAnswer: what came of it.
+//
+//   wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
+//   request.planner.name = "jps";
+//   request.refinement.smoother = wend::SmootherChoice{"gradient"};
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wend/base/compiler.hpp"
+#include "wend/base/error.hpp"
+#include "wend/base/limits.hpp"
+#include "wend/geometry/map_pose.hpp"
+#include "wend/path/path_metrics.hpp"
+#include "wend/path/refinement.hpp"
+#include "wend/path/trajectory.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+/// Where a path may end, in metres. On a map without a resolution, a cell is 1 m.
+struct MapGoal {
+  MapPoint point;
+  std::optional<double> heading = {};  // radians; unset: any heading
+};
+
+struct PlanRequest {
+  MapPose start;               // grid planners ignore headings
+  std::vector<MapGoal> goals;  // one or more; the cheapest is found
+  PlannerSpec planner{"astar", "astar"};
+  Limits limits = {};                  // of the search
+  SearchObserver* observer = nullptr;  // of the search; not owned
+  bool nearest = false;                // moves blocked ends, see nearest_ends(); one goal
+  Refinement refinement = {};          // the planner's moves replace its adjacency
+  std::optional<TrajectoryLimits> trajectory = {};  // also times the path
+  double corner_rounding = kCornerRounding;         // cells; of the trajectory
+};
+
+struct PlanAnswer {
+  FreeSpace space;                            // that it was planned on
+  Plan plan;                                  // as the planner found it, in grid coordinates
+  std::optional<GridMoves> moves = {};        // how the planner moves
+  std::optional<Refined> refined = {};        // if a refinement was asked for
+  std::optional<Trajectory> trajectory = {};  // if one was asked for
+  std::optional<Error> fault =
+      {};  // why the path is not refined or timed, although it was asked for
+  std::vector<std::string> notes = {};  // a sentence for each end that was moved
+  double search_seconds = 0;            // by SessionOptions::clock
+
+  /// The path, refined if it could be; in grid coordinates.
+  const Path& path() const { return refined ? refined->path : plan.path; }
+
+  /// Its poses in metres of the map's frame. O(n).
+  WEND_API std::vector<MapPose> poses() const;
+};
+
+/// Why there is no answer, in a sentence that says where and what would help.
+struct RequestFailure : PlanFailure {
+  double search_seconds = 0;  // by SessionOptions::clock
+};
+
+/// The query of a request in the grid coordinates of a map.
+WEND_API Query query_of(const PlanRequest& request, const Frame& frame);
+
+/// Refines and times the path of an answer, as the request says. If that fails, the answer's fault says
+/// why.
+WEND_API void finish_path(PlanAnswer& answer, const PlanRequest& request);
+
+/// The fastest trajectory along a path (not empty) with rounded corners, see rounded_corners() and
+/// Trajectory::along(). Fails as the latter does.
+WEND_API Expected<Trajectory, Error> timed_path(const Path& path, const FreeSpace& space,
+                                                Adjacency adjacency, const TrajectoryLimits& limits,
+                                                double corner_rounding = kCornerRounding);
+
+}  // namespace wend

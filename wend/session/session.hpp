@@ -1,0 +1,122 @@
+#pragma once
+
+// Session: a map, a robot, and warm planners; what every front end shares. It plans in metres, refines and
+// times paths, explains why there is none, and finds the nearest free pose.
+//
+//   const auto map = wend::load_map("office.yaml");
+//   wend::Session session(map->map, {.footprint = wend::Footprint::disc(0.2)});
+//   const auto answer = session.plan({{1, 1, 0}, {{{15, 9}}}});
+//   if (!answer) return report(answer.error().message);
+//   for (const wend::MapPose& pose : answer->poses()) drive_to(pose);
+//
+// All threads may call everything. A plan is made on the map and for the robot of the moment when it
+// began. Setting a map or a robot is O(1); the first call that needs the free space makes it, in O(cells)
+// (a robot on obstacles that another robot had before shares their distance field).
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/base/compiler.hpp"
+#include "wend/base/expected.hpp"
+#include "wend/base/workers.hpp"
+#include "wend/index/index_building.hpp"
+#include "wend/map/grid_map.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/session/explainer.hpp"
+#include "wend/session/plan_request.hpp"
+#include "wend/session/warm_planners.hpp"
+
+namespace wend {
+
+struct SessionOptions {
+  std::size_t idle_planners = 2;  // that are kept warm
+  Hints hints = {};               // for explanations
+  Clock clock = {};               // measures PlanAnswer::search_seconds; null: the steady clock
+};
+
+class WEND_API Session {
+ public:
+  /// The map and the robot at one moment.
+  struct View {
+    FreeSpace space;
+    std::string frame_id;   // as set with the map
+    std::uint64_t version;  // grows with every map and robot
+  };
+
+  /// A field of costs, and the work of this call.
+  struct Field {
+    std::shared_ptr<const CostToGo> costs;
+    SearchMetrics metrics;  // 0 if the field was kept
+    double search_seconds;
+  };
+
+  /// Without a map: everything fails with invalid_map until there is one.
+  explicit Session(SessionOptions options = {});
+  explicit Session(GridMap map, FreeSpaceOptions robot = {}, SessionOptions options = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// `frame_id` is a name for the map's frame; the session only keeps it.
+  void set_map(GridMap map, std::string frame_id = "map");
+
+  /// There is no map, for this reason.
+  void clear_map(std::string why);
+
+  void set_robot(FreeSpaceOptions robot);
+
+  /// The map and the robot, as plans that begin now see them. Fails with invalid_map if there is no
+  /// map, with invalid_option for an invalid robot.
+  Expected<View, Error> view() const;
+
+  /// Plans. The message of a failure says where and why, and what would help; its status is that of the
+  /// view, of making the planner, or of the query.
+  Expected<PlanAnswer, RequestFailure> plan(const PlanRequest& request);
+  Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
+
+  /// Plans each of the requests, all with this planner, on the workers. Refinements are done too. Failures
+  /// have the planner's short reason. Fails as making the planner does.
+  Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> plan_all(
+      std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers);
+
+  /// A planner for queries in grid coordinates, for what plan() does not do: stepping, open lists. Fails as
+  /// make_planner() does.
+  Expected<WarmPlanner, Error> planner(const PlannerSpec& spec);
+
+  /// One for each thread. They share what they prepare.
+  Expected<std::vector<WarmPlanner>, Error> planners(const PlannerSpec& spec, std::size_t count);
+
+  /// The nearest pose with the same heading at which the robot fits, in metres; `pose` itself if it does.
+  /// unsupported_query if there is none.
+  Expected<MapPose, Error> nearest(const MapPose& pose) const;
+
+  /// Why no path joins start and goal, as data: see explain_no_path(). start_outside or goal_outside if
+  /// one is not on the map.
+  Expected<NoPath, Error> why_no_path(MapPoint start, MapPoint goal, GridMoves moves = {}) const;
+
+  /// The costs to the nearest goal from everywhere, for a planner with these moves. The last field is
+  /// kept: the same goals on the same map cost nothing. Fails as CostToGo::make() does.
+  Expected<Field, RequestFailure> cost_to_go(const View& view, std::vector<Cell> goals,
+                                             GridMoves moves = {}, const Limits& limits = {});
+
+  /// Builds the index of a planner on the current view and uses it from now on. invalid_option if the
+  /// planner has none.
+  Expected<void, Error> build_index(std::string_view planner, const IndexBuilding& building = {});
+
+  /// Uses an index that exists. Planners fail with index_mismatch if it is not that of the map.
+  void set_index(std::string_view planner, IndexBytes index);
+
+ private:
+  struct State;
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace wend

@@ -1,0 +1,290 @@
+#include "wend/session/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "wend/base/random.hpp"
+#include "wend/base/thread_workers.hpp"
+#include "wend/session/nearest_ends.hpp"
+
+namespace wend {
+namespace {
+
+/// A room of 10 x 10 m at 0.1 m a cell, its lower left corner at (-2,-3), with a wall that leaves a way at
+/// the top.
+GridMap walled_room() {
+  Grid<CellState> cells(100, 100, CellState::free);
+  for (int y = 0; y < 80; ++y) cells[{50, y}] = CellState::occupied;
+  return *make_grid_map(cells,
+                        {.resolution = 0.1, .origin = {-2, -3, 0}, .y_up = true, .metric = true});
+}
+
+double number_between(Random& random, double least, double greatest) {
+  return least + (greatest - least) * random.uniform();
+}
+
+PlanRequest across() { return {.start = {-0.95, -1.95, 0}, .goals = {{{7.05, -1.95}}}}; }
+
+TEST(Session, PlansInMetresAsThePlannerDoesInCells) {
+  Session session(walled_room());
+  const auto answer = session.plan(across());
+  ASSERT_TRUE(answer) << answer.error().message;
+  const FreeSpace space = *make_free_space(walled_room());
+  const auto plan = (*make_planner("astar", space))->plan(Query::between({10, 10}, {90, 10}));
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(answer->plan.path, plan->path);
+  EXPECT_EQ(answer->plan.cost, plan->cost);
+  const std::vector<MapPose> poses = answer->poses();
+  EXPECT_NEAR(poses.front().x, -0.95, 1e-9);
+  EXPECT_NEAR(poses.back().x, 7.05, 1e-9);
+  EXPECT_NEAR(poses.back().y, -1.95, 1e-9);
+  EXPECT_FALSE(answer->refined || answer->trajectory || answer->fault);
+}
+
+TEST(Session, HasNoAnswersWithoutAMap) {
+  Session session;
+  EXPECT_EQ(session.plan(across()).error().status, Status::invalid_map);
+  EXPECT_EQ(session.nearest({}).error().status, Status::invalid_map);
+  EXPECT_EQ(session.planner({"astar", "astar"}).error().status, Status::invalid_map);
+  session.set_map(walled_room());
+  EXPECT_TRUE(session.plan(across()));
+  session.clear_map("the sensor is off");
+  EXPECT_EQ(session.plan(across()).error().message, "the sensor is off");
+}
+
+TEST(Session, RefusesWhatCannotBePlanned) {
+  Session session(walled_room());
+  const auto status_of = [&](const PlanRequest& request) {
+    const auto answer = session.plan(request);
+    return answer ? Status::found : answer.error().status;
+  };
+  PlanRequest request = across();
+  request.goals.clear();
+  EXPECT_EQ(status_of(request), Status::unsupported_query);
+  request = across();
+  request.planner.name = "astr";
+  EXPECT_EQ(status_of(request), Status::invalid_option);
+  request = across();
+  request.start.x = std::nan("");
+  EXPECT_EQ(status_of(request), Status::start_outside);
+  request = across();
+  request.goals.front().point.y = 1e300;
+  EXPECT_EQ(status_of(request), Status::goal_outside);
+  request = across();
+  request.limits.expansions = 3;
+  EXPECT_EQ(status_of(request), Status::expansion_limit);
+  session.set_robot({.footprint = Footprint::disc(-1)});
+  EXPECT_EQ(status_of(across()), Status::invalid_option);
+  session.set_robot({.footprint = Footprint::disc(0.2)});
+  EXPECT_EQ(status_of(across()), Status::found);
+}
+
+TEST(Session, PlansForTheRobotOfTheMoment) {
+  Session session(walled_room());
+  const double of_a_point = session.plan(across())->plan.cost;
+  session.set_robot({.footprint = Footprint::disc(0.5)});
+  EXPECT_GT(session.plan(across())->plan.cost, of_a_point);
+  session.set_robot({.footprint = Footprint::disc(1.5)});
+  const auto too_large = session.plan(across());
+  ASSERT_FALSE(too_large);
+  EXPECT_NE(too_large.error().message.find("1.5 m"), std::string::npos)
+      << too_large.error().message;
+}
+
+TEST(Session, KeepsAViewAsItWas) {
+  Session session(walled_room());
+  const auto view = session.view();
+  ASSERT_TRUE(view);
+  session.clear_map("gone");
+  EXPECT_TRUE(session.plan(*view, across()));
+  EXPECT_FALSE(session.plan(across()));
+}
+
+TEST(Session, ExplainsInTheWordsOfItsFrontEnd) {
+  Grid<CellState> cells(20, 5, CellState::free);
+  for (int y = 0; y < 5; ++y) cells[{10, y}] = CellState::unknown;
+  const PlanRequest request{.start = {1.5, 1.5, 0}, .goals = {{{18.5, 1.5}}}};
+  const auto message = [&](const Hints& hints) {
+    Session session(*make_grid_map(cells), {}, {.hints = hints});
+    return session.plan(request).error().message;
+  };
+  const std::string plain = message({});
+  EXPECT_NE(plain.find("A path exists with unknown cells free"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find('('), plain.find("(1,1)")) << plain;
+  const std::string hinted = message({.unknown_free = "unknown='free'"});
+  EXPECT_NE(hinted.find("unknown cells free (unknown='free')"), std::string::npos) << hinted;
+}
+
+TEST(Session, MovesBlockedEndsIfAsked) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.start.x = 3.05;  // in the wall
+  EXPECT_EQ(session.plan(request).error().status, Status::start_blocked);
+  request.nearest = true;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  ASSERT_EQ(answer->notes.size(), 1U);
+  EXPECT_NE(answer->notes.front().find("planning from"), std::string::npos);
+  EXPECT_NEAR(answer->poses().front().x, 2.95, 1e-9);
+  request.planner.name = "lattice";
+  EXPECT_EQ(session.plan(request).error().status, Status::unsupported_query);
+}
+
+TEST(Session, RefinesAndTimesThePath) {
+  Session session(walled_room(), {.footprint = Footprint::disc(0.2)});
+  PlanRequest request = across();
+  request.refinement.smoother = SmootherChoice{"gradient"};
+  request.trajectory.emplace();
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  ASSERT_TRUE(answer->refined);
+  ASSERT_TRUE(answer->trajectory);
+  EXPECT_LT(answer->path().length(), answer->plan.path.length());
+  request.refinement.smoother = SmootherChoice{"no such smoother"};
+  const auto plain = session.plan(request);
+  ASSERT_TRUE(plain) << "the plan is valid without its refinement";
+  EXPECT_TRUE(plain->fault);
+  EXPECT_TRUE(plain->trajectory);
+}
+
+/// Batches, warm planners and clones give the answers of one planner that answers one query at a time.
+TEST(Session, AnswersABatchLikeSingleRequests) {
+  constexpr std::uint64_t kSeed = 16;
+  SCOPED_TRACE(kSeed);
+  Random random(kSeed);
+  Session session(walled_room());
+  std::vector<PlanRequest> requests;
+  for (int i = 0; i < 60; ++i) {
+    const auto any = [&] { return number_between(random, -2.5, 8.5); };
+    requests.push_back({.start = {any(), any() - 1, 0}, .goals = {{{any(), any() - 1}}}});
+  }
+  ThreadWorkers workers(4);
+  for (const char* name : {"astar", "jps"}) {
+    const PlannerSpec spec{name, name};
+    const auto answers = session.plan_all(requests, spec, workers);
+    ASSERT_TRUE(answers) << answers.error().message;
+    ASSERT_EQ(answers->size(), requests.size());
+    int found = 0;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      PlanRequest request = requests[i];
+      request.planner = spec;
+      const auto alone = session.plan(request);
+      ASSERT_EQ((*answers)[i].has_value(), alone.has_value()) << i;
+      if (!alone) {
+        EXPECT_EQ((*answers)[i].error().status, alone.error().status);
+        continue;
+      }
+      ++found;
+      EXPECT_EQ((*answers)[i]->plan.path, alone->plan.path);
+    }
+    EXPECT_GT(found, 20);
+    EXPECT_LT(found, 60);
+  }
+  EXPECT_FALSE(session.plan_all(requests, {"astr", "astr"}, workers));
+  EXPECT_TRUE(session.plan_all({}, {"jps", "jps"}, workers)->empty());
+}
+
+TEST(Session, KeepsPlannersWarmUntilMapOrRobotChange) {
+  Session session(walled_room());
+  const PlannerSpec jps{"jps", "jps"};
+  const Planner* first = nullptr;
+  {
+    const auto planner = session.planner(jps);
+    ASSERT_TRUE(planner);
+    first = &**planner;
+    EXPECT_NE(&**session.planner(jps), first) << "the first is in use";
+  }
+  const auto both = session.planners(jps, 2);
+  ASSERT_TRUE(both);
+  EXPECT_TRUE(&*both->front() == first || &*both->back() == first);
+  session.set_robot({.footprint = Footprint::disc(0.3)});
+  const auto later = session.planner(jps);
+  EXPECT_EQ((*later)->free_space().footprint(), Footprint::disc(0.3));
+}
+
+TEST(Session, PlansOnAnIndexThatItBuilds) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  const double cost = session.plan(request)->plan.cost;
+  request.planner.name = "hub_labels";
+  EXPECT_FALSE(session.build_index("astar"));
+  EXPECT_FALSE(session.build_index("hub_label"));
+  ASSERT_TRUE(session.build_index("hub_labels"));
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_NEAR(answer->plan.cost, cost, 1e-9);
+  session.set_robot({.footprint = Footprint::disc(0.3)});
+  EXPECT_EQ(session.plan(request).error().status, Status::index_mismatch);
+}
+
+TEST(Session, KeepsTheLastFieldOfCosts) {
+  Session session(walled_room());
+  const auto view = session.view();
+  const auto first = session.cost_to_go(*view, {{90, 10}});
+  ASSERT_TRUE(first);
+  EXPECT_GT(first->metrics.expanded, 0U);
+  EXPECT_NEAR(first->costs->cost({10, 10}), session.plan(across())->plan.cost, 1e-9);
+  const auto second = session.cost_to_go(*view, {{90, 10}});
+  EXPECT_EQ(second->costs, first->costs);
+  EXPECT_EQ(second->metrics.expanded, 0U);
+  EXPECT_NE(session.cost_to_go(*view, {{91, 10}})->costs, first->costs);
+  EXPECT_EQ(session.cost_to_go(*view, {{50, 10}}).error().status, Status::goal_blocked);
+}
+
+TEST(Session, SaysWhyThereIsNoPathAsData) {
+  Session session(walled_room(), {.footprint = Footprint::disc(1.5)});
+  const auto why = session.why_no_path({-0.4, -1.4}, {6.4, -1.4});
+  ASSERT_TRUE(why);
+  ASSERT_FALSE(why->ways.empty());
+  EXPECT_TRUE(why->ways.front().smaller_robot);
+  EXPECT_EQ(session.why_no_path({-5, 0}, {6, 0}).error().status, Status::start_outside);
+  EXPECT_EQ(session.why_no_path({0, 0}, {60, 0}).error().status, Status::goal_outside);
+}
+
+/// The pose is free, has the asked heading, and no middle of a cell with that heading is nearer: checked
+/// with each of the map's cells.
+TEST(NearestPose, IsTheNearestOfAllCells) {
+  constexpr std::uint64_t kSeed = 5;
+  SCOPED_TRACE(kSeed);
+  Random random(kSeed);
+  const auto shape = parse_footprint("0.35,0.1;0.35,-0.1;-0.35,-0.1;-0.35,0.1");
+  ASSERT_TRUE(shape);
+  Grid<CellState> cells(40, 30, CellState::free);
+  for (int i = 0; i < 60; ++i) {
+    cells[{random.between(0, 39), random.between(0, 29)}] = CellState::occupied;
+  }
+  const GridMap map = *make_grid_map(cells, {.resolution = 0.1, .metric = true});
+  const FreeSpace space = *make_free_space(map, {.footprint = *shape});
+  int moved = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Pose asked{number_between(random, -5, 45), number_between(random, -5, 35),
+                     number_between(random, -3, 3)};
+    const auto found = nearest_pose(space, asked);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(space.fits(*found));
+    EXPECT_EQ(found->heading, asked.heading);
+    if (space.fits(asked)) {
+      EXPECT_EQ(*found, asked);
+      continue;
+    }
+    ++moved;
+    const Point centre = centre_of(cell_at(asked.point()));
+    double nearest = HUGE_VAL;
+    for (int y = 0; y < 30; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        if (!space.fits(pose_at({x, y}, asked.heading))) continue;
+        nearest = std::min(nearest, distance(centre, centre_of({x, y})));
+      }
+    }
+    EXPECT_NEAR(distance(centre, found->point()), nearest, 1e-9);
+  }
+  EXPECT_GT(moved, 20);
+  EXPECT_FALSE(nearest_pose(space, {std::nan(""), 0, 0}));
+}
+
+}  // namespace
+}  // namespace wend

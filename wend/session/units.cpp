@@ -1,0 +1,113 @@
+#include "wend/session/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "wend/base/parse.hpp"
+
+namespace wend {
+namespace {
+
+/// With so many significant digits, as in printf's %g.
+std::string general(double value, int digits) {
+  constexpr std::size_t kLongest = 40;
+  std::array<char, kLongest> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
+std::string pair(Point point) { return general(point.x, 6) + ',' + general(point.y, 6); }
+
+std::string range(double from, double to) { return general(from, 6) + " to " + general(to, 6); }
+
+/// The cell that a point lies in; far outside every map if a Cell cannot hold its numbers.
+Cell cell_around(Point point) {
+  constexpr double kMost = 1e9;
+  const bool fits = std::abs(point.x) < kMost && std::abs(point.y) < kMost;
+  return fits ? cell_at(point) : Cell{-1, -1};
+}
+
+}  // namespace
+
+Place Units::place(const std::string& name, Point point) const {
+  return {name, cell_around(point), text(point)};
+}
+
+std::string Units::text(Cell cell) const {
+  if (!metric_) return cell_text(cell);
+  return text(centre_of(cell));
+}
+
+std::string Units::text(Point point) const {
+  const Cell cell = cell_around(point);
+  const Point in_metres = frame_.to_metres(point);
+  if (metric_) return metres_text({in_metres.x, in_metres.y}) + ", cell " + cell_text(cell);
+  if (point == centre_of(cell)) return "cell " + cell_text(cell);
+  return '(' + pair(point) + "), cell " + cell_text(cell);
+}
+
+std::string Units::radius(double cells) const {
+  // A multiple of 1 / kDigits, up to rounding, is not rounded down.
+  constexpr double kDigits = 1e4;
+  const double radius = metric_ ? cells * frame_.resolution : cells;
+  return format_number(std::floor(radius * kDigits * (1 + 1e-9)) / kDigits);
+}
+
+std::string Units::length(double cells) const {
+  if (metric_) return general(cells * frame_.resolution, 3) + " m";
+  return general(cells, 4) + (cells == 1 ? " cell" : " cells");
+}
+
+std::string Units::area(std::size_t cells) const {
+  std::string count = std::to_string(cells) + (cells == 1 ? " cell" : " cells");
+  if (!frame_.metric) return count;
+  constexpr double kWhole = 100;  // square metres, from which fractions do not matter
+  const double area = static_cast<double>(cells) * frame_.resolution * frame_.resolution;
+  const std::string metres = area < kWhole ? general(area, 3) : std::to_string(std::llrint(area));
+  return count + " (" + metres + " m2)";
+}
+
+std::string Units::extent() const {
+  if (metric_) return metric_extent();
+  return "the cells with x from 0 to " + std::to_string(width_ - 1) + " and y from 0 to " +
+         std::to_string(height_ - 1);
+}
+
+std::string Units::extent_of_corners() const {
+  if (metric_) return metric_extent();
+  return "the grid vertices with x from 0 to " + std::to_string(width_) + " and y from 0 to " +
+         std::to_string(height_);
+}
+
+std::string Units::metric_extent() const {
+  const double right = width_;
+  const double top = height_;
+  const auto corner = [this](double x, double y) {
+    const auto metres = frame_.to_metres(Point{x, y});
+    return Point{metres.x, metres.y};
+  };
+  const Point low = corner(0, 0);
+  const Point high = corner(right, top);
+  if (frame_.origin.heading == 0) {
+    return "x from " + range(low.x, high.x) + " m and y from " + range(low.y, high.y) + " m";
+  }
+  return "the rectangle " + pair(low) + " to " + pair(corner(right, 0)) + " to " + pair(high) +
+         " to " + pair(corner(0, top)) + " m";
+}
+
+std::string cell_text(Cell cell) {
+  return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
+}
+
+std::string metres_text(MapPoint point) {
+  const auto digits = [](double value) {
+    constexpr double kTenths = 1e4;
+    const double rounded = std::round(value * kTenths) / kTenths + 0.0;
+    return format_number(std::isfinite(rounded) ? rounded : value);
+  };
+  return '(' + digits(point.x) + ',' + digits(point.y) + ") m";
+}
+
+}  // namespace wend

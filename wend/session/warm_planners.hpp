@@ -1,0 +1,77 @@
+#pragma once
+
+// WarmPlanners: planners that have answered queries and are kept for the next ones, with their prepared
+// data and their memory. A WarmPlanner is one that is in use; it returns by itself.
+//
+//   wend::WarmPlanners planners(2);
+//   auto planner = planners.take(space, version, spec);
+//   if (!planner) return report(planner.error().message);
+//   const auto plan = (*planner)->plan(query);
+//
+// All threads may call everything. Each WarmPlanner belongs to one thread at a time.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wend/base/compiler.hpp"
+#include "wend/base/expected.hpp"
+#include "wend/index/file/index_bytes.hpp"
+#include "wend/planner/planner.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend {
+
+class WEND_API WarmPlanner {
+ public:
+  WarmPlanner(WarmPlanner&&) noexcept;
+  WarmPlanner& operator=(WarmPlanner&&) noexcept;
+  WarmPlanner(const WarmPlanner&) = delete;
+  WarmPlanner& operator=(const WarmPlanner&) = delete;
+  ~WarmPlanner();
+
+  Planner& operator*() const { return *planner_; }
+  Planner* operator->() const { return planner_.get(); }
+
+ private:
+  friend class WarmPlanners;
+  struct Shelf;
+
+  WarmPlanner(std::shared_ptr<Shelf> shelf, std::uint64_t version, std::string key,
+              std::unique_ptr<Planner> planner);
+  void give_back();
+
+  std::shared_ptr<Shelf> shelf_;
+  std::uint64_t version_;
+  std::string key_;
+  std::unique_ptr<Planner> planner_;
+};
+
+class WEND_API WarmPlanners {
+ public:
+  /// Keeps at most `most_idle` planners that nobody uses; each has its own memory for searches
+  /// (PlannerInfo::bytes_per_cell).
+  explicit WarmPlanners(std::size_t most_idle);
+
+  /// A planner for this space: a kept one with the same name and options, or a new one. `version`
+  /// stands for the space: planners of other versions are dropped. Fails as make_planner() does.
+  Expected<WarmPlanner, Error> take(const FreeSpace& space, std::uint64_t version,
+                                    const PlannerSpec& spec);
+
+  /// `count` of them, one for each thread. They share what they prepare: the work is done once.
+  Expected<std::vector<WarmPlanner>, Error> take(const FreeSpace& space, std::uint64_t version,
+                                                 const PlannerSpec& spec, std::size_t count);
+
+  /// The index that planners of this name plan on from now on.
+  void set_index(std::string_view planner, IndexBytes index);
+
+ private:
+  PlannerResult make(const FreeSpace& space, const PlannerSpec& spec) const;
+
+  std::shared_ptr<WarmPlanner::Shelf> shelf_;
+};
+
+}  // namespace wend
