@@ -8,12 +8,9 @@ int main() {
   if (!loaded) return std::puts(loaded.error().message.c_str()), 2;
   const auto shape = wend::parse_footprint("0.35,0.2; 0.35,-0.2; -0.25,-0.2; -0.25,0.2");
   if (!shape) return std::puts(shape.error().message.c_str()), 2;
-  const auto space = wend::make_free_space(loaded->map, {.footprint = *shape}).value();
-  const auto planner = wend::make_planner("lattice", space);
-  if (!planner) return std::puts(planner.error().message.c_str()), 2;
-  const wend::Frame& frame = loaded->map.frame();
-  const auto plan = (*planner)->plan({frame.to_grid({1, 1, 0}), {frame.to_grid({15, 9, 0})}});
-  if (!plan) return std::puts(plan.error().message.c_str()), 1;
-  const bool free = !wend::first_collision(plan->path, space);
-  std::printf("%zu poses, %s\n", plan->path.size(), free ? "free of collisions" : "not free");
+  wend::Session session(loaded->map, {.footprint = *shape});
+  const auto answer = session.plan({{1, 1, 0}, {{{15, 9}, 0}}, {"lattice", "lattice"}});
+  if (!answer) return std::puts(answer.error().message.c_str()), 1;
+  const bool free = !wend::first_collision(answer->path(), answer->space);
+  std::printf("%zu poses, %s\n", answer->path().size(), free ? "free of collisions" : "not free");
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "wend/base/parse.hpp"
 
@@ -22,17 +23,20 @@ std::string pair(Point point) { return general(point.x, 6) + ',' + general(point
 
 std::string range(double from, double to) { return general(from, 6) + " to " + general(to, 6); }
 
-/// The cell that a point lies in; far outside every map if a Cell cannot hold its numbers.
-Cell cell_around(Point point) {
+/// The cell that a point lies in; nothing if a Cell cannot hold its numbers.
+std::optional<Cell> cell_around(Point point) {
   constexpr double kMost = 1e9;
   const bool fits = std::abs(point.x) < kMost && std::abs(point.y) < kMost;
-  return fits ? cell_at(point) : Cell{-1, -1};
+  return fits ? std::optional(cell_at(point)) : std::nullopt;
 }
 
 }  // namespace
 
 Place Units::place(const std::string& name, Point point) const {
-  return {name, cell_around(point), text(point)};
+  constexpr Cell kFarOutside{-1, -1};
+  const auto cell = cell_around(point);
+  const bool is_centre = cell && point == centre_of(*cell);
+  return {name, cell.value_or(kFarOutside), is_centre ? text(*cell) : text(point)};
 }
 
 std::string Units::text(Cell cell) const {
@@ -41,11 +45,12 @@ std::string Units::text(Cell cell) const {
 }
 
 std::string Units::text(Point point) const {
-  const Cell cell = cell_around(point);
+  const auto cell = cell_around(point);
+  if (!metric_ && cell && point == centre_of(*cell)) return "cell " + cell_text(*cell);
   const Point in_metres = frame_.to_metres(point);
-  if (metric_) return metres_text({in_metres.x, in_metres.y}) + ", cell " + cell_text(cell);
-  if (point == centre_of(cell)) return "cell " + cell_text(cell);
-  return '(' + pair(point) + "), cell " + cell_text(cell);
+  const std::string place =
+      metric_ ? metres_text({in_metres.x, in_metres.y}) : '(' + pair(point) + ')';
+  return cell ? place + ", cell " + cell_text(*cell) : place;
 }
 
 std::string Units::radius(double cells) const {

@@ -101,7 +101,7 @@ TEST(Planning, SaysWhatWouldHelpInTheNamesOfItsParameters) {
   planning.set_robot(wide);
   const PlanResult result = planning.answer(wide, ask({2.05, 2.05, 0}, {8.05, 2.05, 0}));
   EXPECT_EQ(result.status, 208);
-  EXPECT_NE(result.reason.find("(~robot_radius 1.05)"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("(~robot_radius 0.95)"), std::string::npos) << result.reason;
 }
 
 TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
