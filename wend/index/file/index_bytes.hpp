@@ -90,6 +90,7 @@ WEND_API Expected<IndexHeader, std::string> read_index_header(std::span<const st
 WEND_API std::string index_fault(const IndexHeader& header, std::string_view planner,
                                  std::uint32_t version, const BitGrid& passable);
 
+/// The file of an index.
 namespace index_file {
 
 /// The checksum of all bytes after the checksum field.
