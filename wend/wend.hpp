@@ -28,3 +28,6 @@
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/session/session.hpp"
 #include "wend/version.hpp"
+
+/// @namespace wend
+/// All public classes and functions.

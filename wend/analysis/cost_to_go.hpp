@@ -32,6 +32,7 @@ class WEND_API CostToGo {
 
   /// The cheapest cost from a cell to the nearest goal; infinite without a path.
   double cost(Cell cell) const { return costs_[cell]; }
+  /// cost() of every cell of the map.
   const Grid<double>& costs() const { return costs_; }
 
   /// The direction to move from a cell; nothing in a goal and without a path.

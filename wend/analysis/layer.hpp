@@ -23,6 +23,7 @@
 
 namespace wend {
 
+/// What the values of a layer mean.
 enum class LayerKind {
   // From a search; for a car, from the lattice vertices that the cell touches.
   expansion,   // the order in which cells were expanded, from 1
@@ -42,6 +43,7 @@ enum class LayerKind {
   terrain,    // the cost of a unit of length for this robot
 };
 
+/// The values and their names, as options and reports spell them.
 constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
   return {{{"expansion", LayerKind::expansion},
            {"generation", LayerKind::generation},
@@ -59,8 +61,13 @@ constexpr std::array<Choice<LayerKind>, 13> choice_names(LayerKind) {
 }
 
 /// The source of a layer.
-enum class LayerSource { search, cost_to_go, map };
+enum class LayerSource {
+  search,      // search_layer() makes it
+  cost_to_go,  // cost_to_go_layer()
+  map          // map_layer()
+};
 
+/// The source of a layer of this kind.
 WEND_API LayerSource source_of(LayerKind kind);
 
 /// "order of expansion", "clearance"
@@ -70,7 +77,7 @@ WEND_API std::string_view title_of(LayerKind kind);
 WEND_API bool is_length(LayerKind kind);
 
 struct Layer {
-  LayerKind kind;
+  LayerKind kind;                         // what the values mean
   Grid<double> numbers;                   // NaN if unknown; empty for directions
   Grid<std::optional<Direction>> arrows;  // empty for numbers
 };

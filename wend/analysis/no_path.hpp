@@ -25,10 +25,11 @@ namespace wend {
 
 /// A set of changes.
 struct Changes {
-  bool unknown_free = false;
-  bool squeeze = false;
-  bool smaller_robot = false;
+  bool unknown_free = false;  // unknown cells count as free
+  bool squeeze = false;  // diagonal steps between two obstacles, as with the corner rule `both`
+  bool smaller_robot = false;  // the radius is smaller
 
+  /// Is every change of `other` one of these?
   bool contain(const Changes& other) const {
     return unknown_free >= other.unknown_free && squeeze >= other.squeeze &&
            smaller_robot >= other.smaller_robot;
@@ -37,6 +38,7 @@ struct Changes {
 
 /// A minimal set of changes that opens a path: no proper subset of them does.
 struct Way : Changes {
+  /// The number of changes, from 0 to 3.
   int changes() const { return int{unknown_free} + int{squeeze} + int{smaller_robot}; }
 
   /// Under these changes, for a robot of any size. Its radius is smaller than the robot's if
@@ -48,7 +50,7 @@ struct NoPath {
   /// The number of cells that can be reached from each (see component_of), including itself; 0 if
   /// the robot cannot stand there.
   std::size_t start_component = 0;
-  std::size_t goal_component = 0;
+  std::size_t goal_component = 0;  // the same for the goal
 
   /// For a robot of any size, without other changes.
   std::optional<WidestPath> widest;

@@ -45,7 +45,7 @@ struct SearchLayers {
 
 /// A search after one of its expansions.
 struct SearchSnapshot {
-  BitGrid expanded;
+  BitGrid expanded;             // the cells expanded so far
   BitGrid frontier;             // reached, not yet expanded
   std::optional<Cell> current;  // the cell expanded last (for a car, a cell that touches the
                                 // vertex); unset before the first expansion
@@ -57,13 +57,17 @@ class WEND_API SearchRecorder final : public SearchObserver {
   /// lattice vertices whose coordinates are multiples of the unit.
   explicit SearchRecorder(const FreeSpace& space, int unit = 0);
 
+  /// Writes down that a state was reached for the first time.
   void on_generate(const SearchEvent& event) override;
+  /// Writes down that a state was expanded.
   void on_expand(const SearchEvent& event) override;
+  /// Writes down that a state was reached again, more cheaply.
   void on_relax(const SearchEvent& event) override;
 
   /// Forgets everything.
   void clear();
 
+  /// What is known of each cell so far.
   const SearchLayers& layers() const { return layers_; }
 
   /// The cells (for a car, the vertices) in their order of expansion. A planner without duplicate

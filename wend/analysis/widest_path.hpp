@@ -16,6 +16,8 @@
 
 namespace wend {
 
+/// The largest radius with which a robot gets from one cell to another, where it is limited, and a
+/// path.
 struct WidestPath {
   /// The largest radius, in cells, for which a FreeSpace has a path (in metres: times the
   /// resolution). 0: only a point fits, between two obstacles that touch at a corner. Infinite: no

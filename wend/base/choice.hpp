@@ -11,8 +11,8 @@ namespace wend {
 
 template <class Enum>
 struct Choice {
-  std::string_view name;
-  Enum value;
+  std::string_view name;  // as in options and reports
+  Enum value;             // what it stands for
 };
 
 /// The name of a value in a table.
@@ -33,8 +33,8 @@ std::string_view choice_name(Enum value) {
 
 /// The closed range of a number.
 struct OptionRange {
-  double least;
-  double greatest;
+  double least;     // the smallest valid value
+  double greatest;  // the largest valid value
 };
 
 }  // namespace wend

@@ -15,7 +15,7 @@
 namespace wend {
 
 struct Error {
-  Status status = Status::invalid_option;
+  Status status = Status::invalid_option;  // the kind of problem; never found
   std::string message;  // complete, without a full stop: "office.map:7: row 3 has 2 columns, ..."
   std::string where = {};  // what is wrong: "office.map:7", "corner 3", an option's name; or empty
 

@@ -11,9 +11,12 @@
 
 namespace wend {
 
+/// A value of type T, or an error of type E. Test it before you read the value.
 template <class T, class E>
 using Expected = tl::expected<T, E>;
 
+/// An error, for `return` from a function that returns an Expected. failure() makes one of an
+/// Error.
 template <class E>
 using Unexpected = tl::unexpected<E>;
 

@@ -38,27 +38,34 @@ namespace wend {
 
 /// The names and the help text of one option.
 struct OptionText {
-  std::string_view name;
-  std::string_view help;
+  std::string_view name;                         // lower case, with underscores
+  std::string_view help;                         // one line, with the unit
   std::array<std::string_view, 2> aliases = {};  // other names, as in the literature
   std::string_view former = {};                  // an old name: parsed, but not shown
 };
 
-enum class OptionKind { flag, integer, number, choice };
+/// The type of an option's value.
+enum class OptionKind {
+  flag,     // true or false
+  integer,  // a whole number in a range
+  number,   // a number in a range
+  choice    // one of a list of names
+};
 
+/// The name in the enum: "flag", "integer", ...
 WEND_API std::string_view to_string(OptionKind kind);
 
 /// One option, as the front ends see it.
 struct OptionInfo {
-  std::string name;
-  std::vector<std::string> aliases;
-  OptionKind kind;
-  std::string default_value;
+  std::string name;                  // as users type it
+  std::vector<std::string> aliases;  // other names, as in the literature
+  OptionKind kind;                   // the type of its value
+  std::string default_value;         // as text
   std::vector<std::string> choices;  // for a choice
   double least = 0;                  // for an integer or a number
-  double greatest = 0;
-  std::string help;
-  std::string former = {};  // an old name, or empty: parsed, but not shown
+  double greatest = 0;               // the largest valid value
+  std::string help;                  // one line, with the unit
+  std::string former = {};           // an old name, or empty: parsed, but not shown
 };
 
 /// Options as text, by name: {"weight", "1.5"}.
@@ -66,14 +73,22 @@ using OptionValues = std::vector<std::pair<std::string, std::string>>;
 
 /// Functions that check and convert the text of one option. Each returns an error text, empty on success.
 namespace option_text {
+/// Reads "true" or "false".
 WEND_API std::string parse(std::string_view text, bool& value, OptionRange range = {});
+/// Reads a whole number in a range.
 WEND_API std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
+/// Reads a number in a range.
 WEND_API std::string parse(std::string_view text, double& value, OptionRange range);
+/// The error text for a value that is not one of the choices.
 WEND_API std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
+/// The error of an option with an invalid value: invalid_option, with the option as Error::where.
 WEND_API Error option_error(const std::string& option, const std::string& what);
+/// The error of an option that does not exist; suggests a similar name.
 WEND_API Error unknown_option(std::string_view name, const std::vector<std::string>& known);
+/// "true" or "false".
 WEND_API std::string format(bool value);
 
+/// Reads the name of a value of an enum.
 template <class Enum>
   requires std::is_enum_v<Enum>
 std::string parse(std::string_view text, Enum& value, OptionRange /*range*/) {
@@ -92,15 +107,19 @@ std::string parse(std::string_view text, Enum& value, OptionRange /*range*/) {
 /// Collects the schema of an option struct. The defaults come from a default-constructed struct.
 class WEND_API SchemaBuilder {
  public:
+  /// Adds a flag.
   void operator()(const OptionText& text, bool& value) {
     add(text, OptionKind::flag, option_text::format(value));
   }
+  /// Adds a whole number.
   void operator()(const OptionText& text, std::int64_t& value, OptionRange range) {
     add(text, OptionKind::integer, std::to_string(value), range);
   }
+  /// Adds a number.
   void operator()(const OptionText& text, double& value, OptionRange range) {
     add(text, OptionKind::number, format_number(value), range);
   }
+  /// Adds a choice.
   template <class Enum>
     requires std::is_enum_v<Enum>
   void operator()(const OptionText& text, Enum& value) {
@@ -111,6 +130,7 @@ class WEND_API SchemaBuilder {
     }
   }
 
+  /// The options in the order in which they were added. Leaves the builder empty.
   std::vector<OptionInfo> take() { return std::move(schema_); }
 
  private:
@@ -123,6 +143,7 @@ class WEND_API SchemaBuilder {
 /// Sets the fields of an option struct from text.
 class WEND_API OptionParser {
  public:
+  /// `values` must outlive the parser.
   explicit OptionParser(const OptionValues& values) : values_(values) {}
 
   /// The range applies only to numbers.
@@ -157,6 +178,7 @@ class WEND_API OptionParser {
   std::optional<Error> bad_value_;
 };
 
+/// The options of an option struct, in the order of its fields.
 template <class Options>
 std::vector<OptionInfo> option_schema() {
   Options defaults;
@@ -180,9 +202,9 @@ Expected<Options, Error> parse_options(const OptionValues& values) {
 ///
 ///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 struct OptionSpec {
-  std::string text;  // as typed: "astar:weight=2"
-  std::string name;
-  OptionValues options{};
+  std::string text;        // as typed: "astar:weight=2"
+  std::string name;        // of the entry: "astar"
+  OptionValues options{};  // in the order in which they were typed
 };
 
 /// Parses a list of entries with these names. `kind` says what an entry is: "planner". Fails for an

@@ -14,6 +14,8 @@
 
 namespace wend {
 
+/// A decimal whole number, with a minus sign if the type has one. Nothing for other texts, and for
+/// numbers that the type cannot hold.
 template <std::integral Integer>
 std::optional<Integer> parse_integer(std::string_view text) {
   Integer value{};

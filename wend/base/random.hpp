@@ -13,8 +13,10 @@
 
 namespace wend {
 
+/// A generator of random numbers. One thread; copies continue with the same numbers.
 class WEND_API Random {
  public:
+  /// Two generators with the same seed give the same numbers.
   explicit Random(std::uint64_t seed);
 
   /// The next 64 random bits.

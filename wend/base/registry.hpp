@@ -44,6 +44,7 @@ class Registry {
     return nullptr;
   }
 
+  /// The names of the entries, in their order.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     names.reserve(entries_.size());
@@ -51,12 +52,16 @@ class Registry {
     return names;
   }
 
+  /// unknown_name() with the names of the entries.
   std::string unknown(std::string_view kind, std::string_view typed) const {
     return unknown_name(kind, typed, names());
   }
 
+  /// The first entry.
   auto begin() const { return entries_.begin(); }
+  /// Behind the last entry.
   auto end() const { return entries_.end(); }
+  /// The number of entries.
   std::size_t size() const { return entries_.size(); }
 
  private:

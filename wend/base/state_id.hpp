@@ -11,7 +11,7 @@ using StateId = std::uint32_t;
 
 /// How a state was reached: the number of a move of its space, below kNoMove.
 using Move = std::uint8_t;
-inline constexpr unsigned kMoveBits = 4;
+inline constexpr unsigned kMoveBits = 4;                // a move takes this many bits of a node
 inline constexpr Move kNoMove = (1U << kMoveBits) - 1;  // for a start
 
 }  // namespace wend

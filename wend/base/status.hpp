@@ -10,8 +10,9 @@
 
 namespace wend {
 
+/// How a query or an operation ended.
 enum class Status {
-  found,
+  found,              // there is a path
   start_outside,      // the start lies outside the map
   goal_outside,       // the goal lies outside the map
   start_blocked,      // the robot cannot stand on the start

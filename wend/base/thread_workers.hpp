@@ -12,6 +12,7 @@ class WEND_API ThreadWorkers final : public Workers {
   /// 0: as many threads as the machine runs at once.
   explicit ThreadWorkers(unsigned count = 0);
 
+  /// The number of threads, at least 1.
   unsigned count() const override { return count_; }
 
   /// `action` must not throw. One worker runs on the calling thread.

@@ -21,6 +21,7 @@ class Workers {
 
   virtual ~Workers() = default;
 
+  /// The number of tasks that may run at the same time, at least 1.
   virtual unsigned count() const = 0;
 
   /// Runs tasks 0 to tasks - 1, in any order, and returns when all are done.
@@ -30,7 +31,9 @@ class Workers {
 /// Runs the tasks one after the other, in order.
 class OneWorker final : public Workers {
  public:
+  /// Always 1.
   unsigned count() const override { return 1; }
+  /// Runs the tasks on the calling thread.
   void run(std::size_t tasks, const Action& action) override {
     for (std::size_t task = 0; task < tasks; ++task) action(task, 0);
   }

@@ -37,9 +37,10 @@ struct ControllerInput {
   double along = 0;                 // how far along it the robot is; never goes back
   std::size_t waypoint = 0;         // of route->points(): the next one to reach
   double seconds = 0;               // since the last command, > 0
-  VelocityLimits limits{};
+  VelocityLimits limits{};          // of the robot
 };
 
+/// Computes the velocity with which a robot follows a line.
 class Controller {
  public:
   virtual ~Controller() = default;
@@ -57,16 +58,18 @@ class Controller {
   Controller() = default;
 };
 
+/// A controller, or why it could not be made: invalid_option.
 using ControllerResult = Expected<std::unique_ptr<Controller>, Error>;
 
+/// A controller: its description, its options, and the function that makes it.
 struct ControllerInfo {
-  std::string name;
-  std::string summary;   // one line
-  std::string idea;      // how it works, in two or three sentences
-  std::string citation;  // the paper or book it comes from
-  bool turns_in_place;   // so it does not fit a bicycle
-  std::vector<OptionInfo> options;
-  std::function<ControllerResult(const OptionValues&)> make;
+  std::string name;                 // as in options
+  std::string summary;              // one line
+  std::string idea;                 // how it works, in two or three sentences
+  std::string citation;             // the paper or book it comes from
+  bool turns_in_place;              // so it does not fit a bicycle
+  std::vector<OptionInfo> options;  // which `make` takes
+  std::function<ControllerResult(const OptionValues&)> make;  // from options as text
 };
 
 /// p, p_moving, pid, pure_pursuit.
@@ -96,6 +99,7 @@ struct TrackingError {
   double distance = 0;  // m, the remaining length
 };
 
+/// The errors against the next waypoint and the end of the line.
 WEND_API TrackingError tracking_error_of(const ControllerInput& input);
 
 /// Drives at `linear`, slower with a larger heading error, and stands still from `standing_angle`

@@ -19,6 +19,7 @@
 
 namespace wend {
 
+/// When a waypoint or the goal is reached, and when the robot is stuck or lost.
 struct FollowerOptions {
   double acceptance_radius = 0.15;  // m: a waypoint nearer than this is reached
   double goal_tolerance = 0.1;      // m
@@ -46,16 +47,18 @@ struct FollowerOptions {
   }
 };
 
+/// How a robot's drive along a route stands.
 enum class FollowerState {
-  driving,
+  driving,   // on its way
   reached,   // stands within the tolerances of the route's end
   stuck,     // no progress for stuck_time; a robot that cannot turn stands in the wrong heading
   off_path,  // too far from the route
 };
 
+/// The answer to one pose: what the robot is to do, and how it stands.
 struct FollowerStep {
-  Velocity command{};
-  FollowerState state = FollowerState::driving;
+  Velocity command{};                            // within the robot's limits
+  FollowerState state = FollowerState::driving;  // after this step
   double heading_error = 0;  // rad, in (-pi, pi]: to the route's heading at the robot, averaged
                              // over the heading window (Polyline::heading_at)
   double cross_track = 0;    // m, to the route, unsigned
@@ -66,6 +69,7 @@ struct FollowerStep {
 /// stuck_time. So every run ends, whatever the controller does.
 class WEND_API Follower {
  public:
+  /// The controller must outlive the follower.
   explicit Follower(Controller& controller, VelocityLimits limits = {},
                     FollowerOptions options = {});
 
@@ -82,8 +86,9 @@ class WEND_API Follower {
   /// The robot's progress along the route, m.
   double along() const { return behind_ + along_; }
 
-  /// The current leg of the route, and the progress along it, m.
+  /// The index of the current leg of the route.
   std::size_t leg() const { return leg_; }
+  /// The progress along the current leg, m.
   double along_leg() const { return along_; }
 
  private:

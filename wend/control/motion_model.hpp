@@ -46,6 +46,7 @@ struct VelocityLimits {
 WEND_API Velocity limited(const Velocity& wanted, const Velocity& now, const VelocityLimits& limits,
                           double seconds);
 
+/// How a robot turns.
 enum class Drivetrain {
   differential,  // turns in place
   bicycle,       // steers: turns only while it drives, by tan(steering) / wheelbase a metre
@@ -55,11 +56,12 @@ constexpr std::array<Choice<Drivetrain>, 2> choice_names(Drivetrain) {
   return {{{"differential", Drivetrain::differential}, {"bicycle", Drivetrain::bicycle}}};
 }
 
+/// A kind of robot and its limits.
 struct WEND_API MotionModel {
-  Drivetrain drivetrain = Drivetrain::differential;
-  double wheelbase = 0.3;       // m, of a bicycle
-  double steering_limit = 0.6;  // rad, of a bicycle, below pi / 2
-  VelocityLimits limits{};
+  Drivetrain drivetrain = Drivetrain::differential;  // how it turns
+  double wheelbase = 0.3;                            // m, of a bicycle
+  double steering_limit = 0.6;                       // rad, of a bicycle, below pi / 2
+  VelocityLimits limits{};                           // of its velocity and acceleration
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -76,15 +78,16 @@ struct WEND_API MotionModel {
   double turning_radius() const;
 };
 
+/// Where a robot is, and how fast it moves.
 struct RobotState {
-  Pose pose;  // metres, radians
-  Velocity velocity{};
+  Pose pose;            // metres, radians
+  Velocity velocity{};  // m/s and rad/s
 };
 
 /// A short motion: an arc (of length 0 for a turn in place) and the state at its end.
 struct Step {
-  Arc arc;
-  RobotState to;
+  Arc arc;        // the way of the robot
+  RobotState to;  // the state at its end
 };
 
 /// Holds a velocity. Below a nanometre a second the robot turns in place.

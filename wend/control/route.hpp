@@ -19,6 +19,7 @@ namespace wend {
 /// robot turned round.
 WEND_API Pose turned_round(const Pose& pose, bool reverse);
 
+/// A part of a route that is driven in one direction.
 struct RouteLeg {
   Polyline line;         // metres
   bool reverse = false;  // the robot's back leads
@@ -31,12 +32,15 @@ class WEND_API Route {
   /// a straight line, driven forwards, joins the end to the start.
   Route(const Path& path, const Frame& frame, bool closed = false);
 
+  /// The legs, in the order in which they are driven; at least one.
   const std::vector<RouteLeg>& legs() const { return legs_; }
+  /// The length of all legs, m.
   double length() const;
 
-  /// The robot's pose at the route's start and end: along its first and last line; for a car, the
-  /// first and last pose of its path.
+  /// The robot's pose at the route's start: along its first line; for a car, the first pose of its path.
   const Pose& start() const { return start_; }
+  /// The robot's pose at the route's end: along its last line; for a car, the last pose of its
+  /// path.
   const Pose& end() const { return end_; }
 
   /// The heading at the end, if the path has one: that of the last pose of a car's path.

@@ -26,14 +26,15 @@
 
 namespace wend {
 
+/// The rate, the noise and the end of a simulation.
 struct SimulationOptions {
-  double rate = 20;            // commands a second
-  double time_limit = 0;       // s; 0: 60 s and ten times what the path takes at full speed
-  double actuation_noise = 0;  // standard deviation of each velocity's relative error
-  double position_noise = 0;   // of each measured coordinate, m
-  double heading_noise = 0;    // of the measured heading, rad
-  double latency = 0;          // s from a measurement to the effect of its command
-  std::int64_t seed = 1;
+  double rate = 20;               // commands a second
+  double time_limit = 0;          // s; 0: 60 s and ten times what the path takes at full speed
+  double actuation_noise = 0;     // standard deviation of each velocity's relative error
+  double position_noise = 0;      // of each measured coordinate, m
+  double heading_noise = 0;       // of the measured heading, rad
+  double latency = 0;             // s from a measurement to the effect of its command
+  std::int64_t seed = 1;          // of the noise, 0 to 9e15
   bool closed = false;            // one lap, back to the start
   bool stop_at_collision = true;  // else the robot drives on, and collisions are counted
 
@@ -57,7 +58,14 @@ struct SimulationOptions {
   }
 };
 
-enum class DriveOutcome { reached, stuck, off_path, collision, time };
+/// How a drive ended.
+enum class DriveOutcome {
+  reached,    // the follower reports that the goal is reached
+  stuck,      // FollowerState::stuck
+  off_path,   // FollowerState::off_path
+  collision,  // the robot collided, and stop_at_collision is set
+  time        // SimulationOptions::time_limit passed
+};
 
 constexpr std::array<Choice<DriveOutcome>, 5> choice_names(DriveOutcome) {
   return {{{"reached", DriveOutcome::reached},
@@ -72,18 +80,19 @@ WEND_API std::string_view describe(DriveOutcome outcome);
 
 /// The robot at one moment; grid coordinates, the rest metres, radians and seconds.
 struct DriveSample {
-  double time = 0;
+  double time = 0;           // s since the start
   Pose pose;                 // true, not measured; grid coordinates
   Velocity velocity;         // true
   double heading_error = 0;  // of the route's mean heading (FollowerOptions::heading_window), rad
   double cross_track = 0;    // m, signed: positive left of the route (towards +y from +x)
 };
 
+/// A simulated drive: its outcome, its measures, and the poses.
 struct WEND_API Drive {
-  DriveOutcome outcome = DriveOutcome::reached;
-  double time = 0;                 // s
-  double distance = 0;             // m
-  double turned = 0;               // rad, to the left and to the right together
+  DriveOutcome outcome = DriveOutcome::reached;  // how it ended
+  double time = 0;                               // s
+  double distance = 0;                           // m
+  double turned = 0;                             // rad, to the left and to the right together
   std::uint64_t swings = 0;        // from turning fast one way to turning fast the other way
   double cross_track_rms = 0;      // m
   double cross_track_largest = 0;  // m

@@ -25,8 +25,9 @@
 
 namespace wend {
 
+/// The limits of a profile.
 struct SpeedProfileOptions {
-  VelocityLimits limits{};
+  VelocityLimits limits{};          // of the robot
   double lateral_acceleration = 1;  // m/s^2
   double min_speed = 0.05;          // m/s
   double window = 0.2;              // m, > 0: half of what headings are averaged over
@@ -39,6 +40,7 @@ class WEND_API SpeedProfile {
   /// A profile without a line.
   SpeedProfile() = default;
 
+  /// The profile of a line: see begin().
   SpeedProfile(const Polyline& line, const SpeedProfileOptions& options) { begin(line, options); }
 
   /// Begins another line. Allocates memory only for a line longer than all before.

@@ -22,6 +22,7 @@
 
 namespace wend {
 
+/// How strongly the tracker corrects its errors.
 struct TrackingGains {
   double along_gain = 2;    // 1/s: speed per metre that the robot is behind
   double heading_gain = 3;  // 1/s: turn rate per radian of heading error
@@ -30,6 +31,7 @@ struct TrackingGains {
 
 class WEND_API TrajectoryTracker final : public Controller {
  public:
+  /// A tracker for one execution of the trajectory.
   explicit TrajectoryTracker(Trajectory trajectory, const TrackingGains& gains = {});
 
   void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}

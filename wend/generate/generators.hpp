@@ -26,13 +26,14 @@ inline constexpr int kMostGeneratedCells = 16384;
 /// A map, or why it could not be made: a wrong option, or a size that is too small or too large.
 using GeneratorResult = Expected<GridMap, Error>;
 
+/// A kind of map, and the function that makes it.
 struct GeneratorInfo {
-  std::string name;
+  std::string name;     // as in `wend generate`
   std::string summary;  // one line
   int least_width;      // in cells, with default options; a car's yard can also be narrow and long
-  int least_height;
-  int default_width = 41;  // of `wend generate` without --size
-  int default_height = 21;
+  int least_height;     // the same
+  int default_width = 41;   // of `wend generate` without --size
+  int default_height = 21;  // the same
 
   /// All free cells are connected by their edges.
   bool connected = true;
@@ -43,7 +44,8 @@ struct GeneratorInfo {
   /// from one (1 m, 1 m) to the other.
   int free_corner = 1;
 
-  std::vector<OptionInfo> options;
+  std::vector<OptionInfo> options;  // which `make` takes
+  /// Makes a map of this size in cells. The same seed and options give the same map.
   std::function<GeneratorResult(int width, int height, std::uint64_t seed, const OptionValues&)>
       make;
 };

@@ -7,7 +7,7 @@
 
 namespace wend {
 
-inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kPi = std::numbers::pi;  // half a turn
 
 /// The same direction in (-pi, pi].
 inline double normalized_angle(double radians) {
@@ -15,7 +15,9 @@ inline double normalized_angle(double radians) {
   return wrapped == -kPi ? kPi : wrapped;
 }
 
+/// Converts radians to degrees.
 constexpr double degrees_from(double radians) { return radians * (180 / kPi); }
+/// Converts degrees to radians.
 constexpr double radians_from(double degrees) { return degrees * (kPi / 180); }
 
 }  // namespace wend

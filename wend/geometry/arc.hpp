@@ -13,7 +13,7 @@ namespace wend {
 
 /// Poses and lengths are in the same coordinates, grid or map.
 struct Arc {
-  Pose from;
+  Pose from;             // where the arc begins
   double length = 0;     // negative in reverse
   double curvature = 0;  // 1 / radius; positive where the heading grows while driving ahead
 
@@ -25,16 +25,18 @@ struct Arc {
 /// the point. For a point beside the pose: a half circle.
 WEND_API Arc arc_to(const Pose& from, Point to);
 
-/// The point or pose after driving `length` of an arc, from 0 to arc.length; headings are in (-pi, pi].
+/// The point after driving `length` of an arc, from 0 to arc.length.
 WEND_API Point point_on(const Arc& arc, double length);
+/// The same with the heading there, in (-pi, pi].
 WEND_API Pose pose_on(const Arc& arc, double length);
 
+/// The pose after driving the whole arc.
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
 
 /// A rotation from a pose by `angle` radians, counter-clockwise if positive: an arc of radius 0.
 struct TurnInPlace {
-  Pose from;
-  double angle = 0;
+  Pose from;         // before the rotation
+  double angle = 0;  // radians
 };
 
 /// The pose after turning by `angle`; the heading is not normalised.
@@ -42,6 +44,7 @@ inline Pose pose_on(const TurnInPlace& turn, double angle) {
   return {turn.from.x, turn.from.y, turn.from.heading + angle};
 }
 
+/// The pose after the whole turn.
 inline Pose end_of(const TurnInPlace& turn) { return pose_on(turn, turn.angle); }
 
 }  // namespace wend

@@ -27,9 +27,16 @@
 namespace wend {
 
 /// The moves, in the order in which successors are generated.
-enum class CarMove : std::uint8_t { fwd, fwd_plus, fwd_minus, rev, rev_plus, rev_minus };
+enum class CarMove : std::uint8_t {
+  fwd,        // straight ahead
+  fwd_plus,   // ahead to the plus side
+  fwd_minus,  // ahead to the minus side
+  rev,        // straight back
+  rev_plus,   // back to the plus side
+  rev_minus   // back to the minus side
+};
 
-inline constexpr int kCarMoves = 6;
+inline constexpr int kCarMoves = 6;  // the number of moves
 
 /// 1 ahead, -1 in reverse.
 constexpr int gear_of(CarMove move) { return move < CarMove::rev ? 1 : -1; }
@@ -40,7 +47,9 @@ constexpr int side_of(CarMove move) {
   return kSides[static_cast<std::size_t>(move)];
 }
 
+/// Does the move change the heading?
 constexpr bool is_turn(CarMove move) { return side_of(move) != 0; }
+/// Does the car drive in reverse?
 constexpr bool is_reverse(CarMove move) { return gear_of(move) < 0; }
 
 /// The length in units: 1 or pi / 2.
@@ -53,8 +62,8 @@ constexpr CarMove inverse(CarMove move) {
 
 /// The place of a car: a corner (the point with these grid coordinates) and a heading.
 struct CornerPose {
-  Cell corner;
-  Heading heading = Heading::plus_x;
+  Cell corner;                        // the lattice vertex
+  Heading heading = Heading::plus_x;  // where the car faces
 
   friend constexpr bool operator==(const CornerPose&, const CornerPose&) = default;
 };

@@ -23,9 +23,11 @@ namespace wend {
 constexpr Direction mirrored(Direction direction) {
   return turned(Direction::minus_y, -static_cast<int>(direction));
 }
+/// The same for a heading.
 constexpr Heading mirrored(Heading heading) {
   return is_along_x(heading) ? heading : opposite(heading);
 }
+/// The same for a move: swaps its sides.
 constexpr CarMove mirrored(CarMove move) {
   return static_cast<CarMove>(static_cast<int>(move) + side_of(move));
 }

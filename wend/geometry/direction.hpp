@@ -24,25 +24,27 @@ namespace wend {
 /// Directions in the fixed order in which wend generates successors. Even ones are straight, odd ones
 /// diagonal. Each is an eighth of a turn after the previous one, from +y towards +x.
 enum class Direction : std::uint8_t {
-  plus_y,
-  plus_x_plus_y,
-  plus_x,
-  plus_x_minus_y,
-  minus_y,
-  minus_x_minus_y,
-  minus_x,
-  minus_x_plus_y,
+  plus_y,           // (0, 1)
+  plus_x_plus_y,    // (1, 1)
+  plus_x,           // (1, 0)
+  plus_x_minus_y,   // (1, -1)
+  minus_y,          // (0, -1)
+  minus_x_minus_y,  // (-1, -1)
+  minus_x,          // (-1, 0)
+  minus_x_plus_y,   // (-1, 1)
 };
 
-inline constexpr int kDirections = 8;
+inline constexpr int kDirections = 8;  // the number of directions
 
 /// The step of each direction.
 inline constexpr std::array<Cell, kDirections> kDirectionSteps{
     {{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
 
+/// The directions along one axis, in their order.
 inline constexpr std::array<Direction, 4> kStraightDirections{
     Direction::plus_y, Direction::plus_x, Direction::minus_y, Direction::minus_x};
 
+/// The other directions, in their order.
 inline constexpr std::array<Direction, 4> kDiagonalDirections{
     Direction::plus_x_plus_y, Direction::plus_x_minus_y, Direction::minus_x_minus_y,
     Direction::minus_x_plus_y};
@@ -55,10 +57,12 @@ constexpr std::size_t quarter(Direction direction) {
 /// A bit for each direction.
 using DirectionSet = std::uint8_t;
 
+/// The set of one direction.
 constexpr DirectionSet set_of(Direction direction) {
   return static_cast<DirectionSet>(1U << static_cast<unsigned>(direction));
 }
 
+/// Does a step in this direction change x and y?
 constexpr bool is_diagonal(Direction direction) {
   return (static_cast<unsigned>(direction) & 1U) != 0;
 }
@@ -70,6 +74,7 @@ constexpr Direction turned(Direction direction, int eighths) {
       kDirections);
 }
 
+/// The direction of the step back.
 constexpr Direction opposite(Direction direction) { return turned(direction, kDirections / 2); }
 
 /// The two directions an eighth of a turn away.
@@ -106,17 +111,25 @@ inline Direction nearest_direction(double heading) {
   return turned(Direction::plus_x, -eighths);
 }
 
-/// The numbers are part of the state numbers of the car's lattice.
-enum class Heading : std::uint8_t { minus_y = 0, minus_x = 1, plus_x = 2, plus_y = 3 };
+/// Where a car on a lattice vertex faces. The numbers are part of the state numbers of its lattice.
+enum class Heading : std::uint8_t {
+  minus_y = 0,  // -pi / 2 radians
+  minus_x = 1,  // pi radians
+  plus_x = 2,   // 0 radians
+  plus_y = 3    // pi / 2 radians
+};
 
-inline constexpr int kHeadings = 4;
+inline constexpr int kHeadings = 4;  // the number of headings
+/// All headings, in their order.
 inline constexpr std::array<Heading, kHeadings> kAllHeadings{Heading::minus_y, Heading::minus_x,
                                                              Heading::plus_x, Heading::plus_y};
 
+/// Is it minus_x or plus_x?
 constexpr bool is_along_x(Heading heading) {
   return heading == Heading::minus_x || heading == Heading::plus_x;
 }
 
+/// The heading after half a turn.
 constexpr Heading opposite(Heading heading) {
   return static_cast<Heading>(kHeadings - 1 - static_cast<int>(heading));
 }

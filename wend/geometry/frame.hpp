@@ -30,6 +30,7 @@ struct WEND_API Frame {
 
   /// The same for poses: the heading turns by the yaw.
   Pose to_metres(Pose grid) const;
+  /// The inverse for poses: the heading turns back by the yaw.
   Pose to_grid(Pose metres) const;
 
   /// The cell that a point in metres lies in. Points within 1e-9 m of a cell border belong to the

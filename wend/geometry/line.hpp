@@ -17,18 +17,22 @@ namespace wend {
 
 /// Both ends are in the same coordinates, grid or map.
 struct Line {
-  Point from;
-  Point to;
+  Point from;  // one end
+  Point to;    // the other end
 
+  /// The distance between the ends.
   double length() const { return distance(from, to); }
   /// The direction from `from` to `to` in radians; 0 if both are the same point.
   double heading() const { return std::atan2(to.y - from.y, to.x - from.x); }
+  /// The point halfway.
   Point middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
+  /// The point after a share of the line, from 0 to 1.
   Point at(double share) const {
     return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
   }
 };
 
+/// The distance from a point to the nearest point of the line.
 WEND_API double distance(const Line& line, Point point);
 
 /// The distance to the closed square of a cell; 0 if the line touches it, crosses it or lies inside.

@@ -8,18 +8,21 @@
 
 namespace wend {
 
+/// A position in the map's frame.
 struct MapPoint {
   double x = 0;  // metres
-  double y = 0;
+  double y = 0;  // metres
 
   friend constexpr bool operator==(const MapPoint&, const MapPoint&) = default;
 };
 
+/// A position and a heading in the map's frame.
 struct MapPose {
-  double x = 0;  // metres
-  double y = 0;
+  double x = 0;        // metres
+  double y = 0;        // metres
   double heading = 0;  // radians, counter-clockwise from the frame's +x
 
+  /// The position alone.
   constexpr MapPoint point() const { return {x, y}; }
 
   friend constexpr bool operator==(const MapPose&, const MapPose&) = default;

@@ -23,8 +23,8 @@ namespace wend {
 
 class WEND_API Polygon {
  public:
-  static constexpr std::size_t kMostCorners = 64;
-  static constexpr double kLargestCoordinate = 1e6;
+  static constexpr std::size_t kMostCorners = 64;    // the most corners of a polygon
+  static constexpr double kLargestCoordinate = 1e6;  // of a corner, either sign
 
   /// Takes corners in either orientation. A last corner that repeats the first one is dropped.
   /// Rejects fewer than 3 corners or more than kMostCorners, a coordinate that is NaN or larger than
@@ -37,6 +37,7 @@ class WEND_API Polygon {
   /// The edge from corner i to the next one.
   Line edge(std::size_t i) const { return {corners_[i], corners_[(i + 1) % corners_.size()]}; }
 
+  /// The area, in squares of the coordinates' unit; greater than 0. O(corners).
   double area() const;
 
   /// Is the point inside or on the outline? O(corners).

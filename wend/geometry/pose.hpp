@@ -9,18 +9,21 @@
 
 namespace wend {
 
+/// A position, in grid coordinates or in metres.
 struct Point {
-  double x = 0;
-  double y = 0;
+  double x = 0;  // cells or metres
+  double y = 0;  // cells or metres
 
   friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 
+/// A position and a heading, in grid coordinates or in metres.
 struct Pose {
-  double x = 0;
-  double y = 0;
+  double x = 0;        // cells or metres
+  double y = 0;        // cells or metres
   double heading = 0;  // radians, counter-clockwise from +x
 
+  /// The position alone.
   constexpr Point point() const { return {x, y}; }
 
   friend constexpr bool operator==(const Pose&, const Pose&) = default;

@@ -20,13 +20,15 @@ namespace wend {
 
 /// Poses and lengths are in the same coordinates, grid or map.
 struct Segment {
-  Pose from;
+  Pose from;          // where the segment begins
   double length = 0;  // of the base point's way, an arc; negative in reverse
   double turn = 0;    // radians, of the heading and of the base point's direction
   double course = 0;  // radians, how far to the left of the heading the base point starts to move;
                       // in [-pi/2, pi/2]
 
+  /// Of length 0, at the origin.
   Segment() = default;
+  /// Sets `from`, `length`, `turn` and `course`.
   Segment(const Pose& first, double way, double angle, double aside)
       : from(first), length(way), turn(angle), course(aside) {}
 };
@@ -41,11 +43,13 @@ WEND_API Arc way_of_base(const Segment& segment);
 /// The pose after a share of the segment, from 0 to 1; headings are in (-pi, pi].
 WEND_API Pose pose_on(const Segment& segment, double share);
 
+/// The pose after the whole segment.
 inline Pose end_of(const Segment& segment) { return pose_on(segment, 1); }
 
 /// The part of a segment before a share of it.
 WEND_API Segment beginning_of(const Segment& segment, double share);
 
+/// The parts before and after the middle.
 WEND_API std::array<Segment, 2> halves_of(const Segment& segment);
 
 }  // namespace wend

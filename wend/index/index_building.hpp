@@ -15,7 +15,9 @@ struct IndexBuilding {
   std::function<void(double share)> progress = {};
   const std::atomic<bool>* cancel = nullptr;  // set from another thread to stop
 
+  /// Is the cancel flag set?
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  /// Calls `progress`, if it is set.
   void tell(double share) const {
     if (progress) progress(share);
   }

@@ -37,6 +37,7 @@ struct FailedPlan {
 struct PathFileError : Error {
   std::optional<FailedPlan> failed_plan;  // set if the file is valid and says why there is no path
 
+  /// The error of a file, and the failed plan that it reports, if any.
   // NOLINTNEXTLINE(google-explicit-constructor): every error of a file is one of a path file
   PathFileError(Error error, std::optional<FailedPlan> plan = {})
       : Error(std::move(error)), failed_plan(std::move(plan)) {}

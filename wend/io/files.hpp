@@ -39,11 +39,13 @@ class WEND_API FilePieces {
   static Expected<FilePieces, Error> open(const std::filesystem::path& file,
                                           std::size_t largest = kLargestFile);
 
+  /// The size of the file in bytes, when it was opened.
   std::size_t size() const { return size_; }
 
   /// The next bytes, valid until the next call. None at the end of the file or after a read error; in
   /// the second case failed() is true.
   std::string_view next();
+  /// Did a read fail?
   bool failed() const { return stream_.bad(); }
 
  private:
@@ -75,6 +77,7 @@ WEND_API Expected<std::string, Error> read_stream(const std::filesystem::path& f
 /// written directly.
 WEND_API Expected<void, Error> write_file(const std::filesystem::path& file,
                                           std::string_view bytes);
+/// The same for an index.
 WEND_API Expected<void, Error> write_index(const std::filesystem::path& file,
                                            const IndexBytes& index);
 

@@ -15,9 +15,11 @@
 
 namespace wend {
 
+/// The lower-case letter of an ASCII letter; other bytes stay.
 constexpr char lower_case(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
+/// The same for every byte of a text.
 WEND_API std::string lower_case(std::string text);
 
 /// The text without the blanks around it.
@@ -43,8 +45,9 @@ WEND_API std::optional<std::size_t> first_non_text(std::string_view bytes);
 WEND_API std::string_view without_byte_order_mark(std::string_view text);
 
 /// 'text' in single quotes, for error messages: at most the first 40 bytes, then "..."; bytes that are
-/// not printable ASCII as \xNN.
+/// not printable ASCII as `\xNN`.
 WEND_API std::string quote(std::string_view text);
+/// The same for one byte.
 WEND_API std::string quote(char letter);
 
 /// The same without quotes, and at most the first `longest` bytes.

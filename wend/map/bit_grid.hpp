@@ -17,12 +17,17 @@ namespace wend {
 
 class WEND_API BitGrid {
  public:
+  /// No cells.
   BitGrid() = default;
+  /// All bits false. The sizes are at least 0.
   BitGrid(int width, int height);
 
+  /// The number of columns, without the border.
   int width() const { return width_; }
+  /// The number of rows, without the border.
   int height() const { return height_; }
 
+  /// Is the cell on the map? The border is not.
   bool contains(Cell cell) const {
     return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
   }
@@ -34,6 +39,7 @@ class WEND_API BitGrid {
     return ((words_[row_begin(cell.y) + bit / 64] >> (bit % 64)) & 1U) != 0;
   }
 
+  /// Sets the bit of a cell of the map.
   void set(Cell cell, bool value) {
     assert(contains(cell));
     const std::size_t bit = bit_index(cell.x);
@@ -63,6 +69,7 @@ class WEND_API BitGrid {
   std::span<const std::uint64_t> row_words(int y) const {
     return {words_.data() + row_begin(y), words_per_row_};
   }
+  /// The same for writing: keep the bits outside the map zero.
   std::span<std::uint64_t> row_words(int y) {
     return {words_.data() + row_begin(y), words_per_row_};
   }
@@ -73,6 +80,7 @@ class WEND_API BitGrid {
   /// Makes room for `height` rows.
   void reserve_rows(int height);
 
+  /// The number of set bits. O(cells / 64).
   std::size_t count() const;
 
   friend bool operator==(const BitGrid&, const BitGrid&) = default;

@@ -19,13 +19,16 @@
 
 namespace wend {
 
+/// Which cells are neighbours.
 enum class Adjacency {
   edges,              // cells that share an edge (4-connected)
   edges_and_corners,  // or a corner (8-connected)
 };
 
+/// The connected components of a set of cells: a label and a size for each. 4 bytes for each cell.
 class WEND_API ConnectedComponents {
  public:
+  /// Of no cells.
   ConnectedComponents() = default;
 
   /// The components of the set cells. O(cells).
@@ -38,6 +41,7 @@ class WEND_API ConnectedComponents {
     return adjacency == Adjacency::edges ? label : merged_[label];
   }
 
+  /// Are both cells set and in the same component? O(1).
   bool connected(Cell a, Cell b, Adjacency adjacency) const {
     const std::uint32_t component_of_a = component(a, adjacency);
     return component_of_a != 0 && component_of_a == component(b, adjacency);
@@ -49,6 +53,7 @@ class WEND_API ConnectedComponents {
     return adjacency == Adjacency::edges ? sizes_[label] : merged_sizes_[label];
   }
 
+  /// The number of components.
   std::size_t count(Adjacency adjacency) const;
 
   /// The sizes of all components, largest first.
@@ -63,10 +68,10 @@ class WEND_API ConnectedComponents {
 
 /// Set cells [begin, end) of one row.
 struct RowRun {
-  static constexpr std::uint32_t kNoComponent = UINT32_MAX;
+  static constexpr std::uint32_t kNoComponent = UINT32_MAX;  // not yet numbered
 
-  int begin;
-  int end;
+  int begin;                               // the column of the first cell
+  int end;                                 // the column behind the last cell
   std::uint32_t component = kNoComponent;  // numbered by the code that labels runs
 };
 
@@ -98,6 +103,7 @@ void for_each_run(std::span<const std::uint64_t> words, int width, Take&& take) 
 /// the grid row by row, in the memory of two rows.
 class WEND_API ComponentCounter {
  public:
+  /// For rows of `width` cells.
   explicit ComponentCounter(int width) : width_(width) {}
 
   /// The words of the next row, as BitGrid::row_words() has them. O(width).
@@ -105,6 +111,7 @@ class WEND_API ComponentCounter {
 
   /// The components of all rows so far.
   std::size_t count() const { return closed_ + open_.size(); }
+  /// The number of cells of the largest component so far; 0 without any.
   std::size_t largest() const;
 
  private:

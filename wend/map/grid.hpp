@@ -18,7 +18,9 @@ class Grid {
   static_assert(!std::is_same_v<T, bool>, "use BitGrid for one bit a cell");
 
  public:
+  /// No cells.
   Grid() = default;
+  /// The same value in every cell.
   Grid(int width, int height, T value = T{})
       : width_(width),
         height_(height),
@@ -30,19 +32,28 @@ class Grid {
     assert(values_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   }
 
+  /// The number of columns.
   int width() const { return width_; }
+  /// The number of rows.
   int height() const { return height_; }
+  /// The number of cells.
   std::size_t size() const { return values_.size(); }
+  /// Are there no cells?
   bool empty() const { return values_.empty(); }
 
+  /// Is the cell on the map?
   bool contains(Cell cell) const {
     return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_;
   }
 
+  /// The value of a cell, which must be on the map. O(1).
   T& operator[](Cell cell) { return values_[index(cell)]; }
+  /// The value of a cell, which must be on the map. O(1).
   const T& operator[](Cell cell) const { return values_[index(cell)]; }
 
+  /// The values of a row, from column 0 on. The grid must not be empty.
   std::span<T> row(int y) { return {values_.data() + index({0, y}), extent()}; }
+  /// The values of a row, from column 0 on. The grid must not be empty.
   std::span<const T> row(int y) const { return {values_.data() + index({0, y}), extent()}; }
 
   /// All values, row by row.

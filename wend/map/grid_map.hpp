@@ -27,33 +27,46 @@
 
 namespace wend {
 
-enum class CellState : unsigned char { free, occupied, unknown };
+/// What a map file says about a cell.
+enum class CellState : unsigned char {
+  free,      // no obstacle
+  occupied,  // an obstacle
+  unknown    // not seen yet; UnknownPolicy decides
+};
 
 class GridMap {
  public:
   /// The most cells a map can have; loaders reject larger ones.
   static constexpr std::size_t kMaxCells = std::size_t{1} << 30;
 
+  /// The number of columns, at least 1.
   int width() const { return data_->occupied.width(); }
+  /// The number of rows, at least 1.
   int height() const { return data_->occupied.height(); }
+  /// The number of cells, at most kMaxCells.
   std::size_t size() const {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
   }
+  /// Is the cell on the map?
   bool contains(Cell cell) const { return data_->occupied.contains(cell); }
 
+  /// How the grid lies in the world.
   const Frame& frame() const { return data_->frame; }
 
+  /// The state of a cell, which must be on the map.
   CellState state(Cell cell) const {
     if (data_->occupied[cell]) return CellState::occupied;
     return data_->unknown[cell] ? CellState::unknown : CellState::free;
   }
 
-  /// The two bit planes.
+  /// The occupied cells.
   const BitGrid& occupied() const { return data_->occupied; }
+  /// The unknown cells.
   const BitGrid& unknown() const { return data_->unknown; }
 
   /// The cost of a unit of length in a cell, at least 1.
   double terrain(Cell cell) const { return data_->terrain.empty() ? 1 : data_->terrain[cell]; }
+  /// Does a unit of length cost 1 in every cell?
   bool uniform_terrain() const { return data_->terrain.empty(); }
 
   /// The multipliers, or an empty grid on uniform terrain.
@@ -102,11 +115,13 @@ class WEND_API GridMapBuilder {
   /// if it is empty, all multipliers are 1. finish() fails after a row of another length.
   void append(std::span<const CellState> states, std::span<const double> terrain = {});
 
+  /// The number of columns.
   int width() const { return occupied_.width(); }
+  /// The number of rows so far.
   int height() const { return occupied_.height(); }
 
-  /// Makes the map from one or more rows, or fails as make_grid_map() does. The first appended row is the top row as drawn: row 0 in a
-  /// frame with y down, the last row in a frame with y up.
+  /// Makes the map from one or more rows, or fails as make_grid_map() does. The first appended row is
+  /// the top row as drawn: row 0 in a frame with y down, the last row in a frame with y up.
   Expected<GridMap, Error> finish(const Frame& frame = {}) &&;
 
  private:

@@ -22,28 +22,39 @@
 namespace wend {
 
 /// Whether unknown cells are obstacles.
-enum class UnknownPolicy { blocked, free };
+enum class UnknownPolicy {
+  blocked,  // they are obstacles
+  free      // they are free
+};
 
 /// Whether the robot's shape may leave the map. Its base point never does.
-enum class OutsidePolicy { blocked, free };
+enum class OutsidePolicy {
+  blocked,  // the map's edge is an obstacle
+  free      // the shape may hang over the map's edge
+};
 
 /// The default policy: blocked for a map in metres (Frame::metric), which shows a part of the world;
 /// free for a map in cells, which shows all of its world.
 WEND_API OutsidePolicy default_outside_policy(const Frame& frame);
 
+/// The policies for cells that a map does not describe.
 struct ObstacleOptions {
-  UnknownPolicy unknown = UnknownPolicy::blocked;
-  std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
+  UnknownPolicy unknown = UnknownPolicy::blocked;  // unknown cells
+  std::optional<OutsidePolicy> outside = {};       // nothing: default_outside_policy()
 
   friend bool operator==(const ObstacleOptions&, const ObstacleOptions&) = default;
 };
 
 class WEND_API Obstacles {
  public:
+  /// Computes the distances to the nearest obstacles. O(cells).
   explicit Obstacles(GridMap map, ObstacleOptions options = {});
 
+  /// The map that they were made from.
   const GridMap& map() const { return data_->map; }
+  /// The policy for unknown cells.
   UnknownPolicy unknown() const { return data_->unknown; }
+  /// The policy for the outside, as set or by default.
   OutsidePolicy outside() const { return data_->outside; }
 
   /// The blocked cells.

@@ -28,14 +28,15 @@
 
 namespace wend {
 
+/// The options of the gradient smoother.
 struct GradientOptions {
-  double alpha = 0.1;
-  double beta = 0.3;
-  double epsilon = 0.001;  // squared cells
-  std::int64_t max_sweeps = 1000;
-  bool in_place = false;
-  bool unsafe = false;
-  bool squeeze = false;
+  double alpha = 0.1;              // 0 to 2: holds each point at its original position
+  double beta = 0.3;               // 0 to 1: pulls neighbouring points together
+  double epsilon = 0.001;          // squared cells
+  std::int64_t max_sweeps = 1000;  // 1 to 1e9
+  bool in_place = false;           // use the new position of a point within the same sweep
+  bool unsafe = false;             // skip the collision check
+  bool squeeze = false;            // a point may pass between two obstacles that touch at a corner
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -52,7 +53,8 @@ struct GradientOptions {
   }
 };
 
-/// Errors: see Error. A path is not empty.
+/// Smooths a path (not empty, of cells or waypoints). Fails with invalid_option for options out of
+/// range, and with unsupported_query for a path of poses or one that is not free. O(points) a sweep.
 WEND_API SmoothingResult smooth_by_gradient(const Path& path, const FreeSpace& space,
                                             const GradientOptions& options = {});
 

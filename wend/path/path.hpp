@@ -41,15 +41,23 @@ namespace wend {
 /// cells before.
 class CellBuffer {
  public:
+  /// Empty.
   CellBuffer() = default;
+  /// Takes over the cells and their memory.
   explicit CellBuffer(std::vector<Cell> cells) : memory_(std::move(cells)), size_(memory_.size()) {}
 
+  /// The number of cells.
   std::size_t size() const { return size_; }
+  /// Are there no cells?
   bool empty() const { return size_ == 0; }
+  /// The cells. Valid until the buffer grows.
   std::span<const Cell> cells() const { return {memory_.data(), size_}; }
+  /// The same for writing.
   std::span<Cell> cells() { return {memory_.data(), size_}; }
 
+  /// Removes all cells and keeps the memory.
   void clear() { size_ = 0; }
+  /// Adds a cell at the end. O(1) amortised.
   void append(Cell cell) {
     if (size_ == memory_.size()) {
       memory_.push_back(cell);
@@ -65,6 +73,7 @@ class CellBuffer {
     size_ = size;
   }
 
+  /// Compares the cells.
   friend bool operator==(const CellBuffer& a, const CellBuffer& b) {
     return std::ranges::equal(a.cells(), b.cells());
   }
@@ -77,9 +86,12 @@ class CellBuffer {
 /// The poses of a car's path, and the segments that join them. A view: the path must outlive it.
 class WEND_API JoinedPoses {
  public:
+  /// A view of poses in grid coordinates.
   explicit JoinedPoses(std::span<const Pose> poses) : poses_(poses) {}
 
+  /// The poses, in grid coordinates.
   std::span<const Pose> poses() const { return poses_; }
+  /// One fewer than poses; 0 without poses.
   std::size_t segment_count() const { return poses_.empty() ? 0 : poses_.size() - 1; }
 
   /// From pose i to pose i + 1: the arc that a car drives, if it ends with the heading of pose i + 1;
@@ -92,7 +104,9 @@ class WEND_API JoinedPoses {
 
 class WEND_API Path {
  public:
+  /// An empty path.
   Path() = default;
+  /// A path of cells.
   explicit Path(std::vector<Cell> cells) : cells_(std::move(cells)) {}
 
   /// A path of poses, in grid coordinates.
@@ -101,7 +115,9 @@ class WEND_API Path {
   /// A path of waypoints, in grid coordinates.
   static Path along(std::vector<Point> waypoints);
 
+  /// Is there no cell, pose or waypoint?
   bool empty() const { return size() == 0; }
+  /// The number of cells, poses or waypoints.
   std::size_t size() const { return cells_.size() + poses_.size() + waypoints_.size(); }
 
   /// Is it made of poses, not of cells or waypoints?
@@ -155,16 +171,20 @@ class WEND_API Path {
   /// Its points in the map's frame, in metres.
   std::vector<Point> points_in_metres(const Frame& frame) const;
 
-  /// For planners that write into an existing path, whose memory is kept. A path has either cells
+  /// Makes the path empty and keeps its memory, for planners that write into an existing path. A path
+  /// has either cells
   /// or poses or waypoints.
   void clear();
+  /// Adds a cell at the end. The path has no poses and no waypoints. O(1) amortised.
   void append(Cell cell) { cells_.append(cell); }
   /// Replaces the cells by `count` cells for the caller to write.
   std::span<Cell> make_cells(std::size_t count) {
     cells_.resize_unset(count);
     return cells_.cells();
   }
+  /// Adds a pose, in grid coordinates. The path has no cells and no waypoints. O(1) amortised.
   void drive_to(const Pose& pose) { poses_.push_back(pose); }
+  /// Reverses the order of the cells, poses or waypoints; headings stay. O(n).
   void reverse();
 
   friend bool operator==(const Path&, const Path&) = default;

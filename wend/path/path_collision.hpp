@@ -27,6 +27,7 @@
 
 namespace wend {
 
+/// How a path collides.
 enum class CollisionKind {
   outside,    // the robot's base point leaves the map; its shape does, and the outside is blocked
   obstacle,   // its base point enters an obstacle
@@ -39,9 +40,10 @@ enum class CollisionKind {
 /// "overlaps an obstacle with its footprint", "passes between two obstacles that touch at a corner".
 WEND_API std::string_view describe(CollisionKind kind);
 
+/// The first collision of a path.
 struct PathCollision {
-  CollisionKind kind = CollisionKind::obstacle;
-  std::size_t piece = 0;         // index in Path::arcs(); 0 for a path of one point
+  CollisionKind kind = CollisionKind::obstacle;  // what happens there
+  std::size_t piece = 0;                         // index in Path::arcs(); 0 for a path of one point
   double along = 0;              // cells, from the path's start; within 1e-6 of the first contact
   Point point;                   // grid coordinates, of the robot's base point
   std::optional<Cell> obstacle;  // unset for a collision with the map's edge

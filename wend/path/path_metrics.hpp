@@ -74,12 +74,12 @@ struct PathMetrics {
   /// centre, or between points that cut each arc or line into equal pieces of at most one cell; of a
   /// path that goes nowhere it is the clearance where it stands.
   double smallest_clearance = 0;
-  double mean_clearance = 0;
+  double mean_clearance = 0;  // cells
 };
 
 /// Measures a path (not empty) whose cells are on the map; poses and waypoints may also be on its
-/// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for steps to
-/// neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
+/// border or outside of it. It need not be passable: inside obstacles the clearance is 0. O(cells) for
+/// steps to neighbouring cells; longer ones as way_clearance(), and each cell's length of an arc as
 /// arc_clearance().
 WEND_API PathMetrics measure(const Path& path, const FreeSpace& space,
                              double corner_rounding = kCornerRounding);

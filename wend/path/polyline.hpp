@@ -23,8 +23,8 @@ namespace wend {
 
 /// A place on a polyline.
 struct OnPolyline {
-  double along = 0;  // the length from the first point to it
-  Point point;
+  double along = 0;     // the length from the first point to it
+  Point point;          // where it is
   double distance = 0;  // from the point of the query
 };
 
@@ -32,6 +32,7 @@ class WEND_API Polyline {
  public:
   /// Needs at least one point, all finite. `closed`: a line joins the last to the first.
   explicit Polyline(std::span<const Point> points, bool closed = false);
+  /// The same for a list of points.
   Polyline(std::initializer_list<Point> points, bool closed = false)
       : Polyline(std::span(points.begin(), points.size()), closed) {}
 
@@ -44,7 +45,9 @@ class WEND_API Polyline {
   /// The length up to each point; the first is 0, the last length().
   std::span<const double> along() const { return along_; }
 
+  /// The length of all lines.
   double length() const { return along_.back(); }
+  /// Does a line join the last point to the first?
   bool closed() const { return closed_; }
 
   /// The place at length `along`, clamped to 0..length(), and the heading of the line there (at a

@@ -18,6 +18,7 @@
 
 namespace wend {
 
+/// How a path is simplified.
 enum class SimplifyBy {
   collinear,  // without_collinear()
   tolerance,  // simplified()
@@ -30,25 +31,28 @@ constexpr std::array<Choice<SimplifyBy>, 3> choice_names(SimplifyBy) {
            {"sight", SimplifyBy::sight}}};
 }
 
+/// The settings of simplification.
 struct Simplification {
-  SimplifyBy by = SimplifyBy::sight;
-  double tolerance = 0.5;  // cells; of SimplifyBy::tolerance
+  SimplifyBy by = SimplifyBy::sight;  // the method
+  double tolerance = 0.5;             // cells; of SimplifyBy::tolerance
 };
 
+/// A smoother by name.
 struct SmootherChoice {
-  std::string name = "gradient";
-  OptionValues options{};
+  std::string name = "gradient";  // as in smoothers()
+  OptionValues options{};         // as text; the smoother checks them
 };
 
 struct Refinement {
-  std::optional<Simplification> simplify{};
-  std::optional<SmootherChoice> smoother{};
-  std::optional<double> spacing{};         // cells, > 0: resample
-  Adjacency adjacency = Adjacency::edges;  // what a point may squeeze through
+  std::optional<Simplification> simplify{};  // nothing: not simplified
+  std::optional<SmootherChoice> smoother{};  // nothing: not smoothed
+  std::optional<double> spacing{};           // cells, > 0: resample
+  Adjacency adjacency = Adjacency::edges;    // what a point may squeeze through
 };
 
+/// What refined() made.
 struct Refined {
-  Path path;
+  Path path;                            // the refined path
   std::optional<Smoothed> smoothing{};  // how that went; its path is as it was before resampling
 };
 

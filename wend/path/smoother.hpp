@@ -25,6 +25,7 @@
 
 namespace wend {
 
+/// A smoothed path, and how smoothing went.
 struct Smoothed {
   Path path;                 // waypoints, at least as many as the path had points
   std::uint64_t sweeps = 0;  // over all points
@@ -39,11 +40,13 @@ struct Smoothed {
 /// Errors: invalid_option, or unsupported_query for a drive or a path that is not free.
 using SmoothingResult = Expected<Smoothed, Error>;
 
+/// A smoother: its description, its options, and the function.
 struct SmootherInfo {
-  std::string name;
-  std::string summary;   // one line
-  std::string citation;  // the paper or book it comes from
-  std::vector<OptionInfo> options;
+  std::string name;                 // as in options
+  std::string summary;              // one line
+  std::string citation;             // the paper or book it comes from
+  std::vector<OptionInfo> options;  // which `smooth` takes
+  /// Smooths a path that is not empty.
   std::function<SmoothingResult(const Path&, const FreeSpace&, const OptionValues&)> smooth;
 };
 

@@ -64,8 +64,8 @@ WEND_API double fastest_on(double curvature, const TrajectoryLimits& limits);
 
 /// The robot at one moment.
 struct TrajectoryState {
-  double time = 0;  // s since the start
-  Pose pose;
+  double time = 0;       // s since the start
+  Pose pose;             // metres and radians, in the map's frame
   double speed = 0;      // m/s, of the base point; negative in reverse; of a step to the side along
                          // its course
   double turn_rate = 0;  // rad/s, positive where the heading grows
@@ -90,6 +90,7 @@ class WEND_API Trajectory {
   static Expected<Trajectory, Error> along(const Path& path, const Frame& frame,
                                            const TrajectoryLimits& limits = {});
 
+  /// The time from the start to the end, s.
   double duration() const { return duration_; }
 
   /// The way of the base point, m.
@@ -112,6 +113,7 @@ class WEND_API Trajectory {
   /// Their time stamps and speeds, in order, without gaps.
   std::span<const TrajectoryPiece> pieces() const { return pieces_; }
 
+  /// The limits that it keeps.
   const TrajectoryLimits& limits() const { return limits_; }
 
  private:

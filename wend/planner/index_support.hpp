@@ -18,6 +18,7 @@ namespace wend {
 
 class IndexSupport {
  public:
+  /// For derived classes.
   IndexSupport() = default;
   virtual ~IndexSupport() = default;
   IndexSupport(const IndexSupport&) = delete;

@@ -13,15 +13,16 @@ namespace wend {
 
 /// One event. Costs are as in Plan::cost; h is 0 where the planner has no heuristic.
 struct SearchEvent {
-  Cell cell;                   // for a planner of corner poses: the vertex
-  std::optional<Cell> parent;  // unset for the start
-  double g;
-  double h;
+  Cell cell;                               // for a planner of corner poses: the vertex
+  std::optional<Cell> parent;              // unset for the start
+  double g;                                // the cost from the start
+  double h;                                // the estimated cost to the goal
   double f;                                // the priority, as the planner orders its frontier
   std::optional<double> heading{};         // radians; for planners of poses
   std::optional<double> parent_heading{};  // the same, if there is a parent
 };
 
+/// Receives every event of a search, on the thread that searches.
 class SearchObserver {
  public:
   virtual ~SearchObserver() = default;
@@ -38,9 +39,10 @@ enum class OpenTie : unsigned char {
   newest  // f and g are the same: the newest comes first
 };
 
+/// An open state, and why it stands where it does in the list.
 struct OpenEntry {
-  SearchEvent state;  // how it was reached last
-  OpenTie tie = OpenTie::none;
+  SearchEvent state;            // how it was reached last
+  OpenTie tie = OpenTie::none;  // what put it behind the entry before it
 };
 
 /// The open states of a search that is stepped, in the order in which it would expand them.

@@ -23,11 +23,13 @@ class SearchObserver;
 
 /// Where a path may end, in grid coordinates: a pose, or a point with any heading.
 struct Goal {
-  Point point;
+  Point point;                    // grid coordinates
   std::optional<double> heading;  // radians; unset: any heading
 
+  /// A point with a heading.
   // NOLINTNEXTLINE(google-explicit-constructor): a pose is a goal
   Goal(const Pose& pose) : point(pose.point()), heading(pose.heading) {}
+  /// A point, with any heading.
   explicit Goal(Point where) : point(where) {}
 };
 
@@ -35,11 +37,12 @@ struct Goal {
 /// headings. A car uses the nearest vertices and headings of its lattice (Plan has the snapping
 /// errors). With several goals, the planner finds the path to the cheapest one.
 struct Query {
-  Pose start;
-  std::vector<Goal> goals;
-  Limits limits = {};
+  Pose start;                          // grid coordinates
+  std::vector<Goal> goals;             // one or more
+  Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // receives every event of the search; not owned
 
+  /// From the centre of one cell to the centre of another.
   static Query between(Cell start, Cell goal) { return {pose_at(start), {pose_at(goal)}}; }
 };
 
@@ -52,19 +55,21 @@ struct SnappingError {
   friend bool operator==(const SnappingError&, const SnappingError&) = default;
 };
 
+/// A path, its cost, and the work of the search.
 struct Plan {
   /// The `bound` of a plan without a guarantee about the cost.
   static constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-  Path path;
+  Path path;  // grid coordinates
   /// Recomputed from the path by its space. In cells, times terrain; for a car, its fuel in units.
   double cost = 0;
   double bound = kNoBound;              // cost <= bound * the cheapest cost; 1: optimal
   std::vector<std::string_view> moves;  // one fewer than poses, if moves have names
-  SnappingError start_snapping_error;
-  SnappingError goal_snapping_error;  // from the goal that was reached
-  SearchMetrics metrics;
+  SnappingError start_snapping_error;   // from the query's start
+  SnappingError goal_snapping_error;    // from the goal that was reached
+  SearchMetrics metrics;                // of the whole search
 
+  /// Is it certain that no path is cheaper?
   bool optimal() const { return bound == 1; }
 };
 

@@ -35,6 +35,7 @@ class WEND_API Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
+  /// The space that the planner plans in.
   const FreeSpace& free_space() const { return free_space_; }
 
   /// Answers a query.
@@ -47,9 +48,11 @@ class WEND_API Planner {
 
   /// The same one expansion at a time, for planners that can be stepped (PlannerInfo::can_step):
   /// begin a query, then step until there is an outcome. Limits and the observer work as in plan().
+  ///
   ///   auto outcome = planner.begin(query, plan);
   ///   while (!outcome) outcome = planner.step(plan);
   std::optional<Status> begin(const Query& query, Plan& out);
+  /// Expands one state; the outcome, once there is one.
   std::optional<Status> step(Plan& out) { return do_step(out); }
 
   /// For a stepped search: the next states to expand, at most `most`, in order, and the number of
@@ -62,6 +65,7 @@ class WEND_API Planner {
   /// The heuristic of the last search, from a pose on the map, in grid coordinates, to its goals; 0
   /// for a planner without a heuristic.
   double heuristic(const Pose& pose) const { return do_heuristic(pose); }
+  /// The same from the centre of a cell, with heading 0.
   double heuristic(Cell cell) const { return do_heuristic(pose_at(cell)); }
 
   /// The number of valid states.
@@ -86,6 +90,7 @@ class WEND_API Planner {
   Expected<void, Error> update(FreeSpace free_space, std::span<const Cell> changed = {});
 
  protected:
+  /// For derived classes.
   explicit Planner(FreeSpace free_space) : free_space_(std::move(free_space)) {}
 
  private:

@@ -53,11 +53,12 @@ constexpr std::array<Choice<StateKind>, 3> choice_names(StateKind) {
            {"poses", StateKind::cell_pose}}};
 }
 
+/// Do states of this kind have a heading?
 constexpr bool has_heading(StateKind kind) { return kind != StateKind::cell; }
 
 /// Work for a map before the first query, besides loading it.
 enum class Preprocessing {
-  none,
+  none,   // no work
   quick,  // seconds
   slow,   // minutes
 };
@@ -79,7 +80,7 @@ WEND_API std::optional<Error> refused_options(const OptionValues& values);
 using PlannerResult = Expected<std::unique_ptr<Planner>, Error>;
 
 struct PlannerInfo {
-  std::string name;
+  std::string name;            // as in make_planner()
   std::string summary;         // one line
   std::string idea;            // how it works, in two or three sentences
   std::string citation;        // the paper or book it comes from
@@ -88,14 +89,14 @@ struct PlannerInfo {
   std::string memory;          // "8 bytes a cell", and what grows with a search
   double bytes_per_cell = 0;   // of the map, at most, for one search; 0: unknown
   std::string when;            // when to choose it and when not, in one to three sentences
-  Guarantee guarantee = Guarantee::none;
-  bool plans_on_terrain = false;  // takes terrain costs into account
-  Preprocessing preprocessing = Preprocessing::none;
-  bool can_step = false;   // Planner::begin and step work
+  Guarantee guarantee = Guarantee::none;              // of every answer
+  bool plans_on_terrain = false;                      // takes terrain costs into account
+  Preprocessing preprocessing = Preprocessing::none;  // of `make`
+  bool can_step = false;                              // Planner::begin and step work
   bool jumps = false;      // expands only some cells of its paths, if any
   bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
-  StateKind state_kind = StateKind::cell;
-  std::vector<OptionInfo> options = {};
+  StateKind state_kind = StateKind::cell;  // what its starts, goals and paths are
+  std::vector<OptionInfo> options = {};    // which `make` takes
   /// Makes the planner, including its preprocessing, on one thread.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 

@@ -33,6 +33,7 @@ class WEND_API Footprint {
   /// Fails unless the polygon contains the base point, inside or on its outline.
   static Expected<Footprint, Error> polygon(Polygon outline);
 
+  /// Is it a point, or a disc of radius 0?
   bool is_point() const { return !polygon_ && circumscribed_ == 0; }
 
   /// The outline; null for a point or a disc.
@@ -52,6 +53,7 @@ class WEND_API Footprint {
   /// Multiplies all lengths by a finite factor greater than 0.
   Footprint scaled(double factor) const;
 
+  /// Compares the shapes: the corners of polygons, else the radii.
   friend bool operator==(const Footprint& a, const Footprint& b) {
     const bool polygons = a.polygon_ && b.polygon_;
     return polygons ? *a.polygon_ == *b.polygon_

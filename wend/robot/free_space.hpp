@@ -50,7 +50,7 @@ namespace wend {
 
 /// A robot as planners see it. Lengths are in metres (cells if the map's resolution is 1).
 struct Robot {
-  Footprint footprint = {};
+  Footprint footprint = {};       // its shape
   double clearance_distance = 0;  // from the disc's edge, finite; 0 = off
   double clearance_cost = 4;      // extra cost of a cell where the disc touches, finite, >= 0
   std::optional<MotionPrimitives> primitives = {};  // nothing: the planner chooses
@@ -60,19 +60,22 @@ struct Robot {
 
 /// A robot, and what blocks it.
 struct FreeSpaceOptions {
-  Footprint footprint = {};
-  UnknownPolicy unknown = UnknownPolicy::blocked;
-  std::optional<OutsidePolicy> outside = {};  // nothing: default_outside_policy()
-  double clearance_distance = 0;              // as in Robot
-  double clearance_cost = 4;
-  std::optional<MotionPrimitives> primitives = {};
+  Footprint footprint = {};                         // the robot's shape, in metres
+  UnknownPolicy unknown = UnknownPolicy::blocked;   // whether unknown cells are obstacles
+  std::optional<OutsidePolicy> outside = {};        // nothing: default_outside_policy()
+  double clearance_distance = 0;                    // as in Robot
+  double clearance_cost = 4;                        // as in Robot
+  std::optional<MotionPrimitives> primitives = {};  // as in Robot
 
+  /// The options that describe the robot.
   Robot robot() const { return {footprint, clearance_distance, clearance_cost, primitives}; }
+  /// The options that decide what blocks it.
   ObstacleOptions obstacles() const { return {unknown, outside}; }
 
   friend bool operator==(const FreeSpaceOptions&, const FreeSpaceOptions&) = default;
 };
 
+/// Why a robot cannot stand somewhere.
 enum class BlockReason {
   outside,    // not on the map
   obstacle,   // occupied
@@ -86,27 +89,36 @@ enum class BlockReason {
 /// "outside the map", "an obstacle", "unknown", "closer to an obstacle than the robot's radius", ...
 WEND_API std::string_view describe(BlockReason reason);
 
-/// The memory of a FreeSpace without its map.
+/// The memory of a FreeSpace without its map, in bytes per cell.
 WEND_API double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options);
 
 class WEND_API FreeSpace {
  public:
+  /// The map that the space was made from.
   const GridMap& map() const { return data_->obstacles.map(); }
+  /// What blocks the robot; other free spaces may share it.
   const Obstacles& obstacles() const { return data_->obstacles; }
+  /// The robot that the space was made for.
   const Robot& robot() const { return data_->robot; }
+  /// The shape of the robot, in metres.
   const Footprint& footprint() const { return data_->robot.footprint; }
 
   /// The options that make the same space from the same map; `outside` is set.
   FreeSpaceOptions options() const;
 
+  /// Whether the robot's shape may leave the map.
   OutsidePolicy outside() const { return data_->obstacles.outside(); }
+  /// The number of columns of the map.
   int width() const { return data_->passable.width(); }
+  /// The number of rows of the map.
   int height() const { return data_->passable.height(); }
+  /// Is the cell on the map?
   bool contains(Cell cell) const { return data_->passable.contains(cell); }
 
   /// May the robot's base point be in the middle of this cell, whatever its heading? False outside
   /// the map.
   bool passable(Cell cell) const { return contains(cell) && data_->passable[cell]; }
+  /// The cells in whose middle the robot may stand at every heading.
   const BitGrid& passable() const { return data_->passable; }
 
   /// The cells in whose middle the robot may be able to stand at some heading: its inscribed disc fits.
@@ -119,13 +131,15 @@ class WEND_API FreeSpace {
   /// of a cell decides, else O(cells that the robot covers, times its corners).
   bool fits(const Pose& pose) const { return !why_blocked(pose); }
 
-  /// Why the robot may not stand at every heading in the middle of a cell, or may not stand at a
-  /// pose in grid coordinates; nothing if it may. A pose that contains NaN or infinity is outside.
+  /// Why the robot may not stand at every heading in the middle of a cell; nothing if it may.
   std::optional<BlockReason> why_blocked(Cell cell) const;
+  /// Why the robot may not stand at a pose in grid coordinates; nothing if it may. A pose that
+  /// contains NaN or infinity is outside.
   std::optional<BlockReason> why_blocked(const Pose& pose) const;
 
   /// The same as Obstacles::clearance().
   double clearance(Cell cell) const { return data_->obstacles.clearance(cell); }
+  /// The same as Obstacles::squared_half_cell_clearance().
   const Grid<std::uint32_t>& squared_half_cell_clearance() const {
     return data_->obstacles.squared_half_cell_clearance();
   }
@@ -134,9 +148,11 @@ class WEND_API FreeSpace {
   double radius_in_cells() const {
     return footprint().circumscribed_radius() / map().frame().resolution;
   }
+  /// The radius of the inscribed disc (Footprint::inscribed_radius()) in cells.
   double inscribed_radius_in_cells() const {
     return footprint().inscribed_radius() / map().frame().resolution;
   }
+  /// Is the robot a point?
   bool is_point() const { return footprint().is_point(); }
 
   /// The robot's polygon in cells; null for a point or a disc.
@@ -152,6 +168,7 @@ class WEND_API FreeSpace {
   /// The cost of a unit of length in a cell, at least 1: the map's terrain, and more near obstacles
   /// if there is a clearance cost.
   double terrain(Cell cell) const { return uniform_terrain() ? 1 : terrain()[cell]; }
+  /// Does a unit of length cost 1 in every cell?
   bool uniform_terrain() const { return terrain().empty(); }
 
   /// The multipliers, or an empty grid on uniform terrain. The map's own grid if the clearance cost

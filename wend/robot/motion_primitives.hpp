@@ -24,10 +24,11 @@
 
 namespace wend {
 
+/// A motion from one vertex and heading to another.
 struct MotionPrimitive {
-  int number = 0;  // as its file numbers it
-  int from = 0;    // heading: an index in the set's headings
-  int to = 0;
+  int number = 0;          // as its file numbers it
+  int from = 0;            // heading: an index in the set's headings
+  int to = 0;              // heading: an index in the set's headings
   Cell by = {};            // from vertex to vertex
   double cost_factor = 1;  // on the cost of its length, above 0
   std::vector<Pose>
@@ -38,22 +39,23 @@ struct MotionPrimitive {
 
 class WEND_API MotionPrimitives {
  public:
-  static constexpr std::size_t kMostHeadings = 256;
-  static constexpr std::size_t kMostPrimitives = 8192;
-  static constexpr std::size_t kMostPoses = 1024;  // of a primitive
-  static constexpr int kFarthest = 256;            // cells, of every pose from the vertex
+  static constexpr std::size_t kMostHeadings = 256;     // of a set
+  static constexpr std::size_t kMostPrimitives = 8192;  // of a set
+  static constexpr std::size_t kMostPoses = 1024;       // of a primitive
+  static constexpr int kFarthest = 256;                 // cells, of every pose from the vertex
 
+  /// What a set is made from.
   struct Parts {
-    std::optional<double> resolution;  // metres per cell; nothing: that of the map
-    std::vector<double> headings;
-    std::vector<MotionPrimitive> primitives;
+    std::optional<double> resolution;         // metres per cell; nothing: that of the map
+    std::vector<double> headings;             // radians
+    std::vector<MotionPrimitive> primitives;  // in any order
   };
 
   /// Moves the ends of each primitive onto their exact vertices and headings, the poses between them in
   /// proportion, and joins segments that agree with one segment up to 0.02 cells and 0.01 radians. Rejects
   /// numbers that are NaN or out of range, equal headings, poses that end more than a quarter of a cell or
-  /// 0.2 radians from their vertex or heading, and primitives that do not move. `where` of the error is "primitive 3",
-  /// by its place in the list, or empty.
+  /// 0.2 radians from their vertex or heading, and primitives that do not move. `where` of the error is
+  /// "primitive 3", by its place in the list, or empty.
   static Expected<MotionPrimitives, Error> make(Parts parts);
 
   /// A robot that drives straight in 16 directions, from (1,0) and (2,1) to (2,-1), and turns from each
@@ -61,7 +63,9 @@ class WEND_API MotionPrimitives {
   /// Rejects a radius that is negative, NaN, or too large for kFarthest.
   static Expected<MotionPrimitives, Error> turning_circle(double radius);
 
+  /// Metres per cell; nothing if the set has the resolution of any map.
   std::optional<double> resolution() const { return data_->parts.resolution; }
+  /// The headings in radians; primitives refer to them by index.
   std::span<const double> headings() const& { return data_->parts.headings; }
 
   /// All primitives, ordered by their first headings.

@@ -24,13 +24,16 @@ inline constexpr double kOverlapTolerance = 1e-9;  // cells
 
 class WEND_API PlacedPolygon {
  public:
+  /// The polygon, in cells, turned and moved to a pose in grid coordinates.
   PlacedPolygon(const Polygon& polygon, const Pose& pose);
 
+  /// The corners in grid coordinates.
   std::span<const Point> corners() const { return {corners_.data(), size_}; }
 
   /// The box around all corners.
   const Box& box() const { return box_; }
 
+  /// Does the polygon overlap the square of a cell?
   bool overlaps(Cell square) const { return overlaps_along({0, 0}, square); }
 
   /// Does the polygon overlap the square somewhere while it moves by `by`, without turning?

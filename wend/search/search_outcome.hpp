@@ -8,16 +8,17 @@
 
 namespace wend {
 
+/// The state of a search.
 enum class SearchOutcome {
-  running,
-  found,
-  exhausted,  // every state that can be reached was expanded
-  expansion_limit,
-  time_limit,
-  cancelled,
-  cost_overflow,  // costs exceeded their type: search again with a larger one
-  out_of_memory,  // no memory for the nodes
-  step_limit,     // a walk used up its steps
+  running,          // it has not ended
+  found,            // it reached a goal
+  exhausted,        // every state that can be reached was expanded
+  expansion_limit,  // Limits::expansions was reached
+  time_limit,       // Limits::seconds passed
+  cancelled,        // Limits::cancel was set
+  cost_overflow,    // costs exceeded their type: search again with a larger one
+  out_of_memory,    // no memory for the nodes
+  step_limit,       // a walk used up its steps
 };
 
 /// The work of one search.

@@ -23,6 +23,7 @@ class WEND_API IndexBytes {
   /// The alignment of the bytes and of each section: a cache line.
   static constexpr std::size_t kAlignment = 64;
 
+  /// No bytes.
   IndexBytes() = default;
 
   /// Bytes that live as long as their owner. They begin at a multiple of kAlignment.
@@ -32,7 +33,9 @@ class WEND_API IndexBytes {
   /// A copy in memory.
   static IndexBytes copy_of(std::span<const std::byte> bytes);
 
+  /// All bytes of the file. Valid as long as a copy of this object lives.
   std::span<const std::byte> bytes() const { return bytes_; }
+  /// The number of bytes.
   std::size_t size() const { return bytes_.size(); }
 
  private:
@@ -40,37 +43,39 @@ class WEND_API IndexBytes {
   std::span<const std::byte> bytes_;
 };
 
-// IndexHeader: the beginning of an index file. It identifies the index and the map, and shows whether
-// the file is complete.
-//
-// The header is followed by sections, each an array of numbers (little-endian) that begins at a
-// multiple of IndexBytes::kAlignment; each kind of index defines the contents of its sections. The
-// checksum covers all bytes after it.
-
+/// Where a section of an index file lies.
 struct IndexSection {
   std::uint64_t offset = 0;  // from the beginning of the file
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0;   // its length
 };
 
+/// The beginning of an index file. It identifies the index and the map, and shows whether the file is
+/// complete.
+///
+/// The header is followed by sections, each an array of numbers (little-endian) that begins at a
+/// multiple of IndexBytes::kAlignment; each kind of index defines the contents of its sections. The
+/// checksum covers all bytes after it.
 struct WEND_API IndexHeader {
+  /// The first bytes of every index file.
   static constexpr std::array<char, 8> kMagic{'w', 'e', 'n', 'd', '-', 'i', 'd', 'x'};
-  static constexpr std::uint32_t kFormat = 1;  // of this header
-  static constexpr std::size_t kMostSections = 26;
-  static constexpr std::size_t kLongestName = 32;
+  static constexpr std::uint32_t kFormat = 1;       // of this header
+  static constexpr std::size_t kMostSections = 26;  // of a file
+  static constexpr std::size_t kLongestName = 32;   // bytes of a planner's name
 
-  std::array<char, 8> magic = kMagic;
-  std::uint64_t checksum = 0;
-  std::uint32_t format = kFormat;
-  std::uint32_t version = 0;                 // of the planner's sections
-  std::array<char, kLongestName> planner{};  // padded with zeros
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-  std::uint64_t passable_cells = 0;
-  std::uint64_t map_hash = 0;
-  std::uint64_t bytes = 0;  // of the whole file
-  std::uint64_t sections = 0;
-  std::array<IndexSection, kMostSections> table{};
+  std::array<char, 8> magic = kMagic;               // kMagic, if the file is an index
+  std::uint64_t checksum = 0;                       // of all bytes behind it
+  std::uint32_t format = kFormat;                   // kFormat, if this version of wend can read it
+  std::uint32_t version = 0;                        // of the planner's sections
+  std::array<char, kLongestName> planner{};         // padded with zeros
+  std::int32_t width = 0;                           // of the map, in cells
+  std::int32_t height = 0;                          // of the map, in cells
+  std::uint64_t passable_cells = 0;                 // how many the free space has
+  std::uint64_t map_hash = 0;                       // of the passable cells
+  std::uint64_t bytes = 0;                          // of the whole file
+  std::uint64_t sections = 0;                       // how many entries of `table` are used
+  std::array<IndexSection, kMostSections> table{};  // where the sections lie
 
+  /// The name without its padding.
   std::string_view planner_name() const;
 };
 
@@ -85,6 +90,7 @@ WEND_API Expected<IndexHeader, std::string> read_index_header(std::span<const st
 WEND_API std::string index_fault(const IndexHeader& header, std::string_view planner,
                                  std::uint32_t version, const BitGrid& passable);
 
+/// The file of an index.
 namespace index_file {
 
 /// The checksum of all bytes after the checksum field.

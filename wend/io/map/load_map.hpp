@@ -26,6 +26,8 @@
 
 namespace wend {
 
+/// Loads a map. Fails with invalid_file if the file cannot be read or its content is invalid, or if
+/// the map is too large.
 WEND_API Expected<LoadedMap, Error> load_map(const std::filesystem::path& file,
                                              const LoadOptions& options = {});
 

@@ -34,11 +34,16 @@
 
 namespace wend {
 
-inline constexpr std::size_t kLargestPathFile = std::size_t{256} << 20;
+inline constexpr std::size_t kLargestPathFile = std::size_t{256} << 20;  // bytes
 
 /// Which path of a plan to load: as planned, or as smoothed. If a plan has only one, that one is loaded.
-enum class PathStage { planned, smoothed };
+enum class PathStage {
+  planned,  // as the planner found it
+  smoothed  // as it was smoothed
+};
 
+/// Loads a path in grid coordinates of a map with this frame. Fails with invalid_file, or with the
+/// status of the failed plan that the file reports.
 WEND_API Expected<Path, PathFileError> load_path(const std::filesystem::path& file,
                                                  const Frame& frame,
                                                  PathStage stage = PathStage::planned);
@@ -48,9 +53,10 @@ WEND_API Expected<Path, PathFileError> parse_path(std::string_view text, const s
                                                   const Frame& frame,
                                                   PathStage stage = PathStage::planned);
 
-/// The same for one of the two formats. `file` is the name for errors.
+/// The same for a CSV of cells, poses, waypoints or a centreline. `file` is the name for errors.
 WEND_API Expected<Path, PathFileError> parse_path_csv(std::string_view text,
                                                       const std::string& file, const Frame& frame);
+/// The same for the JSON of a plan.
 WEND_API Expected<Path, PathFileError> parse_path_json(std::string_view text,
                                                        const std::string& file, const Frame& frame,
                                                        PathStage stage = PathStage::planned);

@@ -43,6 +43,7 @@
 
 namespace wend {
 
+/// The file of a path (in grid coordinates, not empty) on a map with this frame. O(n).
 WEND_API std::string path_csv(const Path& path, const Frame& frame);
 
 /// The file of a failed plan, with a header of the columns. It replaces an older path, so that no robot

@@ -38,17 +38,19 @@
 
 namespace wend {
 
-inline constexpr std::size_t kLargestPrimitivesFile = std::size_t{64} << 20;
+inline constexpr std::size_t kLargestPrimitivesFile = std::size_t{64} << 20;  // bytes
 
+/// Loads a set of primitives. Fails with invalid_file.
 WEND_API Expected<MotionPrimitives, Error> load_primitives(const std::filesystem::path& file);
 
 /// The same from a text. `name` is the name for errors.
 WEND_API Expected<MotionPrimitives, Error> parse_primitives(std::string_view text,
                                                             const std::string& name);
 
-/// The same for one of the two formats.
+/// The same for SBPL's format.
 WEND_API Expected<MotionPrimitives, Error> parse_mprim(std::string_view text,
                                                        const std::string& name);
+/// The same for Nav2's format.
 WEND_API Expected<MotionPrimitives, Error> parse_lattice_json(std::string_view text,
                                                               const std::string& name);
 

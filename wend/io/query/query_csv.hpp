@@ -26,21 +26,24 @@
 
 namespace wend {
 
+/// One row: a query as text, or the error in it.
 struct QueryRow {
   std::size_t line = 0;  // in the file, from 1
   std::string start;     // "1,1"; for a car "1,1,E"
-  std::string goal;
-  std::string wrong;  // the error in this row; empty if the row is valid
+  std::string goal;      // the same
+  std::string wrong;     // the error in this row; empty if the row is valid
 
   friend bool operator==(const QueryRow&, const QueryRow&) = default;
 };
 
-inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;
+inline constexpr std::size_t kLargestQueryFile = std::size_t{256} << 20;  // bytes
 
 /// `file` is the name for errors. Memory is proportional to the text.
 WEND_API Expected<std::vector<QueryRow>, Error> parse_query_csv(std::string_view text,
                                                                 const std::string& file);
 
+/// The same from a file. Fails with invalid_file if the file cannot be read or its header is
+/// invalid.
 WEND_API Expected<std::vector<QueryRow>, Error> load_query_csv(const std::filesystem::path& file);
 
 }  // namespace wend

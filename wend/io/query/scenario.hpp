@@ -25,24 +25,26 @@
 
 namespace wend {
 
+/// One line of a scenario.
 struct ScenarioQuery {
   std::size_t line;  // in the file, from 1
   int bucket;        // a label: about a quarter of the length
   std::string map;   // the map column as written
-  int map_width;
-  int map_height;
-  Cell start;
-  Cell goal;
-  double length;  // of a shortest path
-  int decimals;   // of the length in the file
+  int map_width;     // cells, as the line says
+  int map_height;    // cells, as the line says
+  Cell start;        // where the path begins
+  Cell goal;         // where the path ends
+  double length;     // of a shortest path
+  int decimals;      // of the length in the file
 
   /// There is no path if the length is 0 between different cells, as files write it, or infinite.
   bool says_no_path() const { return std::isinf(length) || (length == 0 && start != goal); }
 };
 
+/// The content of a `.scen` file.
 struct Scenario {
-  std::string file;
-  std::vector<ScenarioQuery> queries;
+  std::string file;                    // its name
+  std::vector<ScenarioQuery> queries;  // in the order of the file
 };
 
 /// Start and goal lie inside the map size that their line gives; lengths are finite and >= 0.

@@ -14,7 +14,11 @@
 
 namespace wend {
 
-enum class Connectivity { four, eight };
+/// How many neighbours a cell has.
+enum class Connectivity {
+  four,  // those that share an edge with it
+  eight  // also those that share a corner with it
+};
 
 /// How many of the two cells beside a diagonal step may be blocked.
 enum class CornerRule {
@@ -32,8 +36,8 @@ constexpr std::array<Choice<CornerRule>, 3> choice_names(CornerRule) {
 }
 
 struct GridMoves {
-  Connectivity connectivity = Connectivity::eight;
-  CornerRule corner_rule = CornerRule::none;
+  Connectivity connectivity = Connectivity::eight;  // the neighbours of a cell
+  CornerRule corner_rule = CornerRule::none;        // what a diagonal step may pass
 
   /// Which cells such moves connect.
   Adjacency adjacency() const {
@@ -51,23 +55,27 @@ struct GridMoves {
   friend bool operator==(const GridMoves&, const GridMoves&) = default;
 };
 
-// MoveTable: which of the eight moves are legal from a cell, looked up by the 3 x 3 block of
-// passable cells around it. Connectivity and corner rule cost nothing in the search: they only
-// change the table.
-//
-// A canonical table also prunes the moves that the parent makes superfluous: the target cell can be
-// reached from the parent more cheaply without passing here, or as cheaply with the diagonal step
-// first (on 4 neighbours: the horizontal step first). On uniform terrain every cell keeps an optimal
-// path: a move is pruned for a tie only if it is the second of two and of the kind that should come
-// first. So the other path ends with a move of the other kind, and moves of that kind are never pruned
-// for a tie. (The pruning of D. Harabor and A. Grastien, "Online Graph
-// Pruning for Pathfinding on Grid Maps", 2011, without the jumps; N. Sturtevant and S. Rabin,
-// "Canonical Orderings on Grids", 2016.)
-
+/// Which of the eight moves are legal from a cell, looked up by the 3 x 3 block of
+/// passable cells around it. Connectivity and corner rule cost nothing in the search: they only
+/// change the table.
+///
+/// A canonical table also prunes the moves that the parent makes superfluous: the target cell can be
+/// reached from the parent more cheaply without passing here, or as cheaply with the diagonal step
+/// first (on 4 neighbours: the horizontal step first). On uniform terrain every cell keeps an optimal
+/// path: a move is pruned for a tie only if it is the second of two and of the kind that should come
+/// first. So the other path ends with a move of the other kind, and moves of that kind are never pruned
+/// for a tie. (The pruning of D. Harabor and A. Grastien, "Online Graph
+/// Pruning for Pathfinding on Grid Maps", 2011, without the jumps; N. Sturtevant and S. Rabin,
+/// "Canonical Orderings on Grids", 2016.)
 class WEND_API MoveTable {
  public:
-  enum class Pruning { none, canonical };
+  /// Which moves a table leaves out.
+  enum class Pruning {
+    none,      // only illegal moves
+    canonical  // also those that the parent makes superfluous
+  };
 
+  /// Computes the moves for all blocks and arrivals.
   explicit MoveTable(GridMoves moves, Pruning pruning = Pruning::none);
 
   /// The moves from a cell that was reached by `arrival`, a Direction or kNoMove. `block` holds the
