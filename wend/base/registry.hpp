@@ -29,7 +29,7 @@ WEND_API std::string suggestion(std::string_view typed, std::span<const std::str
 WEND_API std::string unknown_name(std::string_view kind, std::string_view typed,
                                   std::span<const std::string> names);
 
-/// T has a member `name` that converts to std::string.
+/// A list of named entries. T has a member `name` that converts to std::string.
 template <class T>
 class Registry {
  public:

@@ -64,9 +64,9 @@ struct FollowerStep {
   double cross_track = 0;    // m, to the route, unsigned
 };
 
-/// Progress is 0.05 m along the route or towards it, or a heading error 0.1 rad smaller than at the
-/// last progress. For robots that are too slow for that, it is a tenth of what they can do in
-/// stuck_time. So every run ends, whatever the controller does.
+/// Drives a robot along a route. Every run ends, whatever the controller does: progress is 0.05 m along
+/// the route or towards it, or a heading error 0.1 rad smaller than at the last progress; for robots that
+/// are too slow for that, it is a tenth of what they can do in stuck_time.
 class WEND_API Follower {
  public:
   /// The controller must outlive the follower.

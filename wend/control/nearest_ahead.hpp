@@ -22,7 +22,7 @@
 
 namespace wend {
 
-/// In the line's units.
+/// The part of a line to search, in the line's units.
 struct Reach {
   double from;  // the robot's progress along the line
   double to;    // the upper limit of its progress

@@ -11,7 +11,7 @@
 
 namespace wend {
 
-/// Poses and lengths are in the same coordinates, grid or map.
+/// A curve of constant curvature. Its pose and its length are in the same coordinates, grid or map.
 struct Arc {
   Pose from;             // where the arc begins
   double length = 0;     // negative in reverse

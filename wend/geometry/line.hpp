@@ -15,7 +15,7 @@
 
 namespace wend {
 
-/// Both ends are in the same coordinates, grid or map.
+/// The line segment between two points in the same coordinates, grid or map.
 struct Line {
   Point from;  // one end
   Point to;    // the other end

@@ -18,7 +18,7 @@
 
 namespace wend {
 
-/// Poses and lengths are in the same coordinates, grid or map.
+/// A motion at constant velocity. Its pose and its length are in the same coordinates, grid or map.
 struct Segment {
   Pose from;          // where the segment begins
   double length = 0;  // of the base point's way, an arc; negative in reverse

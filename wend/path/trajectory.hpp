@@ -37,7 +37,7 @@
 
 namespace wend {
 
-/// All are finite and greater than 0. The names and defaults are those of a follower's VelocityLimits.
+/// What limits speeds; all finite, greater than 0. Names and defaults are those of VelocityLimits.
 struct WEND_API TrajectoryLimits {
   double speed = 0.5;               // m/s, ahead and in reverse
   double turn_rate = 1.5;           // rad/s

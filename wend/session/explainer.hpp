@@ -33,12 +33,12 @@ struct Hints {
   std::string explain = {};           // shows the explanation: "`wend explain` shows where"
   std::string limit_expansions = {};  // a number follows
   std::string limit_seconds = {};     // a number follows
-  std::string limit_steps = {};
+  std::string limit_steps = {};       // limits the steps of a walk
 };
 
 /// The start and the goals of a query, in words.
 struct Ends {
-  Place start;
+  Place start;               // where the path begins
   std::vector<Place> goals;  // one or more
 };
 

@@ -16,9 +16,10 @@ namespace wend {
 WEND_API std::optional<Cell> nearest_free(const FreeSpace& space, Cell cell, Cell other,
                                           Adjacency adjacency);
 
+/// A start and a goal, each moved or not.
 struct NearestEnds {
-  Cell start;
-  Cell goal;
+  Cell start;  // where to plan from
+  Cell goal;   // where to plan to
 };
 
 /// Moves each of the two, if it is on the map and the robot cannot stand there, to the nearest cell that

@@ -27,22 +27,23 @@ namespace wend {
 
 /// Where a path may end, in metres. On a map without a resolution, a cell is 1 m.
 struct MapGoal {
-  MapPoint point;
+  MapPoint point;                      // metres, in the map's frame
   std::optional<double> heading = {};  // radians; unset: any heading
 };
 
 struct PlanRequest {
-  MapPose start;               // grid planners ignore headings
-  std::vector<MapGoal> goals;  // one or more; the cheapest is found
-  PlannerSpec planner{"astar", "astar"};
-  Limits limits = {};                  // of the search
-  SearchObserver* observer = nullptr;  // of the search; not owned
-  bool nearest = false;                // moves blocked ends, see nearest_ends(); one goal
-  Refinement refinement = {};          // the planner's moves replace its adjacency
+  MapPose start;                          // grid planners ignore headings
+  std::vector<MapGoal> goals;             // one or more; the cheapest is found
+  PlannerSpec planner{"astar", "astar"};  // and its options
+  Limits limits = {};                     // of the search
+  SearchObserver* observer = nullptr;     // of the search; not owned
+  bool nearest = false;                   // moves blocked ends, see nearest_ends(); one goal
+  Refinement refinement = {};             // the planner's moves replace its adjacency
   std::optional<TrajectoryLimits> trajectory = {};  // also times the path
   double corner_rounding = kCornerRounding;         // cells; of the trajectory
 };
 
+/// A path, what was done with it, and the space that it was planned on.
 struct PlanAnswer {
   FreeSpace space;                            // that it was planned on
   Plan plan;                                  // as the planner found it, in grid coordinates

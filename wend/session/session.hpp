@@ -35,6 +35,7 @@
 
 namespace wend {
 
+/// What a session keeps, and what its messages say.
 struct SessionOptions {
   std::size_t idle_planners = 2;  // that are kept warm
   Hints hints = {};               // for explanations
@@ -45,20 +46,21 @@ class WEND_API Session {
  public:
   /// The map and the robot at one moment.
   struct View {
-    FreeSpace space;
+    FreeSpace space;        // the map with the robot
     std::string frame_id;   // as set with the map
     std::uint64_t version;  // grows with every map and robot
   };
 
   /// A field of costs, and the work of this call.
   struct Field {
-    std::shared_ptr<const CostToGo> costs;
-    SearchMetrics metrics;  // 0 if the field was kept
-    double search_seconds;
+    std::shared_ptr<const CostToGo> costs;  // shared with the session; never null
+    SearchMetrics metrics;                  // 0 if the field was kept
+    double search_seconds;                  // by SessionOptions::clock
   };
 
   /// Without a map: everything fails with invalid_map until there is one.
   explicit Session(SessionOptions options = {});
+  /// With a map and a robot. O(1): the first call that needs the free space makes it.
   explicit Session(GridMap map, FreeSpaceOptions robot = {}, SessionOptions options = {});
   ~Session();
   Session(const Session&) = delete;
@@ -70,6 +72,7 @@ class WEND_API Session {
   /// There is no map, for this reason.
   void clear_map(std::string why);
 
+  /// Plans that begin later are for this robot. An invalid one makes them fail with invalid_option.
   void set_robot(FreeSpaceOptions robot);
 
   /// The map and the robot, as plans that begin now see them. Fails with invalid_map if there is no
@@ -79,6 +82,7 @@ class WEND_API Session {
   /// Plans. The message of a failure says where and why, and what would help; its status is that of the
   /// view, of making the planner, or of the query.
   Expected<PlanAnswer, RequestFailure> plan(const PlanRequest& request);
+  /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
   /// Plans each of the requests, all with this planner, on the workers. Refinements are done too. Failures

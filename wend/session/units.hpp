@@ -25,7 +25,7 @@ struct Place {
   std::string text;  // "(3,4)" or "(1.25,3.4) m, cell (25,68)"
 };
 
-/// Lengths that are given in grid coordinates are numbers of cells.
+/// Writes places and lengths in words. Lengths in grid coordinates are numbers of cells.
 class WEND_API Units {
  public:
   /// Metres if the map's file gave a resolution, else cells.
@@ -41,6 +41,7 @@ class WEND_API Units {
   /// Are lengths in metres?
   bool metric() const { return metric_; }
 
+  /// The frame of the map.
   const Frame& frame() const { return frame_; }
 
   /// A place that is known by its cell.
@@ -70,8 +71,9 @@ class WEND_API Units {
   /// The same for the vertices of its cells: from 0 to 10 and from 0 to 5.
   std::string extent_of_corners() const;
 
-  /// A length in these units, in metres and in cells.
+  /// A length in these units, in metres.
   double in_metres(double length) const { return metric_ ? length : length * frame_.resolution; }
+  /// A length in these units, in cells.
   double in_cells(double length) const { return metric_ ? length / frame_.resolution : length; }
 
  private:

@@ -25,15 +25,21 @@
 
 namespace wend {
 
+/// A planner in use. It goes back to its WarmPlanners, or is deleted, when this object is
+/// destroyed.
 class WEND_API WarmPlanner {
  public:
+  /// Leaves the other one without a planner.
   WarmPlanner(WarmPlanner&&) noexcept;
+  /// Gives back the present planner, and leaves the other one without.
   WarmPlanner& operator=(WarmPlanner&&) noexcept;
   WarmPlanner(const WarmPlanner&) = delete;
   WarmPlanner& operator=(const WarmPlanner&) = delete;
   ~WarmPlanner();
 
+  /// The planner; not of an object that was moved from.
   Planner& operator*() const { return *planner_; }
+  /// The planner; null in an object that was moved from.
   Planner* operator->() const { return planner_.get(); }
 
  private:
