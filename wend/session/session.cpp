@@ -181,9 +181,7 @@ Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan
     std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers) {
   const auto seen = view();
   if (!seen) return Unexpected<Error>(seen.error());
-  const std::size_t count =
-      std::max<std::size_t>(1, std::min<std::size_t>(workers.count(), requests.size()));
-  auto planners = state_->planners.take(seen->space, seen->version, planner, count);
+  auto planners = state_->planners.take(seen->space, seen->version, planner, workers.count());
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
   const Frame& frame = seen->space.map().frame();
   std::vector<std::optional<Expected<PlanAnswer, RequestFailure>>> answers(requests.size());

@@ -85,8 +85,9 @@ class WEND_API Session {
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
-  /// Plans each of the requests, all with this planner, on the workers. Refinements are done too. Failures
-  /// have the planner's short reason. Fails as making the planner does.
+  /// Plans each of the requests, all with this planner: one for each worker, which share what they
+  /// prepare. Refinements are done too. Failures have the planner's short reason. Fails as making the
+  /// planner does.
   Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> plan_all(
       std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers);
 

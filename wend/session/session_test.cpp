@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,9 @@ TEST(Session, AnswersABatchLikeSingleRequests) {
     EXPECT_LT(found, 60);
   }
   EXPECT_FALSE(session.plan_all(requests, {"astr", "astr"}, workers));
+  ThreadWorkers many(8);
+  EXPECT_EQ(session.plan_all(std::span(requests).first(2), {"jps", "jps"}, many)->size(), 2U)
+      << "fewer requests than workers";
   EXPECT_TRUE(session.plan_all({}, {"jps", "jps"}, workers)->empty());
 }
 
