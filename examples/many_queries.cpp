@@ -9,10 +9,8 @@ int main() {
   const auto map = wend::generators().find("random")->make(200, 200, 7, {});
   if (!map) return std::puts(map.error().message.c_str()), 2;
   wend::Session session(*map);
-  std::vector<wend::PlanRequest> requests;
-  for (int y = 0; y < 199; ++y) {
-    requests.push_back({{1.5, y + 0.5, 0}, {{{198.5, 198.5 - y}}}});
-  }
+  std::vector<wend::PlanRequest> requests(199);
+  for (int y = 0; y < 199; ++y) requests[y] = {{1.5, y + 0.5, 0}, {{{198.5, 198.5 - y}}}};
   wend::ThreadWorkers workers;
   const auto answers = session.plan_all(requests, {"jps", "jps"}, workers);
   if (!answers) return std::puts(answers.error().message.c_str()), 2;

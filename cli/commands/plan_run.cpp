@@ -71,7 +71,7 @@ void PlanRun::plan() {
     }
     return fail(planner.error().status, planner.error().message);
   }
-  planner_ = *std::move(planner);
+  planner_ = std::make_unique<WarmPlanner>(*std::move(planner));
   moves_ = (*planner_)->grid_moves().value_or(GridMoves{});
   refinement_.adjacency = moves_.adjacency();
   result_.states = (*planner_)->state_count();

@@ -100,8 +100,8 @@ class PlanRun {
   bool built_index_ = false;
   FreeSpace space_;
   std::unique_ptr<TypedQuery> asked_;
-  std::optional<WarmPlanner> planner_;
-  GridMoves moves_;  // of a planner on cells
+  std::unique_ptr<WarmPlanner> planner_;  // null until it is made
+  GridMoves moves_;                       // of a planner on cells
   std::optional<SearchRecorder> recorder_;
   std::vector<Layer> layers_;
   Refinement refinement_;

@@ -67,6 +67,7 @@ std::string Explainer::explain(const Planner& planner, const Query& query, const
 std::string Explainer::as_asked(const Ends& ends, int corner_unit) const {
   if (!units_.metric() && corner_unit <= 1) return {};
   std::vector<std::string> goals;
+  goals.reserve(ends.goals.size());
   for (const Place& goal : ends.goals) goals.push_back(goal.text);
   return "from " + ends.start.text + " to " + joined_texts(goals, " or ") + ": ";
 }
@@ -165,6 +166,7 @@ std::string Explainer::unreachable(const Place& start, const Place& goal) const 
                      ", the goal's has " + units_.area(why.goal_component) + ". ";
   if (why.ways.empty()) return text + "Obstacles separate the two, even for a robot with radius 0";
   std::vector<std::string> changes;
+  changes.reserve(why.ways.size());
   for (const Way& way : why.ways) changes.push_back(change(way));
   text += "A path exists with " + joined_texts(changes, "; or ");
   return hints_.explain.empty() ? text : text + ". " + hints_.explain;

@@ -21,9 +21,12 @@ MapPose in_metres(const Frame& frame, const Pose& pose) {
   return {metres.x, metres.y, metres.heading};
 }
 
-Unexpected<RequestFailure> no_plan(Error error, const SearchMetrics& metrics = {},
-                                   double seconds = 0) {
-  return Unexpected<RequestFailure>(RequestFailure{{std::move(error), metrics}, seconds});
+Unexpected<RequestFailure> no_plan(PlanFailure failure, double seconds = 0) {
+  return Unexpected<RequestFailure>(RequestFailure{std::move(failure), seconds});
+}
+
+Unexpected<RequestFailure> no_plan(Error error) {
+  return no_plan(PlanFailure{std::move(error), {}});
 }
 
 Ends ends_of(const Query& query, const Units& units) {
@@ -171,7 +174,7 @@ Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanR
         query.goals.empty()
             ? "there is no goal"
             : explainer.explain(**planner, query, ends_of(query, units), status, metrics);
-    return no_plan({status, std::move(why)}, metrics, answer.search_seconds);
+    return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
   finish_path(answer, request);
   return answer;
@@ -184,23 +187,20 @@ Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan
   auto planners = state_->planners.take(seen->space, seen->version, planner, workers.count());
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
   const Frame& frame = seen->space.map().frame();
-  std::vector<std::optional<Expected<PlanAnswer, RequestFailure>>> answers(requests.size());
+  using Answer = Expected<PlanAnswer, RequestFailure>;
+  std::vector<Answer> answers(requests.size(), no_plan(Error{Status::cancelled, "not planned"}));
   workers.run(requests.size(), [&](std::size_t i, unsigned worker) {
     Planner& its = *(*planners)[worker];
     auto plan = its.plan(query_of(requests[i], frame));
     if (!plan) {
-      const PlanFailure& failed = plan.error();
-      answers[i].emplace(no_plan(failed, failed.metrics));
+      answers[i] = no_plan(std::move(plan.error()));
       return;
     }
     PlanAnswer answer{.space = seen->space, .plan = *std::move(plan), .moves = its.grid_moves()};
     finish_path(answer, requests[i]);
-    answers[i].emplace(std::move(answer));
+    answers[i] = std::move(answer);
   });
-  std::vector<Expected<PlanAnswer, RequestFailure>> all;
-  all.reserve(answers.size());
-  for (auto& answer : answers) all.push_back(*std::move(answer));
-  return all;
+  return answers;
 }
 
 Expected<WarmPlanner, Error> Session::planner(const PlannerSpec& spec) {
@@ -255,7 +255,7 @@ Expected<Session::Field, RequestFailure> Session::cost_to_go(const View& view,
   const double begin = state_->now();
   auto made = CostToGo::make(view.space, goals, moves, limits);
   const double seconds = state_->now() - begin;
-  if (!made) return no_plan(made.error(), made.error().metrics, seconds);
+  if (!made) return no_plan(std::move(made.error()), seconds);
   const SearchMetrics metrics = made->metrics();
   auto costs = std::make_shared<const CostToGo>(*std::move(made));
   kept = State::KeptField{view.version, std::move(goals), moves, costs};

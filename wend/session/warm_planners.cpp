@@ -10,7 +10,8 @@ namespace {
 
 std::string key_of(const PlannerSpec& spec) {
   std::string key = spec.name;
-  for (const auto& [name, value] : spec.options) key += ',' + name + '=' + value;
+  for (const auto& [name, value] : spec.options)
+    key.append(",").append(name).append("=").append(value);
   return key;
 }
 
