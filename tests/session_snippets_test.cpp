@@ -41,7 +41,7 @@ TEST(Snippets, OfASession) {
 TEST(Snippets, OfWarmPlanners) {
   const wend::FreeSpace space = open_ground();
   const std::uint64_t version = 1;
-  const wend::PlannerSpec spec{"astar", "astar"};
+  const wend::PlannerSpec spec{"astar"};
   const auto query = wend::Query::between({1, 1}, {2, 2});
   reported.clear();
   [&] {

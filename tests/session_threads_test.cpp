@@ -22,7 +22,7 @@ GridMap room_with_a_wall(bool narrow) {
 
 PlanRequest request_for(const char* planner) {
   PlanRequest request{.start = {1.5, 1.5, 0}, .goals = {{{38.5, 1.5}}}};
-  request.planner = {planner, planner};
+  request.planner = {planner};
   return request;
 }
 

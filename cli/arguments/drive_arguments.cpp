@@ -62,7 +62,7 @@ std::vector<OptionSpec> parse_controllers(const std::string& list) {
 std::vector<OptionSpec> all_for(const MotionModel& robot) {
   std::vector<OptionSpec> specs;
   for (const ControllerInfo& info : wend::controllers()) {
-    if (!why_unfit(info, robot)) specs.push_back({info.name, info.name, {}});
+    if (!why_unfit(info, robot)) specs.push_back({info.name, {}, info.name});
   }
   return specs;
 }

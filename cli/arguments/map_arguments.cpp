@@ -5,11 +5,12 @@
 #include "cli/arguments/flags.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output/no_path_scene.hpp"
+#include "cli/output/explanations.hpp"
 #include "wend/base/parse.hpp"
 #include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 namespace {

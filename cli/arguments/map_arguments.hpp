@@ -11,9 +11,12 @@
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/robot/free_space.hpp"
-#include "wend/session/session.hpp"
 
-namespace wend::cli {
+namespace wend {
+
+class Session;
+
+namespace cli {
 
 struct MapFileArguments {
   std::string file;
@@ -72,4 +75,5 @@ struct MapArguments : MapFileArguments, RobotArguments {
 void check_memory(const std::string& file, const GridMap& map, double need,
                   std::optional<double> available);
 
-}  // namespace wend::cli
+}  // namespace cli
+}  // namespace wend

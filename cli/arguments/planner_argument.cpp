@@ -17,6 +17,7 @@
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/lattice/car_planner.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 namespace {

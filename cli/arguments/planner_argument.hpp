@@ -16,9 +16,12 @@
 #include "wend/planner/planners.hpp"
 #include "wend/report/plan_report.hpp"
 #include "wend/robot/free_space.hpp"
-#include "wend/session/session.hpp"
 
-namespace wend::cli {
+namespace wend {
+
+class Session;
+
+namespace cli {
 
 /// The planners of a list. Throws InputError for one that does not exist and for text that is not an
 /// option.
@@ -61,4 +64,5 @@ using IndexArgument = std::optional<Expected<GivenIndex, Error>>;
 Expected<bool, Error> provide_index(Session& session, const PlannerSpec& planner,
                                     const IndexArgument& given, WorkTimes& times);
 
-}  // namespace wend::cli
+}  // namespace cli
+}  // namespace wend

@@ -9,8 +9,8 @@
 #include "cli/output/output.hpp"
 #include "wend/base/options.hpp"
 #include "wend/io/path/trajectory_csv.hpp"
-#include "wend/path/corner_rounding.hpp"
 #include "wend/report/path_report.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace wend::cli {
 namespace {
@@ -89,8 +89,7 @@ TrajectoryLimits TrajectoryArguments::limits() const {
 SampledTrajectory TrajectoryArguments::along(const Path& path, const FreeSpace& space,
                                              double window, Adjacency adjacency,
                                              const TrajectoryLimits& limits) const {
-  const Path rounded = rounded_corners(path, space, window, adjacency);
-  auto trajectory = Trajectory::along(rounded, space.map().frame(), limits);
+  auto trajectory = timed_path(path, space, adjacency, limits, window);
   if (!trajectory) throw InputError("the trajectory: " + trajectory.error().message);
   if (trajectory->duration() / period_ > kMostSamples) {
     throw InputError(fmt::format(

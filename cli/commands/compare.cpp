@@ -18,8 +18,8 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/typed_query.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/gnuplot.hpp"
-#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
@@ -66,7 +66,7 @@ std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace&
     const PlannerInfo& info = *planners().find(name);
     if (info.index_support) continue;
     if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
-    specs.push_back({name, name, {}});
+    specs.push_back({name, {}, name});
   }
   return specs;
 }

@@ -11,6 +11,7 @@
 #include "cli/arguments/option_flags.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
@@ -49,7 +50,7 @@ class ExplainRun {
         moves_(moves),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        explainer_(space_, coordinates_, moves_, command_line_hints()),
+        explainer_(explainer_for(space_, coordinates_, moves_)),
         start_(coordinates_.parse("start", arguments.start)),
         goal_(coordinates_.parse("goal", arguments.goal)) {
     for (const Place& place : {start_, goal_}) {

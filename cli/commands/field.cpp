@@ -12,8 +12,8 @@
 #include "cli/arguments/search_arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/field_text.hpp"
-#include "cli/output/no_path_scene.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/plan_text.hpp"
 #include "cli/output/terminal.hpp"
@@ -57,7 +57,7 @@ class FieldRun {
         moves_(moves),
         space_(std::move(space)),
         coordinates_(arguments.map.coordinates(space_.map())),
-        explainer_(space_, coordinates_, moves_, command_line_hints()) {
+        explainer_(explainer_for(space_, coordinates_, moves_)) {
     for (const auto& typed : arguments.goals) goals_.push_back(coordinates_.parse("goal", typed));
     for (const auto& typed : arguments.starts) {
       starts_.push_back(coordinates_.parse("start", typed));

@@ -8,6 +8,7 @@
 #include "bench/plot/drive_plot.hpp"
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/gnuplot.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"

@@ -12,6 +12,7 @@
 #include "cli/commands/plan_run.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/session.hpp"
 
 namespace wend::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "cli/arguments/input_files.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/output/no_path_scene.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/output.hpp"
 #include "wend/base/thread_time.hpp"
 #include "wend/base/thread_workers.hpp"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/arguments/planner_argument.hpp"
+#include "cli/output/explanations.hpp"
 #include "cli/output/output.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/watching/films.hpp"

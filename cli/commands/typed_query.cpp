@@ -168,8 +168,4 @@ std::string PoseQuery::summary(const PlanResult& result) const {
          drive_summary(result, coordinates_, goals_.size());
 }
 
-Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves) {
-  return {space, coordinates, moves, command_line_hints()};
-}
-
 }  // namespace wend::cli

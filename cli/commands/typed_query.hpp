@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
-#include "cli/output/no_path_scene.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/shown_layers.hpp"
 #include "wend/analysis/cost_to_go.hpp"
@@ -21,6 +20,7 @@
 #include "wend/report/plan_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/session/explainer.hpp"
 
 namespace wend::cli {
 
@@ -127,8 +127,5 @@ class PoseQuery final : public TypedQuery {
   TypedPose start_;
   std::vector<TypedPose> goals_;
 };
-
-/// Words for the command line, for a planner that moves so.
-Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves);
 
 }  // namespace wend::cli

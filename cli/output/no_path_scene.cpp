@@ -74,18 +74,6 @@ Scene components_scene(const FreeSpace& space, Cell start, std::span<const Cell>
 
 }  // namespace
 
-Hints command_line_hints() {
-  return {.unknown_free = "--unknown free",
-          .outside_free = "--outside free",
-          .squeeze = "--connectivity 8 --corner-rule both",
-          .robot_radius = "--robot-radius",
-          .nearest = "--nearest",
-          .explain = "`wend explain` shows where",
-          .limit_expansions = "--limit-expansions",
-          .limit_seconds = "--limit-time",
-          .limit_steps = "--max-steps"};
-}
-
 std::string describe(const Way& way, const Coordinates& coordinates) {
   std::string text = "path";
   if (way.smaller_robot) {

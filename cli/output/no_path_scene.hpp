@@ -1,6 +1,6 @@
 #pragma once
 
-// Why there is no plan, as a scene, and what wend's explanations call the command line's options.
+// Why there is no path, as a scene: components, the nearest free cells, and the way that a change would open.
 
 #include <span>
 #include <string>
@@ -9,12 +9,8 @@
 #include "wend/analysis/no_path.hpp"
 #include "wend/render/scene.hpp"
 #include "wend/robot/free_space.hpp"
-#include "wend/session/explainer.hpp"
 
 namespace wend::cli {
-
-/// What explanations call the options of the command line.
-Hints command_line_hints();
 
 /// The scene of a start and its goals, one or more; those outside the map are left out.
 Scene no_path_scene(const FreeSpace& space, Cell start, std::span<const Cell> goals,

@@ -126,7 +126,7 @@ Expected<std::vector<OptionSpec>, Error> parse_option_specs(std::string_view lis
     if (std::ranges::find(names, name) == names.end()) {
       return refused(unknown_name(kind, name, names));
     }
-    specs.push_back({std::string(word), std::string(name), {}});
+    specs.push_back({std::string(name), {}, std::string(word)});
     if (word.size() > name.size() && !add_option(rest, specs.back())) {
       return refused(quoted(rest) + " in " + quoted(word) + " is not of the form option=value");
     }

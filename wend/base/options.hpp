@@ -79,7 +79,7 @@ WEND_API std::string parse(std::string_view text, bool& value, OptionRange range
 WEND_API std::string parse(std::string_view text, std::int64_t& value, OptionRange range);
 /// Reads a number in a range.
 WEND_API std::string parse(std::string_view text, double& value, OptionRange range);
-/// The error text for a value that is not one of the choices.
+/// The error text for a value that is not among the choices.
 WEND_API std::string unknown_choice(std::string_view text, const std::vector<std::string>& choices);
 /// The error of an option with an invalid value: invalid_option, with the option as Error::where.
 WEND_API Error option_error(const std::string& option, const std::string& what);
@@ -202,9 +202,9 @@ Expected<Options, Error> parse_options(const OptionValues& values) {
 ///
 ///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 struct OptionSpec {
-  std::string text;        // as typed: "astar:weight=2"
   std::string name;        // of the entry: "astar"
   OptionValues options{};  // in the order in which they were typed
+  std::string text{};      // as typed: "astar:weight=2"; empty if nobody typed it
 };
 
 /// Parses a list of entries with these names. `kind` says what an entry is: "planner". Fails for an

@@ -26,7 +26,7 @@ struct Segment {
   double course = 0;  // radians, how far to the left of the heading the base point starts to move;
                       // in [-pi/2, pi/2]
 
-  /// Of length 0, at the origin.
+  /// A segment of length 0 at the origin.
   Segment() = default;
   /// Sets `from`, `length`, `turn` and `course`.
   Segment(const Pose& first, double way, double angle, double aside)

@@ -28,7 +28,7 @@ enum class Adjacency {
 /// The connected components of a set of cells: a label and a size for each. 4 bytes for each cell.
 class WEND_API ConnectedComponents {
  public:
-  /// Of no cells.
+  /// No cells and no components.
   ConnectedComponents() = default;
 
   /// The components of the set cells. O(cells).

@@ -46,7 +46,7 @@ struct SmootherInfo {
   std::string summary;              // one line
   std::string citation;             // the paper or book it comes from
   std::vector<OptionInfo> options;  // which `smooth` takes
-  /// Smooths a path that is not empty.
+  /// Smooths a path. The path must not be empty.
   std::function<SmoothingResult(const Path&, const FreeSpace&, const OptionValues&)> smooth;
 };
 

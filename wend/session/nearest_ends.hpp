@@ -22,9 +22,9 @@ struct NearestEnds {
   Cell goal;   // where to plan to
 };
 
-/// Moves each of the two, if it is on the map and the robot cannot stand there, to the nearest cell that
-/// is connected to the other. If both move, their distances have the smaller sum of two: the start moved
-/// first, or the goal. A cell without such a neighbour stays.
+/// Moves the start and the goal, each if it is on the map and the robot cannot stand there, to the nearest
+/// cell that is connected to the other. If both are blocked, one moves to the nearest cell of all and the
+/// other follows: whichever order gives the smaller sum of distances. An end stays if there is no such cell.
 WEND_API NearestEnds nearest_ends(const FreeSpace& space, Cell start, Cell goal,
                                   Adjacency adjacency);
 

@@ -7,24 +7,17 @@ namespace wend {
 std::vector<MapPose> PlanAnswer::poses() const {
   const Frame& frame = space.map().frame();
   std::vector<MapPose> metres;
-  for (const Pose& pose : path().poses()) {
-    const auto in_metres = frame.to_metres(pose);
-    metres.push_back({in_metres.x, in_metres.y, in_metres.heading});
-  }
+  for (const Pose& pose : path().poses()) metres.push_back(in_metres(frame, pose));
   return metres;
 }
 
 Query query_of(const PlanRequest& request, const Frame& frame) {
-  const auto point_of = [&](MapPoint point) { return frame.to_grid(Point{point.x, point.y}); };
-  const auto pose_of = [&](const MapPose& pose) {
-    return frame.to_grid(Pose{pose.x, pose.y, pose.heading});
-  };
-  Query query{pose_of(request.start), {}, request.limits, request.observer};
-  for (const MapGoal& goal : request.goals) {
-    if (goal.heading) {
-      query.goals.emplace_back(pose_of({goal.point.x, goal.point.y, *goal.heading}));
+  Query query{in_grid(frame, request.start), {}, request.limits, request.observer};
+  for (const auto& [point, heading] : request.goals) {
+    if (heading) {
+      query.goals.emplace_back(in_grid(frame, MapPose{point.x, point.y, *heading}));
     } else {
-      query.goals.emplace_back(point_of(goal.point));
+      query.goals.emplace_back(in_grid(frame, point));
     }
   }
   return query;

@@ -32,13 +32,17 @@ struct MapGoal {
 };
 
 struct PlanRequest {
-  MapPose start;                          // grid planners ignore headings
-  std::vector<MapGoal> goals;             // one or more; the cheapest is found
-  PlannerSpec planner{"astar", "astar"};  // and its options
-  Limits limits = {};                     // of the search
-  SearchObserver* observer = nullptr;     // of the search; not owned
-  bool nearest = false;                   // moves blocked ends, see nearest_ends(); one goal
-  Refinement refinement = {};             // the planner's moves replace its adjacency
+  MapPose start;                       // grid planners ignore headings
+  std::vector<MapGoal> goals;          // one or more; the cheapest is found
+  PlannerSpec planner{"astar"};        // and its options
+  Limits limits = {};                  // of the search
+  SearchObserver* observer = nullptr;  // of the search; not owned
+  bool nearest = false;                // moves blocked ends, see nearest_ends(); one goal
+  bool explain = true;                 // why there is no path, at length; else in a short sentence
+  /// Answers from the costs to the goals from everywhere, which are kept for the next request with the
+  /// same goals. For planners that step from cell to cell.
+  bool from_field = false;
+  Refinement refinement = {};                       // the planner's moves replace its adjacency
   std::optional<TrajectoryLimits> trajectory = {};  // also times the path
   double corner_rounding = kCornerRounding;         // cells; of the trajectory
 };
@@ -50,10 +54,9 @@ struct PlanAnswer {
   std::optional<GridMoves> moves = {};        // how the planner moves
   std::optional<Refined> refined = {};        // if a refinement was asked for
   std::optional<Trajectory> trajectory = {};  // if one was asked for
-  std::optional<Error> fault =
-      {};  // why the path is not refined or timed, although it was asked for
-  std::vector<std::string> notes = {};  // a sentence for each end that was moved
-  double search_seconds = 0;            // by SessionOptions::clock
+  std::optional<Error> fault = {};            // why the path could not be refined or timed
+  std::vector<std::string> notes = {};        // a sentence for each end that was moved
+  double search_seconds = 0;                  // by SessionOptions::clock
 
   /// The path, refined if it could be; in grid coordinates.
   const Path& path() const { return refined ? refined->path : plan.path; }

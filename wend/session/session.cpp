@@ -1,6 +1,5 @@
 #include "wend/session/session.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "wend/base/mutex.hpp"
@@ -9,17 +8,6 @@
 
 namespace wend {
 namespace {
-
-Point in_grid(const Frame& frame, MapPoint point) { return frame.to_grid(Point{point.x, point.y}); }
-
-Pose in_grid(const Frame& frame, const MapPose& pose) {
-  return frame.to_grid(Pose{pose.x, pose.y, pose.heading});
-}
-
-MapPose in_metres(const Frame& frame, const Pose& pose) {
-  const auto metres = frame.to_metres(pose);
-  return {metres.x, metres.y, metres.heading};
-}
 
 Unexpected<RequestFailure> no_plan(PlanFailure failure, double seconds = 0) {
   return Unexpected<RequestFailure>(RequestFailure{std::move(failure), seconds});
@@ -35,7 +23,12 @@ Ends ends_of(const Query& query, const Units& units) {
   return ends;
 }
 
-/// Moves start and goal as --nearest does. Returns a sentence for each.
+bool steps_from_cell_to_cell(const PlannerSpec& spec) {
+  const PlannerInfo* info = planners().find(spec.name);
+  return info != nullptr && !info->any_angle;
+}
+
+/// Moves blocked ends. Returns a sentence for each.
 Expected<std::vector<std::string>, Error> move_ends(Query& query, const Planner& planner,
                                                     const Explainer& explainer,
                                                     const Units& units) {
@@ -68,6 +61,13 @@ struct Session::State {
       : options(std::move(chosen)), planners(options.idle_planners) {}
 
   double now() const { return options.clock ? options.clock() : steady_seconds(); }
+
+  Expected<PlanAnswer, RequestFailure> answer(const View& view, Planner& planner,
+                                              const PlannerSpec& spec, const PlanRequest& request);
+  Expected<Field, PlanFailure> field_to(const View& view, std::vector<Cell> goals, GridMoves moves,
+                                        const Limits& limits);
+  Status look_up(const View& view, const Ends& ends, GridMoves moves, const Limits& limits,
+                 Plan& plan);
 
   /// Called with the lock. Makes the free space if map or robot have changed.
   Expected<View, Error> make_view();
@@ -155,29 +155,63 @@ Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
 Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanRequest& request) {
   auto planner = state_->planners.take(view.space, view.version, request.planner);
   if (!planner) return no_plan(std::move(planner.error()));
+  return state_->answer(view, **planner, request.planner, request);
+}
+
+Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Planner& planner,
+                                                            const PlannerSpec& spec,
+                                                            const PlanRequest& request) {
   const Units units(view.space.map());
-  const auto moves = (*planner)->grid_moves();
-  const Explainer explainer(view.space, units, moves.value_or(GridMoves{}), state_->options.hints);
+  const auto moves = planner.grid_moves();
+  const Explainer explainer(view.space, units, moves.value_or(GridMoves{}), options.hints);
   Query query = query_of(request, view.space.map().frame());
+  if (query.goals.empty())
+    return no_plan(Error{Status::unsupported_query, "there is no goal", "goals"});
+  if (request.from_field && !(moves && steps_from_cell_to_cell(spec))) {
+    return no_plan(Error{Status::unsupported_query,
+                         "only planners that step from cell to cell answer from a field",
+                         "from_field"});
+  }
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
   if (request.nearest) {
-    auto notes = move_ends(query, **planner, explainer, units);
+    auto notes = move_ends(query, planner, explainer, units);
     if (!notes) return no_plan(std::move(notes.error()));
     answer.notes = *std::move(notes);
   }
-  const double begin = state_->now();
-  const Status status = (*planner)->plan(query, answer.plan);
-  answer.search_seconds = state_->now() - begin;
-  const SearchMetrics& metrics = answer.plan.metrics;
+  const Ends ends = ends_of(query, units);
+  const double begin = now();
+  const Status status = request.from_field ? look_up(view, ends, *moves, query.limits, answer.plan)
+                                           : planner.plan(query, answer.plan);
+  answer.search_seconds = now() - begin;
   if (status != Status::found) {
-    std::string why =
-        query.goals.empty()
-            ? "there is no goal"
-            : explainer.explain(**planner, query, ends_of(query, units), status, metrics);
+    const SearchMetrics& metrics = answer.plan.metrics;
+    std::string why = request.explain ? explainer.explain(planner, query, ends, status, metrics)
+                                      : planner.reason(query, status);
     return no_plan(PlanFailure{{status, std::move(why)}, metrics}, answer.search_seconds);
   }
   finish_path(answer, request);
   return answer;
+}
+
+/// Plan::metrics are those of making the field: 0 if it was kept.
+Status Session::State::look_up(const View& view, const Ends& ends, GridMoves moves,
+                               const Limits& limits, Plan& plan) {
+  std::vector<Cell> goals;
+  goals.reserve(ends.goals.size());
+  for (const Place& goal : ends.goals) goals.push_back(goal.cell);
+  const auto field = field_to(view, std::move(goals), moves, limits);
+  if (!field) {
+    plan.metrics = field.error().metrics;
+    return field.error().status;
+  }
+  auto found = field->costs->path_from(ends.start.cell);
+  if (!found) {
+    plan.metrics = field->metrics;
+    return found.error().status;
+  }
+  plan = *std::move(found);
+  plan.metrics = field->metrics;
+  return Status::found;
 }
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(
@@ -186,19 +220,10 @@ Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan
   if (!seen) return Unexpected<Error>(seen.error());
   auto planners = state_->planners.take(seen->space, seen->version, planner, workers.count());
   if (!planners) return Unexpected<Error>(std::move(planners.error()));
-  const Frame& frame = seen->space.map().frame();
   using Answer = Expected<PlanAnswer, RequestFailure>;
   std::vector<Answer> answers(requests.size(), no_plan(Error{Status::cancelled, "not planned"}));
   workers.run(requests.size(), [&](std::size_t i, unsigned worker) {
-    Planner& its = *(*planners)[worker];
-    auto plan = its.plan(query_of(requests[i], frame));
-    if (!plan) {
-      answers[i] = no_plan(std::move(plan.error()));
-      return;
-    }
-    PlanAnswer answer{.space = seen->space, .plan = *std::move(plan), .moves = its.grid_moves()};
-    finish_path(answer, requests[i]);
-    answers[i] = std::move(answer);
+    answers[i] = state_->answer(*seen, *(*planners)[worker], planner, requests[i]);
   });
   return answers;
 }
@@ -242,24 +267,26 @@ Expected<NoPath, Error> Session::why_no_path(MapPoint start, MapPoint goal, Grid
   return explain_no_path(space, *from, *to, moves);
 }
 
-Expected<Session::Field, RequestFailure> Session::cost_to_go(const View& view,
-                                                             std::vector<Cell> goals,
-                                                             GridMoves moves,
-                                                             const Limits& limits) {
+Expected<Session::Field, PlanFailure> Session::cost_to_go(const View& view, std::vector<Cell> goals,
+                                                          GridMoves moves, const Limits& limits) {
+  return state_->field_to(view, std::move(goals), moves, limits);
+}
+
+Expected<Session::Field, PlanFailure> Session::State::field_to(const View& view,
+                                                               std::vector<Cell> goals,
+                                                               GridMoves moves,
+                                                               const Limits& limits) {
   // Making it under its lock lets a second caller wait for it, not make another.
-  const MutexLock lock(state_->field_mutex);
-  auto& kept = state_->field;
-  if (kept && kept->version == view.version && kept->goals == goals && kept->moves == moves) {
-    return Field{kept->costs, {}, 0};
+  const MutexLock lock(field_mutex);
+  if (field && field->version == view.version && field->goals == goals && field->moves == moves) {
+    return Field{field->costs, {}};
   }
-  const double begin = state_->now();
   auto made = CostToGo::make(view.space, goals, moves, limits);
-  const double seconds = state_->now() - begin;
-  if (!made) return no_plan(std::move(made.error()), seconds);
+  if (!made) return Unexpected<PlanFailure>(std::move(made.error()));
   const SearchMetrics metrics = made->metrics();
   auto costs = std::make_shared<const CostToGo>(*std::move(made));
-  kept = State::KeptField{view.version, std::move(goals), moves, costs};
-  return Field{std::move(costs), metrics, seconds};
+  field = KeptField{view.version, std::move(goals), moves, costs};
+  return Field{std::move(costs), metrics};
 }
 
 Expected<void, Error> Session::build_index(std::string_view planner,

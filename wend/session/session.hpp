@@ -55,7 +55,6 @@ class WEND_API Session {
   struct Field {
     std::shared_ptr<const CostToGo> costs;  // shared with the session; never null
     SearchMetrics metrics;                  // 0 if the field was kept
-    double search_seconds;                  // by SessionOptions::clock
   };
 
   /// Without a map: everything fails with invalid_map until there is one.
@@ -85,9 +84,8 @@ class WEND_API Session {
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
-  /// Plans each of the requests, all with this planner: one for each worker, which share what they
-  /// prepare. Refinements are done too. Failures have the planner's short reason. Fails as making the
-  /// planner does.
+  /// Plans each of the requests as plan() does, but with this planner: one for each worker, which share
+  /// what they prepare. Fails as making the planner does.
   Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> plan_all(
       std::span<const PlanRequest> requests, const PlannerSpec& planner, Workers& workers);
 
@@ -108,8 +106,8 @@ class WEND_API Session {
 
   /// The costs to the nearest goal from everywhere, for a planner with these moves. The last field is
   /// kept: the same goals on the same map cost nothing. Fails as CostToGo::make() does.
-  Expected<Field, RequestFailure> cost_to_go(const View& view, std::vector<Cell> goals,
-                                             GridMoves moves = {}, const Limits& limits = {});
+  Expected<Field, PlanFailure> cost_to_go(const View& view, std::vector<Cell> goals,
+                                          GridMoves moves = {}, const Limits& limits = {});
 
   /// Builds the index of a planner on the current view and uses it from now on. invalid_option if the
   /// planner has none.

@@ -50,7 +50,7 @@ TEST(Session, HasNoAnswersWithoutAMap) {
   Session session;
   EXPECT_EQ(session.plan(across()).error().status, Status::invalid_map);
   EXPECT_EQ(session.nearest({}).error().status, Status::invalid_map);
-  EXPECT_EQ(session.planner({"astar", "astar"}).error().status, Status::invalid_map);
+  EXPECT_EQ(session.planner({"astar"}).error().status, Status::invalid_map);
   session.set_map(walled_room());
   EXPECT_TRUE(session.plan(across()));
   session.clear_map("the sensor is off");
@@ -165,7 +165,7 @@ TEST(Session, AnswersABatchLikeSingleRequests) {
   }
   ThreadWorkers workers(4);
   for (const char* name : {"astar", "jps"}) {
-    const PlannerSpec spec{name, name};
+    const PlannerSpec spec{name};
     const auto answers = session.plan_all(requests, spec, workers);
     ASSERT_TRUE(answers) << answers.error().message;
     ASSERT_EQ(answers->size(), requests.size());
@@ -185,16 +185,16 @@ TEST(Session, AnswersABatchLikeSingleRequests) {
     EXPECT_GT(found, 20);
     EXPECT_LT(found, 60);
   }
-  EXPECT_FALSE(session.plan_all(requests, {"astr", "astr"}, workers));
+  EXPECT_FALSE(session.plan_all(requests, {"astr"}, workers));
   ThreadWorkers many(8);
-  EXPECT_EQ(session.plan_all(std::span(requests).first(2), {"jps", "jps"}, many)->size(), 2U)
+  EXPECT_EQ(session.plan_all(std::span(requests).first(2), {"jps"}, many)->size(), 2U)
       << "fewer requests than workers";
-  EXPECT_TRUE(session.plan_all({}, {"jps", "jps"}, workers)->empty());
+  EXPECT_TRUE(session.plan_all({}, {"jps"}, workers)->empty());
 }
 
 TEST(Session, KeepsPlannersWarmUntilMapOrRobotChange) {
   Session session(walled_room());
-  const PlannerSpec jps{"jps", "jps"};
+  const PlannerSpec jps{"jps"};
   const Planner* first = nullptr;
   {
     const auto planner = session.planner(jps);
@@ -237,6 +237,56 @@ TEST(Session, KeepsTheLastFieldOfCosts) {
   EXPECT_EQ(second->metrics.expanded, 0U);
   EXPECT_NE(session.cost_to_go(*view, {{91, 10}})->costs, first->costs);
   EXPECT_EQ(session.cost_to_go(*view, {{50, 10}}).error().status, Status::goal_blocked);
+}
+
+TEST(Session, AnswersFromAFieldWithTheSameCost) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  const double cost = session.plan(request)->plan.cost;
+  request.from_field = true;
+  const auto first = session.plan(request);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_NEAR(first->plan.cost, cost, 1e-9);
+  EXPECT_GT(first->plan.metrics.expanded, 0U);
+  EXPECT_EQ(session.plan(request)->plan.metrics.expanded, 0U) << "the field was kept";
+  request.start.x = 3.05;  // in the wall
+  const auto blocked = session.plan(request);
+  ASSERT_FALSE(blocked);
+  EXPECT_EQ(blocked.error().status, Status::start_blocked);
+  EXPECT_NE(blocked.error().message.find("nearest free cell"), std::string::npos);
+  request.nearest = true;
+  EXPECT_TRUE(session.plan(request));
+  request.goals.front().point.x = 1e300;
+  EXPECT_EQ(session.plan(request).error().status, Status::goal_outside);
+  request = across();
+  request.from_field = true;
+  for (const char* name : {"theta_star", "lattice", "car"}) {
+    request.planner.name = name;
+    EXPECT_EQ(session.plan(request).error().status, Status::unsupported_query) << name;
+  }
+}
+
+TEST(Session, MovesTheEndsOfABatchToo) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.start.x = 3.05;
+  request.nearest = true;
+  ThreadWorkers workers(2);
+  const auto answers = session.plan_all({&request, 1}, {"jps"}, workers);
+  ASSERT_TRUE(answers);
+  ASSERT_TRUE(answers->front()) << answers->front().error().message;
+  EXPECT_EQ(answers->front()->notes.size(), 1U);
+}
+
+TEST(Session, ExplainsAtLengthOnlyIfAsked) {
+  Session session(walled_room(), {.footprint = Footprint::disc(1.5)});
+  PlanRequest request{.start = {-0.4, -1.4, 0}, .goals = {{{6.4, -1.4}}}};
+  const std::string full = session.plan(request).error().message;
+  request.explain = false;
+  const std::string brief = session.plan(request).error().message;
+  EXPECT_NE(full.find("A path exists with"), std::string::npos) << full;
+  EXPECT_LT(brief.size(), full.size());
+  EXPECT_FALSE(brief.empty());
 }
 
 TEST(Session, SaysWhyThereIsNoPathAsData) {

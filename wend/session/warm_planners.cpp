@@ -113,14 +113,9 @@ PlannerResult WarmPlanners::make(const FreeSpace& space, const PlannerSpec& spec
 
 Expected<WarmPlanner, Error> WarmPlanners::take(const FreeSpace& space, std::uint64_t version,
                                                 const PlannerSpec& spec) {
-  std::string key = key_of(spec);
-  auto planner = shelf_->take(version, key);
-  if (!planner) {
-    auto made = make(space, spec);
-    if (!made) return Unexpected<Error>(std::move(made.error()));
-    planner = *std::move(made);
-  }
-  return WarmPlanner(shelf_, version, std::move(key), std::move(planner));
+  auto planners = take(space, version, spec, 1);
+  if (!planners) return Unexpected<Error>(std::move(planners.error()));
+  return std::move(planners->front());
 }
 
 Expected<std::vector<WarmPlanner>, Error> WarmPlanners::take(const FreeSpace& space,
@@ -128,6 +123,7 @@ Expected<std::vector<WarmPlanner>, Error> WarmPlanners::take(const FreeSpace& sp
                                                              const PlannerSpec& spec,
                                                              std::size_t count) {
   std::vector<WarmPlanner> planners;
+  planners.reserve(count);
   const std::string key = key_of(spec);
   while (planners.size() < count) {
     auto planner = shelf_->take(version, key);

@@ -24,8 +24,8 @@ ALIKE = [
     (r"\bchoice_names\(\w+\) {", "The values and their names, as options and reports spell them."),
     (r"template <class Self, class Field>",
      "Lists the fields that are options, with their names, help and ranges (options.hpp)."),
-    (r"\b(\w+)\(const \1&\) = delete;", "There are no copies."),
-    (r"\w+& operator=\(const \w+&\) = delete;", "There are no copies."),
+    (r"\b(\w+)\(const \1&\) = delete;", "Cannot be copied."),
+    (r"\w+& operator=\(const \w+&\) = delete;", "Cannot be copied."),
     (r"virtual ~\w+\(\) = default;", "Destroys an object of a derived class."),
 ]
 

@@ -1,6 +1,5 @@
 #include "wend_ros/planning.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "wend/base/thread_time.hpp"
@@ -31,17 +30,6 @@ wend::Expected<wend::PlannerSpec, wend::Error> spec_of(const Parameters& paramet
   return spec;
 }
 
-/// The goals' cells; fewer than goals if the numbers of one are too large for a cell.
-std::vector<wend::Cell> cells_of(const std::vector<wend::Goal>& goals) {
-  constexpr double kMost = 1e9;
-  std::vector<wend::Cell> cells;
-  for (const wend::Goal& goal : goals) {
-    if (!(std::abs(goal.point.x) < kMost && std::abs(goal.point.y) < kMost)) break;
-    cells.push_back(wend::cell_at(goal.point));
-  }
-  return cells;
-}
-
 constexpr double kTrajectoryPeriod = 0.1;  // s
 constexpr double kMostStamps = 1e5;
 
@@ -66,6 +54,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   if (limit > 0) request.limits.seconds = limit;
   request.observer = watch.observer;
   request.nearest = ask.nearest;
+  request.from_field = ask.from_field;
   request.trajectory = limits_of(parameters);
   return request;
 }
@@ -93,7 +82,7 @@ void put_answer(PlanResult& result, const wend::PlanAnswer& answer, const std::s
   if (answer.trajectory && answer.trajectory->duration() / kTrajectoryPeriod <= kMostStamps) {
     result.trajectory = to_message(*answer.trajectory, frame_id, kTrajectoryPeriod);
   }
-  if (answer.fault) result.reason = "not smoothed: " + answer.fault->message;
+  if (answer.fault) result.reason = "the path is as planned: " + answer.fault->message;
   for (const std::string& note : answer.notes) {
     result.reason += (result.reason.empty() ? "" : "; ") + note;
   }
@@ -133,33 +122,6 @@ void put_nearest(PlanResult& result, const wend::Session& session, wend::Status 
   if (status == wend::Status::goal_blocked) put(result.nearest_goal, ask.goals.front());
 }
 
-PlanResult answer_from_field(wend::Session& session, const wend::Session::View& view,
-                             const wend::PlanRequest& request, wend::GridMoves moves) {
-  const wend::Query query = wend::query_of(request, view.space.map().frame());
-  std::vector<wend::Cell> goals = cells_of(query.goals);
-  const bool known =
-      goals.size() == query.goals.size() && cells_of({wend::Goal(query.start)}).size() == 1;
-  if (!known) return refusal(StatusCode::unsupported_query, "an end is too far from the map");
-  const auto from = session.cost_to_go(view, goals, moves, request.limits);
-  const auto refused = [](wend::Status status) {
-    return refusal(code_of(status), std::string(wend::describe(status)));
-  };
-  PlanResult result;
-  if (!from) {
-    result = refused(from.error().status);
-    put_metrics(result, from.error().metrics, from.error().search_seconds);
-  } else if (auto plan = from->costs->path_from(wend::cell_at(query.start.point())); !plan) {
-    result = refused(plan.error().status);
-  } else {
-    wend::PlanAnswer answer{.space = view.space, .plan = *std::move(plan), .moves = moves};
-    wend::finish_path(answer, request);
-    put_answer(result, answer, view.frame_id);
-  }
-  if (from) put_metrics(result, from->metrics, from->search_seconds);
-  result.from_field = 1;
-  return result;
-}
-
 }  // namespace
 
 wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
@@ -188,16 +150,6 @@ PlanResult answer(wend::Session& session, const wend::Session::View& view,
   if (!spec) return refusal(code_of(spec.error().status), spec.error().message);
   wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
   refine_as_asked(request, parameters);
-  if (ask.from_field) {
-    const auto planner = session.planner(*spec);
-    if (!planner) return refusal(code_of(planner.error().status), planner.error().message);
-    const auto moves = (*planner)->grid_moves();
-    if (!moves || wend::planners().find(spec->name)->any_angle) {
-      return refusal(StatusCode::unsupported_query,
-                     "only planners from cell to cell answer from a field");
-    }
-    return answer_from_field(session, view, request, *moves);
-  }
   const auto answered = session.plan(view, request);
   PlanResult result;
   if (answered) {
@@ -209,6 +161,7 @@ PlanResult answer(wend::Session& session, const wend::Session::View& view,
     put_nearest(result, session, failed.status, ask);
     put_metrics(result, failed.metrics, failed.search_seconds);
   }
+  result.from_field = request.from_field ? 1 : 0;
   return result;
 }
 

@@ -1,0 +1,21 @@
+#include "cli/output/explanations.hpp"
+
+namespace wend::cli {
+
+Hints command_line_hints() {
+  return {.unknown_free = "--unknown free",
+          .outside_free = "--outside free",
+          .squeeze = "--connectivity 8 --corner-rule both",
+          .robot_radius = "--robot-radius",
+          .nearest = "--nearest",
+          .explain = "`wend explain` shows where",
+          .limit_expansions = "--limit-expansions",
+          .limit_seconds = "--limit-time",
+          .limit_steps = "--max-steps"};
+}
+
+Explainer explainer_for(const FreeSpace& space, const Coordinates& coordinates, GridMoves moves) {
+  return {space, coordinates, moves, command_line_hints()};
+}
+
+}  // namespace wend::cli
