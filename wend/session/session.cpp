@@ -83,26 +83,26 @@ struct Session::State {
   std::uint64_t version = 0;
   std::optional<Obstacles> obstacles;  // of the last space
   ObstacleOptions obstacle_options;
-  std::optional<Expected<View, Error>> made;
+  std::optional<Expected<View, Error>> kept_view;
 
   Mutex field_mutex;  // guards the field, whose making does not stop planners
-  std::optional<KeptField> field;
+  std::optional<KeptField> kept_field;
 };
 
 Expected<Session::View, Error> Session::State::make_view() {
   if (!map) return failure(Status::invalid_map, why_no_map);
-  if (made) return *made;
+  if (kept_view) return *kept_view;
   if (!obstacles || obstacle_options != robot.obstacles()) {
     obstacle_options = robot.obstacles();
     obstacles.emplace(*map, obstacle_options);
   }
   auto space = make_free_space(*obstacles, robot.robot());
   if (space) {
-    made.emplace(View{*std::move(space), frame_id, version});
+    kept_view.emplace(View{*std::move(space), frame_id, version});
   } else {
-    made.emplace(Unexpected<Error>(std::move(space.error())));
+    kept_view.emplace(Unexpected<Error>(std::move(space.error())));
   }
-  return *made;
+  return *kept_view;
 }
 
 Session::Session(SessionOptions options) : state_(std::make_unique<State>(std::move(options))) {}
@@ -120,7 +120,7 @@ void Session::set_map(GridMap map, std::string frame_id) {
   state_->map = std::move(map);
   state_->frame_id = std::move(frame_id);
   state_->obstacles.reset();
-  state_->made.reset();
+  state_->kept_view.reset();
   ++state_->version;
 }
 
@@ -129,7 +129,7 @@ void Session::clear_map(std::string why) {
   state_->map.reset();
   state_->why_no_map = std::move(why);
   state_->obstacles.reset();
-  state_->made.reset();
+  state_->kept_view.reset();
   ++state_->version;
 }
 
@@ -137,7 +137,7 @@ void Session::set_robot(FreeSpaceOptions robot) {
   const MutexLock lock(state_->mutex);
   if (robot == state_->robot) return;
   state_->robot = std::move(robot);
-  state_->made.reset();
+  state_->kept_view.reset();
   ++state_->version;
 }
 
@@ -278,14 +278,15 @@ Expected<Session::Field, PlanFailure> Session::State::field_to(const View& view,
                                                                const Limits& limits) {
   // Making it under its lock lets a second caller wait for it, not make another.
   const MutexLock lock(field_mutex);
-  if (field && field->version == view.version && field->goals == goals && field->moves == moves) {
-    return Field{field->costs, {}};
+  if (kept_field && kept_field->version == view.version && kept_field->goals == goals &&
+      kept_field->moves == moves) {
+    return Field{kept_field->costs, {}};
   }
   auto made = CostToGo::make(view.space, goals, moves, limits);
   if (!made) return Unexpected<PlanFailure>(std::move(made.error()));
   const SearchMetrics metrics = made->metrics();
   auto costs = std::make_shared<const CostToGo>(*std::move(made));
-  field = KeptField{view.version, std::move(goals), moves, costs};
+  kept_field = KeptField{view.version, std::move(goals), moves, costs};
   return Field{std::move(costs), metrics};
 }
 
