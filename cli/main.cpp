@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "cli/arguments/help_formatter.hpp"
+#include "cli/arguments/plugins.hpp"
 #include "cli/arguments/usage_error.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/exit_code.hpp"
@@ -42,6 +44,7 @@ std::vector<Command> add_commands(CLI::App& app) {
   app.require_subcommand(1);
   app.footer(kMainExamples);
   Parser parser(app);
+  add_plugin_option(parser);
   std::vector<Command> commands{add_plan(parser),     add_smooth(parser),  add_follow(parser),
                                 add_check(parser),    add_field(parser),   add_compare(parser),
                                 add_explain(parser),  add_view(parser),    add_info(parser),
@@ -68,10 +71,16 @@ int run(const Command& command) {
 }
 
 int run_app(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (const std::string wrong = load_plugins(arguments); !wrong.empty()) {
+    complain(wrong);
+    return bad_input;
+  }
   CLI::App app("wend plans paths for robots on maps.", "wend");
   const std::vector<Command> commands = add_commands(app);
   try {
-    app.parse(argc, argv);
+    std::ranges::reverse(arguments);  // CLI11 takes the last word first
+    app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == EXIT_SUCCESS) return app.exit(error);  // help, version
     complain(usage_error(app, error));

@@ -22,6 +22,7 @@ add_test(NAME consumer.example_map COMMAND wend_cli generate office --size 160x1
                                            "${PROJECT_BINARY_DIR}/consumers/office.yaml")
 set_tests_properties(consumer.example_map PROPERTIES FIXTURES_SETUP examples)
 file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.cpp")
+list(FILTER sources EXCLUDE REGEX "/swirl\\.cpp$")
 foreach(source IN LISTS sources)
   cmake_path(GET source STEM name)
   add_test(
@@ -33,3 +34,17 @@ foreach(source IN LISTS sources)
     WORKING_DIRECTORY "${PROJECT_BINARY_DIR}/consumers")
   set_tests_properties(consumer.example.${name} PROPERTIES FIXTURES_REQUIRED examples)
 endforeach()
+
+# The plugin, in the installed program.
+if(BUILD_SHARED_LIBS)
+  set(plan --plugin "${build_dir}/libswirl.so" plan office.yaml --start 1,1 --goal 15,9 --planner swirl --format
+           csv)
+  add_test(
+    NAME consumer.example.swirl
+    COMMAND
+      "${CMAKE_COMMAND}" "-DPROGRAM=${prefix}/bin/wend" "-DARGUMENTS=${plan}"
+      "-DEXPECTED=${PROJECT_SOURCE_DIR}/examples/expected/swirl.txt" -P
+      "${PROJECT_SOURCE_DIR}/cmake/same_output.cmake"
+    WORKING_DIRECTORY "${PROJECT_BINARY_DIR}/consumers")
+  set_tests_properties(consumer.example.swirl PROPERTIES FIXTURES_REQUIRED examples)
+endif()

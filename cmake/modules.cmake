@@ -87,6 +87,28 @@ function(wend_module_needs module scope)
   target_link_libraries(wend_${module} ${scope} ${ARGN})
 endfunction()
 
+# wend_link_program(<target> <library>...): links a program with the library, and with static libraries that
+# use the modules. With libwend.so, it gets their objects and what they need from outside, but not the modules:
+# there is one copy of those, for the program and its plugins.
+function(wend_link_program target)
+  if(NOT BUILD_SHARED_LIBS)
+    target_link_libraries(${target} PRIVATE ${ARGN})
+    return()
+  endif()
+  list(TRANSFORM wend_report_modules PREPEND wend_ OUTPUT_VARIABLE report_libraries)
+  foreach(library IN LISTS ARGN report_libraries)
+    get_target_property(needs ${library} LINK_LIBRARIES)
+    list(FILTER needs EXCLUDE REGEX "^wend_")
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
+    target_link_libraries(${target} PRIVATE ${needs})
+  endforeach()
+  target_link_libraries(${target} PRIVATE wend_shared)
+  file(RELATIVE_PATH to_library "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+  if(NOT WEND_DEBIAN)
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")
+  endif()
+endfunction()
+
 # wend_check_listed(<list.def> <macro> [<suffix>]): a registry is made from the list; what stands there as
 # MACRO(name) has its own source file, name<suffix>.cpp, beside it or in a folder below.
 function(wend_check_listed list macro)

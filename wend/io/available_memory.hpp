@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "wend/base/compiler.hpp"
+
 namespace wend {
 
 /// Available bytes; nothing if the system does not report them. The file cache counts as available.
 /// `root` is the folder of proc and sys.
-std::optional<std::uint64_t> available_memory(const std::filesystem::path& root = "/");
+WEND_API std::optional<std::uint64_t> available_memory(const std::filesystem::path& root = "/");
 
 }  // namespace wend

@@ -80,15 +80,15 @@ WEND_API std::optional<Error> refused_options(const OptionValues& values);
 using PlannerResult = Expected<std::unique_ptr<Planner>, Error>;
 
 struct PlannerInfo {
-  std::string name;            // as in make_planner()
-  std::string summary;         // one line
-  std::string idea;            // how it works, in two or three sentences
-  std::string citation;        // the paper or book it comes from
-  std::string guarantee_text;  // the guarantee in words, with its conditions
-  std::string time;            // of one query: "O(n) in the n cells expanded"
-  std::string memory;          // "8 bytes a cell", and what grows with a search
-  double bytes_per_cell = 0;   // of the map, at most, for one search; 0: unknown
-  std::string when;            // when to choose it and when not, in one to three sentences
+  std::string name = {};            // as in make_planner()
+  std::string summary = {};         // one line
+  std::string idea = {};            // how it works, in two or three sentences
+  std::string citation = {};        // the paper or book it comes from
+  std::string guarantee_text = {};  // the guarantee in words, with its conditions
+  std::string time = {};            // of one query: "O(n) in the n cells expanded"
+  std::string memory = {};          // "8 bytes a cell", and what grows with a search
+  double bytes_per_cell = 0;        // of the map, at most, for one search; 0: unknown
+  std::string when = {};            // when to choose it and when not, in one to three sentences
   Guarantee guarantee = Guarantee::none;              // of every answer
   bool plans_on_terrain = false;                      // takes terrain costs into account
   Preprocessing preprocessing = Preprocessing::none;  // of `make`

@@ -1,22 +1,98 @@
 #include "wend/planner/planners.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
+#include <utility>
 
+#include "wend/base/mutex.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/planner/planner_plugin.hpp"
 
 namespace wend {
 
 #define WEND_PLANNER(name) PlannerInfo name##_planner();
 #include "wend/planner/planners.def"
 
-const Registry<PlannerInfo>& planners() {
-  static const Registry<PlannerInfo> registry({
+namespace {
+
+using PlannerRegistry = Registry<PlannerInfo>;
+
+/// Can it be typed in a list of planners and be a name in ROS?
+bool is_planner_name(std::string_view name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !name.empty() && name.front() >= 'a' && std::ranges::all_of(name, fits);
+}
+
+/// Why a planner cannot be added to the others.
+std::optional<Error> refusal(const PlannerInfo& planner, const std::vector<PlannerInfo>& others) {
+  const std::string name = "'" + planner.name + "'";
+  std::string why;
+  if (!is_planner_name(planner.name)) {
+    why = name +
+          " is not a name of a planner: use lower case letters, digits and underscores, and "
+          "begin with a letter";
+  } else if (!planner.make) {
+    why = "the planner " + name + " has no function `make`";
+  } else if (std::ranges::find(others, planner.name, &PlannerInfo::name) != others.end()) {
+    why = "there is already a planner " + name;
+  } else {
+    return std::nullopt;
+  }
+  return Error{Status::invalid_option, std::move(why), planner.name};
+}
+
+/// The registries: the first, and one for each time that planners were added. None is destroyed: readers need no lock.
+class PlannerRegistries {
+ public:
+  PlannerRegistries() {
+    publish({
 #define WEND_PLANNER(name) name##_planner(),
 #include "wend/planner/planners.def"
-  });
-  return registry;
+    });
+  }
+
+  const PlannerRegistry& newest() const { return *newest_.load(std::memory_order_acquire); }
+
+  Expected<void, Error> add(std::vector<PlannerInfo> added) {
+    const MutexLock lock(mutex_);
+    std::vector<PlannerInfo> all(newest().begin(), newest().end());
+    for (PlannerInfo& planner : added) {
+      if (auto refused = refusal(planner, all)) return Unexpected<Error>(*std::move(refused));
+      all.push_back(std::move(planner));
+    }
+    publish(std::move(all));
+    return {};
+  }
+
+ private:
+  void publish(std::vector<PlannerInfo> planners) {
+    made_.push_back(std::make_unique<const PlannerRegistry>(std::move(planners)));
+    newest_.store(made_.back().get(), std::memory_order_release);
+  }
+
+  Mutex mutex_;  // of who adds
+  std::vector<std::unique_ptr<const PlannerRegistry>> made_;
+  std::atomic<const PlannerRegistry*> newest_ = nullptr;
+};
+
+PlannerRegistries& registries() {
+  static PlannerRegistries all;
+  return all;
 }
+
+}  // namespace
+
+const Registry<PlannerInfo>& planners() { return registries().newest(); }
+
+Expected<void, Error> add_planners(std::vector<PlannerInfo> added) {
+  return registries().add(std::move(added));
+}
+
+const void* library_mark() { return &registries(); }
 
 std::vector<std::string> planner_names(StateKind state_kind) {
   std::vector<std::string> names;

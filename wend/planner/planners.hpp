@@ -1,6 +1,12 @@
 #pragma once
 
-// The registry of planners. A new one is one file and one line in planners.def.
+// The registry of planners. A new one is one file and one line in planners.def, or comes from outside:
+//
+//   const auto added = wend::add_planners({swirl_planner()});
+//   if (!added) return report(added.error().message);
+//   const auto planner = wend::make_planner("swirl", space);
+//
+// planner_plugin.hpp makes a shared object of such a planner, for programs to load.
 
 #include <string>
 #include <string_view>
@@ -17,7 +23,14 @@ namespace wend {
 
 class IndexBytes;  // wend/index/file/index_bytes.hpp
 
+/// All planners. The reference stays valid and its entries stay the same for ever; a planner that is
+/// added later is in the registry that later calls return.
 WEND_API const Registry<PlannerInfo>& planners();
+
+/// Adds planners for the whole program. Fails with invalid_option, and adds none, if a name is taken or is
+/// not lower case letters, digits and underscores, or if `make` is missing. Any thread may call it at any
+/// time.
+WEND_API Expected<void, Error> add_planners(std::vector<PlannerInfo> added);
 
 /// The names of the planners with that motion.
 WEND_API std::vector<std::string> planner_names(StateKind state_kind);

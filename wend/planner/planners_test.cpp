@@ -36,5 +36,34 @@ TEST(PlannerSpec, EmptyAndHalfWordsAreRefused) {
   }
 }
 
+PlannerResult refuse_every_space(const FreeSpace& /*space*/, const OptionValues& /*options*/) {
+  return failure(Status::unsupported_map, "it plans nowhere");
+}
+
+// What can be added is for the whole program: tests/added_planners_test.cpp and
+// tests/command_line_plugin_test.cpp, whose programs list no planners.
+TEST(AddPlanners, NamesThatAreTakenOrInvalidAreRefused) {
+  for (const char* name : {"", "astar", "A", "a-b", "1a", "_a", "a:b", "ä"}) {
+    const auto added = add_planners({{.name = name, .make = refuse_every_space}});
+    ASSERT_FALSE(added.has_value()) << name;
+    EXPECT_EQ(added.error().status, Status::invalid_option);
+    EXPECT_EQ(added.error().where, name);
+    EXPECT_NE(added.error().message.find("'" + std::string(name) + "'"), std::string::npos);
+  }
+}
+
+TEST(AddPlanners, OneThatCannotBeMadeIsRefused) {
+  EXPECT_FALSE(add_planners({{.name = "fresh"}}).has_value());
+  EXPECT_EQ(planners().find("fresh"), nullptr);
+}
+
+TEST(AddPlanners, IfOneIsRefusedNoneIsAdded) {
+  const std::size_t before = planners().size();
+  const PlannerInfo fresh{.name = "fresh", .make = refuse_every_space};
+  EXPECT_FALSE(add_planners({fresh, {.name = "jps", .make = refuse_every_space}}).has_value());
+  EXPECT_FALSE(add_planners({fresh, fresh}).has_value()) << "twice the same name";
+  EXPECT_EQ(planners().size(), before);
+}
+
 }  // namespace
 }  // namespace wend

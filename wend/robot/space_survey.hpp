@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "wend/base/compiler.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/robot/free_space.hpp"
 
@@ -23,10 +24,10 @@ struct SpaceSurvey {
 };
 
 /// The same numbers as from make_free_space(map, options). O(cells).
-SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options);
+WEND_API SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options);
 
 /// The memory that survey() needs in addition to the map, in bytes.
-double survey_bytes(const GridMap& map, const FreeSpaceOptions& options);
+WEND_API double survey_bytes(const GridMap& map, const FreeSpaceOptions& options);
 
 /// The same, computed in bands of at least `rows` rows and at least the robot's reach.
 SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options, int rows);

@@ -13,6 +13,7 @@
 
 namespace wend {
 
+/// The limits of one search, checked before each expansion.
 class LimitCheck {
  public:
   /// Starts the clock. `limits` must live as long as the search.

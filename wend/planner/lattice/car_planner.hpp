@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
@@ -67,7 +68,7 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
 
 /// The lattice resolution, in cells, for a turning radius in metres: rounded up, so that no turn is
 /// tighter, and at least 1.
-std::int64_t unit_for(double turning_radius, const Frame& frame);
+WEND_API std::int64_t unit_for(double turning_radius, const Frame& frame);
 
 /// Why a car cannot drive on a map at all; empty if it can.
 std::string why_no_lattice(const GridMap& map, const CarDriving& driving);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "wend/base/compiler.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/robot/free_space.hpp"
@@ -25,12 +26,13 @@ struct PathFault {
 double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells);
 
 /// The cost of a path, if every cell is passable and every step legal. O(length).
-Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
-                                            std::span<const Cell> cells);
+WEND_API Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
+                                                     std::span<const Cell> cells);
 
 /// The length of a path of an any-angle planner, if every cell is passable and every line between two
 /// of them free, by the rules of disc_fits_along(). O(length).
-Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacency adjacency,
-                                                 std::span<const Cell> cells);
+WEND_API Expected<double, PathFault> check_any_angle_path(const FreeSpace& space,
+                                                          Adjacency adjacency,
+                                                          std::span<const Cell> cells);
 
 }  // namespace wend

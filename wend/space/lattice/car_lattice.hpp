@@ -21,6 +21,7 @@
 #include <span>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/geometry/car_move.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
@@ -85,7 +86,7 @@ struct CornerFault {
   double distance = 0;         // for too_close: to the nearest obstacle, in map cells
 };
 
-class CarLattice {
+class WEND_API CarLattice {
  public:
   CarLattice(FreeSpace space, const CarDriving& driving);
 
@@ -159,7 +160,7 @@ class CarLattice {
 };
 
 /// Is there at least one lattice cell on the map?
-bool has_room_for(const GridMap& map, const CarDriving& driving);
+WEND_API bool has_room_for(const GridMap& map, const CarDriving& driving);
 
 // The cost of a path, recomputed from its poses alone, never from the sums of a search.
 
