@@ -46,7 +46,7 @@ std::vector<Command> add_commands(CLI::App& app) {
                                 add_check(parser),    add_field(parser),   add_compare(parser),
                                 add_explain(parser),  add_view(parser),    add_info(parser),
                                 add_generate(parser), add_convert(parser), add_index(parser),
-                                add_bench(parser),    add_planners(parser)};
+                                add_bench(parser),    add_planners(parser), add_test_planner(parser)};
   commands.push_back(add_completion(parser));
   commands.push_back(add_reference(parser));
   return commands;

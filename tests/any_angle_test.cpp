@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/testing/share.hpp"
-#include "tests/testing/trial.hpp"
+#include "conformance/trial.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"

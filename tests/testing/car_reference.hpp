@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tests/testing/car_motion.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/reference.hpp"
 
 namespace wend::test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/testing/random_arc.hpp"
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/robot/nearest_passable.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 
 namespace wend {
 namespace {

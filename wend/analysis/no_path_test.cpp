@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/share.hpp"
 
 namespace wend {

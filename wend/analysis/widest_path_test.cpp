@@ -12,8 +12,8 @@
 
 #include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planners.hpp"
 

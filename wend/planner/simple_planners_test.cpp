@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/trial.hpp"
+#include "conformance/trial.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"

@@ -11,7 +11,7 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/polygon_overlap.hpp"
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "wend/geometry/angle.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {

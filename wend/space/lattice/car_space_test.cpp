@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_yard.hpp"
+#include "conformance/random_yard.hpp"
 
 namespace wend {
 namespace {
