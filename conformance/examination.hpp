@@ -19,9 +19,9 @@ struct Violation {
   std::string expected;
   std::string came;
   std::uint64_t seed = 0;
-  std::string options;    // of the planner: "weight=2"
-  std::string trial;      // map, robot and options
-  std::string query;      // empty if there was none
+  std::string options;      // of the planner: "weight=2"
+  std::string trial;        // map, robot and options
+  std::string query;        // empty if there was none
   std::uint64_t cells = 0;  // of the map
 };
 

@@ -83,8 +83,8 @@ void hold_to_its_reason(Examination& examination, const Answer& answer, const Qu
   const bool outside = query.start.x < 0 || query.start.y < 0 || query.start.x > map.width() ||
                        query.start.y > map.height();
   if (outside != (status == Status::start_outside)) {
-    return examination.violate(outside ? "start_outside" : "another status: the start is on the map",
-                               came);
+    return examination.violate(
+        outside ? "start_outside" : "another status: the start is on the map", came);
   }
   constexpr std::array kReasons{Status::start_outside, Status::start_blocked, Status::goal_outside,
                                 Status::goal_blocked, Status::unreachable};

@@ -122,8 +122,8 @@ void examine_terrain(Examination& examination, std::uint64_t seed) {
   const auto refuses = [&](const auto& result) {
     return !result && result.error().status == Status::unsupported_map;
   };
-  const FreeSpace rough = *make_free_space(*make_grid_map(
-      Grid<CellState>(8, 8, CellState::free), {}, Grid<double>(8, 8, 2.0)));
+  const FreeSpace rough = *make_free_space(
+      *make_grid_map(Grid<CellState>(8, 8, CellState::free), {}, Grid<double>(8, 8, 2.0)));
   examination.on(trial, seed);
   const auto planner = examination.planner_for(trial);
   if (planner == nullptr) return;

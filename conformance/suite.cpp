@@ -25,8 +25,8 @@ std::vector<ConformanceCheck> make_checks() {
   return {
       {"answers", "answers agree with the reference: status, path, cost, bound", 1, 0, on_cells,
        examine_cell_answers, conclude_answers},
-      {"nine_cells", "the same on all 512 maps of nine cells", 0, 512, on_cells,
-       examine_nine_cells, nullptr},
+      {"nine_cells", "the same on all 512 maps of nine cells", 0, 512, on_cells, examine_nine_cells,
+       nullptr},
       {"poses", "paths are free and end where they claim; failures are empty", 1, 0, with_headings,
        examine_pose_answers, conclude_answers},
       {"start_is_goal", "a start that is the goal is a path of one cell", 12, 0, on_cells,

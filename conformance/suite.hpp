@@ -22,8 +22,9 @@ namespace wend::test {
 struct SuiteOptions {
   std::uint64_t maps = 600;  // of the checks on most maps; others take a share of these
   std::uint64_t seed = 1;    // of the first map
-  std::optional<OptionValues> options = {};                  // of the planner; unset: random ones
-  std::function<bool(std::uint64_t maps_done)> go_on = {};  // called before each map; false ends a check
+  std::optional<OptionValues> options = {};  // of the planner; unset: random ones
+  std::function<bool(std::uint64_t maps_done)> go_on =
+      {};  // called before each map; false ends a check
 };
 
 struct ConformanceCheck {

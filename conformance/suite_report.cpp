@@ -26,8 +26,8 @@ std::string command_of(const Violation& violation, const std::string& planner) {
 }
 
 std::string violation_text(const Violation& violation, const std::string& planner) {
-  std::string text = fmt::format("    expected: {}\n    came:     {}\n", violation.expected,
-                                 violation.came);
+  std::string text =
+      fmt::format("    expected: {}\n    came:     {}\n", violation.expected, violation.came);
   if (!violation.query.empty()) text += fmt::format("    query:    {}\n", violation.query);
   if (violation.trial.empty()) return text;
   return text + fmt::format("    again:    {}\n", command_of(violation, planner)) +
@@ -35,9 +35,8 @@ std::string violation_text(const Violation& violation, const std::string& planne
 }
 
 Json violation_json(const Violation& violation) {
-  return {{"expected", violation.expected}, {"came", violation.came},
-          {"seed", violation.seed},         {"options", violation.options},
-          {"query", violation.query},       {"trial", violation.trial},
+  return {{"expected", violation.expected}, {"came", violation.came},   {"seed", violation.seed},
+          {"options", violation.options},   {"query", violation.query}, {"trial", violation.trial},
           {"cells", violation.cells}};
 }
 
@@ -47,12 +46,9 @@ std::string outcome_of(const CheckReport& check) {
 }
 
 Json check_json(const CheckReport& check) {
-  Json json{{"name", check.check},
-            {"guarantee", check.guarantee},
-            {"outcome", outcome_of(check)},
-            {"maps", check.maps},
-            {"queries", check.queries},
-            {"paths", check.found},
+  Json json{{"name", check.check},           {"guarantee", check.guarantee},
+            {"outcome", outcome_of(check)},  {"maps", check.maps},
+            {"queries", check.queries},      {"paths", check.found},
             {"violations", check.violations}};
   if (!check.not_applicable.empty()) json["why"] = check.not_applicable;
   if (check.smallest) json["smallest"] = violation_json(*check.smallest);

@@ -10,7 +10,7 @@
 namespace wend::test {
 
 struct SuiteReport {
-  std::string planner;  // as typed: "astar:weight=2"
+  std::string planner;   // as typed: "astar:weight=2"
   std::string declared;  // its guarantee
   std::vector<CheckReport> checks;
 

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "conformance/answer.hpp"
+#include "conformance/random_map.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
-#include "conformance/random_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/testing/car_motion.hpp"
 #include "conformance/reference.hpp"
+#include "tests/testing/car_motion.hpp"
 
 namespace wend::test {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "tests/testing/car_reference.hpp"
 #include "conformance/random_yard.hpp"
 #include "conformance/trial.hpp"
+#include "tests/testing/car_reference.hpp"
 
 namespace wend::test {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/drawn_map.hpp"
 #include "conformance/random_map.hpp"
 #include "conformance/reference.hpp"
+#include "tests/testing/drawn_map.hpp"
 
 namespace wend {
 namespace {

@@ -9,8 +9,8 @@
 #include <map>
 #include <vector>
 
-#include "tests/testing/drawn_map.hpp"
 #include "conformance/trial.hpp"
+#include "tests/testing/drawn_map.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"

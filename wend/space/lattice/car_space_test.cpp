@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "tests/testing/drawn_map.hpp"
 #include "conformance/random_yard.hpp"
+#include "tests/testing/drawn_map.hpp"
 
 namespace wend {
 namespace {
