@@ -18,7 +18,6 @@
 namespace wend::test {
 namespace {
 
-using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -95,6 +94,15 @@ std::vector<std::string> failed_checks(const Fault& fault,
   return failed_checks(faulty_info(planner, planner, fault));
 }
 
+bool is_found_by(const std::string& check, const PlannerInfo& info) {
+  return !run_check(*find_check(check), info, {.maps = 60}).passed();
+}
+
+bool is_found_by(const std::string& check, const Fault& fault,
+                 const std::string& planner = "dijkstra") {
+  return is_found_by(check, faulty_info(planner, planner, fault));
+}
+
 /// The fault changes plans that were found.
 Fault changing(const std::function<void(Plan&)>& change) {
   return {.plan = [change](Planner& good, const Query& query, Plan& out, int) {
@@ -105,7 +113,7 @@ Fault changing(const std::function<void(Plan&)>& change) {
 }
 
 TEST(Suite, PassesAPlannerThatOnlyPassesQueriesOn) {
-  EXPECT_THAT(failed_checks(Fault{}), IsEmpty());
+  EXPECT_THAT(failed_checks(Fault{}, "dijkstra"), IsEmpty());
   EXPECT_THAT(failed_checks(Fault{}, "car"), IsEmpty());
 }
 
@@ -125,28 +133,28 @@ TEST(Suite, FindsAPathThroughAWall) {
     }
     return Status::found;
   }};
-  EXPECT_THAT(failed_checks(fault), Contains("answers"));
-  EXPECT_THAT(failed_checks(fault), Contains("nine_cells"));
+  EXPECT_TRUE(is_found_by("answers", fault));
+  EXPECT_TRUE(is_found_by("nine_cells", fault));
 }
 
 TEST(Suite, FindsACostThatIsNotThatOfThePath) {
-  EXPECT_THAT(failed_checks(changing([](Plan& plan) { plan.cost *= 0.9; })), Contains("answers"));
-  EXPECT_THAT(failed_checks(changing([](Plan& plan) { plan.cost *= 1.001; })), Contains("answers"));
+  EXPECT_TRUE(is_found_by("answers", changing([](Plan& plan) { plan.cost *= 0.9; })));
+  EXPECT_TRUE(is_found_by("answers", changing([](Plan& plan) { plan.cost *= 1.001; })));
 }
 
 TEST(Suite, FindsALongerPathThatClaimsToBeOptimal) {
   const PlannerInfo info =
       faulty_info("dijkstra", "greedy", changing([](Plan& plan) { plan.bound = 1; }));
-  EXPECT_THAT(failed_checks(info), Contains("answers"));
+  EXPECT_TRUE(is_found_by("answers", info));
 }
 
 TEST(Suite, FindsAPlannerThatDeclaresMoreThanItsPlansSay) {
-  EXPECT_THAT(failed_checks(changing([](Plan& plan) { plan.bound = 2; })), Contains("answers"));
+  EXPECT_TRUE(is_found_by("answers", changing([](Plan& plan) { plan.bound = 2; })));
 }
 
 TEST(Suite, FindsMoreStepsThanTheFewest) {
   const PlannerInfo info = faulty_info("bfs", "dfs", Fault{});
-  EXPECT_THAT(failed_checks(info), Contains("answers"));
+  EXPECT_TRUE(is_found_by("answers", info));
 }
 
 TEST(Suite, FindsAPlannerThatGivesUp) {
@@ -157,7 +165,7 @@ TEST(Suite, FindsAPlannerThatGivesUp) {
     out.cost = kInfinite;
     return Status::unreachable;
   }};
-  EXPECT_THAT(failed_checks(fault), Contains("answers"));
+  EXPECT_TRUE(is_found_by("answers", fault));
 }
 
 TEST(Suite, FindsAPlannerThatForgetsItsLimits) {
@@ -168,13 +176,11 @@ TEST(Suite, FindsAPlannerThatForgetsItsLimits) {
     }};
   };
   for (const std::string planner : {"dijkstra", "car", "lattice"}) {
-    EXPECT_THAT(failed_checks(forgetting([](Limits& of) { of.cancel = nullptr; }), planner),
-                Contains("limits"));
-    EXPECT_THAT(
-        failed_checks(forgetting([](Limits& of) { of.expansions = Limits::kUnlimited; }), planner),
-        Contains("limits"));
-    EXPECT_THAT(failed_checks(forgetting([](Limits& of) { of.seconds = 1e9; }), planner),
-                Contains("limits"));
+    EXPECT_TRUE(
+        is_found_by("limits", forgetting([](Limits& of) { of.cancel = nullptr; }), planner));
+    EXPECT_TRUE(is_found_by(
+        "limits", forgetting([](Limits& of) { of.expansions = Limits::kUnlimited; }), planner));
+    EXPECT_TRUE(is_found_by("limits", forgetting([](Limits& of) { of.seconds = 1e9; }), planner));
   }
 }
 
@@ -184,22 +190,22 @@ TEST(Suite, FindsAnswersThatDependOnEarlierQueries) {
     if (before == 7) ++out.metrics.max_frontier;
     return status;
   }};
-  EXPECT_THAT(failed_checks(fault), Contains("reused"));
-  EXPECT_THAT(failed_checks(fault, "lattice"), Contains("reused"));
+  EXPECT_TRUE(is_found_by("reused", fault));
+  EXPECT_TRUE(is_found_by("reused", fault, "lattice"));
 }
 
 TEST(Suite, FindsAnUpdateThatIsForgotten) {
   const Fault fault{.ignores_updates = true};
-  EXPECT_THAT(failed_checks(fault), Contains("updated"));
-  EXPECT_THAT(failed_checks(fault, "car"), Contains("updated"));
-  EXPECT_THAT(failed_checks(fault, "jps"), Contains("terrain"));
+  EXPECT_TRUE(is_found_by("updated", fault));
+  EXPECT_TRUE(is_found_by("updated", fault, "car"));
+  EXPECT_TRUE(is_found_by("terrain", fault, "jps"));
 }
 
 TEST(Suite, FindsACloneThatAnswersDifferently) {
   Fault fault;
   fault.of_clones = std::make_shared<Fault>(changing([](Plan& plan) { plan.cost += 1; }));
-  EXPECT_THAT(failed_checks(fault), Contains("cloned"));
-  EXPECT_THAT(failed_checks(fault, "car"), Contains("cloned"));
+  EXPECT_TRUE(is_found_by("cloned", fault));
+  EXPECT_TRUE(is_found_by("cloned", fault, "car"));
 }
 
 TEST(Suite, FindsSteppingThatAnswersDifferently) {
@@ -208,10 +214,10 @@ TEST(Suite, FindsSteppingThatAnswersDifferently) {
     if (outcome == Status::found) out.cost += 1;
     return outcome;
   }};
-  EXPECT_THAT(failed_checks(different), Contains("stepped"));
+  EXPECT_TRUE(is_found_by("stepped", different));
   const Fault endless{.step = [](Planner&, Plan&) { return std::optional<Status>(); }};
-  EXPECT_THAT(failed_checks(endless), Contains("stepped"));
-  EXPECT_THAT(failed_checks(endless, "lattice"), Contains("stepped"));
+  EXPECT_TRUE(is_found_by("stepped", endless));
+  EXPECT_TRUE(is_found_by("stepped", endless, "lattice"));
 }
 
 TEST(Suite, FindsAWrongStatus) {
@@ -224,7 +230,7 @@ TEST(Suite, FindsAWrongStatus) {
   for (const std::string planner : {"dijkstra", "car", "lattice"}) {
     for (const Status status : {Status::start_outside, Status::goal_outside, Status::start_blocked,
                                 Status::goal_blocked, Status::unreachable}) {
-      EXPECT_THAT(failed_checks(saying(status, Status::memory_limit), planner), Contains("status"))
+      EXPECT_TRUE(is_found_by("status", saying(status, Status::memory_limit), planner))
           << planner << ", " << to_string(status);
     }
   }
@@ -236,18 +242,16 @@ TEST(Suite, FindsWhatAFailureLeavesInThePlan) {
     if (status != Status::found) out.cost = 0;
     return status;
   }};
-  EXPECT_THAT(failed_checks(fault), Contains("answers"));
-  EXPECT_THAT(failed_checks(fault, "car"), Contains("poses"));
+  EXPECT_TRUE(is_found_by("answers", fault));
+  EXPECT_TRUE(is_found_by("poses", fault, "car"));
 }
 
 TEST(Suite, FindsPosesThatAreNotWhereThePlanSays) {
   for (const std::string planner : {"car", "lattice"}) {
-    EXPECT_THAT(
-        failed_checks(changing([](Plan& plan) { plan.goal_snapping_error.turn += 0.1; }), planner),
-        Contains("poses"));
-    EXPECT_THAT(
-        failed_checks(changing([](Plan& plan) { plan.moves.emplace_back("more"); }), planner),
-        Contains("poses"));
+    EXPECT_TRUE(is_found_by(
+        "poses", changing([](Plan& plan) { plan.goal_snapping_error.turn += 0.1; }), planner));
+    EXPECT_TRUE(is_found_by("poses", changing([](Plan& plan) { plan.moves.emplace_back("more"); }),
+                            planner));
   }
 }
 
@@ -258,8 +262,8 @@ TEST(Suite, FindsADriveThroughAWall) {
     plan.path = Path::through({poses.front(), poses.back()});
     plan.moves.clear();
   });
-  EXPECT_THAT(failed_checks(fault, "lattice"), Contains("poses"));
-  EXPECT_THAT(failed_checks(fault, "car"), Contains("poses"));
+  EXPECT_TRUE(is_found_by("poses", fault, "lattice"));
+  EXPECT_TRUE(is_found_by("poses", fault, "car"));
 }
 
 TEST(Suite, ShowsTheSmallestMapAndTheSeedThatMakesItAgain) {
