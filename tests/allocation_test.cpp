@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/generate/generators.hpp"

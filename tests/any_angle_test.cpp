@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/trial.hpp"
 #include "tests/testing/share.hpp"
-#include "tests/testing/trial.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/planner/planners.hpp"

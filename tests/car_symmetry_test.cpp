@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "tests/testing/answer.hpp"
+#include "conformance/answer.hpp"
+#include "conformance/random_map.hpp"
 #include "tests/testing/car_simulator.hpp"
 #include "tests/testing/car_trial.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 

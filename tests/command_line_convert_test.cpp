@@ -8,7 +8,7 @@
 #include <set>
 
 #include "command_line/run_program.hpp"
-#include "testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/map/losses.hpp"
 #include "wend/io/map/save_map.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line/run_program.hpp"
-#include "testing/reference.hpp"
+#include "conformance/reference.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/query/scenario.hpp"
 

@@ -32,7 +32,7 @@ class Schema : public testing::Test {
 TEST_F(Schema, IsTheFirstKeyOfEveryReport) {
   for (const std::string command :
        {"generate random --size 9x9 -o other.txt", "info grid.txt", "convert grid.txt grid.map",
-        "planners", "plan grid.txt --start 1,1 --goal 10,7",
+        "planners", "test-planner bfs --maps 2", "plan grid.txt --start 1,1 --goal 10,7",
         "plan grid.txt --planner car --start 1,1,E --goal 9,7,E",
         "plan grid.txt --start 1,1 --goal 99,7", "field grid.txt --goal 10,7 --start 1,1",
         "compare grid.txt --start 1,1 --goal 10,7", "explain grid.txt --start 1,1 --goal 10,7",

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tests/testing/random_options.hpp"
+#include "conformance/random_options.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::test {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/comparison/random_queries.hpp"
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"

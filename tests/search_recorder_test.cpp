@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/testing/trial.hpp"
+#include "conformance/trial.hpp"
 #include "wend/analysis/search_recorder.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/planners.hpp"

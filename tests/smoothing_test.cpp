@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
 #include "tests/testing/share.hpp"

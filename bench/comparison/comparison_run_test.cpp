@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/planner/planners.hpp"

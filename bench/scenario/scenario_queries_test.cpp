@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "tests/testing/reference.hpp"
+#include "conformance/reference.hpp"
 #include "wend/generate/generators.hpp"
 
 namespace wend {

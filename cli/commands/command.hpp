@@ -18,6 +18,7 @@ Command add_field(Parser& app);
 Command add_bench(Parser& app);
 Command add_index(Parser& app);
 Command add_planners(Parser& app);
+Command add_test_planner(Parser& app);
 Command add_info(Parser& app);
 Command add_generate(Parser& app);
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tests/testing/reference.hpp"
+#include "conformance/reference.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend::test {

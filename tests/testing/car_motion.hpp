@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/testing/reference.hpp"
+#include "conformance/reference.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend::test {

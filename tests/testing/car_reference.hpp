@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/reference.hpp"
 #include "tests/testing/car_motion.hpp"
-#include "tests/testing/reference.hpp"
 
 namespace wend::test {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/random_yard.hpp"
+#include "conformance/trial.hpp"
 #include "tests/testing/car_reference.hpp"
-#include "tests/testing/random_yard.hpp"
-#include "tests/testing/trial.hpp"
 
 namespace wend::test {
 
@@ -82,20 +82,6 @@ inline Query random_drive(Random& random, const CarReference& reference) {
     if (random.chance(0.25)) query.goals.back().heading.reset();
   }
   return query;
-}
-
-inline std::string text_of(const Query& query) {
-  std::ostringstream text;
-  text << "(" << query.start.x << "," << query.start.y << "," << query.start.heading << ") to";
-  for (const Goal& goal : query.goals) {
-    text << " (" << goal.point.x << "," << goal.point.y << ",";
-    if (goal.heading) {
-      text << *goal.heading << ")";
-    } else {
-      text << "any)";
-    }
-  }
-  return text.str();
 }
 
 /// The stands that a goal can be reached at: none off the map, four with any heading.

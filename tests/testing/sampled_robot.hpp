@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/testing/reference.hpp"
+#include "conformance/reference.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend::test {

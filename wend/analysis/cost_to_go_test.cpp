@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
 
 namespace wend {
 namespace {

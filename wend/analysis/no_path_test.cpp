@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
 #include "tests/testing/share.hpp"
 
 namespace wend {

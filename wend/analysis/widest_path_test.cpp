@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/planner/planners.hpp"
 

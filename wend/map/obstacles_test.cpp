@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/share.hpp"
 
 namespace wend {

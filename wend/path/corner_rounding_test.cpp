@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/geometry/angle.hpp"

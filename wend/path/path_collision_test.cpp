@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/polygon_overlap.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "tests/testing/sampled_robot.hpp"

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
-#include "tests/testing/reference.hpp"
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/direction.hpp"
 

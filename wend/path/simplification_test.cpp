@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/random_path.hpp"
 #include "tests/testing/sampled_robot.hpp"
 #include "wend/geometry/angle.hpp"

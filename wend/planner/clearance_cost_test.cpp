@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
 

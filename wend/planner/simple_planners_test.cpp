@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

@@ -9,8 +9,8 @@
 #include <map>
 #include <vector>
 
+#include "conformance/trial.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/trial.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"

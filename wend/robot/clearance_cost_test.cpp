@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/map/random_bits_test.hpp"
 #include "wend/robot/free_space.hpp"

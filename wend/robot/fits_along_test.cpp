@@ -9,9 +9,9 @@
 #include <limits>
 #include <vector>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/polygon_overlap.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/random_polygon.hpp"
 #include "wend/geometry/angle.hpp"
 

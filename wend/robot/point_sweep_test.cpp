@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <string>
 
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {

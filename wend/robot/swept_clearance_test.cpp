@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/blocked_squares.hpp"
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/random_arc.hpp"
-#include "tests/testing/random_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/map/distance_field.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/map/save_map.hpp"

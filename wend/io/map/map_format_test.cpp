@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/io/map/losses.hpp"

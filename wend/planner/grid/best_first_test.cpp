@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string>
 
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_map.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planners.hpp"
 

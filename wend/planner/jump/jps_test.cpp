@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"

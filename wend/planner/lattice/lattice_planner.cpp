@@ -70,7 +70,8 @@ bool LatticePlanner::fits(const LatticePose& place) const {
 
 std::optional<Status> LatticePlanner::do_check(const Query& query) {
   if (!lattice_) return Status::unsupported_map;
-  if (!is_finite(query.start)) return Status::unsupported_query;
+  if (!std::isfinite(query.start.heading)) return Status::unsupported_query;
+  if (!is_finite(query.start)) return Status::start_outside;
   const auto start = lattice_->nearest(query.start);
   if (!start) return Status::start_outside;
   if (!fits(*start)) return Status::start_blocked;
@@ -83,7 +84,8 @@ std::optional<Status> LatticePlanner::do_check(const Query& query) {
 
 std::optional<Status> LatticePlanner::take_goal(const Goal& goal) {
   const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-  if (!is_finite(pose)) return Status::unsupported_query;
+  if (!std::isfinite(pose.heading)) return Status::unsupported_query;
+  if (!is_finite(pose)) return Status::goal_outside;
   auto place = lattice_->nearest(pose);
   if (!place) return Status::goal_outside;
   LatticeGoal taken{place->vertex, std::nullopt};
@@ -139,7 +141,7 @@ std::string LatticePlanner::do_reason(const Query& query, Status status) const {
   }
   if (status == Status::unsupported_query) {
     return query.goals.empty() ? "the query has no goal"
-                               : "the start and the goal must be finite numbers";
+                               : "the headings of the start and the goal must be finite numbers";
   }
   if (!lattice_) return {};
   const auto blocked = [&](const std::string& name, const Pose& pose) {

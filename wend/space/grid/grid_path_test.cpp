@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 
 namespace wend {
 namespace {

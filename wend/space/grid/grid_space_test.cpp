@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/reference.hpp"
 #include "tests/testing/share.hpp"
 
 namespace wend {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend {

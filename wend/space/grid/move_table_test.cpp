@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 #include "wend/space/grid/grid_space.hpp"
 
 namespace wend {

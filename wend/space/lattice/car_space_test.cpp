@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "conformance/random_yard.hpp"
 #include "tests/testing/drawn_map.hpp"
-#include "tests/testing/random_yard.hpp"
 
 namespace wend {
 namespace {

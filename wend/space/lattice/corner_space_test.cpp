@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/testing/random_yard.hpp"
+#include "conformance/random_yard.hpp"
 
 namespace wend {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "tests/testing/random_map.hpp"
+#include "conformance/random_map.hpp"
 
 namespace wend::test {
 

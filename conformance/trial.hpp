@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of planners are made of: trials (a map, a robot, options), test_queries (from where to
+// What the checks of planners are made of: trials (a map, a robot, options), queries (from where to
 // where) and the truth about them, which a reference knows.
 
 #include <algorithm>
@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/testing/random_map.hpp"
-#include "tests/testing/random_options.hpp"
-#include "tests/testing/reference.hpp"
+#include "conformance/random_map.hpp"
+#include "conformance/random_options.hpp"
+#include "conformance/random_yard.hpp"
+#include "conformance/reference.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 
@@ -28,6 +29,33 @@ inline Trial random_trial(std::uint64_t seed, const PlannerInfo& info) {
   GridMap map = random_map(random);
   const FreeSpaceOptions robot = random_robot(random, map.frame().resolution);
   return {map, robot, random_options(random, info.options)};
+}
+
+/// A box around the base point that is longer ahead; as large as a few cells.
+inline Footprint random_box(Random& random, double resolution) {
+  const double ahead = (0.2 + random.uniform()) * resolution;
+  const double behind = (0.1 + 0.6 * random.uniform()) * resolution;
+  const double side = (0.1 + 0.4 * random.uniform()) * resolution;
+  return *Footprint::polygon(
+      *Polygon::make({{ahead, side}, {-behind, side}, {-behind, -side}, {ahead, -side}}));
+}
+
+/// As random_trial(), for a planner whose states have headings: a map with more room, and options that
+/// do not change lengths, because most of those have no room on a small map.
+inline Trial random_pose_trial(std::uint64_t seed, const PlannerInfo& info) {
+  Random random(seed);
+  GridMap map = random_yard(random);
+  OptionValues options = random_options(random, info.options);
+  std::erase_if(options, [](const auto& option) {
+    return option.first.find("radius") != std::string::npos ||
+           option.first.find("resolution") != std::string::npos;
+  });
+  const double resolution = map.frame().resolution;
+  FreeSpaceOptions robot = random_car(random, resolution, 1);
+  if (info.state_kind == StateKind::cell_pose && random.chance(0.3)) {
+    robot.footprint = random_box(random, resolution);
+  }
+  return {std::move(map), robot, std::move(options)};
 }
 
 inline std::string text_of(const Trial& trial, std::uint64_t seed) {
@@ -80,7 +108,45 @@ inline TestQuery random_test_query(Random& random, const GridMap& map) {
   return test_query;
 }
 
-/// What the reference says of an test_query.
+inline std::string text_of(const Query& query) {
+  std::ostringstream text;
+  text << "(" << query.start.x << "," << query.start.y << "," << query.start.heading << ") to";
+  for (const Goal& goal : query.goals) {
+    text << " (" << goal.point.x << "," << goal.point.y << ",";
+    if (goal.heading) {
+      text << *goal.heading << ")";
+    } else {
+      text << "any)";
+    }
+  }
+  return text.str();
+}
+
+/// From a point that is mostly on the map to some of these; any heading.
+inline Query random_pose_query(Random& random, const GridMap& map) {
+  const auto pose = [&] {
+    Cell cell;
+    for (int tries = 0; tries < 5; ++tries) {
+      cell = random_cell_or_outside(random, map.width(), map.height());
+      if (map.contains(cell) && map.state(cell) == CellState::free) break;
+    }
+    return Pose{cell.x + random.uniform(), cell.y + random.uniform(), 12 * random.uniform() - 6};
+  };
+  Query query{pose(), {}};
+  for (int count = random.chance(0.7) ? 1 : random.between(2, 4); count > 0; --count) {
+    query.goals.emplace_back(pose());
+    if (random.chance(0.3)) query.goals.back().heading.reset();
+  }
+  return query;
+}
+
+/// A query for what the planner plans for.
+inline Query random_query(Random& random, const GridMap& map, const PlannerInfo& info) {
+  if (has_heading(info.state_kind)) return random_pose_query(random, map);
+  return random_test_query(random, map).query();
+}
+
+/// What the reference says of a query.
 struct Truth {
   std::vector<Status> failures;  // if there is no path: the reason, one for each goal
   double cost = kInfinite;       // of the cheapest path to any goal
