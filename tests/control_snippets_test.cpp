@@ -39,7 +39,7 @@ TEST(Snippets, OfCornerRoundingAndSpeedProfile) {
   const double radius = corner.radius(0.1);  // 0.24: 0.1 / (sqrt(2) - 1)
   EXPECT_NEAR(radius, 0.24, 0.002);
 
-  const wend::Polyline line({{0, 0}, {3, 0}, {3, 4}});
+  const wend::MapPolyline line({{0, 0}, {3, 0}, {3, 4}});
   const double along = 1;
   const wend::SpeedProfile profile(line, {.lateral_acceleration = 1, .window = 0.2});
   const double fastest = profile.at(along);
@@ -108,7 +108,7 @@ TEST(Snippets, OfControllerRouteAndFollower) {
   const wend::Path& path = plan->path;
   const wend::Frame& frame = space.map().frame();
   const auto controller = info->make({}).value();
-  const wend::Pose pose = route.start();
+  const wend::MapPose pose = route.start();
   WheeledRobot robot;
   wend::Follower follower(*controller);  // the controller outlives it
   follower.follow(wend::Route(path, frame));

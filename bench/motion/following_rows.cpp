@@ -63,7 +63,7 @@ MotionRow simulating(const Office& office, const ControllerInfo& info, int round
 MotionRow stepping(const Office& office, const ControllerInfo& info, int rounds) {
   const auto controller = info.make({}).value();
   const Frame& frame = office.space.map().frame();
-  std::vector<Pose> poses;
+  std::vector<MapPose> poses;
   for (const DriveSample& sample :
        simulate(office.space, office.path, *controller, {}, {.rate = kRate, .time_limit = kMinute})
            .samples) {
@@ -74,7 +74,7 @@ MotionRow stepping(const Office& office, const ControllerInfo& info, int rounds)
   MotionRow row;
   row.seconds = fastest(rounds, [&] {
     follower.follow(route);
-    for (const Pose& pose : poses) follower.step(pose, 1 / kRate);
+    for (const MapPose& pose : poses) follower.step(pose, 1 / kRate);
   });
   row.seconds /= static_cast<double>(poses.size());
   row.name = fmt::format("a control step, {}", info.name);

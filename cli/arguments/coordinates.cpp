@@ -21,13 +21,13 @@ namespace {
 constexpr Cell kFarOutside{-1, -1};
 
 /// The two finite numbers of "X,Y" or "X, Y".
-std::optional<Point> two_numbers(std::string_view typed) {
+std::optional<TypedPoint> two_numbers(std::string_view typed) {
   const std::size_t comma = typed.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
   const auto x = parse_number(trimmed(typed.substr(0, comma)));
   const auto y = parse_number(trimmed(typed.substr(comma + 1)));
   if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
-  return Point{*x, *y};
+  return TypedPoint{*x, *y};
 }
 
 bool is_whole(double number) { return number == std::floor(number); }
@@ -59,7 +59,7 @@ std::optional<double> parse_angle(std::string_view text) {
 /// rounding, becomes exactly that heading's.
 double angle_in_grid(double angle, const Frame& frame) {
   constexpr double kRounding = 1e-9;
-  const double in_grid = frame.to_grid(Pose{0, 0, angle}).heading;
+  const double in_grid = frame.to_grid(MapPose{0, 0, angle}).heading;
   const double straight = radians_of(nearest_heading(in_grid));
   return std::abs(normalized_angle(in_grid - straight)) < kRounding ? straight : in_grid;
 }
@@ -108,10 +108,11 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
                     "use a planner for poses: --planner car or lattice",
                     name, quote(typed)));
   }
-  const Point point = parse_point(name, typed, "cell");
+  const TypedPoint point = parse_point(name, typed, "cell");
   if (metric()) {
-    const std::string text = metres_text({point.x, point.y});
-    const auto cell = frame().cell_at(point);
+    const MapPoint metres{point.x, point.y};
+    const std::string text = metres_text(metres);
+    const auto cell = frame().cell_at(metres);
     if (!cell) return {name, kFarOutside, text};
     return {name, *cell, text + ", cell " + cell_text(*cell)};
   }
@@ -120,8 +121,8 @@ Place Coordinates::parse(const std::string& name, const std::string& typed) cons
   return {name, cell, cell_text(cell)};
 }
 
-Point Coordinates::parse_point(const std::string& name, const std::string& typed,
-                               std::string_view what) const {
+TypedPoint Coordinates::parse_point(const std::string& name, const std::string& typed,
+                                    std::string_view what) const {
   const auto point = two_numbers(typed);
   if (!point) {
     throw InputError(fmt::format("--{}: {} is not X,Y, two finite numbers", name, quote(typed)));
@@ -134,9 +135,9 @@ Point Coordinates::parse_point(const std::string& name, const std::string& typed
   return *point;
 }
 
-Point Coordinates::in_grid(Point typed) const {
-  if (!metric()) return typed;
-  const Point point = frame().to_grid(typed);
+Point Coordinates::in_grid(TypedPoint typed) const {
+  if (!metric()) return {typed.x, typed.y};
+  const Point point = frame().to_grid(MapPoint{typed.x, typed.y});
   return {whole_but_for_rounding(point.x), whole_but_for_rounding(point.y)};
 }
 

@@ -24,6 +24,12 @@
 
 namespace wend::cli {
 
+/// The numbers that a person typed: metres in the map's frame, or cells.
+struct TypedPoint {
+  double x = 0;
+  double y = 0;
+};
+
 /// Reads what people type, and says places in the same units.
 class Coordinates : public Units {
  public:
@@ -35,10 +41,11 @@ class Coordinates : public Units {
 
   /// The two numbers of "X,Y" in the user's units. Unless these are metres, the numbers must be whole:
   /// they name a `what`, such as "cell". Throws InputError for any other text.
-  Point parse_point(const std::string& name, const std::string& typed, std::string_view what) const;
+  TypedPoint parse_point(const std::string& name, const std::string& typed,
+                         std::string_view what) const;
 
   /// Converts a point from the user's units to grid coordinates, without rounding errors at vertices.
-  Point in_grid(Point typed) const;
+  Point in_grid(TypedPoint typed) const;
 
   /// The user's unit of length.
   LengthUnit unit() const { return metric() ? metres_of(frame()) : LengthUnit{}; }

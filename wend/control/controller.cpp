@@ -23,17 +23,17 @@ std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionMod
   return "the controller '" + info.name + "' turns in place, and a bicycle cannot";
 }
 
-double turn_to(const Pose& pose, Point point) {
+double turn_to(const MapPose& pose, MapPoint point) {
   if (point == pose.point()) return 0;
   return normalized_angle(std::atan2(point.y - pose.y, point.x - pose.x) - pose.heading);
 }
 
-double way_left(const Polyline& route, double along, Point point) {
+double way_left(const MapPolyline& route, double along, MapPoint point) {
   return std::max(route.length() - along, distance(route.points().back(), point));
 }
 
 TrackingError tracking_error_of(const ControllerInput& input) {
-  const Polyline& route = *input.route;
+  const MapPolyline& route = *input.route;
   return {turn_to(input.pose, route.points()[input.waypoint]),
           way_left(route, input.along, input.pose.point())};
 }

@@ -23,7 +23,7 @@
 #include "wend/base/options.hpp"
 #include "wend/base/registry.hpp"
 #include "wend/control/motion_model.hpp"
-#include "wend/geometry/pose.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend {
@@ -31,13 +31,13 @@ namespace wend {
 /// What a controller sees; all numbers are finite. On a reverse leg the robot's pose is turned
 /// round, so a controller does not need to know about reversing.
 struct ControllerInput {
-  Pose pose;                        // as measured
-  Velocity velocity;                // as last commanded and limited
-  const Polyline* route = nullptr;  // the line to follow, in metres; never null
-  double along = 0;                 // how far along it the robot is; never goes back
-  std::size_t waypoint = 0;         // of route->points(): the next one to reach
-  double seconds = 0;               // since the last command, > 0
-  VelocityLimits limits{};          // of the robot
+  MapPose pose;                        // as measured
+  Velocity velocity;                   // as last commanded and limited
+  const MapPolyline* route = nullptr;  // the line to follow; never null
+  double along = 0;                    // how far along it the robot is; never goes back
+  std::size_t waypoint = 0;            // of route->points(): the next one to reach
+  double seconds = 0;                  // since the last command, > 0
+  VelocityLimits limits{};             // of the robot
 };
 
 /// Computes the velocity with which a robot follows a line.
@@ -49,7 +49,7 @@ class Controller {
 
   /// Begins a new line: resets the controller's state and prepares it. The line must outlive the
   /// commands that follow.
-  virtual void begin(const Polyline& line, const VelocityLimits& limits) = 0;
+  virtual void begin(const MapPolyline& line, const VelocityLimits& limits) = 0;
 
   /// The wanted velocity on the current line. The caller applies the limits.
   virtual Velocity command(const ControllerInput& input) = 0;
@@ -88,10 +88,10 @@ ControllerResult make_controller(const OptionValues& values) {
 WEND_API std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model);
 
 /// The turn that makes the robot face a point, in (-pi, pi]; 0 if the robot is at the point.
-WEND_API double turn_to(const Pose& pose, Point point);
+WEND_API double turn_to(const MapPose& pose, MapPoint point);
 
 /// The remaining length of a route; past its end, the straight distance to the end.
-WEND_API double way_left(const Polyline& route, double along, Point point);
+WEND_API double way_left(const MapPolyline& route, double along, MapPoint point);
 
 /// The errors that P and PID controllers feed back.
 struct TrackingError {

@@ -22,15 +22,15 @@ std::unique_ptr<Controller> make(std::string_view name, const OptionValues& opti
 
 /// A robot at a pose that follows a line, of which it has come to nothing yet.
 struct Scene {
-  Polyline route;
-  Pose pose;
+  MapPolyline route;
+  MapPose pose;
   Velocity velocity{};
 
   ControllerInput input() const { return {pose, velocity, &route, 0, 1, 0.05, {}}; }
 };
 
 /// One that has begun to drive along a line.
-std::unique_ptr<Controller> make_on(const Polyline& line, std::string_view name,
+std::unique_ptr<Controller> make_on(const MapPolyline& line, std::string_view name,
                                     const OptionValues& options = {}) {
   auto controller = make(name, options);
   controller->begin(line, {});
@@ -42,8 +42,8 @@ Velocity first_command(std::string_view name, const Scene& scene) {
   return make_on(scene.route, name)->command(scene.input());
 }
 
-Scene on_straight_line(const Pose& pose) {
-  return {Polyline(std::vector<Point>{{0, 0}, {10, 0}}), pose};
+Scene on_straight_line(const MapPose& pose) {
+  return {MapPolyline(std::vector<MapPoint>{{0, 0}, {10, 0}}), pose};
 }
 
 TEST(Controllers, AreListedInOrder) {
@@ -98,15 +98,15 @@ TEST(Controllers, TurnTowardsTheRoute) {
 RC_GTEST_PROP(Controllers, AreTheSameInAMirror, (std::uint64_t seed)) {
   Random random(seed);
   const auto any = [&](double most) { return (2 * random.uniform() - 1) * most; };
-  std::vector<Point> points{{0, 0}};
+  std::vector<MapPoint> points{{0, 0}};
   for (int i = 0; i < 5; ++i) points.push_back({any(2), any(2)});
-  std::vector<Point> mirrored = points;
-  for (Point& point : mirrored) point.y = -point.y;
-  const Pose pose{any(2), any(2), any(3)};
+  std::vector<MapPoint> mirrored = points;
+  for (MapPoint& point : mirrored) point.y = -point.y;
+  const MapPose pose{any(2), any(2), any(3)};
   const Velocity velocity{any(0.5), any(1)};
   for (const std::string& name : controllers().names()) {
-    const Velocity wanted = first_command(name, {Polyline(points), pose, velocity});
-    const Velocity other = first_command(name, {Polyline(mirrored),
+    const Velocity wanted = first_command(name, {MapPolyline(points), pose, velocity});
+    const Velocity other = first_command(name, {MapPolyline(mirrored),
                                                 {pose.x, -pose.y, -pose.heading},
                                                 {velocity.linear, -velocity.angular}});
     RC_ASSERT(std::abs(wanted.linear - other.linear) < 1e-9);
@@ -207,14 +207,14 @@ TEST(Pid, DampsByTheShorterWayRound) {
 
 TEST(PurePursuit, StaysOnACircle) {
   // On the route's circle, the circle to a point of it ahead is the route's.
-  std::vector<Point> points;
+  std::vector<MapPoint> points;
   constexpr double kRadius = 3;
   for (int i = 0; i <= 3600; ++i) {
     const double angle = radians_from(0.1 * i);
     points.push_back({kRadius * std::sin(angle), kRadius * (1 - std::cos(angle))});
   }
   for (const double speed : {0.0, 0.3, 0.5}) {
-    const Scene scene{Polyline(points), {0, 0, 0}, {speed, 0}};
+    const Scene scene{MapPolyline(points), {0, 0, 0}, {speed, 0}};
     const Velocity wanted = first_command("pure_pursuit", scene);
     EXPECT_NEAR(wanted.angular / wanted.linear, 1 / kRadius, 1e-4);
   }

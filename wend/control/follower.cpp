@@ -12,7 +12,7 @@
 namespace wend {
 namespace {
 
-bool is_finite(const Pose& pose) {
+bool is_finite(const MapPose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
 }
 
@@ -45,16 +45,16 @@ void Follower::begin_leg(std::size_t leg) {
   controller_->begin(current_leg().line, limits_);
 }
 
-FollowerStep Follower::step(const Pose& pose, double seconds) {
+FollowerStep Follower::step(const MapPose& pose, double seconds) {
   assert(seconds > 0);
   if (state_ != FollowerState::driving) return brake(seconds);
   if (!is_finite(pose)) {
     watch_progress(best_headway_, least_heading_error_, seconds);
     return brake(seconds);
   }
-  const Pose shown = turned_round(pose, current_leg().reverse);
+  const MapPose shown = turned_round(pose, current_leg().reverse);
   locate(shown);
-  const Polyline& line = current_leg().line;
+  const MapPolyline& line = current_leg().line;
   const double turn_left = normalized_angle(line.at(along_).heading - shown.heading);
   const double heading = line.heading_at(along_, options_.heading_window);
   const double heading_error = normalized_angle(heading - shown.heading);
@@ -81,10 +81,10 @@ FollowerStep Follower::brake(double seconds) {
 }
 
 /// Where on the leg the robot is, and its next waypoint: neither ever goes back.
-void Follower::locate(const Pose& shown) {
-  const Polyline& line = current_leg().line;
+void Follower::locate(const MapPose& shown) {
+  const MapPolyline& line = current_leg().line;
   const double reach = options_.off_path + limits_.speed;  // of one second
-  const OnPolyline place =
+  const OnMapPolyline place =
       nearest_ahead(line, shown, {along_, along_ + reach, options_.acceptance_radius});
   along_ = std::max(along_, place.along);
   cross_track_ = place.distance;
@@ -95,13 +95,13 @@ void Follower::locate(const Pose& shown) {
   }
 }
 
-bool Follower::is_at_end_of_leg(const Pose& pose) const {
-  const Polyline& line = current_leg().line;
+bool Follower::is_at_end_of_leg(const MapPose& pose) const {
+  const MapPolyline& line = current_leg().line;
   return line.length() - along_ <= 2 * options_.goal_tolerance &&
          distance(pose.point(), line.points().back()) <= options_.goal_tolerance;
 }
 
-Velocity Follower::ask_controller(const Pose& shown, double seconds) {
+Velocity Follower::ask_controller(const MapPose& shown, double seconds) {
   const RouteLeg& leg = current_leg();
   const double sign = leg.reverse ? -1 : 1;
   const Velocity as_shown{sign * velocity_.linear, velocity_.angular};
@@ -114,7 +114,7 @@ Velocity Follower::ask_controller(const Pose& shown, double seconds) {
 }
 
 /// Brakes, and turns to the route's last heading if that is asked for.
-void Follower::arrive(const Pose& pose, double seconds) {
+void Follower::arrive(const MapPose& pose, double seconds) {
   const double error = normalized_angle(route_.end().heading - pose.heading);
   const double tolerance = options_.heading_tolerance;
   if (!arrives_) {

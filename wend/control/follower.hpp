@@ -81,7 +81,7 @@ class WEND_API Follower {
   /// limits. Before follow() the state is reached. If the pose is not finite, the robot brakes. In
   /// every state other than driving it also brakes, and the state stays. O(lines of the route that
   /// the robot can reach within a second); allocates only what a controller needs for a new route.
-  FollowerStep step(const Pose& pose, double seconds);
+  FollowerStep step(const MapPose& pose, double seconds);
 
   /// The robot's progress along the route, m.
   double along() const { return behind_ + along_; }
@@ -97,10 +97,10 @@ class WEND_API Follower {
 
   void begin_leg(std::size_t leg);
   FollowerStep brake(double seconds);
-  void locate(const Pose& shown);
-  bool is_at_end_of_leg(const Pose& pose) const;
-  Velocity ask_controller(const Pose& shown, double seconds);
-  void arrive(const Pose& pose, double seconds);
+  void locate(const MapPose& shown);
+  bool is_at_end_of_leg(const MapPose& pose) const;
+  Velocity ask_controller(const MapPose& shown, double seconds);
+  void arrive(const MapPose& pose, double seconds);
   void watch_progress(double headway, double heading_error, double seconds);
 
   Controller* controller_;

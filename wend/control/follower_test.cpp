@@ -24,7 +24,7 @@ Route route_through(const std::vector<Point>& points, bool closed = false) {
 class Stubborn final : public Controller {
  public:
   explicit Stubborn(const Velocity& wanted) : wanted_(wanted) {}
-  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override { ++begun; }
+  void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override { ++begun; }
   Velocity command(const ControllerInput& input) override {
     shown = input;
     return wanted_;
@@ -293,7 +293,7 @@ TEST(Follower, TellsThatItIsStuck) {
 TEST(Follower, TellsAControllerThatOscillates) {
   class Oscillating final : public Controller {
    public:
-    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+    void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const ControllerInput&) override {
       return {0, ++count_ / 20 % 2 == 0 ? 1.5 : -1.5};
     }
@@ -319,8 +319,8 @@ TEST(Follower, IsNotStuckBecauseTheRobotIsSlow) {
 TEST(Follower, BrakesWhileThePoseIsNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  for (const Pose& pose : {Pose{kNan, 0, 0}, Pose{0, kNan, 0}, Pose{0, 0, kNan},
-                           Pose{kInfinite, 0, 0}, Pose{0, 0, -kInfinite}}) {
+  for (const MapPose& pose : {MapPose{kNan, 0, 0}, MapPose{0, kNan, 0}, MapPose{0, 0, kNan},
+                              MapPose{kInfinite, 0, 0}, MapPose{0, 0, -kInfinite}}) {
     Stubborn controller({0.5, 0});
     Follower follower(controller, {}, {.stuck_time = 3});
     follower.follow(route_through({{0, 0}, {90, 0}}));

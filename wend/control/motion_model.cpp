@@ -25,13 +25,13 @@ double MotionModel::turning_radius() const {
   return drivetrain == Drivetrain::differential ? 0 : wheelbase / std::tan(steering_limit);
 }
 
-Step hold(const Pose& from, const Velocity& velocity, double seconds) {
+Step hold(const MapPose& from, const Velocity& velocity, double seconds) {
   constexpr double kStanding = 1e-9;
   if (std::abs(velocity.linear) < kStanding) {
     const double heading = normalized_angle(from.heading + velocity.angular * seconds);
     return {{from, 0, 0}, {{from.x, from.y, heading}, velocity}};
   }
-  const Arc arc{from, velocity.linear * seconds, velocity.angular / velocity.linear};
+  const MapArc arc{from, velocity.linear * seconds, velocity.angular / velocity.linear};
   return {arc, {end_of(arc), velocity}};
 }
 

@@ -12,6 +12,7 @@
 #include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/arc.hpp"
+#include "wend/geometry/map_pose.hpp"
 
 namespace wend {
 
@@ -80,18 +81,18 @@ struct WEND_API MotionModel {
 
 /// Where a robot is, and how fast it moves.
 struct RobotState {
-  Pose pose;            // metres, radians
+  MapPose pose;         // where it is
   Velocity velocity{};  // m/s and rad/s
 };
 
 /// A short motion: an arc (of length 0 for a turn in place) and the state at its end.
 struct Step {
-  Arc arc;        // the way of the robot
+  MapArc arc;     // the way of the robot
   RobotState to;  // the state at its end
 };
 
 /// Holds a velocity. Below a nanometre a second the robot turns in place.
-WEND_API Step hold(const Pose& from, const Velocity& velocity, double seconds);
+WEND_API Step hold(const MapPose& from, const Velocity& velocity, double seconds);
 
 /// Drives for `seconds` within the limits: the velocity is first limited, then held. A bicycle's
 /// turn rate is at most |linear| / turning_radius(); where that would change it too fast, it brakes

@@ -27,9 +27,9 @@ MotionModel bicycle() {
 
 double any(Random& random, double most) { return (2 * random.uniform() - 1) * most; }
 
-Pose any_pose(Random& random) { return {any(random, 9), any(random, 9), any(random, kPi)}; }
+MapPose any_pose(Random& random) { return {any(random, 9), any(random, 9), any(random, kPi)}; }
 
-void expect_near(const Pose& a, const Pose& b, double tolerance) {
+void expect_near(const MapPose& a, const MapPose& b, double tolerance) {
   EXPECT_NEAR(a.x, b.x, tolerance);
   EXPECT_NEAR(a.y, b.y, tolerance);
   EXPECT_NEAR(normalized_angle(a.heading - b.heading), 0, tolerance);
@@ -46,12 +46,12 @@ TEST(MotionModel, DrivesALine) {
 TEST(MotionModel, DrivesCirclesThatCloseAfterTheirTime) {
   for (const double linear : {2.0, -2.0}) {
     for (const double angular : {0.5, -0.5}) {
-      const Pose start{1, 2, 0.3};
+      const MapPose start{1, 2, 0.3};
       const double round = 2 * kPi / 0.5;
       expect_near(drive(unlimited(), {start}, {linear, angular}, round).to.pose, start, 1e-12);
       // Half way it is across the circle, whose centre is linear / angular to the left.
       const double across = 2 * linear / angular;
-      const Pose opposite{1 - across * std::sin(0.3), 2 + across * std::cos(0.3), 0.3 + kPi};
+      const MapPose opposite{1 - across * std::sin(0.3), 2 + across * std::cos(0.3), 0.3 + kPi};
       expect_near(drive(unlimited(), {start}, {linear, angular}, round / 2).to.pose, opposite,
                   1e-12);
     }
@@ -60,7 +60,7 @@ TEST(MotionModel, DrivesCirclesThatCloseAfterTheirTime) {
 
 TEST(MotionModel, TurnsInPlace) {
   const Step step = drive(unlimited(), {{1, 2, 3}}, {0, 2}, 0.25);
-  EXPECT_EQ(step.to.pose, (Pose{1, 2, normalized_angle(3.5)}));
+  EXPECT_EQ(step.to.pose, (MapPose{1, 2, normalized_angle(3.5)}));
   EXPECT_EQ(step.arc.length, 0);
 }
 
@@ -71,7 +71,7 @@ TEST(MotionModel, TurnsNearlyInPlaceLikeInPlace) {
 }
 
 /// Midpoint steps, which know nothing of arcs.
-Pose integrated(Pose pose, const Velocity& velocity, double seconds) {
+MapPose integrated(MapPose pose, const Velocity& velocity, double seconds) {
   constexpr int kSteps = 20000;
   const double step = seconds / kSteps;
   for (int i = 0; i < kSteps; ++i) {
@@ -85,7 +85,7 @@ Pose integrated(Pose pose, const Velocity& velocity, double seconds) {
 
 RC_GTEST_PROP(MotionModel, AgreesWithNumbersAlone, (std::uint64_t seed)) {
   Random random(seed);
-  const Pose start = any_pose(random);
+  const MapPose start = any_pose(random);
   const Velocity velocity{any(random, 2), any(random, 3)};
   const double seconds = random.uniform() * 3;
   const Step step = drive(unlimited(), {start}, velocity, seconds);
@@ -127,7 +127,7 @@ TEST(Bicycle, TurnsNoTighterThanItsSteeringAllows) {
 }
 
 TEST(Bicycle, DoesNotTurnWithoutDriving) {
-  EXPECT_EQ(drive(bicycle(), {{1, 2, 3}}, {0, 1}, 1).to.pose, (Pose{1, 2, 3}));
+  EXPECT_EQ(drive(bicycle(), {{1, 2, 3}}, {0, 1}, 1).to.pose, (MapPose{1, 2, 3}));
 }
 
 RC_GTEST_PROP(Bicycle, KeepsAllLimitsAtOnce, (std::uint64_t seed)) {

@@ -9,7 +9,8 @@
 namespace wend {
 namespace {
 
-double squared_distance(Point a, Point b) {
+template <class PointType>
+double squared_distance(PointType a, PointType b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
@@ -17,17 +18,22 @@ double squared_distance(Point a, Point b) {
 constexpr double kSquaredRounding = 1e-18;
 
 /// The nearest place of one of the lines, as far as it is in reach.
-struct Place {
+template <class PointType>
+struct PlaceAhead {
   std::size_t piece = 0;
   double along = 0;
   double squared = std::numeric_limits<double>::infinity();  // its distance
   double squared_end = 0;                                    // that of the piece's end
-  Point point;
+  PointType point;
 };
 
+template <class PoseType>
 class Search {
  public:
-  Search(const Polyline& line, const Pose& pose, const Reach& reach,
+  using PointType = typename BasicPolyline<PoseType>::PointType;
+  using Place = PlaceAhead<PointType>;
+
+  Search(const BasicPolyline<PoseType>& line, const PoseType& pose, const Reach& reach,
          std::span<const std::int8_t> gears)
       : points_(line.points()),
         along_(line.along()),
@@ -71,14 +77,14 @@ class Search {
   }
 
   Place place_on(std::size_t piece) const {
-    const Point a = points_[piece];
-    const Point b = points_[piece + 1];
+    const PointType a = points_[piece];
+    const PointType b = points_[piece + 1];
     const double length = along_[piece + 1] - along_[piece];
     const double dot = (at_.x - a.x) * (b.x - a.x) + (at_.y - a.y) * (b.y - a.y);
     const double along = std::clamp(along_[piece] + dot / length, std::max(from_, along_[piece]),
                                     std::min(to_, along_[piece + 1]));
     const double share = (along - along_[piece]) / length;
-    const Point point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    const PointType point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     return {piece, along, squared_distance(point, at_), squared_distance(b, at_), point};
   }
 
@@ -90,18 +96,18 @@ class Search {
   }
 
   bool leads_on(std::size_t piece) const {
-    const Point a = points_[piece];
-    const Point b = points_[piece + 1];
+    const PointType a = points_[piece];
+    const PointType b = points_[piece + 1];
     const double ahead =
         std::cos(pose_.heading) * (b.x - a.x) + std::sin(pose_.heading) * (b.y - a.y);
     const bool reverse = !gears_.empty() && gears_[piece] < 0;
     return reverse ? ahead <= 0 : ahead >= 0;
   }
 
-  std::span<const Point> points_;
+  std::span<const PointType> points_;
   std::span<const double> along_;
-  Point at_;
-  Pose pose_;
+  PointType at_;
+  PoseType pose_;
   double from_;
   double to_;
   std::size_t first_;
@@ -167,16 +173,28 @@ Path rest_of(const Path& path, const std::vector<Arc>& arcs, const Walk& walk, d
   return Path::along(std::move(points));
 }
 
+template <class PoseType>
+auto find_nearest_ahead(const BasicPolyline<PoseType>& line, const PoseType& pose,
+                        const Reach& reach, std::span<const std::int8_t> gears)
+    -> BasicOnPolyline<typename BasicPolyline<PoseType>::PointType> {
+  if (line.points().size() < 2) return line.nearest(pose.point(), 0, 0);
+  const Search<PoseType> search(line, pose, reach, gears);
+  const double nearest = search.nearest_squared();
+  const double limit = std::sqrt(nearest) + reach.tie;
+  const auto place = search.choose(std::max(limit * limit, nearest));  // a root rounds down, too
+  return {place.along, place.point, std::sqrt(place.squared)};
+}
+
 }  // namespace
 
 OnPolyline nearest_ahead(const Polyline& line, const Pose& pose, const Reach& reach,
                          std::span<const std::int8_t> gears) {
-  if (line.points().size() < 2) return line.nearest(pose.point(), 0, 0);
-  const Search search(line, pose, reach, gears);
-  const double nearest = search.nearest_squared();
-  const double limit = std::sqrt(nearest) + reach.tie;
-  const Place place = search.choose(std::max(limit * limit, nearest));  // a root rounds down, too
-  return {place.along, place.point, std::sqrt(place.squared)};
+  return find_nearest_ahead(line, pose, reach, gears);
+}
+
+OnMapPolyline nearest_ahead(const MapPolyline& line, const MapPose& pose, const Reach& reach,
+                            std::span<const std::int8_t> gears) {
+  return find_nearest_ahead(line, pose, reach, gears);
 }
 
 Remaining remaining(const Path& path, const Pose& pose, double from) {

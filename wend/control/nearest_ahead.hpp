@@ -16,6 +16,7 @@
 #include <span>
 
 #include "wend/base/compiler.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/polyline.hpp"
@@ -33,6 +34,9 @@ struct Reach {
 /// back leads; empty: ahead. O(lines in reach).
 WEND_API OnPolyline nearest_ahead(const Polyline& line, const Pose& pose, const Reach& reach,
                                   std::span<const std::int8_t> gears = {});
+/// The same in metres.
+WEND_API OnMapPolyline nearest_ahead(const MapPolyline& line, const MapPose& pose,
+                                     const Reach& reach, std::span<const std::int8_t> gears = {});
 
 /// The rest of a path from the robot's place, for plans that are updated while driving.
 ///

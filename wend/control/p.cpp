@@ -32,7 +32,7 @@ class PController final : public Controller {
  public:
   explicit PController(const POptions& options) : options_(options) {}
 
-  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {
+  void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {
     turning_ = true;
   }
 

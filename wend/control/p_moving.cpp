@@ -28,7 +28,7 @@ class PMovingController final : public Controller {
  public:
   explicit PMovingController(const PMovingOptions& options) : options_(options) {}
 
-  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+  void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
   Velocity command(const ControllerInput& input) override {
     const TrackingError error = tracking_error_of(input);

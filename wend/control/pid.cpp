@@ -46,7 +46,7 @@ class PidController final : public Controller {
         heading_(options.heading, options.filter_time),
         distance_(options.distance, options.filter_time) {}
 
-  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {
+  void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {
     heading_.reset();
     distance_.reset();
   }

@@ -40,7 +40,7 @@ class PurePursuitController final : public Controller {
  public:
   explicit PurePursuitController(const PurePursuitOptions& options) : options_(options) {}
 
-  void begin(const Polyline& line, const VelocityLimits& limits) override {
+  void begin(const MapPolyline& line, const VelocityLimits& limits) override {
     profile_.begin(line, {.limits = limits,
                           .lateral_acceleration = options_.lateral_acceleration,
                           .min_speed = options_.min_speed,
@@ -50,8 +50,8 @@ class PurePursuitController final : public Controller {
   }
 
   Velocity command(const ControllerInput& input) override {
-    const Pose& pose = input.pose;
-    const Point target = target_of(input);
+    const MapPose& pose = input.pose;
+    const MapPoint target = target_of(input);
     const double turn = turn_to(pose, target);
     if (std::abs(turn) > kPi / 2) {  // behind: round in the tightest circle
       return {options_.min_speed, std::copysign(input.limits.turn_rate, turn)};
@@ -66,12 +66,12 @@ class PurePursuitController final : public Controller {
  private:
   /// On the route, the lookahead farther along than the robot; beyond its end on the last line's
   /// extension, so that the robot comes in straight. Once it has passed the end, the end.
-  Point target_of(const ControllerInput& input) const {
-    const Polyline& route = *input.route;
+  MapPoint target_of(const ControllerInput& input) const {
+    const MapPolyline& route = *input.route;
     const double farther =
         options_.lookahead + options_.lookahead_time * std::abs(input.velocity.linear);
     const double along = input.along + farther;
-    const Pose place = route.at(along);
+    const MapPose place = route.at(along);
     const double beyond = along - route.length();
     if (beyond <= 0 || input.along >= route.length()) return place.point();
     return {place.x + beyond * std::cos(place.heading), place.y + beyond * std::sin(place.heading)};

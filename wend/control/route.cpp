@@ -7,10 +7,11 @@
 namespace wend {
 namespace {
 
-Polyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
-  std::vector<Point> points(line.points().begin(), line.points().end());
-  for (Point& point : points) point = frame.to_metres(point);
-  return Polyline(points, closed);
+MapPolyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
+  std::vector<MapPoint> points;
+  points.reserve(line.points().size());
+  for (const Point point : line.points()) points.push_back(frame.to_metres(point));
+  return MapPolyline(points, closed);
 }
 
 /// The legs of a car's path: one for each stretch of arcs in one direction.
@@ -36,27 +37,27 @@ std::vector<RouteLeg> legs_of(const Path& path, const Frame& frame) {
 
 /// By a straight line that is driven ahead, so it is no part of a leg in reverse.
 void join_end_to_start(std::vector<RouteLeg>& legs) {
-  const Point first = legs.front().line.points().front();
+  const MapPoint first = legs.front().line.points().front();
   const auto last_points = legs.back().line.points();
-  std::vector<Point> points(last_points.begin(), last_points.end());
+  std::vector<MapPoint> points(last_points.begin(), last_points.end());
   if (points.back() == first) return;
   if (legs.back().reverse) {
-    legs.push_back({Polyline(std::vector<Point>{points.back(), first}), false});
+    legs.push_back({MapPolyline({points.back(), first}), false});
   } else {
     points.push_back(first);
-    legs.back().line = Polyline(points);
+    legs.back().line = MapPolyline(points);
   }
 }
 
 /// How the robot stands there.
-Pose facing(const RouteLeg& leg, double along) {
+MapPose facing(const RouteLeg& leg, double along) {
   return turned_round(leg.line.at(along), leg.reverse);
 }
 
 }  // namespace
 
-Pose turned_round(const Pose& pose, bool reverse) {
-  return reverse ? Pose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+MapPose turned_round(const MapPose& pose, bool reverse) {
+  return reverse ? MapPose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
 }
 
 Route::Route(const Path& path, const Frame& frame, bool closed) {

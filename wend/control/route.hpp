@@ -10,6 +10,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/polyline.hpp"
 
@@ -17,11 +18,11 @@ namespace wend {
 
 /// The pose, or, if `reverse`, the pose turned by pi: on a reverse leg the controller sees the
 /// robot turned round.
-WEND_API Pose turned_round(const Pose& pose, bool reverse);
+WEND_API MapPose turned_round(const MapPose& pose, bool reverse);
 
 /// A part of a route that is driven in one direction.
 struct RouteLeg {
-  Polyline line;         // metres
+  MapPolyline line;      // in the direction of travel
   bool reverse = false;  // the robot's back leads
 };
 
@@ -38,18 +39,18 @@ class WEND_API Route {
   double length() const;
 
   /// The robot's pose at the route's start: along its first line; for a car, the first pose of its path.
-  const Pose& start() const { return start_; }
+  const MapPose& start() const { return start_; }
   /// The robot's pose at the route's end: along its last line; for a car, the last pose of its
   /// path.
-  const Pose& end() const { return end_; }
+  const MapPose& end() const { return end_; }
 
   /// The heading at the end, if the path has one: that of the last pose of a car's path.
   std::optional<double> final_heading() const { return final_heading_; }
 
  private:
   std::vector<RouteLeg> legs_;
-  Pose start_;
-  Pose end_;
+  MapPose start_;
+  MapPose end_;
   std::optional<double> final_heading_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-void expect_near(const Pose& a, const Pose& b) {
+void expect_near(const MapPose& a, const MapPose& b) {
   EXPECT_NEAR(a.x, b.x, kRounding);
   EXPECT_NEAR(a.y, b.y, kRounding);
   EXPECT_NEAR(normalized_angle(a.heading - b.heading), 0, kRounding);
@@ -36,7 +36,7 @@ TEST(Route, OfASinglePointHasNoLength) {
     const Route route(path, {});
     ASSERT_EQ(route.legs().size(), 1U);
     EXPECT_EQ(route.length(), 0);
-    EXPECT_EQ(route.start(), (Pose{3.5, 4.5, 0}));
+    EXPECT_EQ(route.start(), (MapPose{3.5, 4.5, 0}));
     EXPECT_EQ(route.end(), route.start());
   }
 }
@@ -72,7 +72,7 @@ TEST(Route, HasALegForEachStretchBetweenReversals) {
 TEST(Route, JoinsItsLegs) {
   const Route route(three_legs(), {});
   for (std::size_t i = 1; i < route.legs().size(); ++i) {
-    const Point before = route.legs()[i - 1].line.points().back();
+    const MapPoint before = route.legs()[i - 1].line.points().back();
     EXPECT_NEAR(distance(before, route.legs()[i].line.points().front()), 0, kRounding);
   }
 }
@@ -82,7 +82,7 @@ TEST(Route, FollowsArcsWithinAHundredthOfACell) {
   const auto points = route.legs()[0].line.points();
   for (std::size_t i = 1; i < points.size(); ++i) {
     EXPECT_NEAR(distance(points[i], {0, 10}), 10, kRounding);
-    const Point middle{(points[i].x + points[i - 1].x) / 2, (points[i].y + points[i - 1].y) / 2};
+    const MapPoint middle{(points[i].x + points[i - 1].x) / 2, (points[i].y + points[i - 1].y) / 2};
     EXPECT_GE(distance(middle, {0, 10}), 10 - 0.01);
   }
 }

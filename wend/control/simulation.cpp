@@ -11,9 +11,9 @@
 namespace wend {
 namespace {
 
-/// An arc in metres as one in grid coordinates. Of what goes round more than once: one round, which
+/// The arc in grid coordinates. Of what goes round more than once: one round, which
 /// is all that matters to where it passes.
-Arc to_grid(const Arc& arc, const Frame& frame) {
+Arc to_grid(const MapArc& arc, const Frame& frame) {
   const double round = 2 * kPi / std::abs(arc.curvature);  // infinite of a line
   const double length = std::clamp(arc.length, -round, round);
   return {frame.to_grid(arc.from), length / frame.resolution, arc.curvature * frame.resolution};
@@ -24,9 +24,9 @@ class CollisionCounter {
  public:
   explicit CollisionCounter(const FreeSpace& space) : space_(space) {}
 
-  /// Sweeps an arc in metres: how much of it is free, if it runs into something there; nothing if it
+  /// Sweeps an arc: how much of it is free, if it runs into something there; nothing if it
   /// does not, or has already.
-  std::optional<double> sweep(const Arc& arc) {
+  std::optional<double> sweep(const MapArc& arc) {
     const Arc in_grid = to_grid(arc, space_.map().frame());
     const bool was_free = free_;
     free_ = fits_along(space_, in_grid);
@@ -153,8 +153,8 @@ class Simulation {
     return std::nullopt;
   }
 
-  Pose measured() {
-    Pose pose = robot_.pose;
+  MapPose measured() {
+    MapPose pose = robot_.pose;
     if (options_.position_noise > 0) {
       pose.x += options_.position_noise * random_.gaussian();
       pose.y += options_.position_noise * random_.gaussian();
@@ -211,7 +211,8 @@ class Simulation {
     constexpr double kDeviations = 4;
     const double around = kDeviations * options_.position_noise;
     const double along = follower_.along_leg();
-    const OnPolyline place = leg.line.nearest(robot_.pose.point(), along - around, along + around);
+    const OnMapPolyline place =
+        leg.line.nearest(robot_.pose.point(), along - around, along + around);
     const double heading = leg.line.heading_at(place.along, heading_window_);
     const double to_x = robot_.pose.x - place.point.x;
     const double to_y = robot_.pose.y - place.point.y;

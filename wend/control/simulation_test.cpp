@@ -106,7 +106,7 @@ TEST(Simulate, TellsTheSidesOfTheRoute) {
   // One that bears to the left by its own fault drives on the left.
   class Bearing final : public Controller {
    public:
-    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+    void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const ControllerInput&) override { return {0.5, 0.05}; }
   };
   Bearing controller;
@@ -301,7 +301,7 @@ TEST(Simulate, ScattersVelocitiesAsMuchAsTold) {
 TEST(Simulate, CommandsTakeEffectAfterTheLatency) {
   class Starting final : public Controller {
    public:
-    void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+    void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
     Velocity command(const ControllerInput&) override { return {0.5, 0}; }
   };
   Starting controller;

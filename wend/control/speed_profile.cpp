@@ -12,7 +12,7 @@ namespace wend {
 namespace {
 
 /// 1 / m
-double curvature_at(const Polyline& line, double along, double window) {
+double curvature_at(const MapPolyline& line, double along, double window) {
   const double from = std::max(along - window, 0.0);
   const double to = std::min(along + window, line.length());
   if (from >= to) return 0;
@@ -32,7 +32,7 @@ double speed_in(double curvature, double change, const SpeedProfileOptions& opti
 
 }  // namespace
 
-void SpeedProfile::begin(const Polyline& line, const SpeedProfileOptions& options) {
+void SpeedProfile::begin(const MapPolyline& line, const SpeedProfileOptions& options) {
   assert(options.window > 0);
   constexpr double kMostSamples = 1e5;
   min_speed_ = options.min_speed;
@@ -47,7 +47,7 @@ void SpeedProfile::begin(const Polyline& line, const SpeedProfileOptions& option
 }
 
 /// And the lookahead before them.
-void SpeedProfile::slow_in_bends(const Polyline& line, const SpeedProfileOptions& options) {
+void SpeedProfile::slow_in_bends(const MapPolyline& line, const SpeedProfileOptions& options) {
   double curvature = curvature_at(line, 0, options.window);
   for (std::size_t i = 0; i < squared_.size(); ++i) {
     const double next = i + 1 < squared_.size()

@@ -41,16 +41,18 @@ class WEND_API SpeedProfile {
   SpeedProfile() = default;
 
   /// The profile of a line: see begin().
-  SpeedProfile(const Polyline& line, const SpeedProfileOptions& options) { begin(line, options); }
+  SpeedProfile(const MapPolyline& line, const SpeedProfileOptions& options) {
+    begin(line, options);
+  }
 
   /// Begins another line. Allocates memory only for a line longer than all before.
-  void begin(const Polyline& line, const SpeedProfileOptions& options);
+  void begin(const MapPolyline& line, const SpeedProfileOptions& options);
 
   /// The speed limit there, at least min_speed. A line must have begun. O(1).
   double at(double along) const;
 
  private:
-  void slow_in_bends(const Polyline& line, const SpeedProfileOptions& options);
+  void slow_in_bends(const MapPolyline& line, const SpeedProfileOptions& options);
 
   double step_ = 1;  // from sample to sample, m
   double min_speed_ = 0;

@@ -15,18 +15,18 @@ constexpr SpeedProfileOptions kOptions{
     .lateral_acceleration = 2};
 
 /// 10 m straight, half a circle to the left, 10 m straight back.
-Polyline hairpin(double radius) {
-  std::vector<Point> points{{-10, 0}};
+MapPolyline hairpin(double radius) {
+  std::vector<MapPoint> points{{-10, 0}};
   for (int i = 0; i <= 180; ++i) {
     const double angle = radians_from(i);
     points.push_back({radius * std::sin(angle), radius * (1 - std::cos(angle))});
   }
   points.push_back({-10, 2 * radius});
-  return Polyline(points);
+  return MapPolyline(points);
 }
 
 TEST(SpeedProfile, AllowsFullSpeedOnALineAndStandsAtItsEnd) {
-  const SpeedProfile profile(Polyline({{0, 0}, {20, 0}}), kOptions);
+  const SpeedProfile profile(MapPolyline({{0, 0}, {20, 0}}), kOptions);
   EXPECT_EQ(profile.at(0), 3);
   EXPECT_EQ(profile.at(15), 3);
   EXPECT_NEAR(profile.at(18), std::sqrt(2 * 2.0), 1e-6) << "it brakes by 1 m/s^2";
@@ -42,7 +42,7 @@ TEST(SpeedProfile, KeepsTheLateralAccelerationAndTheTurnRateInABend) {
 }
 
 TEST(SpeedProfile, BrakesInTimeForABend) {
-  const Polyline line = hairpin(0.4);
+  const MapPolyline line = hairpin(0.4);
   const SpeedProfile profile(line, kOptions);
   constexpr double kStep = 0.01;
   for (double along = 0; along + kStep <= line.length(); along += kStep) {
@@ -62,8 +62,8 @@ TEST(SpeedProfile, IsSlowTheLookaheadBeforeABend) {
 }
 
 TEST(SpeedProfile, OfAPointOrAVeryLongLineIsMadeToo) {
-  EXPECT_EQ(SpeedProfile(Polyline({{3, 3}}), kOptions).at(0), kOptions.min_speed);
-  EXPECT_EQ(SpeedProfile(Polyline({{0, 0}, {1e9, 0}}), kOptions).at(5), 3);
+  EXPECT_EQ(SpeedProfile(MapPolyline({{3, 3}}), kOptions).at(0), kOptions.min_speed);
+  EXPECT_EQ(SpeedProfile(MapPolyline({{0, 0}, {1e9, 0}}), kOptions).at(5), 3);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ TrajectoryTracker::TrajectoryTracker(Trajectory trajectory, const TrackingGains&
     : trajectory_(std::move(trajectory)), gains_(gains) {}
 
 Velocity TrajectoryTracker::command(const ControllerInput& input) {
-  const Pose wanted = trajectory_.at(time_).pose;
+  const MapPose wanted = trajectory_.at(time_).pose;
   // A command is held for a while: the mean velocity of that time is the one in its middle.
   const TrajectoryState reference = trajectory_.at(time_ + input.seconds / 2);
   time_ += input.seconds;

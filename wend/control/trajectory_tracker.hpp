@@ -34,7 +34,7 @@ class WEND_API TrajectoryTracker final : public Controller {
   /// A tracker for one execution of the trajectory.
   explicit TrajectoryTracker(Trajectory trajectory, const TrackingGains& gains = {});
 
-  void begin(const Polyline& /*line*/, const VelocityLimits& /*limits*/) override {}
+  void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
   /// Allocates no memory. O(log pieces).
   Velocity command(const ControllerInput& input) override;

@@ -5,6 +5,26 @@
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
+namespace {
+
+template <class PoseType>
+auto point_after(const BasicArc<PoseType>& arc, double length) -> decltype(arc.from.point()) {
+  const PoseType& from = arc.from;
+  // The chord has the length of the arc times sin(turn / 2) / (turn / 2), rotated by half the turn.
+  const double half = length * arc.curvature / 2;
+  const double shrink = half == 0 ? 1 : std::sin(half) / half;
+  const double chord = length * shrink;
+  return {from.x + chord * std::cos(from.heading + half),
+          from.y + chord * std::sin(from.heading + half)};
+}
+
+template <class PoseType>
+PoseType pose_after(const BasicArc<PoseType>& arc, double length) {
+  const auto point = point_after(arc, length);
+  return {point.x, point.y, normalized_angle(arc.from.heading + length * arc.curvature)};
+}
+
+}  // namespace
 
 Arc arc_to(const Pose& from, Point to) {
   const double cosine = std::cos(from.heading);
@@ -22,19 +42,10 @@ Arc arc_to(const Pose& from, Point to) {
   return {from, turn / curvature, curvature};
 }
 
-Point point_on(const Arc& arc, double length) {
-  const Pose& from = arc.from;
-  // The chord has the length of the arc times sin(turn / 2) / (turn / 2), rotated by half the turn.
-  const double half = length * arc.curvature / 2;
-  const double shrink = half == 0 ? 1 : std::sin(half) / half;
-  const double chord = length * shrink;
-  return {from.x + chord * std::cos(from.heading + half),
-          from.y + chord * std::sin(from.heading + half)};
-}
+Point point_on(const Arc& arc, double length) { return point_after(arc, length); }
+MapPoint point_on(const MapArc& arc, double length) { return point_after(arc, length); }
 
-Pose pose_on(const Arc& arc, double length) {
-  const Point point = point_on(arc, length);
-  return {point.x, point.y, normalized_angle(arc.from.heading + length * arc.curvature)};
-}
+Pose pose_on(const Arc& arc, double length) { return pose_after(arc, length); }
+MapPose pose_on(const MapArc& arc, double length) { return pose_after(arc, length); }
 
 }  // namespace wend

@@ -5,15 +5,19 @@
 //
 //   const wend::Arc arc = wend::arc_to({0, 0, 0}, {1, 1});  // a quarter circle of radius 1
 //   const wend::Pose middle = wend::pose_on(arc, arc.length / 2);
+//
+// An Arc is in grid coordinates, a MapArc in metres.
 
 #include "wend/base/compiler.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
 
-/// A curve of constant curvature. Its pose and its length are in the same coordinates, grid or map.
-struct Arc {
-  Pose from;             // where the arc begins
+/// A curve of constant curvature. Its length is in the unit of its pose.
+template <class PoseType>
+struct BasicArc {
+  PoseType from;         // where the arc begins
   double length = 0;     // negative in reverse
   double curvature = 0;  // 1 / radius; positive where the heading grows while driving ahead
 
@@ -21,17 +25,29 @@ struct Arc {
   double turn() const { return length * curvature; }
 };
 
+/// An arc in grid coordinates.
+using Arc = BasicArc<Pose>;
+/// An arc in metres.
+using MapArc = BasicArc<MapPose>;
+
 /// The arc that leaves a pose along its heading, or in reverse if the point is behind, and ends in
 /// the point. For a point beside the pose: a half circle.
 WEND_API Arc arc_to(const Pose& from, Point to);
 
 /// The point after driving `length` of an arc, from 0 to arc.length.
 WEND_API Point point_on(const Arc& arc, double length);
-/// The same with the heading there, in (-pi, pi].
+/// The same in metres.
+WEND_API MapPoint point_on(const MapArc& arc, double length);
+
+/// The pose after driving `length` of an arc; its heading is in (-pi, pi].
 WEND_API Pose pose_on(const Arc& arc, double length);
+/// The same in metres.
+WEND_API MapPose pose_on(const MapArc& arc, double length);
 
 /// The pose after driving the whole arc.
 inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
+/// The same in metres.
+inline MapPose end_of(const MapArc& arc) { return pose_on(arc, arc.length); }
 
 /// A rotation from a pose by `angle` radians, counter-clockwise if positive: an arc of radius 0.
 struct TurnInPlace {

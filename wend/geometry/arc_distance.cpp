@@ -44,7 +44,7 @@ class OwnFrame {
     const double side = gear * arc.curvature < 0 ? -1 : 1;
     along_ = {gear * std::cos(arc.from.heading), gear * std::sin(arc.from.heading)};
     across_ = {-side * along_.y, side * along_.x};
-    end_ = point_on({{}, 0, curvature_}, std::abs(arc.length));
+    end_ = point_on(Arc{{}, 0, curvature_}, std::abs(arc.length));
   }
 
   double to(Point point) const { return distance_to(own({point.x - from_.x, point.y - from_.y})); }

@@ -12,7 +12,7 @@ constexpr double kLargestCell = 1e9;
 
 }  // namespace
 
-Point Frame::to_metres(Point grid) const {
+MapPoint Frame::to_metres(Point grid) const {
   const double along = resolution * grid.x;
   const double across = resolution * grid.y;
   if (origin.heading == 0) return {origin.x + along, origin.y + across};
@@ -21,7 +21,7 @@ Point Frame::to_metres(Point grid) const {
   return {origin.x + cosine * along - sine * across, origin.y + sine * along + cosine * across};
 }
 
-Point Frame::to_grid(Point metres) const {
+Point Frame::to_grid(MapPoint metres) const {
   const double along = metres.x - origin.x;
   const double across = metres.y - origin.y;
   if (origin.heading == 0) return {along / resolution, across / resolution};
@@ -31,17 +31,17 @@ Point Frame::to_grid(Point metres) const {
           (cosine * across - sine * along) / resolution};
 }
 
-Pose Frame::to_metres(Pose grid) const {
-  const Point point = to_metres(grid.point());
+MapPose Frame::to_metres(Pose grid) const {
+  const MapPoint point = to_metres(grid.point());
   return {point.x, point.y, normalized_angle(grid.heading + origin.heading)};
 }
 
-Pose Frame::to_grid(Pose metres) const {
+Pose Frame::to_grid(MapPose metres) const {
   const Point point = to_grid(metres.point());
   return {point.x, point.y, normalized_angle(metres.heading - origin.heading)};
 }
 
-std::optional<Cell> Frame::cell_at(Point metres) const {
+std::optional<Cell> Frame::cell_at(MapPoint metres) const {
   const Point grid = to_grid(metres);
   const double border = kBorderMetres / resolution;
   const double x = std::floor(grid.x + border);

@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/geometry/arc.hpp"
+#include "wend/geometry/segment.hpp"
 
 namespace wend {
 namespace {
@@ -14,6 +17,37 @@ namespace {
 constexpr double kBorder = 1e-9;  // metres, as the header guarantees
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// Metres in place of cells, or the other way round, do not compile.
+
+template <class From, class To>
+constexpr bool kConverts = std::is_convertible_v<From, To> || std::is_constructible_v<To, From>;
+
+static_assert(!kConverts<Point, MapPoint> && !kConverts<MapPoint, Point>);
+static_assert(!kConverts<Pose, MapPose> && !kConverts<MapPose, Pose>);
+static_assert(!kConverts<Point, MapPose> && !kConverts<MapPose, Point>);
+static_assert(!kConverts<MapPoint, Pose> && !kConverts<Pose, MapPoint>);
+static_assert(!kConverts<Arc, MapArc> && !kConverts<MapArc, Arc>);
+static_assert(!kConverts<Segment, MapSegment> && !kConverts<MapSegment, Segment>);
+
+template <class Place>
+constexpr bool kLeadsToGrid = requires(Frame frame, Place place) { frame.to_grid(place); };
+template <class Place>
+constexpr bool kLeadsToMetres = requires(Frame frame, Place place) { frame.to_metres(place); };
+template <class Place>
+constexpr bool kHasCell = requires(Frame frame, Place place) { frame.cell_at(place); };
+
+static_assert(kLeadsToGrid<MapPoint> && kLeadsToGrid<MapPose>);
+static_assert(!kLeadsToGrid<Point> && !kLeadsToGrid<Pose>);
+static_assert(kLeadsToMetres<Point> && kLeadsToMetres<Pose>);
+static_assert(!kLeadsToMetres<MapPoint> && !kLeadsToMetres<MapPose>);
+static_assert(kHasCell<MapPoint> && !kHasCell<Point>);
+
+static_assert(std::is_same_v<decltype(Frame{}.to_metres(Point{})), MapPoint>);
+static_assert(std::is_same_v<decltype(Frame{}.to_metres(Pose{})), MapPose>);
+static_assert(std::is_same_v<decltype(Frame{}.to_grid(MapPoint{})), Point>);
+static_assert(std::is_same_v<decltype(Frame{}.to_grid(MapPose{})), Pose>);
+static_assert(std::is_same_v<decltype(Frame::origin), MapPose>);
 
 /// A number in [-limit, limit].
 double number_up_to(double limit) {
@@ -47,15 +81,15 @@ RC_GTEST_PROP(Frame, StretchesEveryDistanceByTheResolution, ()) {
 
 RC_GTEST_PROP(Frame, TurnsByTheYaw, ()) {
   const Frame frame = any_frame();
-  const Point origin = frame.to_metres(Point{0, 0});
+  const MapPoint origin = frame.to_metres(Point{0, 0});
   RC_ASSERT(distance(origin, frame.origin.point()) == 0);
-  const Point along_x = frame.to_metres(Point{1, 0});
+  const MapPoint along_x = frame.to_metres(Point{1, 0});
   const double direction = std::atan2(along_x.y - origin.y, along_x.x - origin.x);
   RC_ASSERT(std::abs(normalized_angle(direction - frame.origin.heading)) < 1e-9);
-  const Pose pose = frame.to_metres(Pose{0, 0, 0.25});
+  const MapPose pose = frame.to_metres(Pose{0, 0, 0.25});
   RC_ASSERT(std::abs(normalized_angle(pose.heading - frame.origin.heading - 0.25)) < 1e-12);
   // Counter-clockwise: y lies to the left of x, whatever is drawn.
-  const Point along_y = frame.to_metres(Point{0, 1});
+  const MapPoint along_y = frame.to_metres(Point{0, 1});
   const double turn = (along_x.x - origin.x) * (along_y.y - origin.y) -
                       (along_x.y - origin.y) * (along_y.x - origin.x);
   RC_ASSERT(turn > 0);
@@ -63,7 +97,7 @@ RC_GTEST_PROP(Frame, TurnsByTheYaw, ()) {
 
 TEST(Frame, OfAPlainGridChangesNothing) {
   const Frame plain;
-  EXPECT_EQ(plain.to_metres(Point{3.5, -2}), (Point{3.5, -2}));
+  EXPECT_EQ(plain.to_metres(Point{3.5, -2}), (MapPoint{3.5, -2}));
   EXPECT_EQ(plain.cell_at({3.5, 2}), (Cell{3, 2}));
   EXPECT_FALSE(plain.y_up);
   EXPECT_FALSE(plain.metric);
@@ -71,7 +105,7 @@ TEST(Frame, OfAPlainGridChangesNothing) {
 
 TEST(Frame, OfAQuarterTurnIsWhatAPersonExpects) {
   const Frame frame{.resolution = 0.5, .origin = {10, 20, kPi / 2}, .y_up = true, .metric = true};
-  const Point metres = frame.to_metres(Point{4, 2});  // 2 m along the map's y, 1 m against x
+  const MapPoint metres = frame.to_metres(Point{4, 2});  // 2 m along the map's y, 1 m against x
   EXPECT_NEAR(metres.x, 9, 1e-12);
   EXPECT_NEAR(metres.y, 22, 1e-12);
   EXPECT_EQ(frame.cell_at({9.2, 21.7}), (Cell{3, 1}));

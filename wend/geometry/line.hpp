@@ -11,26 +11,31 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
 
-/// The line segment between two points in the same coordinates, grid or map.
-struct Line {
-  Point from;  // one end
-  Point to;    // the other end
+/// The line segment between two points.
+template <class PointType>
+struct BasicLine {
+  PointType from;  // one end
+  PointType to;    // the other end
 
   /// The distance between the ends.
   double length() const { return distance(from, to); }
   /// The direction from `from` to `to` in radians; 0 if both are the same point.
   double heading() const { return std::atan2(to.y - from.y, to.x - from.x); }
   /// The point halfway.
-  Point middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
+  PointType middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
   /// The point after a share of the line, from 0 to 1.
-  Point at(double share) const {
+  PointType at(double share) const {
     return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
   }
 };
+
+/// A line in grid coordinates.
+using Line = BasicLine<Point>;
 
 /// The distance from a point to the nearest point of the line.
 WEND_API double distance(const Line& line, Point point);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Point and Pose: a position, and a position with a heading. Each use says whether the numbers are grid
-// coordinates (cells) or map coordinates (metres).
+// Point and Pose: a position, and a position with a heading, in grid coordinates: a cell has the size 1.
+// MapPoint and MapPose (map_pose.hpp) are in metres.
 
 #include <cmath>
 
@@ -9,18 +9,18 @@
 
 namespace wend {
 
-/// A position, in grid coordinates or in metres.
+/// A position in grid coordinates.
 struct Point {
-  double x = 0;  // cells or metres
-  double y = 0;  // cells or metres
+  double x = 0;  // cells
+  double y = 0;  // cells
 
   friend constexpr bool operator==(const Point&, const Point&) = default;
 };
 
-/// A position and a heading, in grid coordinates or in metres.
+/// A position and a heading in grid coordinates.
 struct Pose {
-  double x = 0;        // cells or metres
-  double y = 0;        // cells or metres
+  double x = 0;        // cells
+  double y = 0;        // cells
   double heading = 0;  // radians, counter-clockwise from +x
 
   /// The position alone.
@@ -42,7 +42,7 @@ constexpr Pose pose_at(Cell cell, double heading = 0) {
   return {cell.x + 0.5, cell.y + 0.5, heading};
 }
 
-/// Euclidean distance.
+/// Euclidean distance in cells.
 inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace wend

@@ -5,6 +5,22 @@
 #include "wend/geometry/angle.hpp"
 
 namespace wend {
+namespace {
+
+template <class PoseType>
+BasicArc<PoseType> arc_of_base(const BasicSegment<PoseType>& segment) {
+  const PoseType& from = segment.from;
+  const double curvature = segment.length == 0 ? 0 : segment.turn / segment.length;
+  return {{from.x, from.y, from.heading + segment.course}, segment.length, curvature};
+}
+
+template <class PoseType>
+PoseType pose_after_share(const BasicSegment<PoseType>& segment, double share) {
+  const auto point = point_on(arc_of_base(segment), segment.length * share);
+  return {point.x, point.y, normalized_angle(segment.from.heading + segment.turn * share)};
+}
+
+}  // namespace
 
 Segment segment_between(const Pose& from, const Pose& to) {
   const double turn = normalized_angle(to.heading - from.heading);
@@ -25,15 +41,12 @@ Segment segment_between(const Pose& from, const Pose& to) {
   return {from, length, turn, course};
 }
 
-Arc way_of_base(const Segment& segment) {
-  const Pose& from = segment.from;
-  const double curvature = segment.length == 0 ? 0 : segment.turn / segment.length;
-  return {{from.x, from.y, from.heading + segment.course}, segment.length, curvature};
-}
+Arc way_of_base(const Segment& segment) { return arc_of_base(segment); }
+MapArc way_of_base(const MapSegment& segment) { return arc_of_base(segment); }
 
-Pose pose_on(const Segment& segment, double share) {
-  const Point point = point_on(way_of_base(segment), segment.length * share);
-  return {point.x, point.y, normalized_angle(segment.from.heading + segment.turn * share)};
+Pose pose_on(const Segment& segment, double share) { return pose_after_share(segment, share); }
+MapPose pose_on(const MapSegment& segment, double share) {
+  return pose_after_share(segment, share);
 }
 
 Segment beginning_of(const Segment& segment, double share) {

@@ -60,7 +60,7 @@ std::string frame_fault(const Frame& frame) {
     return "the resolution " + format_number(frame.resolution) +
            " is not a positive number of metres a cell";
   }
-  const Pose& origin = frame.origin;
+  const MapPose& origin = frame.origin;
   const bool finite =
       std::isfinite(origin.x) && std::isfinite(origin.y) && std::isfinite(origin.heading);
   return finite ? "" : "the origin contains NaN or infinity";

@@ -147,10 +147,10 @@ std::vector<Segment> Path::segments() const {
   return segments;
 }
 
-std::vector<Point> Path::points_in_metres(const Frame& frame) const {
-  std::vector<Point> points = this->points();
-  for (Point& point : points) point = frame.to_metres(point);
-  return points;
+std::vector<MapPoint> Path::points_in_metres(const Frame& frame) const {
+  std::vector<MapPoint> metres;
+  for (const Point point : points()) metres.push_back(frame.to_metres(point));
+  return metres;
 }
 
 void Path::clear() {

@@ -169,7 +169,7 @@ class WEND_API Path {
   std::vector<Segment> segments() const;
 
   /// Its points in the map's frame, in metres.
-  std::vector<Point> points_in_metres(const Frame& frame) const;
+  std::vector<MapPoint> points_in_metres(const Frame& frame) const;
 
   /// Makes the path empty and keeps its memory, for planners that write into an existing path. A path
   /// has either cells

@@ -96,7 +96,7 @@ TEST(Path, PointsInMetresAreCellCentresInTheMapsFrame) {
   for (const bool y_up : {false, true}) {
     const Frame frame{.resolution = 0.5, .origin = {-1, 2, 0}, .y_up = y_up, .metric = true};
     EXPECT_EQ(path.points_in_metres(frame),
-              (std::vector<Point>{{-0.75, 2.25}, {-0.25, 2.75}, {0.25, 2.75}}));
+              (std::vector<MapPoint>{{-0.75, 2.25}, {-0.25, 2.75}, {0.25, 2.75}}));
   }
 }
 
@@ -136,7 +136,7 @@ TEST(DrivenPath, IsMadeOfPosesAndArcs) {
   EXPECT_NEAR(path.length(), kPi / 2 + 1, 1e-15);
   Frame frame;
   frame.resolution = 0.5;
-  EXPECT_EQ(path.points_in_metres(frame), (std::vector<Point>{{0, 0}, {0.5, 0.5}, {0.5, 0}}));
+  EXPECT_EQ(path.points_in_metres(frame), (std::vector<MapPoint>{{0, 0}, {0.5, 0.5}, {0.5, 0}}));
 }
 
 TEST(DrivenPath, IsWrittenIntoMemoryThatIsKept) {

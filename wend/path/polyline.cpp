@@ -17,23 +17,37 @@ int pieces_of(const Arc& arc, double tolerance) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
 }
 
+template <class PoseType>
+std::vector<PoseType> poses_every(const BasicPolyline<PoseType>& line, double spacing) {
+  assert(spacing > 0);
+  const auto gaps = static_cast<std::size_t>(std::ceil(line.length() / spacing));
+  std::vector<PoseType> poses;
+  poses.reserve(gaps + 1);
+  for (std::size_t i = 0; i < gaps; ++i) poses.push_back(line.at(static_cast<double>(i) * spacing));
+  poses.push_back(line.at(line.length()));
+  return poses;
+}
+
 }  // namespace
 
-Polyline::Polyline(std::span<const Point> points, bool closed) : closed_(closed) {
+template <class PoseType>
+BasicPolyline<PoseType>::BasicPolyline(std::span<const PointType> points, bool closed)
+    : closed_(closed) {
   assert(!points.empty());
   points_.reserve(points.size() + 1);
   along_.reserve(points.size() + 1);
-  const auto append = [&](Point point) {
+  const auto append = [&](PointType point) {
     const double step = points_.empty() ? 0 : distance(points_.back(), point);
     if (!points_.empty() && step == 0) return;
     along_.push_back(points_.empty() ? 0 : along_.back() + step);
     points_.push_back(point);
   };
-  for (const Point point : points) append(point);
+  for (const PointType point : points) append(point);
   if (closed) append(points.front());
 }
 
-Polyline Polyline::of(const Path& path, bool closed, double tolerance) {
+template <class PoseType>
+BasicPolyline<Pose> BasicPolyline<PoseType>::of(const Path& path, bool closed, double tolerance) {
   const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
   const auto along_arcs = [&](const JoinedPoses& joined) {
     std::vector<Point> points{joined.poses().front().point()};
@@ -46,7 +60,8 @@ Polyline Polyline::of(const Path& path, bool closed, double tolerance) {
   return path.visit(along_points, along_arcs);
 }
 
-std::size_t Polyline::piece_at(double along) const {
+template <class PoseType>
+std::size_t BasicPolyline<PoseType>::piece_at(double along) const {
   if (points_.size() < 2) return 0;
   const auto next = std::upper_bound(along_.begin(), along_.end(), along);
   const auto index = std::distance(along_.begin(), next);
@@ -54,57 +69,61 @@ std::size_t Polyline::piece_at(double along) const {
       std::clamp<std::ptrdiff_t>(index - 1, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
 }
 
-Pose Polyline::at(double along) const {
+template <class PoseType>
+PoseType BasicPolyline<PoseType>::at(double along) const {
   if (points_.size() < 2) return {points_.front().x, points_.front().y, 0};
   const std::size_t i = piece_at(along);
-  const Line piece{points_[i], points_[i + 1]};
+  const BasicLine<PointType> piece{points_[i], points_[i + 1]};
   const double share = std::clamp((along - along_[i]) / (along_[i + 1] - along_[i]), 0.0, 1.0);
-  const Point point = piece.at(share);
+  const PointType point = piece.at(share);
   return {point.x, point.y, piece.heading()};
 }
 
-double Polyline::heading_at(double along, double window) const {
+template <class PoseType>
+double BasicPolyline<PoseType>::heading_at(double along, double window) const {
   const double place = std::clamp(along, 0.0, length());
   const double half =
       closed_ ? std::min(window, length() / 4) : std::min({window, place, length() - place});
   const auto around = [this](double at_along) {
     return closed_ ? std::fmod(at_along + length(), length()) : at_along;
   };
-  const Point from = at(around(place - half)).point();
-  const Point to = at(around(place + half)).point();
+  const PointType from = at(around(place - half)).point();
+  const PointType to = at(around(place + half)).point();
   constexpr double kRounding = 1e-9;  // of the window: there the direction is noise
   if (distance(from, to) <= kRounding * half) return at(place).heading;
-  return Line{from, to}.heading();
+  return BasicLine<PointType>{from, to}.heading();
 }
 
-OnPolyline Polyline::nearest(Point point, double from, double to) const {
+template <class PoseType>
+auto BasicPolyline<PoseType>::nearest(PointType point, double from, double to) const
+    -> BasicOnPolyline<PointType> {
   const double first = std::clamp(from, 0.0, length());
   const double last = std::clamp(to, first, length());
-  const Point start = at(first).point();
-  OnPolyline best{first, start, distance(start, point)};
+  const PointType start = at(first).point();
+  BasicOnPolyline<PointType> best{first, start, distance(start, point)};
   if (points_.size() < 2) return best;
   for (std::size_t i = piece_at(first); i + 1 < points_.size() && along_[i] <= last; ++i) {
-    const Point a = points_[i];
-    const Point b = points_[i + 1];
+    const PointType a = points_[i];
+    const PointType b = points_[i + 1];
     const double length = along_[i + 1] - along_[i];
     const double dot = (point.x - a.x) * (b.x - a.x) + (point.y - a.y) * (b.y - a.y);
     const double along = std::clamp(along_[i] + dot / length, std::max(first, along_[i]),
                                     std::min(last, along_[i + 1]));
-    const Point place = Line{a, b}.at((along - along_[i]) / length);
+    const PointType place = BasicLine<PointType>{a, b}.at((along - along_[i]) / length);
     const double gap = distance(place, point);
     if (gap < best.distance) best = {along, place, gap};
   }
   return best;
 }
 
+template class BasicPolyline<Pose>;
+template class BasicPolyline<MapPose>;
+
 std::vector<Pose> poses_along(const Polyline& line, double spacing) {
-  assert(spacing > 0);
-  const auto gaps = static_cast<std::size_t>(std::ceil(line.length() / spacing));
-  std::vector<Pose> poses;
-  poses.reserve(gaps + 1);
-  for (std::size_t i = 0; i < gaps; ++i) poses.push_back(line.at(static_cast<double>(i) * spacing));
-  poses.push_back(line.at(line.length()));
-  return poses;
+  return poses_every(line, spacing);
+}
+std::vector<MapPose> poses_along(const MapPolyline& line, double spacing) {
+  return poses_every(line, spacing);
 }
 
 std::vector<Pose> poses_along(const Path& drive, double spacing) {

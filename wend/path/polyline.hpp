@@ -7,7 +7,7 @@
 //   const wend::Pose middle = line.at(5);                                    // (3,2), heading up y
 //   const wend::OnPolyline nearest = line.nearest({2, 1}, 0, line.length());  // (2,0), 2 along
 //
-// It is in the coordinates of its points. A closed polyline continues from its last point to its
+// A Polyline is in grid coordinates, a MapPolyline in metres. A closed polyline continues from its last point to its
 // first; equal successive points count once. Immutable.
 
 #include <cstddef>
@@ -16,31 +16,43 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
 
 namespace wend {
 
-/// A place on a polyline.
-struct OnPolyline {
+/// A place on a polyline, in the polyline's coordinates.
+template <class PointType>
+struct BasicOnPolyline {
   double along = 0;     // the length from the first point to it
-  Point point;          // where it is
+  PointType point;      // where it is
   double distance = 0;  // from the point of the query
 };
 
-class WEND_API Polyline {
- public:
-  /// Needs at least one point, all finite. `closed`: a line joins the last to the first.
-  explicit Polyline(std::span<const Point> points, bool closed = false);
-  /// The same for a list of points.
-  Polyline(std::initializer_list<Point> points, bool closed = false)
-      : Polyline(std::span(points.begin(), points.size()), closed) {}
+/// A place in grid coordinates.
+using OnPolyline = BasicOnPolyline<Point>;
+/// A place in metres.
+using OnMapPolyline = BasicOnPolyline<MapPoint>;
 
-  /// The polyline of a path (not empty), in grid coordinates; arcs within `tolerance` cells.
-  static Polyline of(const Path& path, bool closed = false, double tolerance = 0.01);
+/// Straight lines through points; PoseType is Pose or MapPose.
+template <class PoseType>
+class BasicPolyline {
+ public:
+  /// Its points: Point or MapPoint.
+  using PointType = decltype(PoseType().point());
+
+  /// Needs at least one point, all finite. `closed`: a line joins the last to the first.
+  explicit BasicPolyline(std::span<const PointType> points, bool closed = false);
+  /// The same for a list of points.
+  BasicPolyline(std::initializer_list<PointType> points, bool closed = false)
+      : BasicPolyline(std::span(points.begin(), points.size()), closed) {}
+
+  /// The polyline of a path (not empty), always in grid coordinates; arcs within `tolerance` cells.
+  static BasicPolyline<Pose> of(const Path& path, bool closed = false, double tolerance = 0.01);
 
   /// Its points, no two successive ones equal; a closed polyline repeats the first at the end.
-  std::span<const Point> points() const { return points_; }
+  std::span<const PointType> points() const { return points_; }
 
   /// The length up to each point; the first is 0, the last length().
   std::span<const double> along() const { return along_; }
@@ -52,7 +64,7 @@ class WEND_API Polyline {
 
   /// The place at length `along`, clamped to 0..length(), and the heading of the line there (at a
   /// joint, of the line that begins; a single point heads along +x). O(log n).
-  Pose at(double along) const;
+  PoseType at(double along) const;
 
   /// The mean heading from `window` (>= 0) before that place to as far behind it: of a curve given by
   /// points its heading but for little, where that of its lines jumps from point to point. The window
@@ -65,16 +77,26 @@ class WEND_API Polyline {
 
   /// The place between `from` and `to` along (clamped, from <= to) that is nearest to a point; of
   /// several the first. O(lines between).
-  OnPolyline nearest(Point point, double from, double to) const;
+  BasicOnPolyline<PointType> nearest(PointType point, double from, double to) const;
 
  private:
-  std::vector<Point> points_;
+  std::vector<PointType> points_;
   std::vector<double> along_;
   bool closed_;
 };
 
+/// A polyline in grid coordinates.
+using Polyline = BasicPolyline<Pose>;
+/// A polyline in metres.
+using MapPolyline = BasicPolyline<MapPose>;
+
+extern template class WEND_API BasicPolyline<Pose>;
+extern template class WEND_API BasicPolyline<MapPose>;
+
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
 WEND_API std::vector<Pose> poses_along(const Polyline& line, double spacing);
+/// The same in metres.
+WEND_API std::vector<MapPose> poses_along(const MapPolyline& line, double spacing);
 
 /// The same along a path of poses, with their headings.
 WEND_API std::vector<Pose> poses_along(const Path& drive, double spacing);

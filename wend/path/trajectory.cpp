@@ -31,34 +31,34 @@ std::optional<Error> fault_of(const TrajectoryLimits& limits) {
   return fault;
 }
 
-bool turns_in_place(const Segment& segment) { return segment.length == 0; }
+bool turns_in_place(const MapSegment& segment) { return segment.length == 0; }
 
-bool goes_nowhere(const Segment& segment) {
+bool goes_nowhere(const MapSegment& segment) {
   return segment.length == 0 && std::abs(segment.turn) <= kStraight;
 }
 
 /// What its speeds are along: metres, or radians of a turn in place.
-double extent_of(const Segment& segment) {
+double extent_of(const MapSegment& segment) {
   return std::abs(turns_in_place(segment) ? segment.turn : segment.length);
 }
 
-double curvature_of(const Segment& segment) { return segment.turn / segment.length; }
+double curvature_of(const MapSegment& segment) { return segment.turn / segment.length; }
 
-double fastest_along(const Segment& segment, const TrajectoryLimits& limits) {
+double fastest_along(const MapSegment& segment, const TrajectoryLimits& limits) {
   return turns_in_place(segment) ? limits.turn_rate : fastest_on(curvature_of(segment), limits);
 }
 
-double acceleration_along(const Segment& segment, const TrajectoryLimits& limits) {
+double acceleration_along(const MapSegment& segment, const TrajectoryLimits& limits) {
   return turns_in_place(segment) ? limits.turn_acceleration : limits.acceleration;
 }
 
 /// The direction in which the base point starts to move.
-double direction_of(const Segment& segment) {
+double direction_of(const MapSegment& segment) {
   return segment.from.heading + segment.course + (segment.length < 0 ? kPi : 0);
 }
 
 /// May the robot go on from one to the next without a stop?
-bool goes_on(const Segment& before, const Segment& after) {
+bool goes_on(const MapSegment& before, const MapSegment& after) {
   if (turns_in_place(before) || turns_in_place(after)) {
     return before.length == after.length && before.turn * after.turn > 0;
   }
@@ -67,24 +67,24 @@ bool goes_on(const Segment& before, const Segment& after) {
 }
 
 /// The segments of a path in metres, without those that go nowhere.
-std::vector<Segment> segments_in_metres(const Path& path, const Frame& frame) {
-  std::vector<Segment> segments = path.segments();
-  for (Segment& segment : segments) {
-    segment.from = frame.to_metres(segment.from);
-    segment.length *= frame.resolution;
+std::vector<MapSegment> segments_in_metres(const Path& path, const Frame& frame) {
+  std::vector<MapSegment> segments;
+  for (const Segment& segment : path.segments()) {
+    segments.emplace_back(frame.to_metres(segment.from), segment.length * frame.resolution,
+                          segment.turn, segment.course);
   }
   std::erase_if(segments, goes_nowhere);
   return segments;
 }
 
 /// With turns in place where lines meet.
-std::vector<Segment> with_corners(std::span<const Segment> lines) {
-  std::vector<Segment> segments;
-  for (const Segment& line : lines) {
+std::vector<MapSegment> with_corners(std::span<const MapSegment> lines) {
+  std::vector<MapSegment> segments;
+  for (const MapSegment& line : lines) {
     if (!segments.empty()) {
       const double heading = segments.back().from.heading;
       const double turn = normalized_angle(line.from.heading - heading);
-      const Pose corner{line.from.x, line.from.y, heading};
+      const MapPose corner{line.from.x, line.from.y, heading};
       if (std::abs(turn) > kStraight) segments.emplace_back(corner, 0.0, turn, 0.0);
     }
     segments.push_back(line);
@@ -93,14 +93,14 @@ std::vector<Segment> with_corners(std::span<const Segment> lines) {
 }
 
 /// What a robot drives along a path, in metres.
-std::vector<Segment> driven_segments(const Path& path, const Frame& frame) {
-  std::vector<Segment> segments = segments_in_metres(path, frame);
+std::vector<MapSegment> driven_segments(const Path& path, const Frame& frame) {
+  std::vector<MapSegment> segments = segments_in_metres(path, frame);
   return path.visit([&](const JoinedPoses&) { return std::move(segments); },
                     [&](const auto&) { return with_corners(segments); });
 }
 
 /// The squares of the speeds at the joints of the segments, the start and the end included.
-std::vector<double> squared_speeds(std::span<const Segment> segments,
+std::vector<double> squared_speeds(std::span<const MapSegment> segments,
                                    const TrajectoryLimits& limits) {
   std::vector<double> squared(segments.size() + 1, 0);
   for (std::size_t i = 1; i < segments.size(); ++i) {
@@ -132,14 +132,14 @@ Expected<Trajectory, Error> Trajectory::along(const Path& path, const Frame& fra
   Trajectory trajectory;
   trajectory.limits_ = limits;
   trajectory.segments_ = driven_segments(path, frame);
-  const std::vector<Segment>& segments = trajectory.segments_;
+  const std::vector<MapSegment>& segments = trajectory.segments_;
   trajectory.start_ = frame.to_metres(path.poses().front());
   trajectory.end_ = segments.empty() ? trajectory.start_ : end_of(segments.back());
   const std::vector<double> squared = squared_speeds(segments, limits);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     trajectory.drive(i, squared[i], squared[i + 1]);
   }
-  const Pose& end = trajectory.end_;
+  const MapPose& end = trajectory.end_;
   if (!std::isfinite(trajectory.duration_ + end.x + end.y + end.heading)) {
     return failure(Status::unsupported_query,
                    "the path has numbers that are not finite, or it is too long to be timed");
@@ -173,13 +173,13 @@ void Trajectory::drive(std::size_t segment, double squared_before, double square
 
 double Trajectory::length() const {
   double length = 0;
-  for (const Segment& segment : segments_) length += std::abs(segment.length);
+  for (const MapSegment& segment : segments_) length += std::abs(segment.length);
   return length;
 }
 
 double Trajectory::smallest_turning_radius() const {
   double radius = std::numeric_limits<double>::infinity();
-  for (const Segment& segment : segments_) {
+  for (const MapSegment& segment : segments_) {
     radius = std::min(radius, std::abs(segment.length / segment.turn));
   }
   return radius;
@@ -196,7 +196,7 @@ TrajectoryState Trajectory::at(double time) const {
 }
 
 TrajectoryState Trajectory::state_on(const TrajectoryPiece& piece, double seconds) const {
-  const Segment& segment = segments_[piece.segment];
+  const MapSegment& segment = segments_[piece.segment];
   const double along = piece.along + (piece.speed + piece.acceleration * seconds / 2) * seconds;
   const double speed = std::max(piece.speed + piece.acceleration * seconds, 0.0);
   const double share = std::clamp(along / extent_of(segment), 0.0, 1.0);

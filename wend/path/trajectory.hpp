@@ -32,6 +32,7 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/segment.hpp"
 #include "wend/path/path.hpp"
 
@@ -65,7 +66,7 @@ WEND_API double fastest_on(double curvature, const TrajectoryLimits& limits);
 /// The robot at one moment.
 struct TrajectoryState {
   double time = 0;       // s since the start
-  Pose pose;             // metres and radians, in the map's frame
+  MapPose pose;          // in the map's frame
   double speed = 0;      // m/s, of the base point; negative in reverse; of a step to the side along
                          // its course
   double turn_rate = 0;  // rad/s, positive where the heading grows
@@ -108,7 +109,7 @@ class WEND_API Trajectory {
 
   /// What it drives, in metres: the segments of the path, with turns in place at its corners. None of
   /// them goes nowhere.
-  std::span<const Segment> segments() const { return segments_; }
+  std::span<const MapSegment> segments() const { return segments_; }
 
   /// Their time stamps and speeds, in order, without gaps.
   std::span<const TrajectoryPiece> pieces() const { return pieces_; }
@@ -121,10 +122,10 @@ class WEND_API Trajectory {
   TrajectoryState state_on(const TrajectoryPiece& piece, double seconds) const;
 
   TrajectoryLimits limits_;
-  std::vector<Segment> segments_;
+  std::vector<MapSegment> segments_;
   std::vector<TrajectoryPiece> pieces_;
-  Pose start_;
-  Pose end_;
+  MapPose start_;
+  MapPose end_;
   double duration_ = 0;
 };
 

@@ -73,9 +73,9 @@ void for_each_drawn(const std::function<void(const DrawnTrajectory&)>& check) {
   }
 }
 
-bool in_place(const Segment& segment) { return segment.length == 0; }
+bool in_place(const MapSegment& segment) { return segment.length == 0; }
 
-double pace_of(const TrajectoryState& state, const Segment& segment) {
+double pace_of(const TrajectoryState& state, const MapSegment& segment) {
   return in_place(segment) ? std::abs(state.turn_rate) : std::abs(state.speed);
 }
 
@@ -111,7 +111,7 @@ TEST(Trajectory, StopsAtACornerAndTurnsInPlace) {
   EXPECT_NEAR(trajectory.duration(), 2 + turn + 2, 1e-12);
   const TrajectoryState middle = trajectory.at(2 + turn / 2);
   EXPECT_NEAR(middle.pose.heading, kPi / 4, 1e-12);
-  EXPECT_EQ(middle.pose.point(), (Point{1, 0}));
+  EXPECT_EQ(middle.pose.point(), (MapPoint{1, 0}));
   EXPECT_EQ(middle.speed, 0);
   EXPECT_EQ(middle.turn_rate, 1);
   EXPECT_EQ(trajectory.smallest_turning_radius(), 0);
@@ -157,7 +157,7 @@ TEST(Trajectory, KeepsTurningThroughTurnsInPlaceOneWay) {
 TEST(Trajectory, OfOnePointStandsThere) {
   const Trajectory trajectory = timed_along(Path({Cell{2, 3}}), {});
   EXPECT_EQ(trajectory.duration(), 0);
-  EXPECT_EQ(trajectory.at(7).pose, (Pose{2.5, 3.5, 0}));
+  EXPECT_EQ(trajectory.at(7).pose, (MapPose{2.5, 3.5, 0}));
   EXPECT_EQ(trajectory.samples(0.1).size(), 1U);
   EXPECT_EQ(timed_along(Path({Cell{2, 3}, Cell{2, 3}}), {}).duration(), 0);
 }
@@ -218,7 +218,7 @@ TEST(Trajectory, ExceedsNoLimitAtOneKilohertz) {
 TEST(Trajectory, LeadsFromRestToRestAlongThePath) {
   for_each_drawn([](const DrawnTrajectory& drawn) {
     const Trajectory& trajectory = drawn.trajectory;
-    const auto near = [](const Pose& pose, const Pose& wanted) {
+    const auto near = [](const MapPose& pose, const MapPose& wanted) {
       return distance(pose.point(), wanted.point()) < 1e-6 &&
              std::abs(normalized_angle(pose.heading - wanted.heading)) < 1e-5;
     };
@@ -226,14 +226,14 @@ TEST(Trajectory, LeadsFromRestToRestAlongThePath) {
     EXPECT_TRUE(near(trajectory.at(0).pose, drawn.frame.to_metres(poses.front())));
     EXPECT_TRUE(near(trajectory.at(trajectory.duration()).pose,
                      end_of(trajectory.segments().empty()
-                                ? Segment{drawn.frame.to_metres(poses.front()), 0, 0, 0}
+                                ? MapSegment{drawn.frame.to_metres(poses.front()), 0, 0, 0}
                                 : trajectory.segments().back())));
     EXPECT_NEAR(trajectory.length(), drawn.path.length() * drawn.frame.resolution, 1e-9);
     double time = 0;
     for (const TrajectoryPiece& piece : trajectory.pieces()) {
       EXPECT_EQ(piece.time, time) << "no gap";
       time += piece.duration;
-      const Segment& segment = trajectory.segments()[piece.segment];
+      const MapSegment& segment = trajectory.segments()[piece.segment];
       const double extent = std::abs(in_place(segment) ? segment.turn : segment.length);
       const TrajectoryState state = trajectory.at(piece.time + piece.duration / 2);
       const double along = piece.along + (piece.speed + piece.acceleration * piece.duration / 4) *
@@ -255,7 +255,7 @@ TEST(Trajectory, CannotBeFasterAnywhere) {
     const Trajectory& trajectory = drawn.trajectory;
     const TrajectoryLimits& limits = trajectory.limits();
     for (const TrajectoryPiece& piece : trajectory.pieces()) {
-      const Segment& segment = trajectory.segments()[piece.segment];
+      const MapSegment& segment = trajectory.segments()[piece.segment];
       const double steepest = in_place(segment) ? limits.turn_acceleration : limits.acceleration;
       const TrajectoryState state = trajectory.at(piece.time + piece.duration / 2);
       const double pace = pace_of(state, segment);
@@ -280,8 +280,8 @@ TEST(Trajectory, IsSlowestOnlyWhereALimitOnTheSpeedHolds) {
     const auto pieces = trajectory.pieces();
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       if (!(pieces[i - 1].acceleration < 0 && pieces[i].acceleration > 0)) continue;
-      const Segment& before = trajectory.segments()[pieces[i - 1].segment];
-      const Segment& after = trajectory.segments()[pieces[i].segment];
+      const MapSegment& before = trajectory.segments()[pieces[i - 1].segment];
+      const MapSegment& after = trajectory.segments()[pieces[i].segment];
       if (pieces[i].speed == 0) continue;  // a stop
       ASSERT_FALSE(in_place(before) || in_place(after));
       const double slower = std::min(fastest_on(before.turn / before.length, trajectory.limits()),
@@ -295,7 +295,7 @@ TEST(Trajectory, IsSlowestOnlyWhereALimitOnTheSpeedHolds) {
 /// no two neighbours differ by more than the acceleration allows.
 class Relaxation {
  public:
-  void add(const Segment& segment, const TrajectoryLimits& limits) {
+  void add(const MapSegment& segment, const TrajectoryLimits& limits) {
     const double extent = std::abs(in_place(segment) ? segment.turn : segment.length);
     const double bend = in_place(segment) ? 0 : std::abs(segment.turn / segment.length);
     double fastest = in_place(segment) ? limits.turn_rate : limits.speed;

@@ -162,7 +162,7 @@ std::string drive_csv(std::span<const ControlledDrive> drives, const Frame& fram
   for (const ControlledDrive& driven : drives) {
     const std::string name = csv_field(driven.controller);
     for (const DriveSample& sample : driven.drive.samples) {
-      const Pose pose = frame.to_metres(sample.pose);
+      const MapPose pose = frame.to_metres(sample.pose);
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", name, sample.time,
                      pose.x, pose.y, pose.heading, sample.velocity.linear, sample.velocity.angular,
                      sample.heading_error, sample.cross_track);

@@ -15,7 +15,7 @@ void put_poses(Json& json, const Plan& plan, const Frame& frame) {
   Json metres = Json::array();
   Json yaws = Json::array();
   for (const Pose& pose : plan.path.poses()) {
-    const Pose in_map = frame.to_metres(pose);
+    const MapPose in_map = frame.to_metres(pose);
     corners.push_back(json_of(pose.point()));
     headings.push_back(json_of_heading(pose.heading, frame));
     metres.push_back(json_of_fractions(in_map.point()));
@@ -38,6 +38,13 @@ Json rows_of(const Grid<T>& grid, const JsonOf& json_of_value) {
   return rows;
 }
 
+template <class PointType>
+Json json_of_all(const std::vector<PointType>& points) {
+  Json json = Json::array();
+  for (const PointType point : points) json.push_back(json_of_fractions(point));
+  return json;
+}
+
 }  // namespace
 
 Json json_of(Point point) {
@@ -54,12 +61,10 @@ Json json_of_heading(double radians, const Frame& frame) {
 }
 
 Json json_of_fractions(Point point) { return Json::array({point.x, point.y}); }
+Json json_of_fractions(MapPoint point) { return Json::array({point.x, point.y}); }
 
-Json json_of(const std::vector<Point>& points) {
-  Json json = Json::array();
-  for (const Point point : points) json.push_back(json_of_fractions(point));
-  return json;
-}
+Json json_of(const std::vector<Point>& points) { return json_of_all(points); }
+Json json_of(const std::vector<MapPoint>& points) { return json_of_all(points); }
 
 Json json_of(Cell cell) { return Json::array({cell.x, cell.y}); }
 

@@ -13,6 +13,7 @@
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/planner/plan.hpp"
@@ -34,7 +35,9 @@ Json json_of(Point point);
 
 /// [x, y], [[x, y], ...]: all numbers have a fraction.
 Json json_of_fractions(Point point);
+Json json_of_fractions(MapPoint point);
 Json json_of(const std::vector<Point>& points);
+Json json_of(const std::vector<MapPoint>& points);
 
 /// A letter such as "E" for one of the four headings, else radians in grid coordinates.
 Json json_of_heading(double radians, const Frame& frame);

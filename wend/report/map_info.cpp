@@ -75,7 +75,7 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
 }
 
 std::string map_info_json(const MapInfo& info) {
-  const Pose& origin = info.frame.origin;
+  const MapPose& origin = info.frame.origin;
   const Json json{
       {"file", info.file},
       {"format", to_string(info.format)},

@@ -265,7 +265,7 @@ TEST(PointSweep, SqueezesAlongArcsOnlyWhereItMay) {
   const FreeSpace space = test::drawn_space("#.\n.#");
   // Through (1,1), from the lower left to the upper right, bending either way or not.
   for (const double bend : {-0.5, -0.01, 0.0, 0.01, 0.5}) {
-    const Pose before = pose_on({{1, 1, -kPi / 4}, -0.4, bend}, -0.4);
+    const Pose before = pose_on(Arc{{1, 1, -kPi / 4}, -0.4, bend}, -0.4);
     EXPECT_FALSE(drives(space, {before, 0.8, bend})) << bend;
     EXPECT_FALSE(drives(space, {before, 0.7, bend})) << bend;
     EXPECT_TRUE(drives(space, {before, 0.8, bend}, Adjacency::edges_and_corners)) << bend;

@@ -7,17 +7,17 @@ namespace wend {
 std::vector<MapPose> PlanAnswer::poses() const {
   const Frame& frame = space.map().frame();
   std::vector<MapPose> metres;
-  for (const Pose& pose : path().poses()) metres.push_back(in_metres(frame, pose));
+  for (const Pose& pose : path().poses()) metres.push_back(frame.to_metres(pose));
   return metres;
 }
 
 Query query_of(const PlanRequest& request, const Frame& frame) {
-  Query query{in_grid(frame, request.start), {}, request.limits, request.observer};
+  Query query{frame.to_grid(request.start), {}, request.limits, request.observer};
   for (const auto& [point, heading] : request.goals) {
     if (heading) {
-      query.goals.emplace_back(in_grid(frame, MapPose{point.x, point.y, *heading}));
+      query.goals.emplace_back(frame.to_grid(MapPose{point.x, point.y, *heading}));
     } else {
-      query.goals.emplace_back(in_grid(frame, point));
+      query.goals.emplace_back(frame.to_grid(point));
     }
   }
   return query;

@@ -245,14 +245,14 @@ Expected<MapPose, Error> Session::nearest(const MapPose& pose) const {
   const auto seen = view();
   if (!seen) return Unexpected<Error>(seen.error());
   const Frame& frame = seen->space.map().frame();
-  const Pose asked = in_grid(frame, pose);
+  const Pose asked = frame.to_grid(pose);
   if (seen->space.fits(asked)) return pose;
   const auto found = nearest_pose(seen->space, asked);
   if (!found) {
     return failure(Status::unsupported_query, "the robot fits nowhere on the map at this heading",
                    "pose");
   }
-  return in_metres(frame, *found);
+  return frame.to_metres(*found);
 }
 
 Expected<NoPath, Error> Session::why_no_path(MapPoint start, MapPoint goal, GridMoves moves) const {
@@ -260,8 +260,8 @@ Expected<NoPath, Error> Session::why_no_path(MapPoint start, MapPoint goal, Grid
   if (!seen) return Unexpected<Error>(seen.error());
   const FreeSpace& space = seen->space;
   const Frame& frame = space.map().frame();
-  const auto from = cell_under(space, in_grid(frame, start));
-  const auto to = cell_under(space, in_grid(frame, goal));
+  const auto from = cell_under(space, frame.to_grid(start));
+  const auto to = cell_under(space, frame.to_grid(goal));
   if (!from) return failure(Status::start_outside, "the start is outside the map", "start");
   if (!to) return failure(Status::goal_outside, "the goal is outside the map", "goal");
   return explain_no_path(space, *from, *to, moves);

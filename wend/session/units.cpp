@@ -19,7 +19,7 @@ std::string general(double value, int digits) {
   return {text.data(), end.ptr};
 }
 
-std::string pair(Point point) { return general(point.x, 6) + ',' + general(point.y, 6); }
+std::string pair(double x, double y) { return general(x, 6) + ',' + general(y, 6); }
 
 std::string range(double from, double to) { return general(from, 6) + " to " + general(to, 6); }
 
@@ -47,9 +47,8 @@ std::string Units::text(Cell cell) const {
 std::string Units::text(Point point) const {
   const auto cell = cell_around(point);
   if (!metric_ && cell && point == centre_of(*cell)) return "cell " + cell_text(*cell);
-  const Point in_metres = frame_.to_metres(point);
   const std::string place =
-      metric_ ? metres_text({in_metres.x, in_metres.y}) : '(' + pair(point) + ')';
+      metric_ ? metres_text(frame_.to_metres(point)) : '(' + pair(point.x, point.y) + ')';
   return cell ? place + ", cell " + cell_text(*cell) : place;
 }
 
@@ -89,17 +88,15 @@ std::string Units::extent_of_corners() const {
 std::string Units::metric_extent() const {
   const double right = width_;
   const double top = height_;
-  const auto corner = [this](double x, double y) {
-    const auto metres = frame_.to_metres(Point{x, y});
-    return Point{metres.x, metres.y};
-  };
-  const Point low = corner(0, 0);
-  const Point high = corner(right, top);
+  const auto corner = [this](double x, double y) { return frame_.to_metres(Point{x, y}); };
+  const auto text_of_corner = [](MapPoint metres) { return pair(metres.x, metres.y); };
+  const MapPoint low = corner(0, 0);
+  const MapPoint high = corner(right, top);
   if (frame_.origin.heading == 0) {
     return "x from " + range(low.x, high.x) + " m and y from " + range(low.y, high.y) + " m";
   }
-  return "the rectangle " + pair(low) + " to " + pair(corner(right, 0)) + " to " + pair(high) +
-         " to " + pair(corner(0, top)) + " m";
+  return "the rectangle " + text_of_corner(low) + " to " + text_of_corner(corner(right, 0)) +
+         " to " + text_of_corner(high) + " to " + text_of_corner(corner(0, top)) + " m";
 }
 
 std::string cell_text(Cell cell) {

@@ -7,7 +7,7 @@
 namespace wend_ros {
 
 wend::GridMap map_from_costs(std::span<const std::uint8_t> costs, int width, int height,
-                             double resolution, wend::Point origin) {
+                             double resolution, wend::MapPoint origin) {
   constexpr std::uint8_t kUnknown = 255;
   constexpr std::uint8_t kInscribed = 253;
   constexpr double kRoughest = 252;

@@ -89,7 +89,7 @@ class FollowerNode {
 
   void cancel(const std_msgs::Empty&) { stop("idle"); }
 
-  std::optional<wend::Pose> pose() const {
+  std::optional<wend::MapPose> pose() const {
     try {
       const auto transform = buffer_.lookupTransform(frame_id_, robot_frame_, ros::Time(0));
       if ((ros::Time::now() - transform.header.stamp).toSec() > pose_age_) return std::nullopt;

@@ -44,10 +44,10 @@ Marker marker_of(const std::string& frame_id, const std::string& name, int type,
   return marker;
 }
 
-geometry_msgs::Point point_of(wend::Point metres, double z) {
+geometry_msgs::Point point_of(wend::MapPoint at, double z) {
   geometry_msgs::Point point;
-  point.x = metres.x;
-  point.y = metres.y;
+  point.x = at.x;
+  point.y = at.y;
   point.z = z;
   return point;
 }
@@ -69,13 +69,16 @@ Marker end_marker(const geometry_msgs::PoseStamped& end, const std::string& name
 }
 
 /// The corners of a polygon, or points on the circle of a disc, where the robot stands at a pose.
-std::vector<wend::Point> outline_at(const wend::Footprint& footprint, const wend::Pose& pose) {
+std::vector<wend::MapPoint> outline_at(const wend::Footprint& footprint,
+                                       const wend::MapPose& pose) {
+  std::vector<wend::MapPoint> points;
   if (footprint.outline() != nullptr) {
-    const wend::PlacedPolygon placed(*footprint.outline(), pose);
-    return {placed.corners().begin(), placed.corners().end()};
+    // The footprint is in metres: metres are the grid's units here.
+    const wend::PlacedPolygon placed(*footprint.outline(), {pose.x, pose.y, pose.heading});
+    for (const wend::Point corner : placed.corners()) points.push_back({corner.x, corner.y});
+    return points;
   }
   constexpr int kPointsOfACircle = 24;
-  std::vector<wend::Point> points;
   for (int i = 0; i < kPointsOfACircle; ++i) {
     const double angle = 2 * wend::kPi * i / kPointsOfACircle;
     points.push_back({pose.x + footprint.circumscribed_radius() * std::cos(angle),
@@ -90,16 +93,16 @@ Marker footprint_marker(const nav_msgs::Path& path, const wend::Footprint& footp
   Marker marker = marker_of(path.header.frame_id, "footprint", Marker::LINE_LIST, kBlue);
   marker.scale.x = 0.01;
   marker.color.a = 0.6F;
-  std::vector<wend::Point> points;
+  std::vector<wend::MapPoint> points;
   for (const auto& stamped : path.poses) {
     points.push_back({stamped.pose.position.x, stamped.pose.position.y});
   }
   if (!points.empty() && !footprint.is_point()) {
-    const wend::Polyline line(points);
+    const wend::MapPolyline line(points);
     const double spacing =
         std::max(2 * kGap * footprint.circumscribed_radius(), line.length() / kMostOutlines);
-    for (const wend::Pose& pose : poses_along(line, spacing)) {
-      const std::vector<wend::Point> outline = outline_at(footprint, pose);
+    for (const wend::MapPose& pose : poses_along(line, spacing)) {
+      const std::vector<wend::MapPoint> outline = outline_at(footprint, pose);
       for (std::size_t i = 0; i < outline.size(); ++i) {
         marker.points.push_back(point_of(outline[i], kThin));
         marker.points.push_back(point_of(outline[(i + 1) % outline.size()], kThin));

@@ -10,17 +10,17 @@
 
 namespace wend_ros {
 
-geometry_msgs::Pose to_message(const wend::Pose& metres) {
+geometry_msgs::Pose to_message(const wend::MapPose& pose) {
   geometry_msgs::Pose message;
-  message.position.x = metres.x;
-  message.position.y = metres.y;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
   tf2::Quaternion turn;
-  turn.setRPY(0, 0, metres.heading);
+  turn.setRPY(0, 0, pose.heading);
   message.orientation = tf2::toMsg(turn);
   return message;
 }
 
-wend::Pose pose_from(const geometry_msgs::Pose& message) {
+wend::MapPose pose_from(const geometry_msgs::Pose& message) {
   const auto& turn = message.orientation;
   const bool empty = turn.x == 0 && turn.y == 0 && turn.z == 0 && turn.w == 0;
   return {message.position.x, message.position.y, empty ? 0 : tf2::getYaw(turn)};

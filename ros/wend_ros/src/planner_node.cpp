@@ -104,7 +104,7 @@ void PlannerNode::take_goal_parameter(ros::NodeHandle& own) {
   const auto y = number("goaly");
   if (!x || !y) return;
   goal_.emplace();
-  goal_->pose = to_message(wend::Pose{*x, *y, number("goalyaw").value_or(0)});
+  goal_->pose = to_message(wend::MapPose{*x, *y, number("goalyaw").value_or(0)});
 }
 
 void PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {

@@ -43,9 +43,9 @@ wend::TrajectoryLimits limits_of(const Parameters& parameters) {
 
 wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const Watch& watch,
                              wend::PlannerSpec planner) {
-  wend::PlanRequest request{.start = {ask.start.x, ask.start.y, ask.start.heading}, .goals = {}};
-  for (const wend::Pose& goal : ask.goals) {
-    wend::MapGoal& added = request.goals.emplace_back(wend::MapGoal{{goal.x, goal.y}});
+  wend::PlanRequest request{.start = ask.start, .goals = {}};
+  for (const wend::MapPose& goal : ask.goals) {
+    wend::MapGoal& added = request.goals.emplace_back(wend::MapGoal{goal.point()});
     if (!ask.any_heading) added.heading = goal.heading;
   }
   request.planner = std::move(planner);
@@ -110,13 +110,8 @@ namespace {
 /// Where to plan from and to instead, if an end is blocked.
 void put_nearest(PlanResult& result, const wend::Session& session, wend::Status status,
                  const Ask& ask) {
-  const auto nearest = [&](const wend::Pose& pose) {
-    return session.nearest({pose.x, pose.y, pose.heading});
-  };
-  const auto put = [&](auto& message, const wend::Pose& pose) {
-    if (const auto free = nearest(pose)) {
-      message.push_back(to_message(wend::Pose{free->x, free->y, free->heading}));
-    }
+  const auto put = [&](auto& message, const wend::MapPose& pose) {
+    if (const auto free = session.nearest(pose)) message.push_back(to_message(*free));
   };
   if (status == wend::Status::start_blocked) put(result.nearest_start, ask.start);
   if (status == wend::Status::goal_blocked) put(result.nearest_goal, ask.goals.front());

@@ -10,8 +10,8 @@ namespace {
 /// A robot whose tf is older than this is somewhere else by now.
 constexpr double kStale = 2;
 
-std::optional<wend::Pose> start_parameter(ros::NodeHandle& own) {
-  wend::Pose pose;
+std::optional<wend::MapPose> start_parameter(ros::NodeHandle& own) {
+  wend::MapPose pose;
   if (!own.getParam("startx", pose.x) || !own.getParam("starty", pose.y)) return std::nullopt;
   own.getParam("startyaw", pose.heading);
   return pose;
@@ -40,7 +40,7 @@ void RobotPose::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
   initial_->pose = message.pose.pose;
 }
 
-wend::Expected<wend::Pose, std::string> RobotPose::in(
+wend::Expected<wend::MapPose, std::string> RobotPose::in(
     const std::string& frame_id, const geometry_msgs::PoseStamped& pose) const {
   if (!is_finite(pose.pose)) return wrong("the pose contains NaN or infinity");
   if (pose.header.frame_id.empty() || pose.header.frame_id == frame_id) {
@@ -57,7 +57,7 @@ wend::Expected<wend::Pose, std::string> RobotPose::in(
   }
 }
 
-wend::Expected<wend::Pose, std::string> RobotPose::in(const std::string& frame_id) const {
+wend::Expected<wend::MapPose, std::string> RobotPose::in(const std::string& frame_id) const {
   try {
     const auto transform = buffer_.lookupTransform(frame_id, robot_frame_, ros::Time(0));
     const bool is_static = transform.header.stamp.isZero();

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double kCommandTimeout = 0.5;  // s: a robot without commands stops
 
-geometry_msgs::TransformStamped transform_of(const wend::Pose& pose, const std::string& from,
+geometry_msgs::TransformStamped transform_of(const wend::MapPose& pose, const std::string& from,
                                              const std::string& to) {
   const geometry_msgs::Pose message = wend_ros::to_message(pose);
   geometry_msgs::TransformStamped transform;
@@ -90,9 +90,9 @@ class RobotSim {
   }
 
   void publish() {
-    const wend::Pose measured{state_.pose.x + noise_.position_noise * random_.gaussian(),
-                              state_.pose.y + noise_.position_noise * random_.gaussian(),
-                              state_.pose.heading + noise_.heading_noise * random_.gaussian()};
+    const wend::MapPose measured{state_.pose.x + noise_.position_noise * random_.gaussian(),
+                                 state_.pose.y + noise_.position_noise * random_.gaussian(),
+                                 state_.pose.heading + noise_.heading_noise * random_.gaussian()};
     nav_msgs::Odometry message;
     message.header.stamp = ros::Time::now();
     message.header.frame_id = "odom";

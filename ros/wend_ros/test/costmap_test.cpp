@@ -17,7 +17,7 @@ TEST(Costmap, CostsAreRoughGroundAndWhereTheCentreMayNotBeIsBlocked) {
   EXPECT_EQ(map.state({0, 1}), wend::CellState::occupied);
   EXPECT_EQ(map.state({1, 1}), wend::CellState::occupied);
   EXPECT_EQ(map.state({2, 1}), wend::CellState::unknown);
-  EXPECT_EQ(map.frame().to_metres(wend::Point{0, 0}), (wend::Point{-1, 2}));
+  EXPECT_EQ(map.frame().to_metres(wend::Point{0, 0}), (wend::MapPoint{-1, 2}));
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace {
 
 using visualization_msgs::Marker;
 
-nav_msgs::Path path_through(const std::vector<wend::Point>& points) {
+nav_msgs::Path path_through(const std::vector<wend::MapPoint>& points) {
   nav_msgs::Path path;
   path.header.frame_id = "map";
-  for (const wend::Point point : points) {
+  for (const wend::MapPoint point : points) {
     geometry_msgs::PoseStamped stamped;
     stamped.pose.position.x = point.x;
     stamped.pose.position.y = point.y;

@@ -33,7 +33,7 @@ class Planning {
   wend::Session session_{session_options()};
 };
 
-Ask ask(wend::Pose start, wend::Pose goal) {
+Ask ask(wend::MapPose start, wend::MapPose goal) {
   return {.start = start, .goals = {goal}, .planner = {}, .options = {}};
 }
 
@@ -238,8 +238,8 @@ TEST(Parameters, ReadMotionPrimitivesFromAFile) {
 
 TEST(Poses, WithoutAnOrientationHeadAlongX) {
   EXPECT_EQ(pose_from(geometry_msgs::Pose{}).heading, 0);
-  const wend::Pose pose{1, 2, -2.5};
-  const wend::Pose back = pose_from(to_message(pose));
+  const wend::MapPose pose{1, 2, -2.5};
+  const wend::MapPose back = pose_from(to_message(pose));
   EXPECT_NEAR(back.heading, -2.5, 1e-12);
 }
 

@@ -17,7 +17,7 @@ double nearest_terrain(double terrain, CellState state, const MapFormatInfo& for
 
 Frame nearest_frame(const Frame& frame, const MapFormatInfo& format) {
   if (!format.holds_frame) return {};
-  return {frame.resolution, frame.y_up ? frame.origin : Pose{}, true, true};
+  return {frame.resolution, frame.y_up ? frame.origin : MapPose{}, true, true};
 }
 
 /// The numbers of cells that lose something, by the kind of loss.

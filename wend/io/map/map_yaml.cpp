@@ -223,7 +223,7 @@ bool is_map_yaml(std::string_view bytes) {
 
 Expected<MapFiles, std::string> save_map_yaml(const GridMap& map,
                                               const std::filesystem::path& file) {
-  if (!map.frame().y_up && map.frame().origin != Pose{}) {
+  if (!map.frame().y_up && map.frame().origin != MapPose{}) {
     return Unexpected<std::string>("a ROS map.yaml cannot hold an origin of a map with y down");
   }
   const bool uniform = map.uniform_terrain();
@@ -268,7 +268,7 @@ Expected<MapYaml, Error> parse_map_yaml(const std::string& text, const std::stri
 }
 
 std::string format_map_yaml(const MapYaml& yaml) {
-  const Pose& origin = yaml.frame.origin;
+  const MapPose& origin = yaml.frame.origin;
   YAML::Emitter emitter;
   emitter << YAML::DoubleQuoted << yaml.image.string();
   return fmt::format(

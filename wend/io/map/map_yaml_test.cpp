@@ -35,7 +35,7 @@ TEST(MapYaml, SaysHowToReadAnImage) {
   const MapYaml yaml = yaml_in(kGood);
   EXPECT_EQ(yaml.image, "m.pgm");
   EXPECT_EQ(yaml.frame.resolution, 0.05);
-  EXPECT_EQ(yaml.frame.origin, (Pose{-1, -2, 0.5}));
+  EXPECT_EQ(yaml.frame.origin, (MapPose{-1, -2, 0.5}));
   EXPECT_TRUE(yaml.frame.y_up);
   EXPECT_TRUE(yaml.frame.metric);
   EXPECT_EQ(yaml.meaning.mode, ImageMode::trinary);
@@ -51,9 +51,10 @@ TEST(MapYaml, IsYaml) {
   EXPECT_EQ(yaml_in(with("image", "image: m.pgm\r")).image, "m.pgm");
   EXPECT_EQ(yaml_in(with("resolution", "resolution: '5e-2'")).frame.resolution, 0.05);
   EXPECT_EQ(yaml_in(with("resolution", "resolution: +0.05")).frame.resolution, 0.05);
-  EXPECT_EQ(yaml_in(with("origin", "origin:\n  - 1\n  - 2\n  - 3")).frame.origin, (Pose{1, 2, 3}));
+  EXPECT_EQ(yaml_in(with("origin", "origin:\n  - 1\n  - 2\n  - 3")).frame.origin,
+            (MapPose{1, 2, 3}));
   EXPECT_EQ(yaml_in(with("origin", "origin: [&z 0.5, *z, *z]")).frame.origin,
-            (Pose{0.5, 0.5, 0.5}));
+            (MapPose{0.5, 0.5, 0.5}));
 }
 
 TEST(MapYaml, EveryKeyButModeIsRequired) {
@@ -213,7 +214,7 @@ TEST(LoadMapYaml, ReadsTheImageBesideTheYaml) {
   const auto loaded = load_map_yaml(kGood, {folder / "m.yaml", folder.path()});
   ASSERT_TRUE(loaded) << error_of(loaded);
   EXPECT_EQ(cells_of(loaded->map), "?.\n#.\n");
-  EXPECT_EQ(loaded->map.frame().origin, (Pose{-1, -2, 0.5}));
+  EXPECT_EQ(loaded->map.frame().origin, (MapPose{-1, -2, 0.5}));
   EXPECT_EQ(loaded->format, MapFormat::map_yaml);
 }
 

@@ -142,7 +142,7 @@ RC_GTEST_PROP(LoadPath, ACentrelineGivesItsPointsInGridCoordinates, (bool semico
   const Frame frame{0.05, {-3, 7.5, 0}, true, true};
   const std::string separator = semicolons ? " ; " : ",";
   std::string text = "# made by hand\n# s_m" + separator + "y_m" + separator + "x_m\n";
-  for (const Point point : path.points_in_metres(frame)) {
+  for (const MapPoint point : path.points_in_metres(frame)) {
     text += fmt::format("1{0}{2:.17g}{0}{1:.17g}\n", separator, point.x, point.y);
   }
   const auto parsed = parse_path_csv(text, "p.csv", frame);

@@ -149,7 +149,7 @@ Point centreline_point(PathColumns& columns, const Frame& frame) {
   const auto x = columns.find("x_m");
   const auto y = columns.find("y_m");
   assert(x && y);
-  const Point metres{columns.number(*x), columns.number(*y)};
+  const MapPoint metres{columns.number(*x), columns.number(*y)};
   const Point point = frame.to_grid(metres);
   if (!may_be_coordinate_of_pose(point.x) || !may_be_coordinate_of_pose(point.y)) {
     columns.fail(
@@ -187,7 +187,7 @@ std::string heading_text(double radians, const Frame& frame) {
 }
 
 /// "0.075,0.075"
-std::string metres_text(Point metres) {
+std::string metres_text(MapPoint metres) {
   return format_number(metres.x) + "," + format_number(metres.y);
 }
 
@@ -204,7 +204,7 @@ std::string csv_of(std::span<const Cell> cells, const Frame& frame) {
 std::string csv_of(std::span<const Pose> poses, const Frame& frame, bool driven) {
   std::string text = fmt::format("{}\n", driven ? kPoseHeader : kWaypointHeader);
   for (const Pose& pose : poses) {
-    const Pose metres = frame.to_metres(pose);
+    const MapPose metres = frame.to_metres(pose);
     const std::string heading = driven ? heading_text(pose.heading, frame) + "," : "";
     // {fmt} also writes the shortest text, but does not write a million as 1e+06.
     fmt::format_to(std::back_inserter(text), "{},{},{}{},{}\n", pose.x, pose.y, heading,

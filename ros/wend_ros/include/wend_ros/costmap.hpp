@@ -13,6 +13,6 @@ namespace wend_ros {
 
 /// Row 0 is the southern one. As many costs as cells, at least one; in a frame that is not turned.
 wend::GridMap map_from_costs(std::span<const std::uint8_t> costs, int width, int height,
-                             double resolution, wend::Point origin);
+                             double resolution, wend::MapPoint origin);
 
 }  // namespace wend_ros

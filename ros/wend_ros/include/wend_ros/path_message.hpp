@@ -9,16 +9,17 @@
 #include <string>
 
 #include "wend/geometry/frame.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/path/path.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend_ros {
 
-geometry_msgs::Pose to_message(const wend::Pose& metres);
+geometry_msgs::Pose to_message(const wend::MapPose& pose);
 
 /// The heading is that of the orientation about z; of one of all zeros +x.
-wend::Pose pose_from(const geometry_msgs::Pose& message);
+wend::MapPose pose_from(const geometry_msgs::Pose& message);
 
 /// Is every number of it one?
 bool is_finite(const geometry_msgs::Pose& pose);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "wend/geometry/pose.hpp"
+#include "wend/geometry/map_pose.hpp"
 #include "wend/session/session.hpp"
 #include "wend_ros/parameters.hpp"
 #include "wend_ros/status_codes.hpp"
@@ -18,8 +18,8 @@ namespace wend_ros {
 
 /// In the map's frame: metres, radians.
 struct Ask {
-  wend::Pose start;
-  std::vector<wend::Pose> goals;
+  wend::MapPose start;
+  std::vector<wend::MapPose> goals;
   bool any_heading = false;
   std::string planner;    // "astar:weight=2"; empty: the parameter's
   std::string options;    // "heuristic=euclidean"

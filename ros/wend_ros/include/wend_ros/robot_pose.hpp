@@ -14,7 +14,7 @@
 #include <string>
 
 #include "wend/base/expected.hpp"
-#include "wend/geometry/pose.hpp"
+#include "wend/geometry/map_pose.hpp"
 
 namespace wend_ros {
 
@@ -23,17 +23,17 @@ class RobotPose {
   RobotPose(ros::NodeHandle& node, ros::NodeHandle& own);
 
   /// The robot's pose, or why it is unknown.
-  wend::Expected<wend::Pose, std::string> in(const std::string& frame_id) const;
+  wend::Expected<wend::MapPose, std::string> in(const std::string& frame_id) const;
 
   /// A pose in that frame; an empty frame_id is that one. Or why tf2 cannot take it there.
-  wend::Expected<wend::Pose, std::string> in(const std::string& frame_id,
-                                             const geometry_msgs::PoseStamped& pose) const;
+  wend::Expected<wend::MapPose, std::string> in(const std::string& frame_id,
+                                                const geometry_msgs::PoseStamped& pose) const;
 
  private:
   void take(const geometry_msgs::PoseWithCovarianceStamped& message);
 
   std::string robot_frame_;
-  std::optional<wend::Pose> parameter_;
+  std::optional<wend::MapPose> parameter_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
   ros::Subscriber subscriber_;
