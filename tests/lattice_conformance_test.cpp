@@ -312,5 +312,45 @@ TEST(LatticeConformance, NeedsPrimitivesForItsCells) {
   EXPECT_NEAR(plan->goal_snapping_error.turn, 0.1, 1e-12);
 }
 
+/// A free map with these metres a cell, for a robot that is a point.
+FreeSpace free_yard(double resolution) {
+  Frame frame;
+  frame.resolution = resolution;
+  return *make_free_space(*make_grid_map(Grid<CellState>(40, 40, CellState::free), frame));
+}
+
+TEST(LatticeUpdate, ItsTurningCircleIsInMetresOnEveryMap) {
+  const OptionValues options{{"turning_radius", "2"}};
+  const Query query{{5.5, 5.5, 0}, {Pose{30.5, 28.5, kPi / 2}}};
+  const auto updated = *make_planner("lattice", free_yard(1), options);
+  for (const double resolution : {0.5, 1.0, 0.25}) {
+    ASSERT_TRUE(updated->update(free_yard(resolution)));
+    const auto fresh = *make_planner("lattice", free_yard(resolution), options);
+    const auto expected = fresh->plan(query);
+    const auto plan = updated->plan(query);
+    ASSERT_TRUE(expected && plan) << resolution;
+    EXPECT_EQ(plan->path, expected->path) << resolution;
+    EXPECT_EQ(plan->cost, expected->cost) << resolution;
+  }
+}
+
+TEST(LatticeUpdate, AMapThatIsTooFineIsAnErrorAsWhenMakingIt) {
+  const OptionValues options{{"turning_radius", "20"}};
+  const auto planner = *make_planner("lattice", free_yard(1), options);
+  const FreeSpace fine = free_yard(1e-4);
+  const auto made = make_planner("lattice", fine, options);
+  ASSERT_FALSE(made);
+  const auto updated = planner->update(fine);
+  ASSERT_FALSE(updated);
+  EXPECT_EQ(updated.error().message, made.error().message);
+  const Query query{{5.5, 5.5, 0}, {Pose{30.5, 28.5, 0}}};
+  const auto plan = planner->plan(query);
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().status, Status::unsupported_map);
+  EXPECT_EQ(plan.error().message, made.error().message);
+  ASSERT_TRUE(planner->update(free_yard(1)));
+  EXPECT_TRUE(planner->plan(query));
+}
+
 }  // namespace
 }  // namespace wend::test

@@ -55,13 +55,9 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   if (!options) {
     return Unexpected<Error>(options.error());
   }
-  auto primitives = primitives_for(space, *options);
-  if (!primitives) return Unexpected<Error>(primitives.error());
-  std::string why_none = MotionLattice::why_none(space.map(), *primitives);
-  if (!why_none.empty()) {
-    return failure(Status::unsupported_map, std::move(why_none));
-  }
-  auto planner = std::make_unique<LatticePlanner>(space, *std::move(primitives), *options);
+  auto planner = std::make_unique<LatticePlanner>(
+      space, [flags = *options](const FreeSpace& other) { return primitives_for(other, flags); },
+      *options);
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }

@@ -44,24 +44,25 @@ std::string text_of(const Pose& pose) {
 
 }  // namespace
 
-LatticePlanner::LatticePlanner(FreeSpace space, MotionPrimitives primitives,
+LatticePlanner::LatticePlanner(FreeSpace space, PrimitivesChooser choose_primitives,
                                const LatticeOptions& options)
-    : SearchPlanner(std::move(space)), primitives_(std::move(primitives)), options_(options) {
+    : SearchPlanner(std::move(space)),
+      choose_primitives_(std::move(choose_primitives)),
+      options_(options) {
   LatticePlanner::do_update({});
 }
 
-LatticePlanner::LatticePlanner(FreeSpace space, MotionPrimitives primitives,
-                               const LatticeOptions& options,
-                               std::shared_ptr<const MotionLattice> lattice)
+LatticePlanner::LatticePlanner(const LatticePlanner& other, FreeSpace space)
     : SearchPlanner(std::move(space)),
-      primitives_(std::move(primitives)),
-      options_(options),
-      lattice_(std::move(lattice)) {
-  make_engine();
+      choose_primitives_(other.choose_primitives_),
+      options_(other.options_),
+      fault_(other.fault_),
+      lattice_(other.lattice_) {
+  if (lattice_) fault_ = make_engine();
 }
 
 std::unique_ptr<Planner> LatticePlanner::do_clone() const {
-  return std::make_unique<LatticePlanner>(free_space(), primitives_, options_, lattice_);
+  return std::unique_ptr<Planner>(new LatticePlanner(*this, free_space()));
 }
 
 bool LatticePlanner::fits(const LatticePose& place) const {
@@ -136,9 +137,7 @@ void LatticePlanner::assess(Plan& out) {
 }
 
 std::string LatticePlanner::do_reason(const Query& query, Status status) const {
-  if (status == Status::unsupported_map) {
-    return MotionLattice::why_none(free_space().map(), primitives_);
-  }
+  if (status == Status::unsupported_map) return fault_ ? fault_->message : std::string();
   if (status == Status::unsupported_query) {
     return query.goals.empty() ? "the query has no goal"
                                : "the headings of the start and the goal must be finite numbers";
@@ -170,24 +169,30 @@ double LatticePlanner::do_heuristic(const Pose& pose) const {
 }
 
 std::uint64_t LatticePlanner::do_state_count() const {
-  return free_space().possible().count() * primitives_.headings().size();
+  return lattice_ ? free_space().possible().count() * lattice_->headings().size() : 0;
 }
 
 std::optional<Error> LatticePlanner::do_update(std::span<const Cell> /*changed*/) {
   engine_.reset();  // its memory first
   lattice_.reset();
-  std::string why_none = MotionLattice::why_none(free_space().map(), primitives_);
-  if (!why_none.empty()) return Error{Status::unsupported_map, std::move(why_none)};
-  lattice_ = std::make_shared<const MotionLattice>(free_space(), primitives_, options_.costs);
-  make_engine();
-  return fault();
+  fault_ = prepare();
+  return fault_;
 }
 
-void LatticePlanner::make_engine() {
-  if (!lattice_) return;
+std::optional<Error> LatticePlanner::prepare() {
+  auto primitives = choose_primitives_(free_space());
+  if (!primitives) return std::move(primitives.error());
+  std::string why_none = MotionLattice::why_none(free_space().map(), *primitives);
+  if (!why_none.empty()) return Error{Status::unsupported_map, std::move(why_none)};
+  lattice_ = std::make_shared<const MotionLattice>(free_space(), *primitives, options_.costs);
+  return make_engine();
+}
+
+std::optional<Error> LatticePlanner::make_engine() {
   const auto heuristic = options_.weight == 0 ? LatticeHeuristic::zero : options_.heuristic;
   engine_ = std::make_unique<LatticeEngineOf>(
       LatticeSpace(*lattice_), LatticePriority(*lattice_, heuristic, options_.weight));
+  return no_memory_for("the robot");
 }
 
 }  // namespace wend

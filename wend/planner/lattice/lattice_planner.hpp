@@ -3,6 +3,7 @@
 // LatticePlanner: a planner that moves a robot by motion primitives: those of the FreeSpace's robot, or a
 // built-in set. It checks queries, runs a LatticeEngine, and makes a path of segments of what it found.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,16 +29,18 @@ struct LatticeOptions {
 
 class LatticePlanner final : public SearchPlanner<LatticeEngine> {
  public:
-  /// MotionLattice::why_none() is empty.
-  LatticePlanner(FreeSpace space, MotionPrimitives primitives, const LatticeOptions& options);
-  /// The same on a lattice that exists; null on a map that does not suit the primitives.
-  LatticePlanner(FreeSpace space, MotionPrimitives primitives, const LatticeOptions& options,
-                 std::shared_ptr<const MotionLattice> lattice);
+  /// The primitives for a space: they depend on its robot and resolution. Called again for another space.
+  using PrimitivesChooser = std::function<Expected<MotionPrimitives, Error>(const FreeSpace&)>;
 
-  /// Why there is no memory for its searches, if there is none.
-  std::optional<Error> fault() const { return no_memory_for("the robot"); }
+  LatticePlanner(FreeSpace space, PrimitivesChooser choose_primitives,
+                 const LatticeOptions& options);
+
+  /// Why it cannot plan in its space, if it cannot.
+  const std::optional<Error>& fault() const { return fault_; }
 
  private:
+  LatticePlanner(const LatticePlanner& other, FreeSpace space);
+
   std::optional<Status> do_check(const Query& query) override;
   void begin_search(const Limits& limits, SearchObserver* observer) override;
   void assess(Plan& out) override;
@@ -48,14 +51,16 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(std::span<const Cell> changed) override;
 
-  void make_engine();
+  std::optional<Error> prepare();
+  std::optional<Error> make_engine();
 
   std::optional<Status> take_goal(const Goal& goal);
   bool fits(const LatticePose& place) const;
 
-  MotionPrimitives primitives_;
+  PrimitivesChooser choose_primitives_;
   LatticeOptions options_;
-  // Null if the map's resolution does not suit the primitives; then there is no engine either.
+  std::optional<Error> fault_;
+  // Null if there are no primitives for the space; then there is no engine either.
   std::shared_ptr<const MotionLattice> lattice_;  // clones share it
   // Of the query that was checked last.
   Pose asked_start_;
