@@ -38,8 +38,7 @@ std::string load_plugins(std::vector<std::string>& arguments) {
 
 void add_plugin_option(Parser& app) {
   const auto nothing = [](const std::string& /*file*/) {};  // load_plugins() has read it
-  app.add_option(std::string(kPluginFlag), nothing,
-                 "Load planners from a shared object; may be repeated")
+  app.add_option(std::string(kPluginFlag), nothing, "Load planners from a shared object")
       .type_name("FILE");
 }
 
