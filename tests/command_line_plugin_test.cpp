@@ -51,8 +51,9 @@ TEST_F(Plugin, ItsPlannersAreComparedBenchedAndListed) {
                                  "--goal", "4,1", "--planner", "astar,swirl"});
   EXPECT_EQ(compared.code, 0) << compared.err;
   EXPECT_THAT(compared.out, AllOf(HasSubstr("astar"), HasSubstr("swirl")));
+  const std::string scenario = folder_.write("map.scen", "version 1\n0 map.txt 5 3 0 1 4 1 6\n");
   const Outcome benched = wend(
-      {"--plugin", plugin("swirl"), "bench", map(), "--random", "3", "--planner", "astar,swirl"});
+      {"--plugin", plugin("swirl"), "bench", scenario, "--map", map(), "--planner", "astar,swirl"});
   EXPECT_EQ(benched.code, 0) << benched.err;
   EXPECT_THAT(benched.out, HasSubstr("swirl"));
   EXPECT_THAT(wend({"planners", "--plugin=" + plugin("swirl")}).out, HasSubstr("swirl"));
