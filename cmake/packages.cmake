@@ -56,6 +56,10 @@ This package has the C++ headers, and what CMake and pkg-config read.")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME wend)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+# The program uses the library of this build: dpkg-shlibdeps finds it there, but knows no package of it.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}/wend")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
+    "libwend${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "wend plans paths for robots on grid maps, smooths them and follows them.
