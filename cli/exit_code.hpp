@@ -12,9 +12,8 @@ namespace wend::cli {
 
 enum ExitCode : int {
   success = 0,
-  no_plan =
-      1,  // there is no plan, a benchmark or test-planner found an error, convert --strict a loss
-  bad_input = 2,      // bad usage or input: nothing was planned
+  no_plan = 1,    // no plan; bench or test-planner found an error; convert --strict found a loss
+  bad_input = 2,  // bad usage or input: nothing was planned
   interrupted = 130,  // Ctrl-C, as shells number it
 };
 

@@ -3,84 +3,63 @@
 // It goes depth first and turns left where it can. It finds a path if there is one, rarely a short one.
 #include <array>
 
-#include "wend/map/grid.hpp"
 #include "wend/planner/cell_planner.hpp"
-#include "wend/planner/planner_plugin.hpp"
+#include "wend/plugin/planner_plugin.hpp"
 
 namespace {
 
 constexpr wend::GridMoves kMoves{wend::Connectivity::four, wend::CornerRule::none};
 constexpr std::array<wend::Cell, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-constexpr int kStart = 4;  // the start was reached by no step
+
+wend::Cell after(wend::Cell cell, int step) {
+  return {cell.x + kSteps[step].x, cell.y + kSteps[step].y};
+}
 
 class Swirl final : public wend::CellPlanner {
  public:
   explicit Swirl(const wend::FreeSpace& space) : CellPlanner(space, kMoves) {}
 
  private:
-  wend::SearchOutcome search(wend::CellSearch& search, wend::Path& path) override {
-    reached_by_ = wend::Grid<int>(free_space().width(), free_space().height(), -1);
-    open_.clear();
-    generate(search, search.start(), kStart, 0);
-    while (!open_.empty()) {
-      const Visit visit = open_.back();
-      open_.pop_back();
-      if (!search.expand(visit.cell, before(visit.cell), visit.g)) return search.outcome();
-      if (search.is_goal(visit.cell)) return write(visit.cell, path);
-      const int ahead = reached_by_[visit.cell];
+  std::optional<wend::Cell> search(wend::CellSearch& search) override {
+    std::vector<wend::Cell> open{search.start()};
+    while (!open.empty()) {
+      const wend::Cell cell = open.back();
+      open.pop_back();
+      if (!search.expand(cell)) return std::nullopt;
+      if (search.is_goal(cell)) return cell;
       for (const int turn : {2, 3, 0, 1}) {  // the last is expanded first: left
-        const int step = (ahead + turn) % 4;
-        const wend::Cell next{visit.cell.x + kSteps[step].x, visit.cell.y + kSteps[step].y};
-        if (!free_space().passable(next) || reached_by_[next] >= 0) continue;
-        generate(search, next, step, visit.g + 1);
+        const wend::Cell next = after(cell, (step_to(search, cell) + turn) % 4);
+        if (!free_space().passable(next) || search.reached(next)) continue;
+        search.reach(next, cell, search.cost(cell) + 1);
+        open.push_back(next);
       }
     }
-    return wend::SearchOutcome::exhausted;
+    return std::nullopt;
   }
 
-  void generate(wend::CellSearch& search, wend::Cell cell, int step, double g) {
-    reached_by_[cell] = step;
-    search.generate(cell, before(cell), g);
-    open_.push_back({cell, g});
-  }
-
-  std::optional<wend::Cell> before(wend::Cell cell) const {
-    const int step = reached_by_[cell];
-    if (step == kStart) return std::nullopt;
-    return wend::Cell{cell.x - kSteps[step].x, cell.y - kSteps[step].y};
-  }
-
-  wend::SearchOutcome write(wend::Cell goal, wend::Path& path) const {
-    for (std::optional<wend::Cell> cell = goal; cell; cell = before(*cell)) path.append(*cell);
-    path.reverse();
-    return wend::SearchOutcome::found;
+  static int step_to(const wend::CellSearch& search, wend::Cell cell) {
+    const auto parent = search.parent(cell);
+    int step = 0;
+    while (parent && step < 3 && after(*parent, step) != cell) ++step;
+    return step;
   }
 
   std::unique_ptr<wend::Planner> do_clone() const override {
     return std::make_unique<Swirl>(free_space());
   }
-
-  struct Visit {
-    wend::Cell cell;
-    double g;
-  };
-  wend::Grid<int> reached_by_;  // the step that led to a cell; -1: none yet
-  std::vector<Visit> open_;
 };
+
+wend::PlannerResult make_swirl(const wend::FreeSpace& space, const wend::OptionValues& options) {
+  if (auto refused = wend::refused_options(options)) return wend::Unexpected<wend::Error>(*refused);
+  return std::make_unique<Swirl>(space);
+}
 
 wend::PlannerInfo swirl_planner() {
   return {.name = "swirl",
           .summary = "Swirl: depth first, and to the left where it can",
-          .idea = "It turns left before it goes ahead.",
           .guarantee_text = "complete",
           .guarantee = wend::Guarantee::complete,
-          .make = [](const wend::FreeSpace& space,
-                     const wend::OptionValues& options) -> wend::PlannerResult {
-            if (auto refused = wend::refused_options(options)) {
-              return wend::Unexpected<wend::Error>(*std::move(refused));
-            }
-            return std::make_unique<Swirl>(space);
-          }};
+          .make = make_swirl};
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "tests/snippets.hpp"
-#include "wend/io/plugin/load_planners.hpp"
 #include "wend/planner/cell_planner.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/plugin/load_planners.hpp"
 
 namespace {
 
@@ -25,19 +25,16 @@ class Swirl final : public wend::CellPlanner {
   explicit Swirl(const wend::FreeSpace& space) : CellPlanner(space, kMoves) {}
 
  private:
-  wend::SearchOutcome search(wend::CellSearch& search, wend::Path& path) override;
+  std::optional<wend::Cell> search(wend::CellSearch& search) override;
   std::unique_ptr<wend::Planner> do_clone() const override {
     return std::make_unique<Swirl>(free_space());
   }
 };
 
-/// It finds only what is no way off.
-wend::SearchOutcome Swirl::search(wend::CellSearch& search, wend::Path& path) {
-  search.generate(search.start(), {}, 0);
-  if (!search.expand(search.start(), {}, 0)) return search.outcome();
-  if (!search.is_goal(search.start())) return wend::SearchOutcome::exhausted;
-  path.append(search.start());
-  return wend::SearchOutcome::found;
+/// Finds a path only if the start is a goal.
+std::optional<wend::Cell> Swirl::search(wend::CellSearch& search) {
+  if (!search.expand(search.start()) || !search.is_goal(search.start())) return std::nullopt;
+  return search.start();
 }
 
 wend::PlannerInfo swirl_planner() {

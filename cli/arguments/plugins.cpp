@@ -3,7 +3,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "wend/io/plugin/load_planners.hpp"
+#include "wend/plugin/load_planners.hpp"
 
 namespace wend::cli {
 namespace {

@@ -157,7 +157,7 @@ RefinedPath refine(const Path& path, const FreeSpace& space, const Refinement& r
 
 std::vector<SceneLine> lines_of(const RefinedPath& path) {
   const auto points_of = [](const Path& each) {
-    const auto points = Polyline::of(each);
+    const auto points = polyline_of(each);
     return std::vector<Point>(points.points().begin(), points.points().end());
   };
   return {{LineRole::planned, points_of(path.before)},

@@ -1,6 +1,6 @@
 // A plugin with one planner of a new name, and one whose name is taken.
 
-#include "wend/planner/planner_plugin.hpp"
+#include "wend/plugin/planner_plugin.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // A plugin with two planners, which plan as A* does.
 
-#include "wend/planner/planner_plugin.hpp"
+#include "wend/plugin/planner_plugin.hpp"
 
 namespace {
 

@@ -128,8 +128,8 @@ Walk walk_along(const Path& path, const std::vector<Arc>& arcs) {
   walk.points.push_back(path.points().front());
   for (const Arc& arc : arcs) {
     const Polyline chords =
-        Polyline::of(path.driven() ? Path::through({arc.from, end_of(arc)})
-                                   : Path::along({arc.from.point(), point_on(arc, arc.length)}));
+        polyline_of(path.driven() ? Path::through({arc.from, end_of(arc)})
+                                  : Path::along({arc.from.point(), point_on(arc, arc.length)}));
     for (const Point point : chords.points()) {
       if (point == walk.points.back()) continue;
       walk.points.push_back(point);

@@ -217,7 +217,7 @@ Path eight() {
 
 /// A robot that drives along, a little off and askew, and asks for the rest as it goes.
 void expect_kept_up(const Path& path, double off) {
-  const Polyline line = Polyline::of(path);
+  const Polyline line = polyline_of(path);
   double along = 0;
   for (double true_along = 0; true_along < line.length(); true_along += 0.5) {
     Pose pose = line.at(true_along);
@@ -241,7 +241,7 @@ TEST(Remaining, SkipsNoLoop) {
 
 TEST(Remaining, FindsItsPlaceInALoopByTheHeading) {
   const Path path = eight();  // crosses itself in (20, 20): first to the upper right
-  const double half = Polyline::of(path).length() / 2;
+  const double half = polyline_of(path).length() / 2;
   EXPECT_NEAR(remaining(path, {20, 20, kPi / 4}).along, 0, 0.1);
   EXPECT_NEAR(remaining(path, {20, 20, kPi * 3 / 4}).along, half, 0.1);
 }

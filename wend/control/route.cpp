@@ -27,7 +27,7 @@ std::vector<RouteLeg> legs_of(const Path& path, const Frame& frame) {
       ++end;
     }
     const auto stretch = poses.subspan(first, end - first + 1);
-    const Polyline line = Polyline::of(Path::through({stretch.begin(), stretch.end()}));
+    const Polyline line = polyline_of(Path::through({stretch.begin(), stretch.end()}));
     legs.push_back({in_metres(line, frame, false), sign < 0});
     if (end == first) break;  // a single pose
     first = end;
@@ -67,7 +67,7 @@ Route::Route(const Path& path, const Frame& frame, bool closed) {
     if (closed) join_end_to_start(legs_);
     start_ = frame.to_metres(path.driven_poses().front());
   } else {
-    legs_.push_back({in_metres(Polyline::of(path), frame, closed), false});
+    legs_.push_back({in_metres(polyline_of(path), frame, closed), false});
     start_ = facing(legs_.front(), 0);
   }
   end_ = facing(legs_.back(), legs_.back().line.length());

@@ -70,8 +70,8 @@ TEST(CornerRounding, StaysFreeAndWithinTheWindowAndCanBeTimed) {
     constexpr double kWindow = 0.2;
     const Path rounded = rounded_corners(path, space, kWindow);
     EXPECT_FALSE(first_collision(rounded, space));
-    const Polyline line = Polyline::of(path);
-    const Polyline curve = Polyline::of(rounded);
+    const Polyline line = polyline_of(path);
+    const Polyline curve = polyline_of(rounded);
     for (const Point point : curve.points()) {
       EXPECT_LE(line.nearest(point, 0, line.length()).distance, kWindow + 1e-9);
     }

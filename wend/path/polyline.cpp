@@ -47,20 +47,6 @@ BasicPolyline<PoseType>::BasicPolyline(std::span<const PointType> points, bool c
 }
 
 template <class PoseType>
-BasicPolyline<Pose> BasicPolyline<PoseType>::of(const Path& path, bool closed, double tolerance) {
-  const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
-  const auto along_arcs = [&](const JoinedPoses& joined) {
-    std::vector<Point> points{joined.poses().front().point()};
-    for (const Arc& arc : path.arcs()) {
-      const int pieces = pieces_of(arc, tolerance);
-      for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
-    }
-    return Polyline(points, closed);
-  };
-  return path.visit(along_points, along_arcs);
-}
-
-template <class PoseType>
 std::size_t BasicPolyline<PoseType>::piece_at(double along) const {
   if (points_.size() < 2) return 0;
   const auto next = std::upper_bound(along_.begin(), along_.end(), along);
@@ -118,6 +104,19 @@ auto BasicPolyline<PoseType>::nearest(PointType point, double from, double to) c
 
 template class BasicPolyline<Pose>;
 template class BasicPolyline<MapPose>;
+
+Polyline polyline_of(const Path& path, bool closed, double tolerance) {
+  const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
+  const auto along_arcs = [&](const JoinedPoses& joined) {
+    std::vector<Point> points{joined.poses().front().point()};
+    for (const Arc& arc : path.arcs()) {
+      const int pieces = pieces_of(arc, tolerance);
+      for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
+    }
+    return Polyline(points, closed);
+  };
+  return path.visit(along_points, along_arcs);
+}
 
 std::vector<Pose> poses_along(const Polyline& line, double spacing) {
   return poses_every(line, spacing);

@@ -7,8 +7,8 @@
 //   const wend::Pose middle = line.at(5);                                    // (3,2), heading up y
 //   const wend::OnPolyline nearest = line.nearest({2, 1}, 0, line.length());  // (2,0), 2 along
 //
-// A Polyline is in grid coordinates, a MapPolyline in metres. A closed polyline continues from its last point to its
-// first; equal successive points count once. Immutable.
+// A Polyline is in grid coordinates, a MapPolyline in metres. A closed polyline continues from its last
+// point to its first; equal successive points count once. Immutable.
 
 #include <cstddef>
 #include <initializer_list>
@@ -47,9 +47,6 @@ class BasicPolyline {
   /// The same for a list of points.
   BasicPolyline(std::initializer_list<PointType> points, bool closed = false)
       : BasicPolyline(std::span(points.begin(), points.size()), closed) {}
-
-  /// The polyline of a path (not empty), always in grid coordinates; arcs within `tolerance` cells.
-  static BasicPolyline<Pose> of(const Path& path, bool closed = false, double tolerance = 0.01);
 
   /// Its points, no two successive ones equal; a closed polyline repeats the first at the end.
   std::span<const PointType> points() const { return points_; }
@@ -92,6 +89,9 @@ using MapPolyline = BasicPolyline<MapPose>;
 
 extern template class WEND_API BasicPolyline<Pose>;
 extern template class WEND_API BasicPolyline<MapPose>;
+
+/// The polyline of a path (not empty); arcs within `tolerance` cells.
+WEND_API Polyline polyline_of(const Path& path, bool closed = false, double tolerance = 0.01);
 
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
 WEND_API std::vector<Pose> poses_along(const Polyline& line, double spacing);

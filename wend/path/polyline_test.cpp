@@ -73,7 +73,7 @@ TEST(PosesAlong, AreEvenlySpacedAndReachTheEnd) {
 
 TEST(Polyline, OfADriveKeepsToItsArcs) {
   const Path drive = Path::through({{0, 0, 0}, {5, 5, kPi / 2}, {5, 9, kPi / 2}});
-  const Polyline line = Polyline::of(drive, false, 0.001);
+  const Polyline line = polyline_of(drive, false, 0.001);
   EXPECT_NEAR(line.length(), 5 * kPi / 2 + 4, 0.01);
   for (int i = 0; i <= 100; ++i) {
     const Point point = line.at(line.length() * i / 100).point();

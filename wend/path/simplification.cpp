@@ -195,7 +195,7 @@ Path resampled(const Path& path, double spacing, const FreeSpace& space, Adjacen
   assert(!path.empty() && spacing > 0);
   if (path.driven()) return resampled_drive(path, spacing);
   const Sight sight(space, adjacency);
-  const Polyline line = Polyline::of(path);
+  const Polyline line = polyline_of(path);
   const auto along = line.along();
   const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
   std::vector<Point> points{line.points().front()};

@@ -103,7 +103,7 @@ TEST(WithoutCollinear, IsTheSameWay) {
     const Path fewer = without_collinear(walk.path);
     expect_same_ends(walk.path, fewer);
     ASSERT_NEAR(fewer.length(), walk.path.length(), 1e-7);
-    const Polyline line = Polyline::of(fewer);
+    const Polyline line = polyline_of(fewer);
     for (const Point point : walk.path.points()) {
       ASSERT_LT(line.nearest(point, 0, line.length()).distance, 1e-7);
     }
@@ -123,7 +123,7 @@ TEST(WithoutCollinear, KeepsAWayThatBendsEverSoLittle) {
   const Path bend = Path::along(points);
   const Path fewer = without_collinear(bend);
   EXPECT_LT(fewer.size(), bend.size() / 2);
-  const Polyline line = Polyline::of(fewer);
+  const Polyline line = polyline_of(fewer);
   for (const Point point : points) {
     EXPECT_LT(line.nearest(point, 0, line.length()).distance, 1e-8);
   }
@@ -137,7 +137,7 @@ TEST(Simplified, KeepsToItsToleranceAndStaysFree) {
     expect_free(walk, fewer);
     ASSERT_LE(fewer.size(), walk.path.size());
     ASSERT_LE(fewer.length(), walk.path.length() + 1e-9);
-    const Polyline line = Polyline::of(fewer);
+    const Polyline line = polyline_of(fewer);
     for (const Point point : walk.path.points()) {
       ASSERT_LE(line.nearest(point, 0, line.length()).distance, tolerance + 1e-9);
     }
@@ -180,7 +180,7 @@ TEST(Resampled, IsEvenWhereThereIsRoomAndStaysFree) {
     const Path even = resampled(walk.path, spacing, walk.space, walk.adjacency);
     expect_same_ends(walk.path, even);
     expect_free(walk, even);
-    const Polyline line = Polyline::of(walk.path);
+    const Polyline line = polyline_of(walk.path);
     for (const Point point : even.points()) {
       ASSERT_LT(line.nearest(point, 0, line.length()).distance, 1e-7) << "it is on the path";
     }

@@ -1,6 +1,7 @@
 #include "wend/planner/cell_planner.hpp"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "wend/planner/grid/grid_planner.hpp"
@@ -8,28 +9,56 @@
 
 namespace wend {
 
-CellSearch::CellSearch(Cell start, std::span<const Cell> goals, const Query& query)
-    : start_(start), goals_(goals), observer_(query.observer) {
+CellSearch::CellSearch(const Query& query, Cell start, std::span<const Cell> goals, Node* nodes,
+                       int width, std::uint64_t number)
+    : start_(start),
+      goals_(goals),
+      nodes_(nodes),
+      width_(width),
+      number_(number),
+      observer_(query.observer) {
   limits_.begin(query.limits);
+  reach(start, start, 0);
 }
 
 bool CellSearch::is_goal(Cell cell) const {
   return std::find(goals_.begin(), goals_.end(), cell) != goals_.end();
 }
 
-void CellSearch::generate(Cell cell, std::optional<Cell> parent, double g) {
-  ++metrics_.generated;
-  metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
-  if (observer_ != nullptr) observer_->on_generate({cell, parent, g, 0, g});
+void CellSearch::reach(Cell cell, Cell parent, double g) {
+  const bool again = reached(cell);
+  nodes_[index(cell)] = {number_, parent, g};
+  if (!again) {
+    ++metrics_.generated;
+    metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
+  }
+  if (observer_ == nullptr) return;
+  const SearchEvent event{cell, this->parent(cell), g, 0, g};
+  if (again) {
+    observer_->on_relax(event);
+  } else {
+    observer_->on_generate(event);
+  }
 }
 
-bool CellSearch::expand(Cell cell, std::optional<Cell> parent, double g) {
+std::optional<Cell> CellSearch::parent(Cell cell) const {
+  if (cell == start_) return std::nullopt;
+  return node(cell).parent;
+}
+
+bool CellSearch::expand(Cell cell) {
   if (limits_.due(metrics_.expanded)) {
-    outcome_ = limits_.look(metrics_.expanded);
-    if (outcome_ != SearchOutcome::running) return false;
+    const SearchOutcome outcome = limits_.look(metrics_.expanded);
+    if (outcome != SearchOutcome::running) {
+      outcome_ = outcome;
+      return false;
+    }
   }
   ++metrics_.expanded;
-  if (observer_ != nullptr) observer_->on_expand({cell, parent, g, 0, g});
+  if (observer_ != nullptr) {
+    const double g = cost(cell);
+    observer_->on_expand({cell, parent(cell), g, 0, g});
+  }
   return true;
 }
 
@@ -44,14 +73,24 @@ std::optional<Status> CellPlanner::do_check(const Query& query) {
   return refused;
 }
 
+bool CellPlanner::allocate() {
+  const std::size_t cells = free_space().map().size();
+  if (nodes_ != nullptr && node_count_ == cells) return true;
+  nodes_.reset();  // its memory first
+  nodes_.reset(new (std::nothrow) CellSearch::Node[cells]);
+  node_count_ = cells;
+  searches_ = 0;
+  return nodes_ != nullptr;
+}
+
 Status CellPlanner::do_plan(const Query& query, Plan& out) {
-  CellSearch task(start_, goals_, query);
-  const SearchOutcome outcome = search(task, out.path);
-  out.metrics = task.metrics();
-  if (outcome != SearchOutcome::found) {
-    out.path.clear();
-    return status_of(outcome);
-  }
+  if (!allocate()) return Status::memory_limit;
+  CellSearch task(query, start_, goals_, nodes_.get(), free_space().width(), ++searches_);
+  const std::optional<Cell> goal = search(task);
+  out.metrics = task.metrics_;
+  if (!goal) return status_of(task.outcome_);
+  for (std::optional<Cell> cell = goal; cell; cell = task.parent(*cell)) out.path.append(*cell);
+  out.path.reverse();
   out.cost = grid_path_cost(free_space(), out.path.cells());
   out.bound = bound_;
   return Status::found;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/testing/drawn_map.hpp"
 #include "wend/planner/observer.hpp"
@@ -20,16 +21,15 @@ class Rightwards final : public CellPlanner {
   explicit Rightwards(FreeSpace space) : CellPlanner(std::move(space), kOrthogonalSteps, 1) {}
 
  private:
-  SearchOutcome search(CellSearch& search, Path& path) override {
-    std::optional<Cell> parent;
-    for (Cell cell = search.start(); free_space().passable(cell); ++cell.x) {
-      search.generate(cell, parent, static_cast<double>(path.size()));
-      if (!search.expand(cell, parent, static_cast<double>(path.size()))) return search.outcome();
-      path.append(cell);
-      if (search.is_goal(cell)) return SearchOutcome::found;
-      parent = cell;
+  std::optional<Cell> search(CellSearch& search) override {
+    for (Cell cell = search.start(); search.expand(cell);) {
+      if (search.is_goal(cell)) return cell;
+      const Cell next{cell.x + 1, cell.y};
+      if (!free_space().passable(next)) return std::nullopt;
+      search.reach(next, cell, search.cost(cell) + 1);
+      cell = next;
     }
-    return SearchOutcome::exhausted;
+    return std::nullopt;
   }
 
   std::unique_ptr<Planner> do_clone() const override {
@@ -115,6 +115,58 @@ TEST(CellPlanner, PlansOnAnotherSpaceAfterAnUpdateAndInAClone) {
   ASSERT_TRUE(planner.update(test::open_space(8, 1)));
   EXPECT_EQ(status_text(planner, Query::between({0, 0}, {7, 0})), "found");
   EXPECT_EQ(status_text(*planner.clone(), Query::between({0, 0}, {7, 0})), "found");
+}
+
+/// Reaches the cells to the right and below, each first through the cell above it, then more cheaply.
+class Relaxing final : public CellPlanner {
+ public:
+  explicit Relaxing(FreeSpace space) : CellPlanner(std::move(space), kOrthogonalSteps) {}
+
+ private:
+  std::optional<Cell> search(CellSearch& search) override {
+    const Cell start = search.start();
+    const Cell right{start.x + 1, start.y};
+    const Cell below{start.x, start.y + 1};
+    const Cell goal{right.x, below.y};
+    if (!search.expand(start)) return std::nullopt;
+    search.reach(right, start, 1);
+    search.reach(below, start, 1);
+    EXPECT_FALSE(search.reached(goal));
+    search.reach(goal, right, 9);
+    search.reach(goal, below, 2);
+    EXPECT_TRUE(search.reached(goal));
+    EXPECT_EQ(search.cost(goal), 2);
+    EXPECT_EQ(search.parent(goal), below);
+    EXPECT_EQ(search.parent(start), std::nullopt);
+    return goal;
+  }
+
+  std::unique_ptr<Planner> do_clone() const override {
+    return std::make_unique<Relaxing>(free_space());
+  }
+};
+
+TEST(CellPlanner, ThePathLeadsThroughTheLastParents) {
+  class Relaxes final : public SearchObserver {
+   public:
+    void on_generate(const SearchEvent&) override {}
+    void on_expand(const SearchEvent&) override {}
+    void on_relax(const SearchEvent& event) override { events.push_back(event); }
+    std::vector<SearchEvent> events;
+  } relaxes;
+  Relaxing planner(test::open_space(4, 4));
+  Query query = Query::between({1, 1}, {2, 2});
+  query.observer = &relaxes;
+  for (int search = 1; search <= 3; ++search) {
+    const auto plan = planner.plan(query);
+    ASSERT_TRUE(plan);
+    const std::vector<Cell> cells(plan->path.cells().begin(), plan->path.cells().end());
+    EXPECT_EQ(cells, (std::vector<Cell>{{1, 1}, {1, 2}, {2, 2}}));
+    EXPECT_EQ(plan->metrics, (SearchMetrics{1, 4, 3}));
+    EXPECT_EQ(relaxes.events.size(), static_cast<std::size_t>(search));
+    EXPECT_EQ(relaxes.events.back().cell, (Cell{2, 2}));
+    EXPECT_EQ(relaxes.events.back().parent, (Cell{1, 2}));
+  }
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "wend/base/mutex.hpp"
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planner_plugin.hpp"
 
 namespace wend {
 
@@ -91,8 +90,6 @@ const Registry<PlannerInfo>& planners() { return registries().newest(); }
 Expected<void, Error> add_planners(std::vector<PlannerInfo> added) {
   return registries().add(std::move(added));
 }
-
-const void* library_mark() { return &registries(); }
 
 std::vector<std::string> planner_names(StateKind state_kind) {
   std::vector<std::string> names;

@@ -6,7 +6,7 @@
 //   if (!added) return report(added.error().message);
 //   const auto planner = wend::make_planner("swirl", space);
 //
-// planner_plugin.hpp makes a shared object of such a planner, for programs to load.
+// wend/plugin/planner_plugin.hpp makes a shared object of such a planner, for programs to load.
 
 #include <string>
 #include <string_view>

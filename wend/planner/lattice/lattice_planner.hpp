@@ -60,7 +60,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine> {
   PrimitivesChooser choose_primitives_;
   LatticeOptions options_;
   std::optional<Error> fault_;
-  // Null if there are no primitives for the space; then there is no engine either.
+  // Null if the space has no primitives; engine_ is then null too.
   std::shared_ptr<const MotionLattice> lattice_;  // clones share it
   // Of the query that was checked last.
   Pose asked_start_;

@@ -1,4 +1,4 @@
-#include "wend/io/plugin/load_planners.hpp"
+#include "wend/plugin/load_planners.hpp"
 
 #include <dlfcn.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "wend/io/files.hpp"
-#include "wend/planner/planner_plugin.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/plugin/planner_plugin.hpp"
 #include "wend/version.hpp"
 
 namespace wend {
@@ -51,6 +51,11 @@ std::optional<Error> unfit(const std::filesystem::path& plugin) {
 }
 
 }  // namespace
+
+const void* library_mark() {
+  static const char mark = 0;
+  return &mark;
+}
 
 Expected<std::vector<std::string>, Error> load_planners(const std::filesystem::path& plugin) {
   if (auto error = unfit(plugin)) return Unexpected<Error>(*std::move(error));

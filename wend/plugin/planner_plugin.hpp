@@ -6,7 +6,7 @@
 //   WEND_PLANNER_PLUGIN(swirl_planner)
 //
 // `wend --plugin libswirl.so plan MAP --planner swirl` uses it, and load_planners()
-// (wend/io/plugin/load_planners.hpp) loads it in a program of yours. examples/swirl.cpp is a whole plugin.
+// (wend/plugin/load_planners.hpp) loads it in a program of yours. examples/swirl.cpp is a whole plugin.
 //
 // Program and plugin exchange C++ objects, so they must use the same libwend.so, of the version that both
 // were compiled for. A program reads the version in the plugin's file and refuses another one, before any
