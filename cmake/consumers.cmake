@@ -2,10 +2,11 @@
 # a subdirectory. They are compiled as wend is: its libraries may need the sanitizers' run time.
 
 set(prefix "${PROJECT_BINARY_DIR}/consumers/prefix")
+set(static_prefix "${PROJECT_BINARY_DIR}/consumers/static_prefix")
 
 # wend_add_consumer_test(<name> <folder> <option>...): configures, builds and runs tests/<folder>.
 function(wend_add_consumer_test name folder)
-  set(build_dir "${PROJECT_BINARY_DIR}/consumers/${folder}")
+  set(build_dir "${PROJECT_BINARY_DIR}/consumers/${name}")
   add_test(
     NAME consumer.${name}
     COMMAND
@@ -31,8 +32,20 @@ if(WEND_INSTALL)
 endif()
 
 wend_add_consumer_test(add_subdirectory subdirectory_consumer "-DWEND_DIR=${PROJECT_SOURCE_DIR}"
-                       -DWEND_UNITY=ON -DWEND_PRECOMPILE=ON)
+                       -DWEND_UNITY=ON -DWEND_PRECOMPILE=ON -DWEND_INSTALL=ON
+                       "-DCMAKE_INSTALL_PREFIX=${static_prefix}")
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # It compiles the library a second time.
   set_tests_properties(consumer.add_subdirectory PROPERTIES LABELS long)
+endif()
+
+# What is installed here is libwend.so. The static libraries are those of the project above.
+if(WEND_INSTALL AND BUILD_SHARED_LIBS)
+  add_test(NAME consumer.install_static
+           COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}/consumers/add_subdirectory" --target install)
+  wend_add_consumer_test(find_static_package install_consumer "-DCMAKE_PREFIX_PATH=${static_prefix}")
+  set_tests_properties(consumer.add_subdirectory PROPERTIES FIXTURES_SETUP static_build)
+  set_tests_properties(consumer.install_static PROPERTIES TIMEOUT 1200 FIXTURES_REQUIRED static_build
+                                                          FIXTURES_SETUP static_installed)
+  set_tests_properties(consumer.find_static_package PROPERTIES FIXTURES_REQUIRED static_installed)
 endif()

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -129,48 +128,6 @@ TEST_P(EveryPlanner, IfAllGoalsAreHopelessGivesTheReasonOfTheFirst) {
   EXPECT_EQ(status_of(*planner, {start, {beyond, outside, blocked}}), "unreachable");
 }
 
-TEST_P(EveryPlanner, KeepsTheMetricsOfASearchThatReachedItsLimit) {
-  if (!searches()) GTEST_SKIP() << kLooksUp;
-  const auto planner = make(test::open_space(40, 40));
-  Query query = Query::between({0, 0}, {39, 39});
-  const auto unlimited = planner->plan(query);
-  ASSERT_TRUE(unlimited);
-  const std::uint64_t needed = unlimited->metrics.expanded;
-  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, needed / 2, needed - 1}) {
-    query.limits.expansions = limit;
-    const auto failed = planner->plan(query);
-    ASSERT_FALSE(failed) << limit;
-    EXPECT_EQ(to_string(failed.error().status), to_string(Status::expansion_limit));
-    EXPECT_EQ(failed.error().metrics.expanded, limit);
-    EXPECT_GE(failed.error().metrics.generated, limit);
-    EXPECT_GE(failed.error().metrics.generated, 1U);
-  }
-  query.limits.expansions = needed;
-  EXPECT_TRUE(planner->plan(query)) << "what it needs is enough";
-}
-
-TEST_P(EveryPlanner, StopsWhenTimeIsUpOrItIsCancelled) {
-  const auto planner = make(test::open_space(40, 40));
-  Query query = Query::between({0, 0}, {39, 39});
-  double now = 0;
-  query.limits.clock = [&] { return now++; };
-  query.limits.seconds = 0.5;
-  EXPECT_EQ(status_of(*planner, query), "time_limit");
-  query.limits.seconds = 1e9;
-  EXPECT_EQ(status_of(*planner, query), "found");
-  query.limits.clock = nullptr;
-  query.limits.seconds = -1;
-  EXPECT_EQ(status_of(*planner, query), "time_limit") << "the steady clock is the default";
-  query.limits.seconds = 1e9;
-  EXPECT_EQ(status_of(*planner, query), "found");
-
-  std::atomic<bool> cancel = true;
-  query.limits.cancel = &cancel;
-  EXPECT_EQ(status_of(*planner, query), "cancelled");
-  cancel = false;
-  EXPECT_EQ(status_of(*planner, query), "found");
-}
-
 TEST_P(EveryPlanner, KeepsItsOwnCopyOfTheLimitsWhileItIsStepped) {
   const auto planner = make(test::open_space(40, 40));
   Plan plan;
@@ -274,21 +231,6 @@ TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "found");
   ASSERT_TRUE(planner->update(test::open_space(2, 1)));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
-}
-
-TEST_P(EveryPlanner, SaysAtAnUpdateThatItCannotPlanOnTheSpace) {
-  const auto planner = make(test::drawn_space(kFourRooms));
-  const FreeSpace rough = *make_free_space(
-      *make_grid_map(Grid<CellState>(8, 3, CellState::free), {}, Grid<double>(8, 3, 2)));
-  const auto fresh = make_planner(GetParam(), rough);
-  const auto updated = planner->update(rough);
-  ASSERT_EQ(updated.has_value(), fresh.has_value());
-  if (!updated) {
-    EXPECT_EQ(updated.error().status, Status::unsupported_map);
-    EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unsupported_map");
-  }
-  ASSERT_TRUE(planner->update(test::open_space(8, 3)));
-  EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "found");
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner,
