@@ -108,7 +108,7 @@ void examine_limits(Examination& examination, std::uint64_t seed) {
   examination.on(trial, seed);
   const auto planner = examination.planner_for(trial);
   if (planner == nullptr) return;
-  Query query{pose_at({2, 2}), {pose_at({37, 37})}};
+  const Query query{pose_at({2, 2}), {pose_at({37, 37})}};
   examination.ask(query);
   const Answer unlimited = answer_of(*planner, query);
   if (unlimited.status != Status::found) {
@@ -124,7 +124,7 @@ void examine_limits(Examination& examination, std::uint64_t seed) {
 }
 
 void examine_terrain(Examination& examination, std::uint64_t seed) {
-  Trial trial = walled_trial(examination, 8, 8, 8);
+  const Trial trial = walled_trial(examination, 8, 8, 8);
   const FreeSpace flat = *make_free_space(trial.map);
   const auto refuses = [&](const auto& result) {
     return !result && result.error().status == Status::unsupported_map;

@@ -37,8 +37,8 @@ inline Cell random_cell_or_outside(Random& random, int width, int height) {
 }
 
 inline Grid<CellState> random_states(Random& random, int width, int height) {
-  const double blocked = one_of<double>(random, std::array{0.0, 0.1, 0.25, 0.4, 0.5, 1.0});
-  const double unknown = one_of<double>(random, std::array{0.0, 0.0, 0.1, 0.5});
+  const auto blocked = one_of<double>(random, std::array{0.0, 0.1, 0.25, 0.4, 0.5, 1.0});
+  const auto unknown = one_of<double>(random, std::array{0.0, 0.0, 0.1, 0.5});
   Grid<CellState> states(width, height, CellState::free);
   const auto block = [&](Cell cell) {
     states[cell] = random.chance(unknown) ? CellState::unknown : CellState::occupied;
@@ -103,9 +103,9 @@ inline std::optional<OutsidePolicy> random_outside(Random& random) {
 
 /// Mostly a point, else a disc; radii that touch squares exactly are among them. Some keep away.
 inline FreeSpaceOptions random_robot(Random& random, double resolution) {
-  const double radius = one_of<double>(
+  const auto radius = one_of<double>(
       random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 3.3});
-  const double clearance_distance =
+  const auto clearance_distance =
       one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.4, 0.5, 1.0, 2.5, 7.0});
   return {.footprint = Footprint::disc(radius * resolution),
           .unknown = random.chance(0.5) ? UnknownPolicy::blocked : UnknownPolicy::free,

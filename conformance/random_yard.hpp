@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "conformance/random_map.hpp"
 
@@ -31,7 +32,7 @@ inline Grid<double> random_rough(Random& random, int width, int height) {
 /// As random_map(), with fewer obstacles: each makes four corners impassable.
 inline GridMap random_yard(Random& random, int width, int height) {
   const GridMap map = random_map(random, width, height);
-  const double kept = one_of<double>(random, std::array{0.0, 0.1, 0.3, 0.3, 0.6, 1.0});
+  const auto kept = one_of<double>(random, std::array{0.0, 0.1, 0.3, 0.3, 0.6, 1.0});
   Grid<CellState> states(width, height, CellState::free);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -48,9 +49,9 @@ inline GridMap random_yard(Random& random) {
 
 /// Mostly a point, else a disc: radii at which it touches a square from an arc are among them.
 inline FreeSpaceOptions random_car(Random& random, double resolution, int unit) {
-  const double radius =
-      one_of<double>(random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.41, std::sqrt(2) - 1, 0.42, 0.5,
-                                        std::sqrt(0.5), 0.99, 1.0, 1.01, std::sqrt(2), 1.5});
+  const auto radius = one_of<double>(
+      random, std::array{0.0, 0.0, 0.0, 0.0, 0.1, 0.41, std::numbers::sqrt2 - 1, 0.42, 0.5,
+                         std::sqrt(0.5), 0.99, 1.0, 1.01, std::numbers::sqrt2, 1.5});
   FreeSpaceOptions options = random_robot(random, resolution);
   options.footprint = Footprint::disc(radius * resolution * (random.chance(0.7) ? unit : 1));
   return options;

@@ -26,7 +26,7 @@ struct Trial {
 
 inline Trial random_trial(std::uint64_t seed, const PlannerInfo& info) {
   Random random(seed);
-  GridMap map = random_map(random);
+  const GridMap map = random_map(random);
   const FreeSpaceOptions robot = random_robot(random, map.frame().resolution);
   return {map, robot, random_options(random, info.options)};
 }
@@ -78,7 +78,7 @@ inline Reference reference_for(const Trial& trial, const PlannerInfo& info) {
                     .corners_cut = corners == "both"  ? 2
                                    : corners == "one" ? 1
                                                       : 0};
-  return Reference(trial.map, robot_in_cells(trial.robot, trial.map.frame()), rules);
+  return {trial.map, robot_in_cells(trial.robot, trial.map.frame()), rules};
 }
 
 /// Where a planner goes from and to in a test: cells that are mostly passable.
@@ -88,7 +88,7 @@ struct TestQuery {
 
   Query query() const {
     Query query{pose_at(start), {}};
-    for (const Cell goal : goals) query.goals.push_back(pose_at(goal));
+    for (const Cell goal : goals) query.goals.emplace_back(pose_at(goal));
     return query;
   }
 };
