@@ -26,6 +26,29 @@ struct AnyAngleOptions {
   }
 };
 
+/// For a state that is about to be expanded: `link`, or a shorter one by a neighbour of its parent, by a
+/// neighbour of that one, and so on. Without it, paths often turn a cell beside the best turn, which the
+/// search reached later.
+inline Link<double> with_shifted_turn(const auto& search, const GridState& state,
+                                      Link<double> link) {
+  constexpr double kRounding = 1e-12;
+  const auto& space = search.space();
+  bool shifted = true;
+  const auto look = [&](const GridState& turn, Move /*move*/, double /*step_cost*/) {
+    // The state itself is closed, too, and its g may be one that was taken on trust.
+    if (!search.closed(turn.number) || turn.number == state.number) return;
+    const double g = search.g(turn.number) + SightGrid::distance(turn, state);
+    if (!(g < link.g * (1 - kRounding)) || !space.sees(turn, state)) return;
+    link = {turn.number, g};
+    shifted = true;
+  };
+  while (shifted) {
+    shifted = false;
+    space.for_each_successor(space.state(link.parent), kNoMove, look);
+  }
+  return link;
+}
+
 /// The parts of a planner with such links; without an engine where there is terrain.
 template <class Links>
 GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions& options) {
