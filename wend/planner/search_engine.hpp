@@ -120,7 +120,8 @@ class ObserverAdapter {
 };
 
 template <class Engine, class Names, class Space, class Frontier, class Priority,
-          DuplicateRule kDuplicates, class Links = StepLinks>
+          DuplicateRule kDuplicates, class Links = StepLinks,
+          template <class> class Store = DenseNodes>
 class SearchEngineOf final : public Engine {
  public:
   using Place = typename Engine::Place;
@@ -161,7 +162,7 @@ class SearchEngineOf final : public Engine {
   }
 
  private:
-  using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates, Links>;
+  using Search = ForwardSearch<Space, Frontier, Priority, kDuplicates, Links, Store>;
 
   /// A search whose estimates were broken off has found nothing that holds.
   SearchOutcome outcome() const { return search_.priority().stopped().value_or(search_.outcome()); }

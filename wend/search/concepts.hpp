@@ -15,6 +15,9 @@ namespace wend {
 /// for_each_successor(state, arrival, sink) calls sink(next, move, step_cost) for every successor,
 /// always in the same order. `arrival` is the move that reached the state, so that a space can leave
 /// out successors that are reached as cheaply by another path.
+///
+/// It may have a function ahead(state, next): the id of the state whose node the search will probably need
+/// after it has reached `next` from `state`, for the search to prefetch. Any id is allowed.
 template <class S>
 concept SearchSpace = requires(const S& space, StateId id, Move move,
                                const typename S::State& state) {

@@ -14,7 +14,8 @@
 // once the frontier has its final size. O(states) memory, touched only where the search goes.
 //
 // Links are how a state is reached, and what its node keeps of that: StepLinks, by a move from the state
-// that is expanded, or a choice of parents (links.hpp).
+// that is expanded, or a choice of parents (links.hpp). The Store keeps the nodes: DenseNodes, one for each
+// state; PagedNodes or HashedNodes for spaces of which a search needs a small part.
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +38,8 @@ namespace wend {
 enum class DuplicateRule { keep_first, keep_cheaper };
 
 template <SearchSpace Space, SearchFrontier Frontier, SearchPriority<Space> Priority,
-          DuplicateRule kDuplicates, class Links = StepLinks>
+          DuplicateRule kDuplicates, class Links = StepLinks,
+          template <class> class Store = DenseNodes>
 class ForwardSearch {
  public:
   using SpaceType = Space;
@@ -103,7 +105,10 @@ class ForwardSearch {
 
   /// Was the state reached, and how? g is final once it is closed.
   bool reached(StateId id) const { return nodes_.reached(nodes_[id]); }
-  bool closed(StateId id) const { return reached(id) && nodes_[id].closed(); }
+  bool closed(StateId id) const {
+    const Node& node = nodes_[id];
+    return nodes_.reached(node) && node.closed();
+  }
   Cost g(StateId id) const { return nodes_[id].g; }
   Arrival arrival(StateId id) const { return nodes_[id].arrival(); }
 
@@ -143,6 +148,7 @@ class ForwardSearch {
   }
 
  private:
+  using Nodes = Store<Node>;
   static constexpr bool kByMoves = std::is_same_v<Arrival, Move>;
 
   template <class Observer>
@@ -162,9 +168,15 @@ class ForwardSearch {
     const Move move_here = move_of(arrival);
     space_.for_each_successor(state, move_here, [&](const State& next, Move move, Cost step_cost) {
       if (!reach_from(state, g, next, move, step_cost, observer)) return;
-      // Its own successors lie ahead in the same direction: at the same id offset again.
-      nodes_.prefetch(2 * space_.id(next) - space_.id(state));
+      if constexpr (requires { space_.ahead(state, next); }) {
+        nodes_.prefetch(space_.ahead(state, next));
+      }
     });
+    if constexpr (requires { Links::connection(*this, state); }) {
+      if (const auto connection = Links::connection(*this, state)) {
+        reach_from(state, g, connection->to, kNoMove, connection->cost, observer);
+      }
+    }
     metrics_.max_frontier = std::max(metrics_.max_frontier, metrics_.generated - metrics_.expanded);
   }
 
@@ -192,7 +204,14 @@ class ForwardSearch {
   /// Opens a state unless it was reached as well or better; returns whether it did.
   template <class Observer>
   bool reach(const State& next, Cost g, Arrival arrival, Observer&& observer) {
-    Node& node = nodes_[space_.id(next)];
+    Node* const room = nodes_.room_for(space_.id(next));
+    if constexpr (Nodes::kGrows) {
+      if (room == nullptr) {
+        outcome_ = SearchOutcome::out_of_memory;
+        return false;
+      }
+    }
+    Node& node = *room;
     if (!nodes_.reached(node)) {
       ++metrics_.generated;
       nodes_.open(node, g, arrival);
@@ -218,7 +237,7 @@ class ForwardSearch {
 
   Space space_;
   Priority priority_;
-  NodeTable<Node> nodes_;
+  Nodes nodes_;
   Frontier frontier_;
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;

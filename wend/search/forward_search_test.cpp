@@ -14,6 +14,8 @@
 
 #include "wend/base/random.hpp"
 #include "wend/search/frontiers.hpp"
+#include "wend/search/hashed_nodes.hpp"
+#include "wend/search/paged_nodes.hpp"
 
 namespace wend {
 namespace {
@@ -112,19 +114,11 @@ using Dijkstra =
     ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper>;
 using BreadthFirst = ForwardSearch<Graph, FifoFrontier, InOrder, DuplicateRule::keep_first>;
 
-/// The same steps, kept as parents.
-struct ParentLinks {
-  template <class Cost>
-  using Node = ParentNode<Cost>;
-
-  static std::optional<Link<int>> link(const auto& search, StateId state, StateId /*next*/,
-                                       int step_cost) {
-    return Link<int>{state, search.g(state) + step_cost};
-  }
-};
-
 using DijkstraByParents = ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst,
                                         DuplicateRule::keep_cheaper, ParentLinks>;
+template <class Links, template <class> class Store>
+using DijkstraIn = ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst,
+                                 DuplicateRule::keep_cheaper, Links, Store>;
 
 /// Records each event: "g" generated, "e" expanded, "r" relaxed, with state and cost.
 struct Diary {
@@ -187,24 +181,103 @@ TEST(ForwardSearch, FindsTheCheapestCostsOnRandomGraphs) {
   }
 }
 
-TEST(ForwardSearch, WithParentsInItsNodesExpandsTheSameStates) {
+/// Holds another search to Dijkstra's algorithm by moves, query after query on random graphs.
+template <class Search>
+void expands_as_dijkstra_does() {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Graph graph = random_graph(random);
-    const auto start = static_cast<StateId>(random.below(graph.state_count()));
     const auto goal = static_cast<StateId>(random.below(graph.state_count()));
-    Dijkstra by_moves(graph, CheapestFirst{goal});
-    DijkstraByParents by_parents(graph, CheapestFirst{goal});
-    ASSERT_EQ(search_from(by_parents, {start}), search_from(by_moves, {start}));
-    EXPECT_EQ(by_parents.metrics(), by_moves.metrics());
-    for (StateId id = 0; id < graph.state_count(); ++id) {
-      ASSERT_EQ(by_parents.closed(id), by_moves.closed(id));
-      if (!by_moves.closed(id)) continue;
-      EXPECT_EQ(by_parents.g(id), by_moves.g(id));
+    Dijkstra dijkstra(graph, CheapestFirst{goal});
+    Search search(graph, CheapestFirst{goal});
+    for (int reuse = 0; reuse < 3; ++reuse) {
+      const auto start = static_cast<StateId>(random.below(graph.state_count()));
+      ASSERT_EQ(search_from(search, {start}), search_from(dijkstra, {start}));
+      EXPECT_EQ(search.metrics(), dijkstra.metrics());
+      for (StateId id = 0; id < graph.state_count(); ++id) {
+        ASSERT_EQ(search.closed(id), dijkstra.closed(id));
+        if (!dijkstra.closed(id)) continue;
+        EXPECT_EQ(search.g(id), dijkstra.g(id));
+      }
+      if (dijkstra.outcome() != SearchOutcome::found) continue;
+      EXPECT_EQ(path_of(search), path_of(dijkstra));
     }
-    if (by_moves.outcome() != SearchOutcome::found) continue;
-    EXPECT_EQ(path_of(by_parents), path_of(by_moves));
+  }
+}
+
+TEST(ForwardSearch, WithParentsInItsNodesExpandsTheSameStates) {
+  expands_as_dijkstra_does<DijkstraByParents>();
+}
+
+TEST(ForwardSearch, WithOtherStoresExpandsTheSameStates) {
+  expands_as_dijkstra_does<DijkstraIn<StepLinks, PagedNodes>>();
+  expands_as_dijkstra_does<DijkstraIn<ParentLinks, PagedNodes>>();
+  expands_as_dijkstra_does<DijkstraIn<StepLinks, HashedNodes>>();
+  expands_as_dijkstra_does<DijkstraIn<ParentLinks, HashedNodes>>();
+}
+
+/// More than they have room for at first.
+template <template <class> class Store>
+void reaches_many_states() {
+  constexpr StateId kStates = 100000;
+  DijkstraIn<StepLinks, Store> search(row_of(kStates), CheapestFirst{kStates - 1});
+  for (int reuse = 0; reuse < 2; ++reuse) {
+    ASSERT_EQ(search_from(search, {0}), SearchOutcome::found);
+    EXPECT_EQ(search.g(kStates - 1), int{kStates - 1});
+    EXPECT_EQ(path_of(search).size(), kStates);
+  }
+}
+
+TEST(ForwardSearch, WithPagedNodesReachesManyStates) { reaches_many_states<PagedNodes>(); }
+TEST(ForwardSearch, WithHashedNodesReachesManyStates) { reaches_many_states<HashedNodes>(); }
+
+/// A store without memory for more than ten states.
+template <class Node>
+class TenNodes : public NodeTable<Node> {
+ public:
+  static constexpr bool kGrows = true;
+
+  using NodeTable<Node>::NodeTable;
+  Node* room_for(StateId id) { return id < 10 ? NodeTable<Node>::room_for(id) : nullptr; }
+};
+
+TEST(ForwardSearch, EndsWhenItsStoreHasNoMemoryLeft) {
+  DijkstraIn<StepLinks, TenNodes> search(row_of(1000), CheapestFirst{999});
+  EXPECT_EQ(search_from(search, {0}), SearchOutcome::out_of_memory);
+  EXPECT_EQ(search.metrics().expanded, 10U);
+  DijkstraIn<StepLinks, TenNodes> small(row_of(1000), CheapestFirst{9});
+  EXPECT_EQ(search_from(small, {0}), SearchOutcome::found);
+}
+
+/// Every state is also connected to another one.
+struct Connected : ParentLinks {
+  static constexpr int kCost = 4;
+
+  static StateId other(StateId state, StateId count) { return (7 * state + 3) % count; }
+
+  static std::optional<Connection<StateId, int>> connection(const auto& search, StateId state) {
+    return Connection<StateId, int>{other(state, search.space().state_count()), kCost};
+  }
+};
+
+TEST(ForwardSearch, TakesConnectionsForSteps) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Graph graph = random_graph(random);
+    ForwardSearch<Graph, HeapFrontier<int>, CheapestFirst, DuplicateRule::keep_cheaper, Connected>
+        search(graph, CheapestFirst{});
+    ASSERT_EQ(search_from(search, {0}), SearchOutcome::exhausted);
+    for (StateId id = 0; id < graph.state_count(); ++id) {
+      graph.add(id, Connected::other(id, graph.state_count()), Connected::kCost);
+    }
+    const auto costs = graph.costs_from({0}, false);
+    for (StateId id = 0; id < graph.state_count(); ++id) {
+      ASSERT_EQ(search.closed(id), costs[id] != Graph::kUnreached);
+      if (!search.closed(id)) continue;
+      EXPECT_EQ(search.g(id), costs[id]);
+    }
   }
 }
 

@@ -7,9 +7,12 @@
 // is not asked about successors that are closed. ParentLinks choose the state that is expanded, in
 // spaces with more moves than a MoveNode can number, or moves that cannot be undone.
 //
-// They may also have a function `settled(search, state)`: another link to a state that is about to be
-// expanded, or none if it keeps the one that it has. Functions that are not there cost nothing.
-// planner/any_angle/ has two examples.
+// They may also have these functions; one that is not there costs nothing. planner/any_angle/ has examples.
+//
+// - settled(search, state): another link to a state that is about to be expanded, or none if it keeps the
+//   one that it has.
+// - connection(search, state): a way from a state that is expanded to another one, besides its successors,
+//   as a curve to the goal is; or none.
 
 #include <optional>
 
@@ -23,6 +26,13 @@ template <class Cost>
 struct Link {
   StateId parent;
   Cost g;
+};
+
+/// A way from the state that is expanded, and its own cost.
+template <class State, class Cost>
+struct Connection {
+  State to;
+  Cost cost;
 };
 
 /// By the space's moves, from the state that is expanded.

@@ -1,14 +1,18 @@
 #pragma once
 
-// NodeTable: the search nodes. Each holds a state's g, how it was reached (its arrival), and whether it
-// is closed. Two kinds of nodes:
+// The search nodes. Each holds a state's g, how it was reached (its arrival), and whether it is closed.
+// Two kinds of nodes:
 //
 // - MoveNode: the arrival is a move, which the space can undo. The smallest.
 // - ParentNode: the arrival is the parent, any state of the space.
 //
+// A store keeps the nodes of all states. NodeTable has room for every state: the fastest. Its memory comes
+// zeroed from the system, and most systems allocate pages only for states that are touched. PagedNodes
+// (paged_nodes.hpp) allocates them itself, and HashedNodes (hashed_nodes.hpp) has room for the states that a
+// search reaches.
+//
 // Starting a search takes O(1): a node is valid only if its generation is the current one. When the
-// generations run out, the table is cleared once and they start again. Memory comes zeroed from the
-// system, and most systems allocate pages only for states that are touched.
+// generations run out, the store is cleared once and they start again.
 
 #include <cstdint>
 #include <cstdlib>
@@ -33,7 +37,7 @@ class MoveNode {
 
  private:
   template <class Node, unsigned kGenerationBits>
-  friend class NodeTable;
+  friend class NodeGenerations;
 
   static constexpr std::uint32_t kMoveMask = (1U << kMoveBits) - 1;
   static constexpr std::uint32_t kClosed = 1U << kMoveBits;
@@ -69,7 +73,7 @@ class ParentNode {
 
  private:
   template <class Node, unsigned kGenerationBits>
-  friend class NodeTable;
+  friend class NodeGenerations;
 
   static constexpr std::uint32_t kClosed = 1;
   static constexpr std::uint32_t kFlags = kClosed;
@@ -83,10 +87,45 @@ class ParentNode {
   std::uint32_t tag_;  // bit 0: closed; then the generation, 0 for a node without one
 };
 
-template <class NodeType, unsigned kGenerationBits = 32 - kMoveBits - 1>
+/// Which nodes of a store belong to the current search.
+template <class Node, unsigned kGenerationBits>
+class NodeGenerations {
+ public:
+  /// Invalidates all nodes; calls clear(invalidate), which is to invalidate each of them, when the
+  /// generations run out.
+  template <class Clear>
+  void advance(Clear&& clear) {
+    current_ += kUnit;
+    if (current_ < kEnd) return;
+    clear([](Node& node) { node.tag_ = 0; });
+    current_ = kUnit;
+  }
+
+  bool is_current(const Node& node) const { return (node.tag_ & ~Node::kFlags) == current_; }
+
+  void open(Node& node, decltype(Node::g) g, typename Node::Arrival arrival) const {
+    node.open(static_cast<std::uint32_t>(current_), g, arrival);
+  }
+
+ private:
+  static constexpr std::uint64_t kUnit = Node::kFlags + 1;
+  static constexpr std::uint64_t kEnd = kUnit << kGenerationBits;
+
+  std::uint64_t current_ = 0;
+};
+
+inline constexpr unsigned kNodeGenerationBits = 32 - kMoveBits - 1;
+
+/// For memory from std::calloc().
+struct FreeMemory {
+  void operator()(void* memory) const { std::free(memory); }
+};
+
+template <class NodeType, unsigned kGenerationBits = kNodeGenerationBits>
 class NodeTable {
  public:
   using Node = NodeType;
+  static constexpr bool kGrows = false;
 
   explicit NodeTable(StateId count)
       : count_(count), nodes_(static_cast<Node*>(std::calloc(count, sizeof(Node)))) {}
@@ -96,14 +135,16 @@ class NodeTable {
 
   /// Invalidates all nodes. O(1) except when generations run out.
   void begin_search() {
-    generation_ += kGenerationUnit;
-    if (generation_ < kGenerationEnd) return;
-    for (StateId id = 0; id < count_; ++id) nodes_[id].tag_ = 0;
-    generation_ = kGenerationUnit;
+    generations_.advance([this](auto&& invalidate) {
+      for (StateId id = 0; id < count_; ++id) invalidate(nodes_[id]);
+    });
   }
 
   Node& operator[](StateId id) { return nodes_[id]; }
   const Node& operator[](StateId id) const { return nodes_[id]; }
+
+  /// The node to open for a state.
+  Node* room_for(StateId id) { return &nodes_[id]; }
 
   /// Prefetches a node. Any id is allowed, even one that is not a state.
   void prefetch(StateId id) const {
@@ -114,24 +155,21 @@ class NodeTable {
   }
 
   /// Has this search reached the node?
-  bool reached(const Node& node) const { return (node.tag_ & ~Node::kFlags) == generation_; }
+  bool reached(const Node& node) const { return generations_.is_current(node); }
 
   /// Opens a node, for the first time or again.
   void open(Node& node, decltype(Node::g) g, typename Node::Arrival arrival) {
-    node.open(static_cast<std::uint32_t>(generation_), g, arrival);
+    generations_.open(node, g, arrival);
   }
 
  private:
-  struct Free {
-    void operator()(Node* nodes) const { std::free(nodes); }
-  };
-
-  static constexpr std::uint64_t kGenerationUnit = Node::kFlags + 1;
-  static constexpr std::uint64_t kGenerationEnd = kGenerationUnit << kGenerationBits;
-
   StateId count_;
-  std::uint64_t generation_ = 0;
-  std::unique_ptr<Node[], Free> nodes_;
+  NodeGenerations<Node, kGenerationBits> generations_;
+  std::unique_ptr<Node[], FreeMemory> nodes_;
 };
+
+/// The store of most searches, by a name with one parameter.
+template <class Node>
+using DenseNodes = NodeTable<Node>;
 
 }  // namespace wend

@@ -1,14 +1,23 @@
+// The stores of search nodes: NodeTable, PagedNodes and HashedNodes.
+
 #include "wend/search/node_table.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "wend/base/random.hpp"
+#include "wend/search/hashed_nodes.hpp"
+#include "wend/search/paged_nodes.hpp"
 
 namespace wend {
 namespace {
 
 constexpr StateId kStates = 20;
+constexpr StateId kStride = 100;  // so that some of them share a page and others do not
 
 static_assert(sizeof(MoveNode<std::uint32_t>) == 8);
 static_assert(sizeof(MoveNode<std::uint64_t>) == 16);
@@ -77,51 +86,95 @@ TEST(NodeTable, ForgetsNodesOfEveryGenerationWhenTheGenerationsRunOut) {
 }
 
 /// Compares any sequence of searches, over any number of wraps, with a map that is cleared.
-template <class Node, unsigned kGenerationBits>
+template <class Store>
 void behaves_like_a_map() {
+  using Node = typename Store::Node;
   using Arrival = typename Node::Arrival;
   struct Known {
     int g;
     Arrival arrival;
     bool closed;
   };
-  NodeTable<Node, kGenerationBits> table(kStates);
+  Store table(kStates * kStride);
   const auto searches = *rc::gen::inRange(1, 40);
   for (int search = 0; search < searches; ++search) {
     table.begin_search();
     std::map<StateId, Known> model;
     const auto ids =
         *rc::gen::container<std::vector<StateId>>(rc::gen::inRange(StateId{0}, kStates));
-    for (const StateId id : ids) {
+    for (const StateId number : ids) {
+      const StateId id = kStride * number;
       const auto g = *rc::gen::arbitrary<int>();
       const auto arrival = *rc::gen::element<Arrival>(0, 1, Node::kNoArrival - 1, Node::kNoArrival);
-      table.open(table[id], g, arrival);
+      table.open(*table.room_for(id), g, arrival);
       model[id] = {g, arrival, *rc::gen::arbitrary<bool>()};
       if (model[id].closed) table[id].close();
     }
-    for (StateId id = 0; id < kStates; ++id) {
+    for (StateId id = 0; id < kStates * kStride; id += kStride / 2) {
       const auto known = model.find(id);
-      RC_ASSERT(table.reached(table[id]) == (known != model.end()));
+      const Node& node = std::as_const(table)[id];
+      RC_ASSERT(table.reached(node) == (known != model.end()));
       if (known == model.end()) continue;
-      RC_ASSERT(table[id].g == known->second.g);
-      RC_ASSERT(table[id].arrival() == known->second.arrival);
-      RC_ASSERT(table[id].closed() == known->second.closed);
+      RC_ASSERT(node.g == known->second.g);
+      RC_ASSERT(node.arrival() == known->second.arrival);
+      RC_ASSERT(node.closed() == known->second.closed);
     }
   }
 }
 
-RC_GTEST_PROP(NodeTable, BehavesLikeAMap, ()) { behaves_like_a_map<MoveNode<int>, 27>(); }
-RC_GTEST_PROP(NodeTable, OfParentsBehavesLikeAMap, ()) {
-  behaves_like_a_map<ParentNode<int>, 27>();
+RC_GTEST_PROP(NodeTable, BehavesLikeAMap, ()) {
+  behaves_like_a_map<NodeTable<MoveNode<int>>>();
+  behaves_like_a_map<NodeTable<ParentNode<int>>>();
 }
-RC_GTEST_PROP(NodeTable, OfParentsBehavesLikeAMapWithTwoGenerations, ()) {
-  behaves_like_a_map<ParentNode<int>, 1>();
+RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithFewGenerations, ()) {
+  behaves_like_a_map<NodeTable<ParentNode<int>, 1>>();
+  behaves_like_a_map<NodeTable<MoveNode<int>, 1>>();
+  behaves_like_a_map<NodeTable<MoveNode<int>, 3>>();
 }
-RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithTwoGenerations, ()) {
-  behaves_like_a_map<MoveNode<int>, 1>();
+
+RC_GTEST_PROP(HashedNodes, BehavesLikeAMap, ()) {
+  behaves_like_a_map<HashedNodes<MoveNode<int>>>();
+  behaves_like_a_map<HashedNodes<ParentNode<int>>>();
 }
-RC_GTEST_PROP(NodeTable, BehavesLikeAMapWithEightGenerations, ()) {
-  behaves_like_a_map<MoveNode<int>, 3>();
+RC_GTEST_PROP(HashedNodes, BehavesLikeAMapWithFewGenerations, ()) {
+  behaves_like_a_map<HashedNodes<ParentNode<int>, 1>>();
+  behaves_like_a_map<HashedNodes<MoveNode<int>, 3>>();
+}
+
+RC_GTEST_PROP(PagedNodes, BehavesLikeAMap, ()) {
+  behaves_like_a_map<PagedNodes<MoveNode<int>>>();
+  behaves_like_a_map<PagedNodes<ParentNode<int>>>();
+}
+RC_GTEST_PROP(PagedNodes, BehavesLikeAMapWithFewGenerations, ()) {
+  behaves_like_a_map<PagedNodes<ParentNode<int>, 1>>();
+  behaves_like_a_map<PagedNodes<MoveNode<int>, 3>>();
+}
+
+/// Any ids, near each other or far apart, and more of them than the table has room for at first.
+TEST(HashedNodes, GrowsAndKeepsWhatItHas) {
+  HashedNodes<ParentNode<double>> nodes;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    nodes.begin_search();
+    std::unordered_map<StateId, double> model;
+    const std::uint64_t range = random.chance(0.5) ? 20000 : ~StateId{0};
+    for (int i = 0; i < 20000; ++i) {
+      const auto id = static_cast<StateId>(random.below(range));
+      nodes.open(*nodes.room_for(id), i, id / 2);
+      model[id] = i;
+    }
+    for (const auto& [id, g] : model) {
+      const auto& node = std::as_const(nodes)[id];
+      ASSERT_TRUE(nodes.reached(node));
+      EXPECT_EQ(node.g, g);
+      EXPECT_EQ(node.arrival(), id / 2);
+    }
+    for (int i = 0; i < 20000; ++i) {
+      const auto id = static_cast<StateId>(random.below(range));
+      EXPECT_EQ(nodes.reached(std::as_const(nodes)[id]), model.contains(id));
+    }
+  }
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ PlannerInfo lattice_planner() {
       .time =
           "O(n log n) in the n poses expanded; the heuristic O(m log m) in the cells it reaches",
       .memory =
-          "16 bytes per cell and heading, touched where the search goes; 32 with the "
-          "heuristic per cell; 24 per frontier entry",
+          "16 bytes per cell and heading where the search goes, in pages; 16 per cell with the "
+          "heuristic; 24 per frontier entry",
       .when =
           "For robots that are not round, or that have a turning circle. Primitives come from "
           "SBPL's or Nav2's files (--primitives), or from a turning radius.",

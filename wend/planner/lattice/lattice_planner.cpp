@@ -7,6 +7,7 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
+#include "wend/search/paged_nodes.hpp"
 
 namespace wend {
 namespace {
@@ -29,7 +30,7 @@ struct LatticeNames {
 
 using LatticeEngineOf =
     SearchEngineOf<LatticeEngine, LatticeNames, LatticeSpace, HeapFrontier<RealKey<double>>,
-                   LatticePriority, DuplicateRule::keep_cheaper, ParentLinks>;
+                   LatticePriority, DuplicateRule::keep_cheaper, ParentLinks, PagedNodes>;
 
 bool is_finite(const Pose& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);

@@ -124,6 +124,8 @@ class CarSpace {
     return after(state, step(state.place.heading, inverse(static_cast<CarMove>(move))));
   }
 
+  StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
+
   template <class Sink>
   void for_each_successor(const State& state, Move /*arrival*/, Sink&& sink) const {
     for_each_move(state, kAllMoves, sink);
@@ -216,6 +218,8 @@ class CornerSpace {
   State parent(const State& state, Move move) const {
     return this->state(step(state.corner, opposite(static_cast<Direction>(move))));
   }
+
+  StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
 
   template <class Sink>
   void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
