@@ -28,7 +28,15 @@ bool is_error_between(Point asked, std::optional<double> heading, const Pose& ta
   return std::abs(distance - claimed.distance) <= kNear && std::abs(turn - claimed.turn) <= kNear;
 }
 
-void hold_to_its_ends(Examination& examination, const Plan& plan, const Query& query) {
+/// Is the end as near to a goal as its tolerance allows, or as the nearest pose of a lattice may be?
+bool is_within_tolerance(const SnappingError& error, const Goal& goal, double spacing) {
+  const double away = std::max(goal.tolerance, spacing * std::numbers::sqrt2);
+  const double turned = std::max(goal.heading_tolerance, std::numbers::pi / 4);
+  return error.distance <= away + kNear && error.turn <= turned + kNear;
+}
+
+void hold_to_its_ends(Examination& examination, const Plan& plan, const Query& query,
+                      double spacing) {
   const auto poses = plan.path.driven_poses();
   const auto says = [](const Pose& pose, const SnappingError& error) {
     return fmt::format("({},{},{}), errors {} cells and {} rad", pose.x, pose.y, pose.heading,
@@ -40,18 +48,19 @@ void hold_to_its_ends(Examination& examination, const Plan& plan, const Query& q
                         says(poses.front(), plan.start_snapping_error));
   }
   const bool ends_in_a_goal = std::ranges::any_of(query.goals, [&](const Goal& goal) {
-    return is_error_between(goal.point, goal.heading, poses.back(), plan.goal_snapping_error);
+    return is_error_between(goal.point, goal.heading, poses.back(), plan.goal_snapping_error) &&
+           is_within_tolerance(plan.goal_snapping_error, goal, spacing);
   });
   if (ends_in_a_goal) return;
-  examination.violate("a path to a goal, within its snapping errors",
+  examination.violate("a path to a goal, within its tolerance and snapping errors",
                       says(poses.back(), plan.goal_snapping_error));
 }
 
 void hold_to_its_poses(Examination& examination, const Plan& plan, const Query& query,
-                       const FreeSpace& space) {
+                       const FreeSpace& space, double spacing) {
   const auto poses = plan.path.driven_poses();
   if (poses.empty()) return examination.violate("a path of poses", "one without poses");
-  hold_to_its_ends(examination, plan, query);
+  hold_to_its_ends(examination, plan, query, spacing);
   if (const auto collision = first_collision(plan.path, space)) {
     examination.violate("a path without collisions",
                         fmt::format("at ({},{}) it {}", collision->point.x, collision->point.y,
@@ -109,7 +118,8 @@ void examine_pose_answers(Examination& examination, std::uint64_t seed) {
     const Answer answer = answer_of(*planner, query);
     if (answer.status == Status::found) {
       examination.count_found();
-      hold_to_its_poses(examination, answer.plan, query, planner->free_space());
+      hold_to_its_poses(examination, answer.plan, query, planner->free_space(),
+                        std::max(planner->corner_unit(), 1));
     } else {
       hold_to_its_reason(examination, answer, query, trial.map);
     }

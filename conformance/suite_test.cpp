@@ -220,6 +220,35 @@ TEST(Suite, FindsSteppingThatAnswersDifferently) {
   EXPECT_TRUE(is_found_by("stepped", endless, "lattice"));
 }
 
+/// Plans for tolerances that were changed.
+Fault with_tolerances(const std::function<void(Goal&)>& change) {
+  return {.plan = [change](Planner& good, Query query, Plan& out, int) {
+    for (Goal& goal : query.goals) change(goal);
+    return good.plan(query, out);
+  }};
+}
+
+TEST(Suite, FindsAPlannerThatDoesNotKeepToTolerances) {
+  const Fault careless = with_tolerances([](Goal& goal) { goal.tolerance += 2; });
+  const Fault forgetful = with_tolerances([](Goal& goal) { goal.tolerance = 0; });
+  const Fault too_few = with_tolerances([](Goal& goal) { goal.tolerance *= 0.9; });
+  for (const Fault& fault : {careless, forgetful, too_few}) {
+    EXPECT_TRUE(is_found_by("answers", fault));
+  }
+  EXPECT_TRUE(is_found_by("poses", careless, "car"));
+  EXPECT_TRUE(is_found_by("poses", careless, "lattice"));
+  EXPECT_TRUE(is_found_by("poses", with_tolerances([](Goal& goal) { goal.heading_tolerance += 2; }),
+                          "car"));
+}
+
+TEST(Suite, FindsAPlannerThatGoesToTheFirstOfSeveralGoals) {
+  const Fault first{.plan = [](Planner& good, Query query, Plan& out, int) {
+    if (query.goals.size() > 1) query.goals.resize(1, query.goals.front());
+    return good.plan(query, out);
+  }};
+  EXPECT_TRUE(is_found_by("answers", first));
+}
+
 TEST(Suite, FindsAWrongStatus) {
   const auto saying = [](Status instead_of, Status wrong) {
     return Fault{.plan = [=](Planner& good, const Query& query, Plan& out, int) {

@@ -4,6 +4,7 @@
 // where) and the truth about them, which a reference knows.
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -81,29 +82,80 @@ inline Reference reference_for(const Trial& trial, const PlannerInfo& info) {
   return {trial.map, robot_in_cells(trial.robot, trial.map.frame()), rules};
 }
 
+/// Where a path may end: in the cell of a point, or near it.
+struct TestGoal {
+  Point point;
+  double tolerance = 0;
+
+  /// The middle of a cell.
+  // NOLINTNEXTLINE(google-explicit-constructor): a cell is a goal
+  TestGoal(Cell cell) : point(centre_of(cell)) {}
+
+  /// By brute force, in one pass over the map.
+  std::vector<Cell> ends(const GridMap& map) const {
+    std::vector<Cell> ends;
+    for (int y = 0; y < map.height(); ++y) {
+      for (int x = 0; x < map.width(); ++x) {
+        const double away = std::hypot(x + 0.5 - point.x, y + 0.5 - point.y);
+        const bool holds_it =
+            x <= point.x && point.x < x + 1.0 && y <= point.y && point.y < y + 1.0;
+        if (holds_it || (tolerance > 0 && away < tolerance + 1e-6)) ends.push_back({x, y});
+      }
+    }
+    return ends;
+  }
+};
+
 /// Where a planner goes from and to in a test: cells that are mostly passable.
 struct TestQuery {
   Cell start;
-  std::vector<Cell> goals;
+  std::vector<TestGoal> goals;
 
   Query query() const {
     Query query{pose_at(start), {}};
-    for (const Cell goal : goals) query.goals.emplace_back(pose_at(goal));
+    for (const TestGoal& goal : goals) {
+      query.goals.emplace_back(Pose{goal.point.x, goal.point.y}, goal.tolerance);
+    }
     return query;
+  }
+
+  /// The cells of the map in which a path may end; of a goal without any, the cell of its point.
+  std::vector<Cell> ends(const GridMap& map) const {
+    std::vector<Cell> all;
+    for (const TestGoal& goal : goals) {
+      const std::vector<Cell> ends = goal.ends(map);
+      all.insert(all.end(), ends.begin(), ends.end());
+      if (ends.empty()) all.push_back(cell_at(goal.point));
+    }
+    return all;
   }
 };
 
 inline std::string text_of(const TestQuery& test_query) {
   std::ostringstream text;
   text << "(" << test_query.start.x << "," << test_query.start.y << ") to";
-  for (const Cell goal : test_query.goals) text << " (" << goal.x << "," << goal.y << ")";
+  for (const TestGoal& goal : test_query.goals) {
+    text << " (" << goal.point.x << "," << goal.point.y << ")";
+    if (goal.tolerance > 0) text << " within " << goal.tolerance;
+  }
   return text.str();
+}
+
+/// Mostly none; among the others are those that reach centres of cells exactly.
+inline double random_tolerance(Random& random) {
+  if (!random.chance(0.25)) return 0;
+  return random.chance(0.5) ? random.between(1, 4) : 5 * random.uniform();
 }
 
 inline TestQuery random_test_query(Random& random, const GridMap& map) {
   TestQuery test_query{random_cell_or_outside(random, map.width(), map.height()), {}};
   for (int count = random.chance(0.8) ? 1 : random.between(2, 4); count > 0; --count) {
-    test_query.goals.push_back(random_cell_or_outside(random, map.width(), map.height()));
+    test_query.goals.emplace_back(random_cell_or_outside(random, map.width(), map.height()));
+    TestGoal& goal = test_query.goals.back();
+    goal.tolerance = random_tolerance(random);
+    if (goal.tolerance == 0 || random.chance(0.5)) continue;
+    goal.point.x += random.uniform() - 0.5;
+    goal.point.y += random.uniform() - 0.5;
   }
   return test_query;
 }
@@ -118,6 +170,8 @@ inline std::string text_of(const Query& query) {
     } else {
       text << "any)";
     }
+    if (goal.tolerance > 0) text << " within " << goal.tolerance;
+    if (goal.heading_tolerance > 0) text << " turned by " << goal.heading_tolerance;
   }
   return text.str();
 }
@@ -135,7 +189,10 @@ inline Query random_pose_query(Random& random, const GridMap& map) {
   Query query{pose(), {}};
   for (int count = random.chance(0.7) ? 1 : random.between(2, 4); count > 0; --count) {
     query.goals.emplace_back(pose());
-    if (random.chance(0.3)) query.goals.back().heading.reset();
+    Goal& goal = query.goals.back();
+    if (random.chance(0.3)) goal.heading.reset();
+    goal.tolerance = random_tolerance(random);
+    if (random.chance(0.2)) goal.heading_tolerance = 4 * random.uniform();
   }
   return query;
 }
@@ -159,14 +216,15 @@ inline Truth truth_of(const Reference& reference, const GridMap& map, const Test
   const std::vector<double> costs = reference.costs_from(test_query.start);
   const std::vector<double> steps = reference.steps_from(test_query.start);
   Truth truth;
-  for (const Cell goal : test_query.goals) {
-    if (!map.contains(goal)) {
-      truth.failures.push_back(Status::goal_outside);
-      continue;
+  for (const TestGoal& goal : test_query.goals) {
+    Status failure = Status::goal_outside;
+    for (const Cell end : goal.ends(map)) {
+      if (failure == Status::goal_outside) failure = Status::goal_blocked;
+      if (reference.passable(end)) failure = Status::unreachable;
+      truth.cost = std::min(truth.cost, costs[reference.number(end)]);
+      truth.steps = std::min(truth.steps, steps[reference.number(end)]);
     }
-    truth.failures.push_back(reference.passable(goal) ? Status::unreachable : Status::goal_blocked);
-    truth.cost = std::min(truth.cost, costs[reference.number(goal)]);
-    truth.steps = std::min(truth.steps, steps[reference.number(goal)]);
+    truth.failures.push_back(failure);
   }
   if (truth.cost < kInfinite) truth.failures.clear();
   return truth;

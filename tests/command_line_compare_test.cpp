@@ -70,6 +70,28 @@ TEST_F(CompareCommand, AgreesWithPlan) {
   }
 }
 
+TEST_F(CompareCommand, TakesSeveralGoalsAndATolerance) {
+  const auto compared = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--start", "0,0", "--goal", "4,5", "--goal", "2,0", "--planner",
+                               "astar,dijkstra"});
+    return compare(std::move(more)).out;
+  };
+  const json several = json::parse(compared({"--format", "json"})).at("queries").at(0);
+  EXPECT_EQ(several.at("goals"), json({{4, 5}, {2, 0}}));
+  EXPECT_FALSE(several.contains("goal"));
+  const json near =
+      json::parse(compared({"--format", "json", "--goal-tolerance", "1"})).at("queries").at(0);
+  EXPECT_EQ(near.at("goal_tolerance_cells"), 1);
+  for (int planner = 0; planner < 2; ++planner) {
+    EXPECT_EQ(several.at("planners").at(planner).at("cost"), 2);
+    EXPECT_EQ(near.at("planners").at(planner).at("cost"), 1);
+  }
+  EXPECT_THAT(compared({"--format", "csv"}), HasSubstr("\n0,0,4;2,5;0,astar,found,"));
+  const Outcome idle = compare({"--random", "3", "--goal-tolerance", "1"});
+  EXPECT_EQ(idle.code, 2);
+  EXPECT_THAT(idle.err, HasSubstr("--goal-tolerance"));
+}
+
 TEST_F(CompareCommand, SaysWhyThereIsNoPath) {
   const Outcome outcome =
       compare({"--start", "0,0", "--goal", "7,5", "--planner", "astar,bfs:corner_rule=both"});

@@ -263,9 +263,30 @@ TEST_F(PlanCommand, OfSeveralGoalsTheCheapestIsReached) {
   EXPECT_THAT(none.err, AllOf(HasSubstr("none of 3 goals can be reached: there is no path to the "
                                         "goal (6,0); the goal (9,9) is outside"),
                               HasSubstr("; the goal (1,1) is blocked: the cell is an obstacle")));
-  const Outcome nearest = plan({"--start", "0,0", "--goal", "1,1", "--goal", "4,3", "--nearest"});
-  EXPECT_EQ(nearest.code, 2);
-  EXPECT_THAT(nearest.err, HasSubstr("--nearest"));
+  const Outcome nearest = plan({"--start", "0,0", "--goal", "2,1", "--goal", "4,3", "--nearest"});
+  EXPECT_EQ(nearest.code, 0) << nearest.err;
+  EXPECT_THAT(nearest.out, StartsWith("(0,0)>(1,0)>(2,0)\n"));
+  EXPECT_THAT(nearest.err, HasSubstr("the goal (2,1) is blocked: the cell is an obstacle; planning "
+                                     "to (2,0), 1 cell away"));
+}
+
+TEST_F(PlanCommand, EndsWithinTheToleranceOfAGoal) {
+  const auto to = [&](const std::string& goal, const std::string& tolerance) {
+    return plan("0,0", goal, {"--goal-tolerance", tolerance});
+  };
+  EXPECT_THAT(to("4,3", "0").out, HasSubstr(">(4,3)\n"));
+  EXPECT_THAT(to("2,1", "1").out, StartsWith("(0,0)>(1,0)>(2,0)\n")) << "the goal is blocked";
+  EXPECT_THAT(to("2,0", "1").out, StartsWith("(0,0)>(1,0)\n"));
+  EXPECT_THAT(to("6,0", "1").err,
+              HasSubstr("No place within its tolerance of 1 cell can be reached"));
+  EXPECT_THAT(to("2,1", "0.5").err,
+              HasSubstr("The robot fits nowhere within its tolerance of 0.5 cells"));
+  for (const char* wrong : {"-1", "near", "nan", "1,2,3", "1,", "inf"}) {
+    const Outcome outcome = to("2,1", wrong);
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_THAT(outcome.err, HasSubstr("--goal-tolerance: ")) << wrong;
+  }
+  EXPECT_THAT(to("2,1", "1,10").err, HasSubstr("grid planners have no headings"));
 }
 
 TEST_F(PlanCommand, FromCellToCellThereAreNoHeadings) {
@@ -412,8 +433,8 @@ TEST_F(FieldCommand, WritesEveryCell) {
 
 TEST_F(FieldCommand, SaysWhyThereIsNone) {
   EXPECT_THAT(field({"--goal", "9,9"}).err, HasSubstr("the goal (9,9) is outside"));
-  EXPECT_THAT(field({"--goal", "0,0", "--goal", "1,1"}).err,
-              HasSubstr("the goal (1,1) is blocked"));
+  EXPECT_THAT(field({"--goal", "1,1"}).err, HasSubstr("the goal (1,1) is blocked"));
+  EXPECT_EQ(field({"--goal", "0,0", "--goal", "1,1"}).code, 0) << "the other goal is left out";
   EXPECT_EQ(field({"--goal", "0,0", "--limit-expansions", "3"}).code, 1);
   EXPECT_EQ(field({"--goal", "0,0", "--weight", "3"}).code, 2);
   EXPECT_EQ(field({"--goal", "0"}).code, 2);

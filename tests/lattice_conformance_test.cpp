@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <queue>
 #include <string>
@@ -137,6 +138,10 @@ LatticeTrial random_lattice_trial(std::uint64_t seed) {
   Query query{pose(), {}};
   query.goals.emplace_back(pose());
   if (random.chance(0.3)) query.goals.emplace_back(pose().point());
+  for (Goal& goal : query.goals) {
+    if (random.chance(0.3)) goal.tolerance = 3 * random.uniform();
+    if (random.chance(0.3)) goal.heading_tolerance = 3 * random.uniform();
+  }
   return {*make_free_space(map, {.footprint = robot, .outside = outside}),
           *make_free_space(map, {.footprint = larger, .outside = outside}), radius,
           random.chance(0.5) ? 1 : 2.5, query};
@@ -146,6 +151,16 @@ GridPose grid_pose_of(const Pose& pose, const MotionPrimitives& primitives) {
   return {cell_at(pose.point()), primitives.nearest_heading(pose.heading)};
 }
 
+/// May a path to this goal end at a pose of the lattice?
+bool ends_at(const Goal& goal, const GridPose& end, const MotionPrimitives& primitives) {
+  const double away = std::hypot(end.cell.x + 0.5 - goal.point.x, end.cell.y + 0.5 - goal.point.y);
+  const bool here = cell_at(goal.point) == end.cell || away < goal.tolerance;
+  if (!here || !goal.heading) return here;
+  const double faced = primitives.headings()[static_cast<std::size_t>(end.heading)];
+  const double turn = std::abs(std::remainder(faced - *goal.heading, 2 * std::numbers::pi));
+  return primitives.nearest_heading(*goal.heading) == end.heading || turn < goal.heading_tolerance;
+}
+
 /// The least cost from the query's start to one of its goals that the robot can stand on.
 double least_motion_cost(const LatticeTrial& trial, const FreeSpace& space,
                          const MotionPrimitives& primitives) {
@@ -153,9 +168,7 @@ double least_motion_cost(const LatticeTrial& trial, const FreeSpace& space,
   double least = kNoMotion;
   for (const auto& [state, cost] : distances.from(grid_pose_of(trial.query.start, primitives))) {
     for (const Goal& goal : trial.query.goals) {
-      if (!(cell_at(goal.point) == state.cell)) continue;
-      if (goal.heading && primitives.nearest_heading(*goal.heading) != state.heading) continue;
-      least = std::min(least, cost);
+      if (ends_at(goal, state, primitives)) least = std::min(least, cost);
     }
   }
   return least;
@@ -187,10 +200,7 @@ void expect_valid_motion(const Plan& plan, const LatticeTrial& trial,
   EXPECT_EQ(cell_at(poses.front().point()), first.cell);
   EXPECT_EQ(primitives.nearest_heading(poses.front().heading), first.heading);
   EXPECT_TRUE(std::ranges::any_of(trial.query.goals, [&](const Goal& goal) {
-    const Pose& last = poses.back();
-    return cell_at(goal.point) == cell_at(last.point()) &&
-           (!goal.heading ||
-            primitives.nearest_heading(*goal.heading) == primitives.nearest_heading(last.heading));
+    return ends_at(goal, grid_pose_of(poses.back(), primitives), primitives);
   }));
   EXPECT_EQ(plan.moves.size() + 1, poses.size());
   EXPECT_NEAR(plan.cost, motion_cost(plan.path, trial.reverse_factor), 1e-9 * (1 + plan.cost));

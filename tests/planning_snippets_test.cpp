@@ -33,6 +33,7 @@
 #include "wend/path/refinement.hpp"
 #include "wend/path/simplification.hpp"
 #include "wend/path/smoother.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/animation/gif.hpp"
@@ -387,6 +388,22 @@ TEST(Snippets, OfTextTable) {
   table.add({"astar", "12.5"});
   print(table.text());
   EXPECT_NE(printed.find("astar"), std::string::npos);
+}
+
+TEST(Snippets, OfGoals) {
+  const wend::FreeSpace space = open_ground();
+  const wend::Pose start = wend::pose_at({1, 1});
+  wend::Query query{start, {wend::Goal(wend::Pose{18.5, 4.5, 0}, 3)}};  // at most 3 cells away
+  EXPECT_EQ(query.goals.front().tolerance, 3);
+
+  const wend::Goal goal(wend::centre_of({4, 4}), 1);
+  const auto status = [&]() {
+    wend::GoalRegion region(goal, cell_under(space, goal.point), cells_of(space));
+    if (!region.keep_if([&](wend::Cell cell) { return space.passable(cell); }))
+      return wend::Status::goal_blocked;
+    return wend::Status::found;
+  };
+  EXPECT_EQ(status(), wend::Status::found);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(SearchSnippets, OfForwardSearchAndLimitCheck) {
   const std::array starts{space.state(Cell{0, 0})};
   const wend::Limits limits;
   ByArrival priority;
-  priority.begin(std::array{Cell{8, 0}}, limits);
+  priority.begin(std::array{wend::GoalRegion({8, 0})}, limits);
 
   using BreadthFirst = ForwardSearch<ExactGrid, FifoFrontier, ByArrival, DuplicateRule::keep_first>;
   BreadthFirst search(space, priority);
@@ -87,7 +87,7 @@ TEST(SearchSnippets, OfLinksAndSightGrid) {
                       wend::DuplicateRule::keep_cheaper, wend::ParentLinks>
       search(grid, Estimate(wend::HeuristicKind::euclidean, 0, 1, 1));
   const wend::Limits limits;
-  search.priority().begin(std::array{Cell{8, 0}}, limits);
+  search.priority().begin(std::array{wend::GoalRegion({8, 0})}, limits);
   search.begin(std::array{grid.state({0, 0})}, limits);
   EXPECT_EQ(search.run(), wend::SearchOutcome::found);
   EXPECT_DOUBLE_EQ(search.g(search.goal().number), 8 * std::sqrt(2))
@@ -156,7 +156,7 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   const auto draw = [&](std::span<const Cell> cells) { drawn.assign(cells.begin(), cells.end()); };
   const wend::Limits limits;
   {
-    const std::array goals{Cell{8, 1}};
+    const std::array goals{wend::GoalRegion({8, 1})};
     wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
     search.begin({1, 1}, goals, limits);
     if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
@@ -168,11 +168,13 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   const wend::JumpBoards& boards = *shared;
   wend::ShortcutGraph shortcuts(graph);
   const Cell goal{8, 4};
+  const Cell start{0, 0};
   const Cell cell{0, 4};
+  const std::array regions{wend::GoalRegion(goal)};
   const wend::DirectionSet directions = boards.moves(cell);
   const std::uint32_t g = 0;
   wend::GoalSight<std::uint32_t> goals;
-  goals.begin(std::array{goal}, shortcuts.raster());
+  goals.begin(regions, start, boards, shortcuts.raster());
   const auto view = goals.look(boards.sight(), cell, directions, g);
   EXPECT_TRUE(view.nearest) << "the bottom row is free";
 
@@ -180,7 +182,6 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   graph->append_jumps({0, 0}, boards.moves({0, 0}), jumps);
   const wend::Jump first = jumps.front();
   const std::uint32_t end = first.number();
-  const Cell start{0, 0};
   wend::JumpTrail trail;
   trail.begin(goal);
   trail.append_shortcut(shortcuts, first, end);

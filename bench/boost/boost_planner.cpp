@@ -1,8 +1,13 @@
 #include "bench/boost/boost_planner.hpp"
 
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/boost/boost_astar.hpp"
+#include "wend/planner/goal_region.hpp"
+#include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/planner.hpp"
 
 namespace wend::bench {
@@ -14,23 +19,42 @@ class BoostPlanner final : public Planner {
 
  private:
   std::optional<Status> do_check(const Query& query) override {
-    if (query.goals.size() > 1) return Status::unsupported_query;
-    start_ = cell_at(query.start.point());
-    goal_ = cell_at(query.goals.front().point);
-    limits_ = query.limits;
-    if (!free_space().map().contains(start_)) return Status::start_outside;
-    if (!free_space().map().contains(goal_)) return Status::goal_outside;
-    if (!free_space().passable(start_)) return Status::start_blocked;
-    if (!free_space().passable(goal_)) return Status::goal_blocked;
+    const auto refused = cells_.assign(free_space(), Adjacency::edges, query);
+    if (refused) return refused;
+    goals_.clear();
+    const auto open = [&](Cell cell) {
+      return free_space().contains(cell) &&
+             free_space().components().connected(cells_.start, cell, Adjacency::edges);
+    };
+    append_entrances(cells_.goals, cells_.start, open, goals_);
     return std::nullopt;
   }
 
-  Status do_plan(const Query& /*query*/, Plan& out) override {
-    const BoostAStar::Answer answer = astar_.plan(start_, goal_, out.path, limits_);
-    out.cost = answer.cost;
-    out.metrics.expanded = answer.expanded;
-    if (answer.status == Status::found) out.bound = 1;
-    return answer.status;
+  /// Boost's search knows one goal, so several take as many searches.
+  Status do_plan(const Query& query, Plan& out) override {
+    Limits limits = query.limits;
+    Path path;
+    for (const Cell goal : goals_) {
+      const BoostAStar::Answer answer = astar_.plan(cells_.start, goal, path, limits);
+      out.metrics.expanded += answer.expanded;
+      if (answer.status != Status::found) return failed(answer.status, out);
+      limits.expansions -= answer.expanded;
+      if (answer.cost >= out.cost) continue;
+      out.cost = answer.cost;
+      out.path = path;
+    }
+    out.bound = 1;
+    return Status::found;
+  }
+
+  static Status failed(Status status, Plan& out) {
+    out.path.clear();
+    out.cost = std::numeric_limits<double>::infinity();
+    return status;
+  }
+
+  std::string do_reason(const Query& query, Status status) const override {
+    return reason_in_cells(free_space(), query, status);
   }
 
   std::unique_ptr<Planner> do_clone() const override {
@@ -42,9 +66,9 @@ class BoostPlanner final : public Planner {
   }
 
   BoostAStar astar_;
-  Cell start_;
-  Cell goal_;
-  Limits limits_;
+  // Of the query that was checked last.
+  GridQuery cells_;
+  std::vector<Cell> goals_;
 };
 
 PlannerResult make_boost(const FreeSpace& space, const OptionValues& options) {

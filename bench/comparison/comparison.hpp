@@ -44,7 +44,7 @@ struct ComparisonRow {
 /// What was asked, in grid coordinates.
 struct ComparedQuery {
   Pose start;
-  Goal goal = Pose{};
+  std::vector<Goal> goals;          // one or more
   std::vector<ComparisonRow> rows;  // one a planner, in the same order in every query
 };
 
@@ -69,14 +69,16 @@ std::string comparison_table(const Comparison& comparison);
 /// "solved_by_all", "statistics": [{"planner", "solved", "cost_ratio": {"median", "mean", "p99"},
 /// ...}]}; clearances and the turning radius have "p1" instead of "p99". A failure has a "reason".
 /// Its unknown values are null, as are infinite values.
-/// `cost_ratio` is to the cheapest cost that any planner found. Start and goal are cells [x,y];
+/// `cost_ratio` is to the cheapest cost that any planner found. A query with several goals has "goals", a
+/// list, instead of "goal"; one with tolerances has "goal_tolerance_cells". Start and goal are cells [x,y];
 /// for cars they are [x,y,"E"] in grid coordinates (a heading that is not one of the four is in
 /// radians; "any": any heading), and rows also have "steps" and "reversals". One line with its line
 /// end.
 std::string comparison_json(const Comparison& comparison);
 
 /// A line for each query and planner with the same columns, after a line of their names. Fields that
-/// mean nothing for a failure are empty; "inf" is infinite. Quotes as in RFC 4180.
+/// mean nothing for a failure are empty; "inf" is infinite. The coordinates of several goals are separated by
+/// semicolons. Quotes as in RFC 4180.
 std::string comparison_csv(const Comparison& comparison);
 
 }  // namespace wend

@@ -1,6 +1,9 @@
 // A comparison as JSON and CSV.
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/comparison/comparison_measures.hpp"
 #include "wend/base/parse.hpp"
@@ -40,9 +43,32 @@ Json query_json(const Comparison& comparison, const ComparedQuery& query) {
   for (std::size_t i = 0; i < query.rows.size(); ++i) {
     rows.push_back(row_json(comparison, query, i));
   }
-  return {{"start", json_of_end(comparison, query.start)},
-          {"goal", json_of_end(comparison, query.goal)},
-          {"planners", rows}};
+  Json json{{"start", json_of_end(comparison, query.start)}};
+  if (query.goals.size() == 1) {
+    json["goal"] = json_of_end(comparison, query.goals.front());
+  } else {
+    json["goals"] = Json::array();
+    for (const Goal& goal : query.goals) json["goals"].push_back(json_of_end(comparison, goal));
+  }
+  const double tolerance = query.goals.front().tolerance;
+  if (tolerance > 0) json["goal_tolerance_cells"] = tolerance;
+  json["planners"] = std::move(rows);
+  return json;
+}
+
+/// The coordinates of one or more ends, each with a comma: "3,4," of one, "3;9,4;8," of two.
+std::string end_fields(const Comparison& comparison, const std::vector<Goal>& ends) {
+  std::vector<std::string> fields(json_of_end(comparison, ends.front()).size());
+  for (const Goal& end : ends) {
+    const Json values = json_of_end(comparison, end);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (&end != &ends.front()) fields[i] += ';';
+      fields[i] += values[i].is_string() ? values[i].get<std::string>() : values[i].dump();
+    }
+  }
+  std::string text;
+  for (const std::string& field : fields) text += field + ',';
+  return text;
 }
 
 Json statistics_json(const Comparison& comparison, const std::string& name, std::size_t planner) {
@@ -86,11 +112,7 @@ std::string comparison_csv(const Comparison& comparison) {
   for (const ComparedQuery& query : comparison.queries) {
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       const ComparisonRow& row = query.rows[i];
-      for (const Goal& end : {Goal(query.start), query.goal}) {
-        for (const Json& value : json_of_end(comparison, end)) {
-          csv += (value.is_string() ? value.get<std::string>() : value.dump()) + ',';
-        }
-      }
+      csv += end_fields(comparison, {Goal(query.start)}) + end_fields(comparison, query.goals);
       csv += csv_field(row.planner) + ',';
       csv += to_string(row.status);
       for (const Measure& measure : measures_of(comparison)) {

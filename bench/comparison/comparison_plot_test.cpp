@@ -133,10 +133,10 @@ TEST(ComparisonPlot, HasEverySolvedQueryAndSharesOfAll) {
                          .times = {1e-6, 2 * seconds, seconds}};
   };
   const Comparison comparison{{},
-                              {{{}, Pose{}, {row(7, 5e-6, Status::found)}},
-                               {{}, Pose{}, {row(0, 9e-6, Status::unreachable)}},
-                               {{}, Pose{}, {row(8, 4e-6, Status::found)}},
-                               {{}, Pose{}, {row(9, 6e-6, Status::found)}}}};
+                              {{{}, {Pose{}}, {row(7, 5e-6, Status::found)}},
+                               {{}, {Pose{}}, {row(0, 9e-6, Status::unreachable)}},
+                               {{}, {Pose{}}, {row(8, 4e-6, Status::found)}},
+                               {{}, {Pose{}}, {row(9, 6e-6, Status::found)}}}};
   const std::string script = comparison_plot(comparison, PlotKind::png);
   EXPECT_THAT(script, HasSubstr("$points0 << END\n7 10 5 3\n8 8 4 3\n9 12 6 3\nEND\n"));
   EXPECT_THAT(script, HasSubstr("$later0 << END\n0 0\n4 25\n5 50\n6 75\n"));

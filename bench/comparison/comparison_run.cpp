@@ -61,9 +61,9 @@ void ComparisonRun::answer(const CellPair& cells, const Limits& limits) {
 }
 
 void ComparisonRun::answer(Query query) {
-  assert(query.goals.size() == 1);
+  assert(!query.goals.empty());
   query.observer = nullptr;  // planners would tell it all at once
-  ComparedQuery compared{query.start, query.goals.front(), {}};
+  ComparedQuery compared{query.start, query.goals, {}};
   for (std::size_t planner = 0; planner < specs_.size(); ++planner) {
     compared.rows.push_back(answer_of(planner, query));
   }
@@ -102,7 +102,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
 /// Repeats a search as far as it went: a search that the clock stopped may go no further.
 Plan ComparisonRun::again(std::size_t planner, std::size_t query, SearchObserver* observer) const {
   const ComparedQuery& asked = comparison_.queries[query];
-  Query same{asked.start, {asked.goal}};
+  Query same{asked.start, asked.goals};
   same.limits.expansions = asked.rows[planner].expanded;
   same.observer = observer;
   Plan plan;

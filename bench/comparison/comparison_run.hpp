@@ -38,7 +38,7 @@ class ComparisonRun {
   /// planner.
   void answer(const CellPair& cells, const Limits& limits = {});
 
-  /// The same for a query with one goal, in the grid coordinates of any motion, with its limits.
+  /// The same for a query with one or more goals, in the grid coordinates of any motion, with its limits.
   void answer(Query query);
 
   /// `reason` is set for cars; for other planners only if they could not be made.

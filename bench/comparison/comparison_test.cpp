@@ -57,7 +57,7 @@ const ComparisonRow kLost{.planner = "random_walk",
                           .times = {0.5e-6, 2e-6, 1e-6}};
 
 Comparison of_one(std::vector<ComparisonRow> rows, const Frame& frame = {}) {
-  return {frame, {{pose_at({1, 2}), pose_at({3, 4}), std::move(rows)}}};
+  return {frame, {{pose_at({1, 2}), {pose_at({3, 4})}, std::move(rows)}}};
 }
 
 std::string tabled(const Comparison& comparison) { return "\n" + comparison_table(comparison); }
@@ -259,8 +259,8 @@ Comparison of_a_car(std::vector<ComparisonRow> rows) {
   rows.front().steps = 12;
   rows.front().reversals = 3;
   Comparison comparison{kMetric, {}, StateKind::corner_pose};
-  comparison.queries.push_back({{1, 2, 0}, Pose{3.5, 4, -kPi / 2}, rows});
-  comparison.queries.push_back({{1, 2, 0.25}, Goal(Point{3, 4}), rows});
+  comparison.queries.push_back({{1, 2, 0}, {Pose{3.5, 4, -kPi / 2}}, rows});
+  comparison.queries.push_back({{1, 2, 0.25}, {Goal(Point{3, 4})}, rows});
   return comparison;
 }
 
@@ -330,7 +330,7 @@ RC_GTEST_PROP(ComparisonJson, StatisticsAreThoseOfTheQueriesThatAllSolved, ()) {
   for (int i = random.between(1, 120); i > 0; --i) {
     const ComparisonRow a = random_row(random, "a");
     const ComparisonRow b = random_row(random, "b");
-    comparison.queries.push_back({pose_at({0, 0}), pose_at({1, 1}), {a, b}});
+    comparison.queries.push_back({pose_at({0, 0}), {pose_at({1, 1})}, {a, b}});
     if (!a.found() || !b.found()) continue;
     expanded.push_back(static_cast<double>(a.expanded));
     ratios.push_back(a.cost / std::min(a.cost, b.cost));

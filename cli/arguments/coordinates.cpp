@@ -141,6 +141,28 @@ Point Coordinates::in_grid(TypedPoint typed) const {
   return {whole_but_for_rounding(point.x), whole_but_for_rounding(point.y)};
 }
 
+Point Coordinates::parse_in_grid(const std::string& name, const std::string& typed) const {
+  const Point point = in_grid(parse_point(name, typed, "cell"));
+  return metric() ? point : Point{point.x + 0.5, point.y + 0.5};
+}
+
+GoalTolerance parse_goal_tolerance(const Coordinates& coordinates, const std::string& typed) {
+  if (typed.empty()) return {};
+  const std::size_t comma = typed.find(',');
+  const auto number = [&](std::string_view text) {
+    const auto value = parse_number(trimmed(text));
+    if (value && std::isfinite(*value) && *value >= 0) return *value;
+    throw InputError(
+        fmt::format("--goal-tolerance: {} is not a distance in {}, of at least 0, or a distance "
+                    "and an angle in degrees: 0.5 or 0.5,10",
+                    quote(typed), coordinates.metric() ? "metres" : "cells"));
+  };
+  const double distance = number(std::string_view(typed).substr(0, comma));
+  const double degrees =
+      comma == std::string::npos ? 0 : number(std::string_view(typed).substr(comma + 1));
+  return {coordinates.in_cells(distance), radians_from(degrees)};
+}
+
 bool has_heading(std::string_view typed) { return std::count(typed.begin(), typed.end(), ',') > 1; }
 
 std::string size_text(const GridMap& map) {

@@ -44,6 +44,10 @@ class Coordinates : public Units {
   TypedPoint parse_point(const std::string& name, const std::string& typed,
                          std::string_view what) const;
 
+  /// The point that parse() finds the cell of, in grid coordinates: the middle of a cell that is typed by its
+  /// numbers.
+  Point parse_in_grid(const std::string& name, const std::string& typed) const;
+
   /// Converts a point from the user's units to grid coordinates, without rounding errors at vertices.
   Point in_grid(TypedPoint typed) const;
 
@@ -56,6 +60,16 @@ bool has_heading(std::string_view typed);
 
 /// "160 x 100 cells, 8 x 5 m"
 std::string size_text(const GridMap& map);
+
+/// How far from a goal a path may end.
+struct GoalTolerance {
+  double distance = 0;  // cells
+  double heading = 0;   // radians
+};
+
+/// "DISTANCE" or "DISTANCE,DEGREES", the distance in the user's units; empty: none. Throws InputError for any
+/// other text.
+GoalTolerance parse_goal_tolerance(const Coordinates& coordinates, const std::string& typed);
 
 struct TypedPose {
   Point point;                    // grid coordinates; may lie outside the map

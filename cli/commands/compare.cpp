@@ -31,8 +31,7 @@ namespace {
 
 struct CompareArguments {
   MapArguments map;
-  std::string start;
-  std::string goal;
+  EndArguments ends;
   std::string planners;  // empty: all
   std::uint64_t random = 0;
   std::uint64_t seed = 1;
@@ -82,11 +81,12 @@ int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
 }
 
 void check(const CompareArguments& arguments) {
-  const bool pair = !arguments.start.empty() || !arguments.goal.empty();
+  const EndArguments& ends = arguments.ends;
+  const bool pair = !ends.start.empty() || !ends.goals.empty();
   if (pair && arguments.random > 0) {
     throw InputError("--random chooses the starts and goals: leave out --start and --goal");
   }
-  if (arguments.random == 0 && (arguments.start.empty() || arguments.goal.empty())) {
+  if (arguments.random == 0 && (ends.start.empty() || ends.goals.empty())) {
     throw InputError("give one query with --start X,Y --goal X,Y, or many queries with --random N");
   }
   if (arguments.random > kMostQueries) {
@@ -108,8 +108,7 @@ void check(const CompareArguments& arguments) {
 /// What was asked as one of the planners understands it.
 std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareArguments& arguments,
                                       const FreeSpace& space) {
-  return typed_query(planner, space, arguments.map.coordinates(space.map()),
-                     {arguments.start, {arguments.goal}});
+  return typed_query(planner, space, arguments.map.coordinates(space.map()), arguments.ends);
 }
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
@@ -152,8 +151,11 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   limits.expansions = arguments.limits.expansions;
   limits.seconds = arguments.limits.seconds.value_or(limits.seconds);
   for (ComparedQuery& query : run.comparison().queries) {
-    const Ends ends{coordinates.place("start", cell_at(query.start.point())),
-                    {coordinates.place("goal", cell_at(query.goal.point))}};
+    Ends ends{coordinates.place("start", cell_at(query.start.point())), {}};
+    for (const Goal& goal : query.goals) {
+      ends.goals.push_back(coordinates.place("goal", cell_at(goal.point)));
+    }
+    const Query asked{query.start, query.goals, limits};
     for (std::size_t i = 0; i < query.rows.size(); ++i) {
       ComparisonRow& row = query.rows[i];
       const SearchMetrics metrics{row.expanded, row.generated, row.max_frontier};
@@ -161,7 +163,7 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
       if (is_limit(row.status)) {
         row.reason = explainer.stopped(row.status, limits, metrics);
       } else if (!row.found() && row.reason.empty()) {
-        row.reason = explainer.explain(row.status, ends, limits, metrics);
+        row.reason = explainer.explain(asked, ends, row.status, metrics);
       }
     }
   }
@@ -242,7 +244,7 @@ int run(const CompareArguments& arguments) {
     check_not_among(loaded.files, arguments.plot, "--plot " + arguments.plot);
   }
   const FreeSpace space = arguments.map.free_space(loaded.map);
-  if (specs.empty()) specs = all_planners(arguments.start, space);
+  if (specs.empty()) specs = all_planners(arguments.ends.start, space);
   auto made = ComparisonRun::make(space, std::move(specs), thread_cpu_seconds);
   if (!made) throw InputError(made.error().message);
   ComparisonRun& run = *made;
@@ -261,10 +263,12 @@ Command add_compare(Parser& app) {
   arguments->map.add_to(compare);
   arguments->map.add_clearance_cost_to(compare);
   arguments->map.add_primitives_to(compare);
-  compare.add_option("--start", arguments->start, wrapped("Start, as in `wend plan`"))
+  compare.add_option("--start", arguments->ends.start, wrapped("Start, as in `wend plan`"))
       .type_name("X,Y[,HEADING]");
-  compare.add_option("--goal", arguments->goal, "Goal, as in `wend plan`")
+  add_texts(compare, "--goal", arguments->ends.goals,
+            "Goal, as in `wend plan`; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
+  add_goal_tolerance(compare, arguments->ends.tolerance);
   compare
       .add_option(
           "--planner", arguments->planners,
@@ -289,6 +293,7 @@ Command add_compare(Parser& app) {
   compare.footer(kCompareExamples);
   return {compare, [compare, arguments] {
             if (compare.given("--random")) {
+              refuse_idle(compare, {"--goal-tolerance"}, "it needs --goal X,Y");
               check_positive("--random", arguments->random);
             } else {
               refuse_idle(compare, {"--seed"}, "it needs --random N");

@@ -126,7 +126,7 @@ void add_path(Parser& app, FollowArguments& arguments) {
             "Goal; if given several times, the goal with the lowest path cost")
       .type_name("X,Y[,HEADING]");
   app.add_flag("--nearest", arguments.nearest,
-               wrapped("If the start or the goal is blocked, margin included, use the nearest free "
+               wrapped("If the start or a goal is blocked, margin included, use the nearest free "
                        "cell that is connected to the other end (not for the car planner)"));
   app.add_option("--planner", arguments.planner,
                  wrapped("Planner (default astar); options may follow, as in astar:weight=2"))

@@ -185,6 +185,7 @@ Command add_plan(Parser& app) {
             "Goal of the path; if given several times, the goal with the lowest path cost. The "
             "heading may be left out or any")
       .type_name("X,Y[,HEADING]");
+  add_goal_tolerance(plan, arguments->ends.tolerance);
   plan.add_option("--queries", arguments->queries,
                   wrapped("Answer every row of a CSV file instead. Its header names the columns "
                           "start_x, start_y, goal_x and goal_y, or start and goal; each row gets a "
@@ -194,7 +195,7 @@ Command add_plan(Parser& app) {
       plan, "--threads", arguments->threads,
       "Number of threads that answer --queries, each with its own planner (default: all cores)");
   plan.add_flag("--nearest", arguments->nearest,
-                wrapped("If the start or the goal is blocked, use the nearest free cell that is "
+                wrapped("If the start or a goal is blocked, use the nearest free cell that is "
                         "connected to the other end (not for the car planner)"));
   plan.add_option("--planner", arguments->planner,
                   wrapped("Planner (default astar); `wend planners` lists all. Options may follow, "

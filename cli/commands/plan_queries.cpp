@@ -67,7 +67,8 @@ class QueryWorker {
   }
 
   void ask(QueryAnswer& answer) {
-    const auto asked = typed_query(spec_, space_, coordinates_, {answer.start, {answer.goal}});
+    const auto asked = typed_query(spec_, space_, coordinates_,
+                                   {answer.start, {answer.goal}, arguments_.ends.tolerance});
     if (arguments_.nearest)
       answer.reason = fmt::format("{}", fmt::join(asked->move_to_nearest(explainer_), "; "));
     Query query = asked->query();

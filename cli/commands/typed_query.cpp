@@ -5,12 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "cli/arguments/flags.hpp"
 #include "cli/arguments/planner_argument.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output/no_path_scene.hpp"
 #include "cli/output/picture.hpp"
 #include "cli/output/plan_text.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/report/plan_report.hpp"
 
 namespace wend::cli {
@@ -40,11 +42,27 @@ std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSp
   return std::make_unique<CellQuery>(space, coordinates, ends);
 }
 
+void add_goal_tolerance(Parser& app, std::string& tolerance) {
+  app.add_option("--goal-tolerance", tolerance,
+                 wrapped("How far from a goal the path may end: a distance in the units of --goal, "
+                         "and for planners with headings an angle in degrees. The goal itself may "
+                         "then be blocked"))
+      .type_name("DISTANCE[,DEGREES]");
+}
+
 CellQuery::CellQuery(FreeSpace space, const Coordinates& coordinates, const EndArguments& ends)
     : space_(std::move(space)),
       coordinates_(coordinates),
-      start_(coordinates_.parse("start", ends.start)) {
-  for (const std::string& goal : ends.goals) goals_.push_back(coordinates_.parse("goal", goal));
+      start_(coordinates_.parse("start", ends.start)),
+      tolerance_(parse_goal_tolerance(coordinates_, ends.tolerance)) {
+  for (const std::string& goal : ends.goals) {
+    goals_.push_back(coordinates_.parse("goal", goal));
+    points_.push_back(coordinates_.parse_in_grid("goal", goal));
+  }
+  if (tolerance_.heading == 0) return;
+  throw InputError(
+      fmt::format("--goal-tolerance {}: grid planners have no headings: leave out the degrees",
+                  ends.tolerance));
 }
 
 std::vector<Cell> CellQuery::goal_cells() const {
@@ -56,17 +74,23 @@ std::vector<Cell> CellQuery::goal_cells() const {
 
 Query CellQuery::query() const {
   Query query{pose_at(start_.cell), {}};
-  for (const Cell goal : goal_cells()) query.goals.emplace_back(pose_at(goal));
+  for (std::size_t i = 0; i < goals_.size(); ++i) {
+    const bool near = tolerance_.distance > 0;
+    const Point point = near ? points_[i] : centre_of(goals_[i].cell);
+    query.goals.emplace_back(Pose{point.x, point.y}, tolerance_.distance);
+  }
   return query;
 }
 
 Ends CellQuery::ends() const { return {start_, goals_}; }
 
 std::vector<std::string> CellQuery::move_to_nearest(const Explainer& explainer) {
-  if (goals_.size() > 1) throw InputError("--nearest supports exactly one goal");
   Ends moved = ends();
   auto notes = explainer.move_to_nearest(moved);
   start_ = moved.start;
+  for (std::size_t i = 0; i < goals_.size(); ++i) {
+    if (moved.goals[i].cell != goals_[i].cell) points_[i] = centre_of(moved.goals[i].cell);
+  }
   goals_ = moved.goals;
   return notes;
 }
@@ -84,7 +108,7 @@ Scene CellQuery::scene_of_failure(Status status, GridMoves moves) const {
 }
 
 std::optional<CostToGo> CellQuery::cost_to_go(GridMoves moves, const Limits& limits) const {
-  auto made = CostToGo::make(space_, goal_cells(), moves, limits);
+  auto made = CostToGo::make(space_, wend::goal_cells(space_, query()), moves, limits);
   if (!made) return std::nullopt;
   return *std::move(made);
 }
@@ -92,7 +116,9 @@ std::optional<CostToGo> CellQuery::cost_to_go(GridMoves moves, const Limits& lim
 SearchRecorder CellQuery::recorder() const { return SearchRecorder(space_); }
 
 PosthocTrace CellQuery::trace(TraceForm form, std::uint64_t most_events) const {
-  return {space_, start_.cell, goal_cells(), form, most_events};
+  const bool near = tolerance_.distance > 0;
+  return {space_, start_.cell, near ? wend::goal_cells(space_, query()) : goal_cells(), form,
+          most_events};
 }
 
 std::string CellQuery::steps(const Plan& plan, const Screen& screen) const {
@@ -112,7 +138,8 @@ PoseQuery::PoseQuery(FreeSpace space, const Coordinates& coordinates, int unit,
     : space_(std::move(space)),
       coordinates_(coordinates),
       unit_(unit),
-      start_(parse_start_pose(coordinates_, ends.start, anchor_of(unit))) {
+      start_(parse_start_pose(coordinates_, ends.start, anchor_of(unit))),
+      tolerance_(parse_goal_tolerance(coordinates_, ends.tolerance)) {
   for (const std::string& goal : ends.goals) {
     goals_.push_back(parse_goal_pose(coordinates_, goal, anchor_of(unit)));
   }
@@ -125,7 +152,12 @@ void PoseQuery::check(const ShownLayers& layers) const {
 
 Query PoseQuery::query() const {
   Query query{{start_.point.x, start_.point.y, start_.heading.value_or(0)}, {}};
-  for (const TypedPose& goal : goals_) query.goals.push_back(goal.goal());
+  for (const TypedPose& typed : goals_) {
+    Goal goal = typed.goal();
+    goal.tolerance = tolerance_.distance;
+    goal.heading_tolerance = tolerance_.heading;
+    query.goals.push_back(goal);
+  }
   return query;
 }
 

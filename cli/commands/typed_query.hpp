@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/arguments/coordinates.hpp"
+#include "cli/arguments/parser.hpp"
 #include "cli/output/terminal.hpp"
 #include "cli/watching/shown_layers.hpp"
 #include "wend/analysis/cost_to_go.hpp"
@@ -24,11 +25,15 @@
 
 namespace wend::cli {
 
-/// --start and --goal
+/// --start, --goal and --goal-tolerance
 struct EndArguments {
   std::string start;
   std::vector<std::string> goals;  // one or more
+  std::string tolerance = {};      // of all goals; empty: none
 };
+
+/// --goal-tolerance. It is read when the map is known, by typed_query().
+void add_goal_tolerance(Parser& app, std::string& tolerance);
 
 class TypedQuery {
  public:
@@ -72,7 +77,7 @@ class TypedQuery {
   TypedQuery() = default;
 };
 
-/// The query for the planner's motion. Throws InputError for text that is not a start or goal of it.
+/// The query for the planner's motion. Throws InputError for text that is not a start, goal or tolerance of it.
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends);
 
@@ -99,6 +104,9 @@ class CellQuery final : public TypedQuery {
   Coordinates coordinates_;
   Place start_;
   std::vector<Place> goals_;
+  std::vector<Point>
+      points_;  // the same as typed; where --nearest moved one, the middle of its cell
+  GoalTolerance tolerance_;
 };
 
 /// Of a planner whose states have headings.
@@ -126,6 +134,7 @@ class PoseQuery final : public TypedQuery {
   int unit_;  // of a lattice of corners, in map cells; 0: cells
   TypedPose start_;
   std::vector<TypedPose> goals_;
+  GoalTolerance tolerance_;
 };
 
 }  // namespace wend::cli

@@ -4,6 +4,8 @@
 // truth about them, which a reference knows.
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -79,18 +81,34 @@ inline Query random_drive(Random& random, const CarReference& reference) {
   Query query{random_pose(random, reference), {}};
   for (int count = random.chance(0.8) ? 1 : random.between(2, 4); count > 0; --count) {
     query.goals.emplace_back(random_pose(random, reference));
-    if (random.chance(0.25)) query.goals.back().heading.reset();
+    Goal& goal = query.goals.back();
+    if (random.chance(0.25)) goal.heading.reset();
+    goal.tolerance = random_tolerance(random);
+    if (random.chance(0.2)) goal.heading_tolerance = random.between(0, 4) * std::numbers::pi / 4;
   }
   return query;
 }
 
-/// The stands that a goal can be reached at: none off the map, four with any heading.
+/// The stands that a goal can be reached at, of all on the map: none off the map without a tolerance.
 inline std::vector<Stand> stands_of(const Goal& goal, const CarReference& reference) {
   std::vector<Stand> stands;
-  const auto nearest = reference.nearest({goal.point.x, goal.point.y, goal.heading.value_or(0)});
-  if (!nearest) return stands;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    if (!goal.heading || quarter == nearest->quarter) stands.push_back({nearest->corner, quarter});
+  const double heading = goal.heading.value_or(0);
+  const auto nearest = reference.nearest({goal.point.x, goal.point.y, heading});
+  const int nearest_quarter = reference.nearest({0, 0, heading})->quarter;
+  for (int x = 0; x < reference.columns(); ++x) {
+    for (int y = 0; y < reference.rows(); ++y) {
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        const Stand stand{{x, y}, quarter};
+        const Pose pose = reference.pose(stand);
+        const double away = std::hypot(pose.x - goal.point.x, pose.y - goal.point.y);
+        const double turn = std::abs(std::remainder(pose.heading - heading, 2 * std::numbers::pi));
+        const bool here = (nearest && nearest->corner == stand.corner) ||
+                          (goal.tolerance > 0 && away < goal.tolerance + 1e-6);
+        const bool faced = !goal.heading || quarter == nearest_quarter ||
+                           (goal.heading_tolerance > 0 && turn < goal.heading_tolerance + 1e-6);
+        if (here && faced) stands.push_back(stand);
+      }
+    }
   }
   return stands;
 }
@@ -109,9 +127,11 @@ inline CarTruth truth_of(const CarReference& reference, const Query& query) {
   CarTruth truth;
   for (const Goal& goal : query.goals) {
     const std::vector<Stand> stands = stands_of(goal, reference);
-    truth.failures.push_back(stands.empty()                              ? Status::goal_outside
-                             : reference.passable(stands.front().corner) ? Status::unreachable
-                                                                         : Status::goal_blocked);
+    const bool passable = std::ranges::any_of(
+        stands, [&](const Stand& stand) { return reference.passable(stand.corner); });
+    truth.failures.push_back(stands.empty() ? Status::goal_outside
+                             : passable     ? Status::unreachable
+                                            : Status::goal_blocked);
     for (const Stand& stand : stands) {
       truth.fuel = std::min(truth.fuel, fuel[reference.number(stand)]);
     }

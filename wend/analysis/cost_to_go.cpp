@@ -1,5 +1,6 @@
 #include "wend/analysis/cost_to_go.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "wend/planner/grid/grid_priorities.hpp"
@@ -58,11 +59,9 @@ class FieldWriter {
 
 std::optional<Status> refusal(const FreeSpace& space, std::span<const Cell> goals) {
   if (goals.empty()) return Status::unsupported_query;
-  for (const Cell goal : goals) {
-    if (!space.contains(goal)) return Status::goal_outside;
-    if (!space.passable(goal)) return Status::goal_blocked;
-  }
-  return std::nullopt;
+  const auto usable = [&](Cell goal) { return space.contains(goal) && space.passable(goal); };
+  if (std::ranges::any_of(goals, usable)) return std::nullopt;
+  return space.contains(goals.front()) ? Status::goal_blocked : Status::goal_outside;
 }
 
 template <class Search>
@@ -70,7 +69,10 @@ Status search_everywhere(Search& search, std::span<const Cell> goals, const Limi
                          Grid<double>& costs, Grid<std::uint8_t>& policy, SearchMetrics& metrics) {
   std::vector<GridState> starts;
   starts.reserve(goals.size());
-  for (const Cell goal : goals) starts.push_back(search.space().state(goal));
+  const FreeSpace& space = search.space().free_space();
+  for (const Cell goal : goals) {
+    if (space.contains(goal) && space.passable(goal)) starts.push_back(search.space().state(goal));
+  }
   FieldWriter<typename Search::SpaceType> writer(costs, policy);
   search.begin(starts, limits, writer);
   const SearchOutcome outcome = search.run(writer);

@@ -25,8 +25,9 @@ namespace wend {
 
 class WEND_API CostToGo {
  public:
-  /// The field to the nearest of `goals`. Fails with goal_outside, goal_blocked, unsupported_query
-  /// (no goal) or the limit that was reached.
+  /// The field to the nearest of `goals`, without those that are off the map or blocked. If none is left,
+  /// fails with goal_outside or goal_blocked, as the first is; else with unsupported_query (no goal) or the
+  /// limit that was reached.
   static Expected<CostToGo, PlanFailure> make(const FreeSpace& space, std::span<const Cell> goals,
                                               GridMoves moves = {}, const Limits& limits = {});
 

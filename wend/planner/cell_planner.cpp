@@ -1,6 +1,7 @@
 #include "wend/planner/cell_planner.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -9,21 +10,20 @@
 
 namespace wend {
 
-CellSearch::CellSearch(const Query& query, Cell start, std::span<const Cell> goals, Node* nodes,
-                       int width, std::uint64_t number)
-    : start_(start),
+CellSearch::CellSearch(const Query& query, const GridQuery& cells, std::span<const Cell> goals,
+                       Node* nodes, int width, std::uint64_t number)
+    : start_(cells.start),
+      cells_(cells),
       goals_(goals),
       nodes_(nodes),
       width_(width),
       number_(number),
       observer_(query.observer) {
   limits_.begin(query.limits);
-  reach(start, start, 0);
+  reach(start_, start_, 0);
 }
 
-bool CellSearch::is_goal(Cell cell) const {
-  return std::find(goals_.begin(), goals_.end(), cell) != goals_.end();
-}
+bool CellSearch::is_goal(Cell cell) const { return any_contains(cells_.goals, cell); }
 
 void CellSearch::reach(Cell cell, Cell parent, double g) {
   const bool again = reached(cell);
@@ -63,14 +63,23 @@ bool CellSearch::expand(Cell cell) {
 }
 
 CellPlanner::CellPlanner(FreeSpace space, GridMoves moves, double bound)
-    : Planner(std::move(space)), moves_(moves), bound_(bound) {}
+    : Planner(std::move(space)),
+      moves_(moves),
+      bound_(bound),
+      cells_(std::make_unique<GridQuery>()) {}
+
+CellPlanner::~CellPlanner() = default;
 
 std::optional<Status> CellPlanner::do_check(const Query& query) {
-  GridQuery cells{{}, std::move(goals_)};  // keeps the memory
-  const auto refused = cells.assign(free_space(), moves_.adjacency(), query);
-  start_ = cells.start;
-  goals_ = std::move(cells.goals);
-  return refused;
+  goals_.clear();
+  if (const auto refused = cells_->assign(free_space(), moves_.adjacency(), query)) return refused;
+  const ConnectedComponents& components = free_space().components();
+  for (const GoalRegion& region : cells_->goals) {
+    region.for_each([&](Cell cell) {
+      if (components.connected(cells_->start, cell, moves_.adjacency())) goals_.push_back(cell);
+    });
+  }
+  return std::nullopt;
 }
 
 bool CellPlanner::allocate() {
@@ -85,7 +94,7 @@ bool CellPlanner::allocate() {
 
 Status CellPlanner::do_plan(const Query& query, Plan& out) {
   if (!allocate()) return Status::memory_limit;
-  CellSearch task(query, start_, goals_, nodes_.get(), free_space().width(), ++searches_);
+  CellSearch task(query, *cells_, goals_, nodes_.get(), free_space().width(), ++searches_);
   const std::optional<Cell> goal = search(task);
   out.metrics = task.metrics_;
   if (!goal) return status_of(task.outcome_);

@@ -32,14 +32,17 @@
 
 namespace wend {
 
+struct GridQuery;  // wend/planner/grid/grid_planner.hpp
+
 /// One search of a CellPlanner: what is asked, and the tree of cells that it has reached.
 class WEND_API CellSearch {
  public:
   /// Where the path begins: a passable cell, the root of the tree.
   Cell start() const { return start_; }
-  /// Where it may end: one or more cells, which the planner's moves can reach from the start.
+  /// Where it may end: one or more cells, which the planner's moves can reach from the start. These are all
+  /// cells within the tolerances of the query's goals; overlapping goals give a cell more than once.
   std::span<const Cell> goals() const { return goals_; }
-  /// Is the cell a goal? O(goals).
+  /// Is the cell a goal? O(goals of the query), however large their tolerances are.
   bool is_goal(Cell cell) const;
 
   /// Adds a cell of the map to the tree, or gives it another parent, at the cost g from the start. A step
@@ -66,8 +69,8 @@ class WEND_API CellSearch {
     double g = 0;
   };
 
-  CellSearch(const Query& query, Cell start, std::span<const Cell> goals, Node* nodes, int width,
-             std::uint64_t number);
+  CellSearch(const Query& query, const GridQuery& cells, std::span<const Cell> goals, Node* nodes,
+             int width, std::uint64_t number);
 
   const Node& node(Cell cell) const { return nodes_[index(cell)]; }
   std::size_t index(Cell cell) const {
@@ -76,6 +79,7 @@ class WEND_API CellSearch {
   }
 
   Cell start_;
+  const GridQuery& cells_;
   std::span<const Cell> goals_;
   Node* nodes_;  // one for each cell, row by row
   int width_;
@@ -93,6 +97,7 @@ class WEND_API CellPlanner : public Planner {
   /// `moves` are the steps of its paths. `bound` is Plan::bound of every answer: 1 if the planner is
   /// optimal.
   CellPlanner(FreeSpace space, GridMoves moves, double bound = Plan::kNoBound);
+  ~CellPlanner() override;
 
  private:
   /// Searches from the start, which is in the tree. Returns the goal that it reached: the path leads there
@@ -112,10 +117,9 @@ class WEND_API CellPlanner : public Planner {
   double bound_;
   std::unique_ptr<CellSearch::Node[]> nodes_;  // made by the first search; null: none yet
   std::size_t node_count_ = 0;
-  std::uint64_t searches_ = 0;  // on these nodes
-  // Of the query that was checked last.
-  Cell start_;
-  std::vector<Cell> goals_;
+  std::uint64_t searches_ = 0;        // on these nodes
+  std::unique_ptr<GridQuery> cells_;  // of the query that was checked last
+  std::vector<Cell> goals_;           // the same as cells
 };
 
 }  // namespace wend

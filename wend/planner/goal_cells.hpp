@@ -7,42 +7,37 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/planner/goal_region.hpp"
 
 namespace wend {
 
 class GoalCells {
  public:
-  /// At least one. Keeps its memory from query to query.
-  void assign(std::span<const Cell> goals) {
-    first_ = goals.front();
-    others_.assign(goals.begin() + 1, goals.end());
+  /// At least one, none of them empty. Keeps its memory from query to query.
+  void assign(std::span<const GoalRegion> regions) {
+    first_ = regions.front().any();
+    others_.assign(regions.begin() + (regions.front().is_one_place() ? 1 : 0), regions.end());
   }
 
+  /// O(regions).
   bool contains(Cell cell) const {
-    return cell == first_ || (!others_.empty() && is_another(cell));
+    return cell == first_ || (!others_.empty() && any_contains(others_, cell));
   }
 
-  template <class Visit>
-  void for_each(Visit&& visit) const {
-    visit(first_);
-    for (const Cell goal : others_) visit(goal);
-  }
-
-  /// The least value(goal) over all goals. O(goals).
+  /// The least value(goal) over all goals, or less: over the nearest cells to `from` of their bounding boxes.
+  /// O(regions).
   template <class Value>
-  auto least(Value&& value) const {
+  auto least(Cell from, Value&& value) const {
     auto least = value(first_);
-    for (const Cell goal : others_) least = std::min(least, value(goal));
+    for (const GoalRegion& region : others_) {
+      least = std::min(least, value(region.nearest_in_box(from)));
+    }
     return least;
   }
 
  private:
-  bool is_another(Cell cell) const {
-    return std::find(others_.begin(), others_.end(), cell) != others_.end();
-  }
-
-  Cell first_;
-  std::vector<Cell> others_;
+  Cell first_;  // also in others_, unless it is all of its region
+  std::vector<GoalRegion> others_;
 };
 
 }  // namespace wend

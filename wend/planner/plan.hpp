@@ -3,6 +3,7 @@
 // Query: start, goals, limits and observer. Plan: the path that a planner found. PlanFailure: why
 // it found no path.
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "wend/base/error.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/base/status.hpp"
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
@@ -21,16 +23,47 @@ namespace wend {
 
 class SearchObserver;
 
-/// Where a path may end, in grid coordinates: a pose, or a point with any heading.
+/// Where a path may end, in grid coordinates: a pose, or a point with any heading; with a tolerance, near it.
+///
+/// A path ends at a place of the planner: the centre of a cell, or a vertex of a lattice. It may be the place
+/// that stands for the point (the cell that it lies in, the nearest vertex), or any at a distance of at most
+/// `tolerance`. In the same way its heading, if the planner has headings and the goal has one, may be the
+/// nearest of the planner, or any that differs by at most `heading_tolerance`. So a larger tolerance never
+/// takes a path away, and the point itself may be blocked or off the map. The path is the planner's best to
+/// any of these ends. A query takes O(places within the tolerance) more.
+///
+///   wend::Query query{start, {wend::Goal(wend::Pose{18.5, 4.5, 0}, 3)}};  // at most 3 cells away
 struct Goal {
   Point point;                    // grid coordinates
   std::optional<double> heading;  // radians; unset: any heading
+  double tolerance = 0;           // cells, at least 0
+  double heading_tolerance = 0;   // radians, at least 0; grid planners ignore it
 
-  /// A point with a heading.
+  /// What a distance or angle may exceed a tolerance by: metres and degrees are rounded when they become
+  /// cells and radians.
+  static constexpr double kRounding = 1e-9;
+
+  /// A point with a heading, and how far from both a path may end.
   // NOLINTNEXTLINE(google-explicit-constructor): a pose is a goal
-  Goal(const Pose& pose) : point(pose.point()), heading(pose.heading) {}
-  /// A point, with any heading.
-  explicit Goal(Point where) : point(where) {}
+  Goal(const Pose& pose, double most_cells = 0, double most_radians = 0)
+      : point(pose.point()),
+        heading(pose.heading),
+        tolerance(most_cells),
+        heading_tolerance(most_radians) {}
+  /// A point with any heading.
+  explicit Goal(Point where, double most_cells = 0) : point(where), tolerance(most_cells) {}
+
+  /// Is a point within the tolerance? Without a tolerance, none is.
+  bool reaches(Point where) const {
+    return tolerance > 0 && distance(point, where) <= tolerance + kRounding;
+  }
+  /// Is a heading, in radians, within the tolerance? Without a tolerance, none is; without a heading, all
+  /// are.
+  bool reaches_heading(double radians) const {
+    if (!heading) return true;
+    return heading_tolerance > 0 &&
+           std::abs(normalized_angle(radians - *heading)) <= heading_tolerance + kRounding;
+  }
 };
 
 /// A query in grid coordinates. A grid planner uses the cells of start and goal and ignores
@@ -66,7 +99,7 @@ struct Plan {
   double bound = kNoBound;              // cost <= bound * the cheapest cost; 1: optimal
   std::vector<std::string_view> moves;  // one fewer than poses, if moves have names
   SnappingError start_snapping_error;   // from the query's start
-  SnappingError goal_snapping_error;    // from the goal that was reached
+  SnappingError goal_snapping_error;    // from the goal that was reached, tolerance included
   SearchMetrics metrics;                // of the whole search
 
   /// Is it certain that no path is cheaper?

@@ -1,9 +1,25 @@
 #include "wend/planner/planner.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "wend/base/parse.hpp"
+#include "wend/planner/goal_region.hpp"
+
 namespace wend {
+namespace {
+
+bool has_tolerances(const Goal& goal) {
+  return goal.tolerance >= 0 && goal.heading_tolerance >= 0;  // neither is NaN
+}
+
+/// "2 cells"
+std::string cells_text(double cells) {
+  return format_number(cells) + (cells == 1 ? " cell" : " cells");
+}
+
+}  // namespace
 
 Expected<Plan, PlanFailure> Planner::plan(const Query& query) {
   Plan out;
@@ -31,8 +47,16 @@ Expected<void, Error> Planner::update(FreeSpace free_space, std::span<const Cell
 }
 
 std::string Planner::reason(const Query& query, Status status) const {
-  const std::string reason = do_reason(query, status);
-  return reason.empty() ? std::string(describe(status)) : reason;
+  if (status == Status::unsupported_query) {
+    if (query.goals.empty()) return "the query has no goal";
+    if (!std::ranges::all_of(query.goals, has_tolerances)) {
+      return "the tolerances of a goal must be at least 0";
+    }
+  }
+  std::string reason = do_reason(query, status);
+  if (reason.empty()) reason = describe(status);
+  if (query.goals.empty()) return reason;
+  return reason + beyond_tolerance(query, status, cells_text(query.goals.front().tolerance));
 }
 
 std::optional<Status> Planner::check(const Query& query, Plan& out) {
@@ -43,7 +67,9 @@ std::optional<Status> Planner::check(const Query& query, Plan& out) {
   out.start_snapping_error = {};
   out.goal_snapping_error = {};
   out.metrics = {};
-  if (query.goals.empty()) return Status::unsupported_query;
+  if (query.goals.empty() || !std::ranges::all_of(query.goals, has_tolerances)) {
+    return Status::unsupported_query;
+  }
   return do_check(query);
 }
 

@@ -141,7 +141,8 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   witness.close_last();
   std::map<TraceForm, json> traces;
   for (const TraceForm form : {TraceForm::yaml, TraceForm::json}) {
-    PosthocTrace trace(space, search.test_query.start, search.test_query.goals, form, most);
+    PosthocTrace trace(space, search.test_query.start, search.test_query.ends(space.map()), form,
+                       most);
     RC_ASSERT(search.run(trace).path == plan.path);
     const std::string text = trace.finish(plan.path);
     traces[form] = parsed(text, form);
@@ -159,8 +160,9 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
 TEST(PosthocTrace, FollowsAWalkThatComesBack) {
   const FreeSpace space = test::open_space(6, 2);
   for (int seed = 1; seed <= 20; ++seed) {
-    const test::TestQuery test_query{{0, 0}, {{5, 1}}};
-    PosthocTrace trace(space, test_query.start, test_query.goals, TraceForm::json, kNoLimit);
+    const test::TestQuery test_query{{0, 0}, {Cell{5, 1}}};
+    PosthocTrace trace(space, test_query.start, test_query.ends(space.map()), TraceForm::json,
+                       kNoLimit);
     const Plan plan =
         Search{space, "random_walk", {{"seed", std::to_string(seed)}}, test_query}.run(trace);
     const json told = json::parse(trace.finish(plan.path));
@@ -170,8 +172,8 @@ TEST(PosthocTrace, FollowsAWalkThatComesBack) {
 }
 
 std::string trace_of(const FreeSpace& space, TraceForm form, std::uint64_t most) {
-  const test::TestQuery test_query{{0, 0}, {{2, 0}}};
-  PosthocTrace trace(space, test_query.start, test_query.goals, form, most);
+  const test::TestQuery test_query{{0, 0}, {Cell{2, 0}}};
+  PosthocTrace trace(space, test_query.start, test_query.ends(space.map()), form, most);
   const Plan plan = Search{space, "astar", {{"connectivity", "4"}}, test_query}.run(trace);
   return trace.finish(plan.path);
 }

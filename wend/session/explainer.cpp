@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "wend/base/parse.hpp"
+#include "wend/planner/goal_region.hpp"
+#include "wend/robot/nearest_passable.hpp"
 #include "wend/session/nearest_ends.hpp"
 
 namespace wend {
@@ -50,9 +52,24 @@ std::string Explainer::explain(Status status, const Ends& ends, const Limits& li
   }
 }
 
+std::string Explainer::explain(const Query& query, const Ends& ends, Status status,
+                               const SearchMetrics& metrics) const {
+  const double tolerance = query.goals.front().tolerance;
+  Ends reachable = ends;
+  if (status == Status::unreachable && tolerance > 0) {
+    // The point itself may be blocked. Another cell within the tolerance is not.
+    for (Place& goal : reachable.goals) {
+      const auto cell = nearest_passable(space_, goal.cell);
+      if (cell && *cell != goal.cell) goal = units_.place(goal.name, *cell);
+    }
+  }
+  return explain(status, reachable, query.limits, metrics) +
+         beyond_tolerance(query, status, units_.length(tolerance));
+}
+
 std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
                                Status status, const SearchMetrics& metrics) const {
-  if (planner.grid_moves()) return explain(status, ends, query.limits, metrics);
+  if (planner.grid_moves()) return explain(query, ends, status, metrics);
   if (is_limit(status)) return stopped(status, query.limits, metrics);
   const int unit = planner.corner_unit();
   if (status == Status::start_outside || status == Status::goal_outside) {
@@ -142,11 +159,12 @@ std::string Explainer::nearest(const Place& place, const Place& other) const {
 }
 
 std::vector<std::string> Explainer::move_to_nearest(Ends& ends) const {
-  Place& goal = ends.goals.front();
-  const NearestEnds moved = nearest_ends(space_, ends.start.cell, goal.cell, moves_.adjacency());
   std::vector<std::string> notes;
-  if (moved.start != ends.start.cell) notes.push_back(move(ends.start, moved.start, "from"));
-  if (moved.goal != goal.cell) notes.push_back(move(goal, moved.goal, "to"));
+  for (Place& goal : ends.goals) {
+    const NearestEnds moved = nearest_ends(space_, ends.start.cell, goal.cell, moves_.adjacency());
+    if (moved.start != ends.start.cell) notes.push_back(move(ends.start, moved.start, "from"));
+    if (moved.goal != goal.cell) notes.push_back(move(goal, moved.goal, "to"));
+  }
   return notes;
 }
 

@@ -53,6 +53,10 @@ class WEND_API Explainer {
   std::string explain(Status status, const Ends& ends, const Limits& limits,
                       const SearchMetrics& metrics) const;
 
+  /// The same for a query of a planner on cells, with what the goals' tolerances have to do with it.
+  std::string explain(const Query& query, const Ends& ends, Status status,
+                      const SearchMetrics& metrics) const;
+
   /// The same for a query that `planner` answered. A planner whose states have headings gives the
   /// reason itself.
   std::string explain(const Planner& planner, const Query& query, const Ends& ends, Status status,
@@ -64,8 +68,8 @@ class WEND_API Explainer {
   /// "the start (3,4) is blocked: the cell is an obstacle"; empty if it is not.
   std::string blocked(const Place& place) const;
 
-  /// Moves start and goal (one) to free cells by nearest_ends(). A sentence for each that moved: "the start
-  /// (3,4) is blocked: ...; planning from (3,5), 1 cell away".
+  /// Moves start and goals to free cells by nearest_ends(): the start with the first goal. A sentence for each
+  /// that moved: "the start (3,4) is blocked: ...; planning from (3,5), 1 cell away".
   std::vector<std::string> move_to_nearest(Ends& ends) const;
 
   /// Why a search was stopped: "stopped after 1000 expansions"; for other statuses, what they mean.

@@ -13,12 +13,12 @@ std::vector<MapPose> PlanAnswer::poses() const {
 
 Query query_of(const PlanRequest& request, const Frame& frame) {
   Query query{frame.to_grid(request.start), {}, request.limits, request.observer};
-  for (const auto& [point, heading] : request.goals) {
-    if (heading) {
-      query.goals.emplace_back(frame.to_grid(MapPose{point.x, point.y, *heading}));
-    } else {
-      query.goals.emplace_back(frame.to_grid(point));
-    }
+  for (const MapGoal& goal : request.goals) {
+    const MapPose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+    Goal& added = query.goals.emplace_back(frame.to_grid(pose));
+    if (!goal.heading) added.heading.reset();
+    added.tolerance = goal.tolerance / frame.resolution;
+    added.heading_tolerance = goal.heading_tolerance;
   }
   return query;
 }

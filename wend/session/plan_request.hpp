@@ -29,6 +29,8 @@ namespace wend {
 struct MapGoal {
   MapPoint point;                      // metres, in the map's frame
   std::optional<double> heading = {};  // radians; unset: any heading
+  double tolerance = 0;                // metres: how far from the point a path may end, see Goal
+  double heading_tolerance = 0;        // radians: the same for the heading
 };
 
 struct PlanRequest {
@@ -37,7 +39,7 @@ struct PlanRequest {
   PlannerSpec planner{"astar"};        // and its options
   Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // of the search; not owned
-  bool nearest = false;                // moves blocked ends, see nearest_ends(); one goal
+  bool nearest = false;                // moves blocked ends, see nearest_ends()
   bool explain = true;                 // why there is no path, at length; else in a short sentence
   /// Answers from the costs to the goals from everywhere, which are kept for the next request with the
   /// same goals. For planners that step from cell to cell.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "wend/base/mutex.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/session/nearest_ends.hpp"
 
@@ -32,16 +33,17 @@ bool steps_from_cell_to_cell(const PlannerSpec& spec) {
 Expected<std::vector<std::string>, Error> move_ends(Query& query, const Planner& planner,
                                                     const Explainer& explainer,
                                                     const Units& units) {
-  if (!planner.grid_moves() || query.goals.size() != 1) {
-    return failure(Status::unsupported_query,
-                   "the nearest free cell is for one goal, and planners on cells", "nearest");
+  if (!planner.grid_moves()) {
+    return failure(Status::unsupported_query, "the nearest free cell is for planners on cells",
+                   "nearest");
   }
   Ends ends = ends_of(query, units);
   const Ends before = ends;
   auto notes = explainer.move_to_nearest(ends);
   if (ends.start.cell != before.start.cell) query.start = pose_at(ends.start.cell);
-  if (ends.goals.front().cell != before.goals.front().cell) {
-    query.goals.front().point = centre_of(ends.goals.front().cell);
+  for (std::size_t i = 0; i < ends.goals.size(); ++i) {
+    const Cell cell = ends.goals[i].cell;
+    if (cell != before.goals[i].cell) query.goals[i].point = centre_of(cell);
   }
   return notes;
 }
@@ -66,8 +68,7 @@ struct Session::State {
                                               const PlannerSpec& spec, const PlanRequest& request);
   Expected<Field, PlanFailure> field_to(const View& view, std::vector<Cell> goals, GridMoves moves,
                                         const Limits& limits);
-  Status look_up(const View& view, const Ends& ends, GridMoves moves, const Limits& limits,
-                 Plan& plan);
+  Status look_up(const View& view, const Query& query, Cell start, GridMoves moves, Plan& plan);
 
   /// Called with the lock. Makes the free space if map or robot have changed.
   Expected<View, Error> make_view();
@@ -180,8 +181,9 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
   }
   const Ends ends = ends_of(query, units);
   const double begin = now();
-  const Status status = request.from_field ? look_up(view, ends, *moves, query.limits, answer.plan)
-                                           : planner.plan(query, answer.plan);
+  const Status status = request.from_field
+                            ? look_up(view, query, ends.start.cell, *moves, answer.plan)
+                            : planner.plan(query, answer.plan);
   answer.search_seconds = now() - begin;
   if (status != Status::found) {
     const SearchMetrics& metrics = answer.plan.metrics;
@@ -194,17 +196,14 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
 }
 
 /// Plan::metrics are those of making the field: 0 if it was kept.
-Status Session::State::look_up(const View& view, const Ends& ends, GridMoves moves,
-                               const Limits& limits, Plan& plan) {
-  std::vector<Cell> goals;
-  goals.reserve(ends.goals.size());
-  for (const Place& goal : ends.goals) goals.push_back(goal.cell);
-  const auto field = field_to(view, std::move(goals), moves, limits);
+Status Session::State::look_up(const View& view, const Query& query, Cell start, GridMoves moves,
+                               Plan& plan) {
+  const auto field = field_to(view, goal_cells(view.space, query), moves, query.limits);
   if (!field) {
     plan.metrics = field.error().metrics;
     return field.error().status;
   }
-  auto found = field->costs->path_from(ends.start.cell);
+  auto found = field->costs->path_from(start);
   if (!found) {
     plan.metrics = field->metrics;
     return found.error().status;

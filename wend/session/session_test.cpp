@@ -135,6 +135,48 @@ TEST(Session, MovesBlockedEndsIfAsked) {
   EXPECT_EQ(session.plan(request).error().status, Status::unsupported_query);
 }
 
+TEST(Session, MovesEachOfSeveralBlockedGoals) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.goals = {{{3.05, -2.5}}, {{3.05, 0}}, {{50, 50}}};  // in the wall, or outside
+  EXPECT_EQ(session.plan(request).error().status, Status::goal_blocked);
+  request.nearest = true;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->notes.size(), 2U);
+  EXPECT_NEAR(answer->poses().back().x, 2.95, 1e-9);
+}
+
+TEST(Session, EndsWithinATolerance) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.goals = {{.point = {3.05, -1.95}, .tolerance = 0.5}};  // in the wall
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_NEAR(answer->poses().back().x, 2.55, 1e-9);
+  EXPECT_NEAR(answer->plan.cost, 35, 1e-9);
+  request.from_field = true;
+  const auto from_field = session.plan(request);
+  ASSERT_TRUE(from_field) << from_field.error().message;
+  EXPECT_NEAR(from_field->plan.cost, 35, 1e-9);
+  request.goals.front().tolerance = 0.05;
+  for (const bool field : {false, true}) {
+    request.from_field = field;
+    const auto blocked = session.plan(request);
+    ASSERT_FALSE(blocked);
+    EXPECT_EQ(blocked.error().status, Status::goal_blocked);
+    EXPECT_NE(blocked.error().message.find("fits nowhere within its tolerance of 0.05 m"),
+              std::string::npos)
+        << blocked.error().message;
+  }
+  request.from_field = false;
+  request.planner.name = "car";
+  request.goals = {
+      {.point = {-0.95, 0.05}, .heading = 0, .tolerance = 0.2, .heading_tolerance = 4}};
+  EXPECT_LT(session.plan(request)->plan.goal_snapping_error.distance, 2 + 1e-9);
+  EXPECT_NEAR(session.plan(request)->plan.cost, 18 + kPi / 2, 2);
+}
+
 TEST(Session, RefinesAndTimesThePath) {
   Session session(walled_room(), {.footprint = Footprint::disc(0.2)});
   PlanRequest request = across();

@@ -33,6 +33,8 @@ struct NodeOptions {
   double clearance_distance = 0;
   bool rough = false;
   double time_limit = 0;
+  double goal_tolerance = 0;
+  double goal_heading_tolerance = 0;
   bool smooth = true;
   double smooth_alpha = wend::GradientOptions{}.alpha;
   double smooth_beta = wend::GradientOptions{}.beta;
@@ -50,6 +52,10 @@ struct NodeOptions {
           self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
     field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
+    field({"goal_tolerance", "how far from a goal a path may end, m; the goal may then be blocked"},
+          self.goal_tolerance, {0, 1e3});
+    field({"goal_heading_tolerance", "how far from a goal's heading a path may end, rad"},
+          self.goal_heading_tolerance, {0, 4});
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
     field({"smooth_alpha", "weight that holds the points of the path in place"}, self.smooth_alpha,
           {0, 2});

@@ -47,6 +47,8 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   for (const wend::MapPose& goal : ask.goals) {
     wend::MapGoal& added = request.goals.emplace_back(wend::MapGoal{goal.point()});
     if (!ask.any_heading) added.heading = goal.heading;
+    added.tolerance = parameters.number("goal_tolerance");
+    added.heading_tolerance = parameters.number("goal_heading_tolerance");
   }
   request.planner = std::move(planner);
   request.limits.cancel = watch.cancel;

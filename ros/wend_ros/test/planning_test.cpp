@@ -120,6 +120,24 @@ TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
   EXPECT_NEAR(moved.path.poses.front().pose.position.x, 4.95, 1e-9);
 }
 
+TEST(Planning, EndsWithinTheToleranceOfTheParameters) {
+  Planning planning;
+  Parameters parameters;
+  const Ask into_the_wall = ask({1.05, 1.05, 0}, {5.05, 1.05, 0});
+  EXPECT_EQ(planning.answer(parameters, into_the_wall).status,
+            static_cast<int>(StatusCode::goal_blocked));
+  EXPECT_NE(parameters.set("goal_tolerance", "-1"), "");
+  EXPECT_EQ(parameters.set("goal_tolerance", "0.5"), "");
+  const PlanResult result = planning.answer(parameters, into_the_wall);
+  ASSERT_EQ(result.status, 0) << result.reason;
+  EXPECT_NEAR(result.path.poses.back().pose.position.x, 4.55, 1e-9);
+  EXPECT_EQ(parameters.set("planner", "car"), "");
+  EXPECT_EQ(parameters.set("goal_heading_tolerance", "3.2"), "");
+  const PlanResult drive = planning.answer(parameters, ask({1.05, 1.05, 0}, {4.05, 1.05, 2}));
+  ASSERT_EQ(drive.status, 0) << drive.reason;
+  EXPECT_LE(drive.cost, 30 - 5 + 1) << "straight, to the near edge of the tolerance";
+}
+
 TEST(Planning, ChecksPlannersAndOptions) {
   Planning planning;
   Ask wrong = ask({1, 1, 0}, {9, 1, 0});

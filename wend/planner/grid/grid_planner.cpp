@@ -33,14 +33,17 @@ std::optional<Status> GridQuery::assign(const FreeSpace& space, Adjacency adjace
   start = *start_cell;
   goals.clear();
   std::optional<Status> why_none;  // of the first goal
-  for (const Goal& typed : query.goals) {
-    const auto goal = cell_under(space, typed.point);
-    if (goal && space.components().connected(start, *goal, adjacency)) {
-      goals.push_back(*goal);
+  for (const Goal& goal : query.goals) {
+    GoalRegion region(goal, cell_under(space, goal.point), cells_of(space));
+    Status why = region.empty() ? Status::goal_outside : Status::goal_blocked;
+    const bool reachable = region.keep_if([&](Cell cell) {
+      if (space.passable(cell)) why = Status::unreachable;
+      return space.components().connected(start, cell, adjacency);
+    });
+    if (reachable) {
+      goals.push_back(region);
     } else if (!why_none) {
-      why_none = !goal                    ? Status::goal_outside
-                 : !space.passable(*goal) ? Status::goal_blocked
-                                          : Status::unreachable;
+      why_none = why;
     }
   }
   if (goals.empty()) return why_none;

@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/compiler.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
 
-using GridEngine = SearchEngine<Cell, Cell>;
+using GridEngine = SearchEngine<Cell, GoalRegion>;
 
 struct GridNames {
   static Cell place(const auto& state) { return state.cell; }
@@ -33,16 +35,16 @@ using GridEngineOf =
     SearchEngineOf<GridEngine, GridNames, Space, Frontier, Priority, kDuplicates, Links>;
 
 /// The cells that a query names, once it has been found answerable.
-struct GridQuery {
+struct WEND_API GridQuery {
   Cell start;
-  std::vector<Cell> goals;  // those that can be reached
+  std::vector<GoalRegion> goals;  // those with cells that can be reached, which bound them
 
   /// Takes the cells of a query; a status other than nothing if it cannot be answered.
   std::optional<Status> assign(const FreeSpace& space, Adjacency adjacency, const Query& query);
 };
 
 /// Planner::reason() of a planner that moves from cell to cell.
-std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status);
+WEND_API std::string reason_in_cells(const FreeSpace& space, const Query& query, Status status);
 
 class GridPlanner final : public SearchPlanner<GridEngine> {
  public:

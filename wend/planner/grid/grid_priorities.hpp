@@ -26,7 +26,7 @@ class TowardsGoals {
  public:
   bool allocated() const { return true; }
   std::optional<SearchOutcome> stopped() const { return std::nullopt; }
-  void begin(std::span<const Cell> goals, const Limits& /*limits*/) { goals_.assign(goals); }
+  void begin(std::span<const GoalRegion> goals, const Limits& /*limits*/) { goals_.assign(goals); }
 
   bool is_goal(const GridState& state) const { return goals_.contains(state.cell); }
 
@@ -98,7 +98,7 @@ class ExactEstimate : public TowardsGoals {
   }
 
   Key key(const GridState& state, Cost g) const {
-    const Cost estimate = goals_.least([&](Cell goal) {
+    const Cost estimate = goals_.least(state.cell, [&](Cell goal) {
       const auto dx = static_cast<Cost>(std::abs(state.cell.x - goal.x));
       const auto dy = static_cast<Cost>(std::abs(state.cell.y - goal.y));
       return static_cast<Cost>(major_ * std::max(dx, dy) + minor_ * std::min(dx, dy));
@@ -113,7 +113,8 @@ class ExactEstimate : public TowardsGoals {
   }
 
   double h(Cell cell) const {
-    return goals_.least([&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
+    return goals_.least(cell,
+                        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
   }
   double f(Cell cell, double g) const { return g + h(cell); }
 
@@ -166,7 +167,8 @@ class RealEstimate : public TowardsGoals {
   bool near_overflow(const Key& /*key*/) const { return false; }
 
   double h(Cell cell) const {
-    return goals_.least([&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
+    return goals_.least(cell,
+                        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
   }
   double f(Cell cell, double g) const { return g_share_ * g + weight_ * h(cell); }
 

@@ -64,7 +64,7 @@ class RandomWalk final : public GridEngine {
 
   bool allocated() const override { return memory_.allocated(); }
 
-  void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
+  void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override {
     if (!allocated()) return;
     goals_.assign(goals);
@@ -146,7 +146,7 @@ class RandomWalk final : public GridEngine {
   }
 
   /// A random neighbour that is not remembered, or, if all are remembered, any neighbour. One
-  /// exists: the goal is another cell of the same component.
+  /// exists: a goal is another cell of the same component.
   GridState random_neighbour() {
     std::array<GridState, 4> fresh;
     std::array<GridState, 4> all;

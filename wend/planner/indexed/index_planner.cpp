@@ -76,10 +76,16 @@ class IndexPlanner final : public Planner {
 
   /// With one goal there is nothing to look up.
   Cell nearest_goal(Cell start, SearchMetrics& metrics) {
-    Cell nearest = cells_.goals.front();
-    if (cells_.goals.size() == 1) return nearest;
+    goals_.clear();
+    const auto open = [&](Cell cell) {
+      return free_space().contains(cell) &&
+             free_space().components().connected(start, cell, Adjacency::edges);
+    };
+    append_entrances(cells_.goals, start, open, goals_);
+    Cell nearest = goals_.front();
+    if (goals_.size() == 1) return nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (const Cell goal : cells_.goals) {
+    for (const Cell goal : goals_) {
       const double cost = goal == start ? 0 : find(start, goal, metrics).cost();
       if (cost < least) nearest = goal;
       least = std::min(least, cost);
@@ -117,6 +123,7 @@ class IndexPlanner final : public Planner {
   std::size_t most_cells_ = 0;
   Error why_none_{Status::found, {}};  // if there is no engine
   GridQuery cells_;
+  std::vector<Cell> goals_;  // where a path enters those of cells_
 };
 
 class MethodSupport final : public IndexSupport {

@@ -2,7 +2,7 @@
 
 // GoalSight: the goals of a jump point search, and the cheapest path to one of them found so far.
 //
-//   goals.begin(std::array{goal}, shortcuts.raster());
+//   goals.begin(regions, start, boards, shortcuts.raster());
 //   const auto view = goals.look(boards.sight(), cell, directions, g);
 //   if (view.nearest) ...  // no need to go on from there
 //
@@ -53,18 +53,24 @@ class GoalSight {
     bool nearest = false;  // the nearest goal: no path from here is shorter
   };
 
-  /// Starts a search for these goals, at least one. Shortcuts use the raster.
-  void begin(std::span<const Cell> goals, const CoarseRaster& raster) {
-    goals_.assign(goals);
+  /// Starts a search from a cell for these goals, at least one. Shortcuts use the raster.
+  void begin(std::span<const GoalRegion> regions, Cell start, const JumpBoards& boards,
+             const CoarseRaster& raster) {
+    goals_.assign(regions);
+    cells_.clear();
+    append_entrances(regions, start, [&](Cell cell) { return boards.passable(cell); }, cells_);
     places_.clear();
-    for (const Cell goal : goals) places_.push_back(raster.place(goal));
+    for (const Cell goal : cells_) places_.push_back(raster.place(goal));
     best_ = kInfinite;
     overflown_ = false;
   }
 
+  /// The cells at which a path may end.
+  std::span<const Cell> cells() const { return cells_; }
+
   /// The estimate to the nearest goal.
   Cost h(Cell cell) const {
-    return goals_.least([cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
+    return goals_.least(cell, [cell](Cell goal) { return octile_cost<Cost>(cell, goal); });
   }
 
   /// The cost of the cheapest path to a goal; kInfinite before a goal is in sight.
@@ -86,26 +92,27 @@ class GoalSight {
   /// cheaply by other paths.
   View look(const Sight& sight, Cell from, DirectionSet directions, Cost g) {
     View view;
-    goals_.for_each([&](Cell goal) {
+    for (const Cell goal : cells_) {
       const bool ahead = (directions & first_direction(from, goal)) != 0 || goal == from;
-      if (!ahead || !sight.sees(from, goal)) return;
+      if (!ahead || !sight.sees(from, goal)) continue;
       const Cost distance = octile_cost<Cost>(from, goal);
       view.nearest = view.nearest || distance == h(from);
       if (distance >= kInfinite - g) {
         overflown_ = true;
-        return;
+        continue;
       }
-      if (g + distance >= best_) return;
+      if (g + distance >= best_) continue;
       best_ = g + distance;
       goal_ = goal;
       view.better = true;
-    });
+    }
     return view;
   }
 
  private:
   GoalCells goals_;
-  std::vector<CoarsePlace> places_;  // of the goals
+  std::vector<Cell> cells_;          // where a path enters them
+  std::vector<CoarsePlace> places_;  // of these cells
   Cost best_ = kInfinite;
   Cell goal_{};
   bool overflown_ = false;

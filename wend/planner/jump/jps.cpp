@@ -19,7 +19,7 @@ class JumpEngine final : public GridEngine {
 
   bool allocated() const override { return true; }
 
-  void begin(const Cell& start, std::span<const Cell> goals, const Limits& limits,
+  void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override {
     observer_ = observer;
     has_goals_ = !goals.empty();

@@ -47,7 +47,7 @@ TEST(JumpPointSearch, GivesTheCellsWhereThePathTurns) {
                                   "######"});
   auto search = make_search<Compact>(cells);
   const Limits limits;
-  search.begin({0, 0}, std::array{Cell{5, 3}}, limits);
+  search.begin({0, 0}, std::array{GoalRegion(Cell{5, 3})}, limits);
   ASSERT_EQ(search.run(), SearchOutcome::found);
   EXPECT_THAT(search.waypoints(), ElementsAre(Cell{0, 0}, Cell{0, 3}, Cell{2, 3}, Cell{2, 1},
                                               Cell{4, 1}, Cell{4, 3}, Cell{5, 3}));
@@ -56,7 +56,7 @@ TEST(JumpPointSearch, GivesTheCellsWhereThePathTurns) {
 TEST(JumpPointSearch, StartAndGoalMayBeOneCell) {
   auto search = make_search<Compact>(cells_of({"...", "..."}));
   const Limits limits;
-  search.begin({1, 1}, std::array{Cell{1, 1}}, limits);
+  search.begin({1, 1}, std::array{GoalRegion(Cell{1, 1})}, limits);
   ASSERT_EQ(search.run(), SearchOutcome::found);
   EXPECT_THAT(search.waypoints(), ElementsAre(Cell{1, 1}));
   EXPECT_EQ(search.metrics(), (SearchMetrics{1, 1, 1}));
@@ -66,7 +66,7 @@ TEST(JumpPointSearch, AGoalInSightIsFoundAtOnce) {
   auto search =
       make_search<Compact>(BitGrid(cells_of(std::vector<std::string>(200, std::string(300, '.')))));
   const Limits limits;
-  search.begin({3, 199}, std::array{Cell{290, 7}}, limits);
+  search.begin({3, 199}, std::array{GoalRegion(Cell{290, 7})}, limits);
   ASSERT_EQ(search.run(), SearchOutcome::found);
   EXPECT_EQ(search.metrics().expanded, 2U) << "the start and the goal";
 }
@@ -98,7 +98,7 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
       if (!space.components().connected(start, goal, Adjacency::edges)) continue;
       SCOPED_TRACE("map " + std::to_string(map) + ", query " + std::to_string(query));
       const auto answer = [&](auto& search) {
-        search.begin(start, std::array{goal}, limits);
+        search.begin(start, std::array{GoalRegion(goal)}, limits);
         EXPECT_EQ(search.run(), SearchOutcome::found);
         const auto waypoints = search.waypoints();
         return std::pair(std::vector<Cell>(waypoints.begin(), waypoints.end()),

@@ -60,10 +60,11 @@ class JumpPointSearch {
   JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
                   std::shared_ptr<const DeadEnds> dead_ends);
 
-  /// Forgets the last search. Cells are passable; `limits` must live as long as the search. A watcher
-  /// receives each cell, its parent (for the start: itself) and g.
+  /// Forgets the last search. The start and places of goals are passable; `limits` must live as long as the
+  /// search. A watcher receives each cell, its parent (for the start: itself) and g.
   template <class Watcher = NoJumpWatcher>
-  void begin(Cell start, std::span<const Cell> goals, const Limits& limits, Watcher&& watcher = {});
+  void begin(Cell start, std::span<const GoalRegion> goals, const Limits& limits,
+             Watcher&& watcher = {});
 
   /// Expands one state.
   template <class Watcher = NoJumpWatcher>
@@ -165,7 +166,7 @@ JumpPointSearch<Cost, kSearches>::JumpPointSearch(std::shared_ptr<const JumpGrap
 
 template <class Cost, std::uint32_t kSearches>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const Cell> goals,
+void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const GoalRegion> goals,
                                              const Limits& limits, Watcher&& watcher) {
   // A bucket is nearly a straight step wide.
   constexpr auto kWidthBits = static_cast<unsigned>(std::bit_width(Units::kStraight) - 1);
@@ -175,8 +176,8 @@ void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const Cell> g
   overflown_ = false;
   outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
   nodes_.begin_search();
-  goals_.begin(goals, shortcuts_.raster());
-  open_.open_for(start, goals);
+  goals_.begin(goals, start, graph_->boards(), shortcuts_.raster());
+  open_.open_for(start, goals_.cells());
   queue_.begin(h(start), kWidthBits);
   Node& node = nodes_[start_id()];
   node.stamp = nodes_.stamp(0);

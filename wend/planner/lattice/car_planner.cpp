@@ -118,11 +118,27 @@ std::optional<Status> CarPlanner::do_check(const Query& query) {
 std::optional<Status> CarPlanner::take_goal(const Goal& goal) {
   if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
   const auto place = place_on(*lattice_, {goal.point.x, goal.point.y, goal.heading.value_or(0)});
-  if (!place) return Status::goal_outside;
-  if (!lattice_->passable(place->corner)) return Status::goal_blocked;
-  if (!lattice_->connected(start_.corner, place->corner)) return Status::unreachable;
-  goals_.push_back({place->corner, std::nullopt});
-  if (goal.heading) goals_.back().heading = place->heading;
+  const PlaceGrid corners{.offset = 0,
+                          .spacing = lattice_->unit(),
+                          .columns = lattice_->columns(),
+                          .rows = lattice_->rows()};
+  CarRegion region{GoalRegion(goal, place ? std::optional(place->corner) : std::nullopt, corners)};
+  Status why = region.corners.empty() ? Status::goal_outside : Status::goal_blocked;
+  const bool reachable = region.corners.keep_if([&](Cell corner) {
+    if (!lattice_->passable(corner)) return false;
+    why = Status::unreachable;
+    return lattice_->connected(start_.corner, corner);
+  });
+  if (!reachable) return why;
+  if (goal.heading) {
+    region.heading = nearest_heading(*goal.heading);
+    region.headings = 0;
+    for_each_heading(
+        goal, static_cast<int>(*region.heading), kHeadings,
+        [](int heading) { return radians_of(static_cast<Heading>(heading)); },
+        [&](int heading) { region.headings |= 1U << static_cast<unsigned>(heading); });
+  }
+  goals_.push_back(region);
   asked_goals_.push_back(goal);
   return std::nullopt;
 }
@@ -143,7 +159,7 @@ void CarPlanner::assess(Plan& out) {
   assert(drive_.size() == out.path.size() && out.moves.size() + 1 == drive_.size());
   out.cost = car_path_cost(*lattice_, drive_);
   out.bound = options_.bound();
-  const auto reached = std::find_if(goals_.begin(), goals_.end(), [&](const CarGoal& goal) {
+  const auto reached = std::find_if(goals_.begin(), goals_.end(), [&](const CarRegion& goal) {
     return goal.contains(drive_.back());
   });
   out.start_snapping_error =

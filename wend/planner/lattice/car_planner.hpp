@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/planner/lattice/car_priority.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
@@ -18,7 +19,7 @@
 namespace wend {
 
 /// Places and goals are in lattice coordinates.
-using CarEngine = SearchEngine<CornerPose, CarGoal>;
+using CarEngine = SearchEngine<CornerPose, CarRegion>;
 
 struct CarOptions {
   CarDriving driving;
@@ -61,7 +62,7 @@ class CarPlanner final : public SearchPlanner<CarEngine> {
   // Of the query that was checked last.
   Pose asked_start_;
   CornerPose start_;
-  std::vector<CarGoal> goals_;
+  std::vector<CarRegion> goals_;
   std::vector<Goal> asked_goals_;  // one for each of goals_
   std::vector<CornerPose> drive_;
 };

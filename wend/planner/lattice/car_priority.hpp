@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "wend/base/limits.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
 #include "wend/search/forward_search.hpp"
@@ -21,6 +22,22 @@
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
+
+/// Where a car's path may end.
+struct CarRegion {
+  GoalRegion corners;
+  std::optional<Heading> heading{};  // the nearest to that of the goal; none: any is accepted
+  unsigned headings = kAnyHeading;   // those accepted, as bits
+
+  static constexpr unsigned kAnyHeading = (1U << kHeadings) - 1;
+
+  bool accepts(Heading faced) const {
+    return ((headings >> static_cast<unsigned>(faced)) & 1U) != 0;
+  }
+  bool contains(const CornerPose& place) const {
+    return accepts(place.heading) && corners.contains(place.corner);
+  }
+};
 
 template <class Cost>
 using CarKey = std::conditional_t<std::is_integral_v<Cost>, ExactKey<Cost>, RealKey<Cost>>;
@@ -59,12 +76,13 @@ class CarPriority {
   bool allocated() const { return around_obstacles_ == nullptr || around_obstacles_->allocated(); }
 
   /// At least one goal. Keeps its memory from query to query.
-  void begin(std::span<const CarGoal> goals, const Limits& limits) {
+  void begin(std::span<const CarRegion> goals, const Limits& limits) {
     goals_.assign(goals.begin(), goals.end());
     if (around_obstacles_ == nullptr) return;
     around_obstacles_->begin(limits);
-    for (const CarGoal& goal : goals) {
-      around_obstacles_->add(around_obstacles_->space().state(goal.corner));
+    for (const CarRegion& goal : goals) {
+      goal.corners.for_each(
+          [&](Cell corner) { around_obstacles_->add(around_obstacles_->space().state(corner)); });
     }
   }
 
@@ -84,7 +102,7 @@ class CarPriority {
 
   bool is_goal(const CarState& state) const {
     return std::any_of(goals_.begin(), goals_.end(),
-                       [&](const CarGoal& goal) { return goal.contains(state.place); });
+                       [&](const CarRegion& goal) { return goal.contains(state.place); });
   }
 
   /// Without good estimates there is no use in going on: the engine asks why they stopped().
@@ -105,9 +123,7 @@ class CarPriority {
       case CarHeuristic::zero:
         break;
       case CarHeuristic::diagonal:
-        return least([&](const CarGoal& goal) {
-          return diagonal_estimate<Costs>(place.corner, goal.corner);
-        });
+        return least([&](const CarRegion& goal) { return diagonal(place, goal); });
       case CarHeuristic::headings:
         return on_empty_yard(place);
       case CarHeuristic::obstacles:
@@ -118,7 +134,27 @@ class CarPriority {
   }
 
   Cost on_empty_yard(const CornerPose& place) const {
-    return least([&](const CarGoal& goal) { return headings_estimate<Costs>(place, goal); });
+    return least([&](const CarRegion& goal) {
+      return goal.corners.is_one_place() ? to_corner(place, goal) : diagonal(place, goal);
+    });
+  }
+
+  static Cost diagonal(const CornerPose& place, const CarRegion& goal) {
+    return diagonal_estimate<Costs>(place.corner, goal.corners.nearest_in_box(place.corner));
+  }
+
+  /// The estimate to a goal of one corner.
+  static Cost to_corner(const CornerPose& place, const CarRegion& goal) {
+    const Cell corner = goal.corners.any();
+    if (goal.headings == CarRegion::kAnyHeading) {
+      return headings_estimate<Costs>(place, CarGoal{corner, std::nullopt});
+    }
+    Cost least = headings_estimate<Costs>(place, CarGoal{corner, goal.heading});
+    for (const Heading heading : kAllHeadings) {
+      if (!goal.accepts(heading) || heading == goal.heading) continue;
+      least = std::min(least, headings_estimate<Costs>(place, CarGoal{corner, heading}));
+    }
+    return least;
   }
 
   template <class Estimate>
@@ -131,7 +167,7 @@ class CarPriority {
   CarHeuristic kind_;
   double scale_;  // where reversing costs less than driving ahead
   double weight_;
-  std::vector<CarGoal> goals_;
+  std::vector<CarRegion> goals_;
   std::unique_ptr<CornerCosts<Costs>> around_obstacles_;
 };
 

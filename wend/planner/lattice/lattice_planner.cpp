@@ -87,16 +87,25 @@ std::optional<Status> LatticePlanner::do_check(const Query& query) {
 std::optional<Status> LatticePlanner::take_goal(const Goal& goal) {
   const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
   if (!std::isfinite(pose.heading)) return Status::unsupported_query;
-  if (!is_finite(pose)) return Status::goal_outside;
-  auto place = lattice_->nearest(pose);
-  if (!place) return Status::goal_outside;
-  LatticeGoal taken{place->vertex, std::nullopt};
-  if (goal.heading) taken.heading = place->heading;
-  const int headings = static_cast<int>(lattice_->headings().size());
-  bool free = false;
-  for (int heading = 0; heading < headings && !free; ++heading) {
-    free = (!taken.heading || heading == *taken.heading) && fits({place->vertex, heading});
-  }
+  const auto place = is_finite(pose) ? lattice_->nearest(pose) : std::nullopt;
+  const PlaceGrid vertices{.offset = 0.5,
+                           .spacing = lattice_->cell_of({1, 0}).x,
+                           .columns = lattice_->columns(),
+                           .rows = lattice_->rows()};
+  LatticeGoal taken{GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices),
+                    {}};
+  if (taken.vertices.empty()) return Status::goal_outside;
+  const auto headings = lattice_->headings();
+  const auto radians_of = [&](int heading) { return headings[static_cast<std::size_t>(heading)]; };
+  for_each_heading(goal, lattice_->nearest_heading(pose.heading), static_cast<int>(headings.size()),
+                   radians_of,
+                   [&](int heading) { taken.headings.set(static_cast<std::size_t>(heading)); });
+  const bool free = taken.vertices.keep_if([&](Cell vertex) {
+    for (int heading = 0; heading < static_cast<int>(headings.size()); ++heading) {
+      if (taken.headings[static_cast<std::size_t>(heading)] && fits({vertex, heading})) return true;
+    }
+    return false;
+  });
   if (!free) return Status::goal_blocked;
   goals_.push_back(taken);
   asked_goals_.push_back(goal);

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,7 +21,9 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/limits.hpp"
+#include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
+#include "wend/robot/motion_primitives.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/lattice_space.hpp"
 
@@ -33,13 +37,13 @@ constexpr std::array<Choice<LatticeHeuristic>, 3> choice_names(LatticeHeuristic)
            {"obstacles", LatticeHeuristic::obstacles}}};
 }
 
-/// Without a heading, any heading is accepted.
+/// Where a path may end.
 struct LatticeGoal {
-  Cell vertex;
-  std::optional<int> heading{};
+  GoalRegion vertices;
+  std::bitset<MotionPrimitives::kMostHeadings> headings;  // by index: those accepted
 
   bool contains(const LatticePose& place) const {
-    return place.vertex == vertex && (!heading || place.heading == *heading);
+    return headings[static_cast<std::size_t>(place.heading)] && vertices.contains(place.vertex);
   }
 };
 
@@ -62,7 +66,8 @@ class LatticePriority {
     if (around_obstacles_ == nullptr) return;
     around_obstacles_->begin(limits);
     for (const LatticeGoal& goal : goals) {
-      around_obstacles_->add(around_obstacles_->space().state(goal.vertex));
+      goal.vertices.for_each(
+          [&](Cell vertex) { around_obstacles_->add(around_obstacles_->space().state(vertex)); });
     }
   }
 
@@ -106,7 +111,7 @@ class LatticePriority {
   double straight_distance(Cell vertex) const {
     const Cell from = lattice_.cell_of(vertex);
     const auto to = [&](const LatticeGoal& goal) {
-      const Cell cell = lattice_.cell_of(goal.vertex);
+      const Cell cell = lattice_.cell_of(goal.vertices.nearest_in_box(vertex));
       return std::hypot(cell.x - from.x, cell.y - from.y);
     };
     double least = to(goals_.front());

@@ -26,6 +26,16 @@ std::optional<Status> take_goals(const Query& query, Take&& take) {
   return any ? std::nullopt : why_none;
 }
 
+/// Calls visit(index) for each of `count` headings at which a goal lets a path end; `nearest` is the one that
+/// stands for its heading.
+template <class RadiansOf, class Visit>
+void for_each_heading(const Goal& goal, int nearest, int count, RadiansOf&& radians_of,
+                      Visit&& visit) {
+  for (int heading = 0; heading < count; ++heading) {
+    if (heading == nearest || goal.reaches_heading(radians_of(heading))) visit(heading);
+  }
+}
+
 inline SnappingError snapping_error_between(const Goal& asked, const Pose& taken) {
   const double turn = asked.heading ? normalized_angle(*asked.heading - taken.heading) : 0;
   return {distance(asked.point, taken.point()), std::abs(turn)};

@@ -112,6 +112,8 @@ class MotionLattice {
   /// pose is finite.
   Pose to_grid(const LatticePose& place) const;
   std::optional<LatticePose> nearest(const Pose& pose) const;
+  /// The heading nearest to a finite angle.
+  int nearest_heading(double radians) const { return data_->primitives.nearest_heading(radians); }
 
   /// The cheapest step that leads from one pose to another and fits; null if there is none.
   const LatticeStep* step_between(const LatticePose& from, const LatticePose& to) const;
