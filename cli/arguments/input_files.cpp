@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "cli/arguments/coordinates.hpp"
@@ -41,17 +43,22 @@ Expected<std::vector<QueryRow>, Error> load_queries_or_stream(const std::string&
 
 /// The part of a path that lies outside the map, if any.
 std::optional<std::string> part_outside(const Path& path, const FreeSpace& space) {
-  for (const Cell cell : path.cells()) {
-    if (!space.contains(cell)) return "the cell " + cell_text(cell);
-  }
-  if (!path.cells().empty()) return std::nullopt;
-  for (const Point point : path.points()) {
-    if (point.x >= 0 && point.y >= 0 && point.x <= space.width() && point.y <= space.height()) {
-      continue;
+  const auto cell_outside = [&](std::span<const Cell> cells) -> std::optional<std::string> {
+    const auto outside =
+        std::ranges::find_if_not(cells, [&](Cell cell) { return space.contains(cell); });
+    if (outside == cells.end()) return std::nullopt;
+    return "the cell " + cell_text(*outside);
+  };
+  const auto point_outside = [&](const auto&) -> std::optional<std::string> {
+    for (const Point point : path.points()) {
+      if (point.x >= 0 && point.y >= 0 && point.x <= space.width() && point.y <= space.height()) {
+        continue;
+      }
+      return fmt::format("the point ({:g},{:g})", point.x, point.y);
     }
-    return fmt::format("the point ({:g},{:g})", point.x, point.y);
-  }
-  return std::nullopt;
+    return std::nullopt;
+  };
+  return path.visit(cell_outside, point_outside);
 }
 
 }  // namespace

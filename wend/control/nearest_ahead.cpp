@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -127,9 +129,7 @@ Walk walk_along(const Path& path, const std::vector<Arc>& arcs) {
   Walk walk;
   walk.points.push_back(path.points().front());
   for (const Arc& arc : arcs) {
-    const Polyline chords =
-        polyline_of(path.driven() ? Path::through({arc.from, end_of(arc)})
-                                  : Path::along({arc.from.point(), point_on(arc, arc.length)}));
+    const Polyline chords = polyline_of(std::span(&arc, 1));
     for (const Point point : chords.points()) {
       if (point == walk.points.back()) continue;
       walk.points.push_back(point);
@@ -162,15 +162,14 @@ Path rest_of(const Path& path, const std::vector<Arc>& arcs, const Walk& walk, d
   const Pose here = pose_on(arcs[i], std::copysign(driven, arcs[i].length));
   const bool at_next = driven == std::abs(arcs[i].length);
   const auto next = static_cast<std::ptrdiff_t>(i) + 1;
-  if (path.driven()) {
-    std::vector<Pose> poses(path.driven_poses().begin() + next, path.driven_poses().end());
-    if (!at_next) poses.insert(poses.begin(), here);
-    return Path::through(std::move(poses));
-  }
-  const std::vector<Point> all = path.points();
-  std::vector<Point> points(all.begin() + next, all.end());
-  if (!at_next) points.insert(points.begin(), here.point());
-  return Path::along(std::move(points));
+  const auto from_here = [&](const auto& joints, const auto& joint) {
+    std::vector<std::remove_cvref_t<decltype(joint)>> rest(joints.begin() + next, joints.end());
+    if (!at_next) rest.insert(rest.begin(), joint);
+    return rest;
+  };
+  return path.visit(
+      [&](const JoinedPoses& joined) { return Path::through(from_here(joined.poses(), here)); },
+      [&](const auto&) { return Path::along(from_here(path.points(), here.point())); });
 }
 
 template <class PoseType>
@@ -201,8 +200,9 @@ Remaining remaining(const Path& path, const Pose& pose, double from) {
   assert(!path.empty() && from >= 0);
   const std::vector<Arc> arcs = path.arcs();
   if (arcs.empty()) {
-    return {path.driven() ? path : Path::along(path.points()), 0,
-            distance(path.points().front(), pose.point())};
+    Path rest = path.visit([&](const JoinedPoses&) { return path; },
+                           [&](const auto&) { return Path::along(path.points()); });
+    return {std::move(rest), 0, distance(path.points().front(), pose.point())};
   }
   const Walk walk = walk_along(path, arcs);
   const Polyline line(walk.points);

@@ -1,6 +1,7 @@
 #include "wend/control/route.hpp"
 
 #include <cassert>
+#include <span>
 
 #include "wend/geometry/angle.hpp"
 
@@ -14,22 +15,18 @@ MapPolyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
   return MapPolyline(points, closed);
 }
 
-/// The legs of a car's path: one for each stretch of arcs in one direction.
-std::vector<RouteLeg> legs_of(const Path& path, const Frame& frame) {
-  const std::span<const Pose> poses = path.driven_poses();
-  const std::vector<Arc> arcs = path.arcs();
+/// One leg for each stretch of arcs (at least one) in one direction.
+std::vector<RouteLeg> legs_along(std::span<const Arc> arcs, const Frame& frame) {
   std::vector<RouteLeg> legs;
-  for (std::size_t first = 0; first == 0 || first < arcs.size();) {
+  for (std::size_t first = 0; first < arcs.size();) {
     std::size_t end = first;
     double sign = 0;  // that of the leg's first arc that has a length
     while (end < arcs.size() && sign * arcs[end].length >= 0) {
       if (sign == 0) sign = arcs[end].length;
       ++end;
     }
-    const auto stretch = poses.subspan(first, end - first + 1);
-    const Polyline line = polyline_of(Path::through({stretch.begin(), stretch.end()}));
+    const Polyline line = polyline_of(arcs.subspan(first, end - first));
     legs.push_back({in_metres(line, frame, false), sign < 0});
-    if (end == first) break;  // a single pose
     first = end;
   }
   return legs;
@@ -62,19 +59,20 @@ MapPose turned_round(const MapPose& pose, bool reverse) {
 
 Route::Route(const Path& path, const Frame& frame, bool closed) {
   assert(!path.empty());
-  if (path.driven()) {
-    legs_ = legs_of(path, frame);
-    if (closed) join_end_to_start(legs_);
-    start_ = frame.to_metres(path.driven_poses().front());
-  } else {
+  const auto follow_lines = [&](const auto&) {
     legs_.push_back({in_metres(polyline_of(path), frame, closed), false});
     start_ = facing(legs_.front(), 0);
-  }
+  };
+  path.visit(follow_lines, [&](const JoinedPoses& joined) {
+    const bool moves = joined.segment_count() > 0;
+    legs_ = moves ? legs_along(path.arcs(), frame)
+                  : std::vector{RouteLeg{in_metres(polyline_of(path), frame, false)}};
+    if (closed) join_end_to_start(legs_);
+    start_ = frame.to_metres(joined.poses().front());
+    if (!closed) final_heading_ = frame.to_metres(joined.poses().back()).heading;
+  });
   end_ = facing(legs_.back(), legs_.back().line.length());
-  if (path.driven() && !closed) {
-    final_heading_ = frame.to_metres(path.driven_poses().back()).heading;
-    end_.heading = *final_heading_;
-  }
+  if (final_heading_) end_.heading = *final_heading_;
 }
 
 double Route::length() const {

@@ -26,14 +26,10 @@ void drive_to(std::vector<Pose>& poses, const Pose& pose) {
   if (!same) poses.push_back(pose);
 }
 
-}  // namespace
-
-Path rounded_corners(const Path& path, const FreeSpace& space, double window, Adjacency adjacency) {
-  assert(!path.empty() && window >= 0);
-  if (path.driven()) return path;
-  std::vector<Point> points = path.points();
+Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
+             Adjacency adjacency) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() == 1) return Path::through({path.poses().front()});
+  if (points.size() == 1) return Path::through({displaced(points.front(), 0, 0)});
   std::vector<Pose> poses;
   double heading = Line{points[0], points[1]}.heading();
   drive_to(poses, displaced(points[0], heading, 0));
@@ -57,6 +53,14 @@ Path rounded_corners(const Path& path, const FreeSpace& space, double window, Ad
   }
   drive_to(poses, displaced(points.back(), heading, 0));
   return Path::through(std::move(poses));
+}
+
+}  // namespace
+
+Path rounded_corners(const Path& path, const FreeSpace& space, double window, Adjacency adjacency) {
+  assert(!path.empty() && window >= 0);
+  return path.visit([&](const JoinedPoses&) { return path; },
+                    [&](const auto&) { return rounded(path.points(), space, window, adjacency); });
 }
 
 }  // namespace wend

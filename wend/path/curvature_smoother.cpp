@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "wend/geometry/line.hpp"
 #include "wend/path/path_metrics.hpp"
@@ -46,11 +48,10 @@ struct CurvatureFlags : CurvatureOptions {
 
 /// The same way with points near enough to each other that arcs within kCornerRounding of them can
 /// have the radius.
-Path divided(const Path& path, double radius) {
+Path divided(std::span<const Point> points, double radius) {
   constexpr double kLongest = 1.5;  // cells: steps to neighbouring cells stay whole
   constexpr double kShortest = 0.1;
   const double longest = std::clamp(radius / 2, kShortest, kLongest);
-  const std::vector<Point> points = path.points();
   std::vector<Point> dense{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Line line{points[i - 1], points[i]};
@@ -200,7 +201,9 @@ SmoothingResult smooth_by_curvature(const Path& path, const FreeSpace& space,
                                     const CurvatureOptions& options) {
   assert(!path.empty());
   if (const auto fault = fault_of(options)) return failure(Status::invalid_option, *fault);
-  const Path dense = path.driven() ? path : divided(path, options.radius);
+  const Path dense =
+      path.visit([&](const JoinedPoses&) { return path; },  // which MovablePath refuses
+                 [&](const auto&) { return divided(path.points(), options.radius); });
   auto movable = MovablePath::from(dense, space, options);
   if (!movable) return Unexpected<Error>(std::move(movable).error());
   return CurvatureSweeps(dense, *std::move(movable), options).run();

@@ -18,11 +18,6 @@ std::optional<Arc> car_arc(const Pose& from, const Pose& to) {
   return std::abs(error) < kRounding ? std::optional(arc) : std::nullopt;
 }
 
-Arc way_between(const Pose& from, const Pose& to) {
-  const auto arc = car_arc(from, to);
-  return arc ? *arc : way_of_base(segment_between(from, to));
-}
-
 /// Straight steps and diagonal ones are counted, so that the sum is exact.
 double length_of(std::span<const Cell> cells) {
   std::uint64_t straight = 0;
@@ -73,6 +68,14 @@ std::vector<Pose> heading_along(std::span<const Point> points) {
   return poses;
 }
 
+/// Calls line(from, length) for the lines from pose to pose.
+template <class Line>
+void for_each_line(const std::vector<Pose>& poses, Line&& line) {
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    line(poses[i - 1], distance(poses[i - 1].point(), poses[i].point()));
+  }
+}
+
 }  // namespace
 
 Segment JoinedPoses::segment(std::size_t i) const {
@@ -82,15 +85,20 @@ Segment JoinedPoses::segment(std::size_t i) const {
   return arc ? Segment{from, arc->length, arc->turn(), 0} : segment_between(from, to);
 }
 
+Arc JoinedPoses::arc(std::size_t i) const {
+  const auto arc = car_arc(poses_[i], poses_[i + 1]);
+  return arc ? *arc : way_of_base(segment_between(poses_[i], poses_[i + 1]));
+}
+
 Path Path::through(std::vector<Pose> poses) {
   Path path;
-  path.poses_ = std::move(poses);
+  path.joints_ = std::move(poses);
   return path;
 }
 
 Path Path::along(std::vector<Point> waypoints) {
   Path path;
-  path.waypoints_ = std::move(waypoints);
+  path.joints_ = std::move(waypoints);
   return path;
 }
 
@@ -98,15 +106,14 @@ bool Path::of_steps() const {
   const auto far_apart = [](Cell a, Cell b) {
     return std::abs(a.x - b.x) > 1 || std::abs(a.y - b.y) > 1;
   };
-  return !cells_.empty() && std::ranges::adjacent_find(cells(), far_apart) == cells().end();
+  return !cells().empty() && std::ranges::adjacent_find(cells(), far_apart) == cells().end();
 }
 
 std::vector<Point> Path::points() const {
-  if (!waypoints_.empty()) return waypoints_;
-  std::vector<Point> points;
+  std::vector<Point> points(waypoints().begin(), waypoints().end());
   points.reserve(size());
   for (const Cell cell : cells()) points.push_back(centre_of(cell));
-  for (const Pose& pose : poses_) points.push_back(pose.point());
+  for (const Pose& pose : driven_poses()) points.push_back(pose.point());
   return points;
 }
 
@@ -116,34 +123,35 @@ double Path::length() const {
                [](const JoinedPoses& poses) { return length_of(poses); });
 }
 
-std::vector<Pose> Path::poses() const { return driven() ? poses_ : heading_along(points()); }
+std::vector<Pose> Path::poses() const {
+  const auto headed = [&](const auto&) { return heading_along(points()); };
+  return visit(headed, [](const JoinedPoses& joined) {
+    return std::vector<Pose>(joined.poses().begin(), joined.poses().end());
+  });
+}
 
 std::vector<Arc> Path::arcs() const {
   std::vector<Arc> arcs;
-  if (empty()) return arcs;
-  arcs.reserve(size() - 1);
-  const std::vector<Pose> poses = this->poses();
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Pose& from = poses[i - 1];
-    arcs.push_back(driven() ? way_between(from, poses[i])
-                            : Arc{from, distance(from.point(), poses[i].point()), 0});
-  }
+  const auto add_lines = [&](const auto&) {
+    for_each_line(poses(),
+                  [&](const Pose& from, double length) { arcs.push_back({from, length, 0}); });
+  };
+  visit(add_lines, [&](const JoinedPoses& joined) {
+    for (std::size_t i = 0; i < joined.segment_count(); ++i) arcs.push_back(joined.arc(i));
+  });
   return arcs;
 }
 
 std::vector<Segment> Path::segments() const {
   std::vector<Segment> segments;
-  if (empty()) return segments;
-  segments.reserve(size() - 1);
-  if (driven()) {
-    const JoinedPoses joined(poses_);
+  const auto add_lines = [&](const auto&) {
+    for_each_line(poses(), [&](const Pose& from, double length) {
+      segments.emplace_back(from, length, 0, 0);
+    });
+  };
+  visit(add_lines, [&](const JoinedPoses& joined) {
     for (std::size_t i = 0; i < joined.segment_count(); ++i) segments.push_back(joined.segment(i));
-    return segments;
-  }
-  const std::vector<Pose> poses = this->poses();
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    segments.emplace_back(poses[i - 1], distance(poses[i - 1].point(), poses[i].point()), 0, 0);
-  }
+  });
   return segments;
 }
 
@@ -154,15 +162,13 @@ std::vector<MapPoint> Path::points_in_metres(const Frame& frame) const {
 }
 
 void Path::clear() {
-  cells_.clear();
-  poses_.clear();
-  waypoints_.clear();
+  std::visit([](auto& joints) { joints.clear(); }, joints_);
 }
 
 void Path::reverse() {
-  std::ranges::reverse(cells_.cells());
-  std::reverse(poses_.begin(), poses_.end());
-  std::reverse(waypoints_.begin(), waypoints_.end());
+  if (auto* const cells = std::get_if<CellBuffer>(&joints_)) std::ranges::reverse(cells->cells());
+  if (auto* const points = std::get_if<std::vector<Point>>(&joints_)) std::ranges::reverse(*points);
+  if (auto* const poses = std::get_if<std::vector<Pose>>(&joints_)) std::ranges::reverse(*poses);
 }
 
 }  // namespace wend

@@ -1,8 +1,8 @@
 #pragma once
 
-// Path: the path from a start to a goal, both included: a list of neighbouring cells, a car's
-// poses, or waypoints; cells that are not neighbours if its planner turns at any angle. Poses and points
-// in metres are computed from it on demand.
+// Path: the path from a start to a goal, both included: one list, of neighbouring cells, of waypoints,
+// or of a car's poses; cells that are not neighbours if its planner turns at any angle. Arcs, segments
+// and points in metres are computed from it on demand.
 //
 //   for (const wend::Cell cell : plan->path.cells()) cells.push_back(cell);
 //
@@ -22,10 +22,12 @@
 //       [](const wend::JoinedPoses& poses) { return poses.segment_count(); });
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -98,6 +100,9 @@ class WEND_API JoinedPoses {
   /// else the turn in place or the move to the side. O(1).
   Segment segment(std::size_t i) const;
 
+  /// The way of the base point along that segment; of length 0 for a turn in place. O(1).
+  Arc arc(std::size_t i) const;
+
  private:
   std::span<const Pose> poses_;
 };
@@ -107,7 +112,7 @@ class WEND_API Path {
   /// An empty path.
   Path() = default;
   /// A path of cells.
-  explicit Path(std::vector<Cell> cells) : cells_(std::move(cells)) {}
+  explicit Path(std::vector<Cell> cells) : joints_(CellBuffer(std::move(cells))) {}
 
   /// A path of poses, in grid coordinates.
   static Path through(std::vector<Pose> poses);
@@ -118,10 +123,12 @@ class WEND_API Path {
   /// Is there no cell, pose or waypoint?
   bool empty() const { return size() == 0; }
   /// The number of cells, poses or waypoints.
-  std::size_t size() const { return cells_.size() + poses_.size() + waypoints_.size(); }
+  std::size_t size() const {
+    return std::max({cells().size(), waypoints().size(), driven_poses().size()});
+  }
 
-  /// Is it made of poses, not of cells or waypoints?
-  bool driven() const { return !poses_.empty(); }
+  /// Is it made of poses, not of cells or waypoints? An empty path is not.
+  bool driven() const { return !driven_poses().empty(); }
 
   /// Is it made of cells, each a neighbour of the one before? O(n).
   bool of_steps() const;
@@ -134,19 +141,22 @@ class WEND_API Path {
       using std::remove_cvref_t<Visitors>::operator()...;
     };
     const Overloads visitor{std::forward<Visitors>(visitors)...};
-    if (!waypoints_.empty()) return visitor(waypoints());
-    if (!poses_.empty()) return visitor(JoinedPoses(poses_));
+    if (!waypoints().empty()) return visitor(waypoints());
+    if (driven()) return visitor(JoinedPoses(driven_poses()));
     return visitor(cells());
   }
 
   /// The cells of a path of cells; else empty.
-  std::span<const Cell> cells() const { return cells_.cells(); }
+  std::span<const Cell> cells() const {
+    const auto* cells = std::get_if<CellBuffer>(&joints_);
+    return cells != nullptr ? cells->cells() : std::span<const Cell>();
+  }
 
   /// The poses of a car's path, in grid coordinates; else empty.
-  std::span<const Pose> driven_poses() const { return poses_; }
+  std::span<const Pose> driven_poses() const { return joints_of<Pose>(); }
 
   /// The waypoints of a path of waypoints, in grid coordinates; else empty.
-  std::span<const Point> waypoints() const { return waypoints_; }
+  std::span<const Point> waypoints() const { return joints_of<Point>(); }
 
   /// The start, the joints and the end, in grid coordinates: the centres of cells, the points of
   /// poses, the waypoints.
@@ -171,28 +181,44 @@ class WEND_API Path {
   /// Its points in the map's frame, in metres.
   std::vector<MapPoint> points_in_metres(const Frame& frame) const;
 
-  /// Makes the path empty and keeps its memory, for planners that write into an existing path. A path
-  /// has either cells
-  /// or poses or waypoints.
+  /// Makes the path empty and keeps its memory, for planners that write into an existing path.
   void clear();
-  /// Adds a cell at the end. The path has no poses and no waypoints. O(1) amortised.
-  void append(Cell cell) { cells_.append(cell); }
-  /// Replaces the cells by `count` cells for the caller to write.
+  /// Adds a cell at the end. The path is empty or made of cells. O(1) amortised.
+  void append(Cell cell) { made_of<CellBuffer>().append(cell); }
+  /// Replaces the cells by `count` cells for the caller to write. The path is empty or made of cells.
   std::span<Cell> make_cells(std::size_t count) {
-    cells_.resize_unset(count);
-    return cells_.cells();
+    auto& cells = made_of<CellBuffer>();
+    cells.resize_unset(count);
+    return cells.cells();
   }
-  /// Adds a pose, in grid coordinates. The path has no cells and no waypoints. O(1) amortised.
-  void drive_to(const Pose& pose) { poses_.push_back(pose); }
+  /// Adds a pose, in grid coordinates. The path is empty or made of poses. O(1) amortised.
+  void drive_to(const Pose& pose) { made_of<std::vector<Pose>>().push_back(pose); }
   /// Reverses the order of the cells, poses or waypoints; headings stay. O(n).
   void reverse();
 
-  friend bool operator==(const Path&, const Path&) = default;
+  /// Compares the lists; all empty paths are equal.
+  friend bool operator==(const Path& a, const Path& b) {
+    return a.joints_ == b.joints_ || (a.empty() && b.empty());
+  }
 
  private:
-  CellBuffer cells_;
-  std::vector<Pose> poses_;
-  std::vector<Point> waypoints_;
+  template <class Joint>
+  std::span<const Joint> joints_of() const {
+    const auto* joints = std::get_if<std::vector<Joint>>(&joints_);
+    return joints != nullptr ? std::span<const Joint>(*joints) : std::span<const Joint>();
+  }
+
+  /// The list to write to. It keeps its memory if the path was of that kind before.
+  template <class Joints>
+  Joints& made_of() {
+    if (auto* const joints = std::get_if<Joints>(&joints_)) return *joints;
+    assert(empty());
+    return joints_.emplace<Joints>();
+  }
+
+  // Poses and not the segments between them: a pose stays exactly where its planner put it, and a
+  // search writes its path backwards.
+  std::variant<CellBuffer, std::vector<Point>, std::vector<Pose>> joints_;
 };
 
 }  // namespace wend

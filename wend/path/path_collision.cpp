@@ -213,17 +213,15 @@ class PathSweep {
 };
 
 /// Along arcs, turns in place, and segments on which the robot does not face along its way.
-std::optional<PathCollision> collision_of_drive(const Path& path, PathSweep& sweep) {
-  const std::vector<Arc> arcs = path.arcs();
-  const std::vector<Segment> segments = path.segments();
-  if (arcs.empty()) return sweep.go_along(TurnInPlace{path.poses().front(), 0});
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const Segment& segment = segments[i];
+std::optional<PathCollision> collision_of_drive(const JoinedPoses& drive, PathSweep& sweep) {
+  if (drive.segment_count() == 0) return sweep.go_along(TurnInPlace{drive.poses().front(), 0});
+  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+    const Segment segment = drive.segment(i);
     std::optional<PathCollision> collision;
     if (segment.length == 0) {
       collision = sweep.go_along(TurnInPlace{segment.from, segment.turn});
     } else {
-      collision = segment.course == 0 ? sweep.go_along(arcs[i]) : sweep.go_along(segment);
+      collision = segment.course == 0 ? sweep.go_along(drive.arc(i)) : sweep.go_along(segment);
     }
     if (collision) return collision;
   }
@@ -260,7 +258,7 @@ std::optional<PathCollision> first_collision(const Path& path, const FreeSpace& 
   assert(!path.empty());
   const std::vector<Point> points = path.points();
   PathSweep sweep(space, points.front(), adjacency);
-  return path.visit([&](const JoinedPoses&) { return collision_of_drive(path, sweep); },
+  return path.visit([&](const JoinedPoses& drive) { return collision_of_drive(drive, sweep); },
                     [&](const auto&) { return collision_of_lines(points, sweep); });
 }
 

@@ -49,14 +49,13 @@ void measure_corners(const Path& path, PathMetrics& metrics) {
 }
 
 /// The bends of a path of poses: its arcs and its turns in place.
-void measure_arc_bends(const Path& path, PathMetrics& metrics) {
-  const std::vector<Segment> segments = path.segments();
-  const std::vector<Arc> arcs = path.arcs();
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const Arc& arc = arcs[i];
+void measure_arc_bends(const JoinedPoses& drive, PathMetrics& metrics) {
+  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+    const Arc arc = drive.arc(i);
     if (arc.length == 0) {
-      if (segments[i].turn == 0) continue;
-      metrics.turning += std::abs(segments[i].turn);
+      const double turn = drive.segment(i).turn;
+      if (turn == 0) continue;
+      metrics.turning += std::abs(turn);
       add_bend(metrics, 0, 0);
     } else {
       metrics.turning += std::abs(arc.turn());
@@ -157,7 +156,7 @@ PathMetrics measure(const Path& path, const FreeSpace& space, double corner_roun
   metrics.corner_rounding = corner_rounding;
   metrics.smallest_turning_radius = std::numeric_limits<double>::infinity();
   metrics.rounded_turning_radius = std::numeric_limits<double>::infinity();
-  path.visit([&](const JoinedPoses&) { measure_arc_bends(path, metrics); },
+  path.visit([&](const JoinedPoses& drive) { measure_arc_bends(drive, metrics); },
              [&](const auto&) { measure_corners(path, metrics); });
   return metrics;
 }

@@ -122,6 +122,23 @@ TEST(Path, IsWrittenCellByCell) {
   EXPECT_TRUE(path.empty());
 }
 
+TEST(Path, BecomesOfAnotherKindOnceItIsEmpty) {
+  Path path = Path::along({{1, 2}, {3, 4}});
+  path.reverse();
+  EXPECT_EQ(path, Path::along({{3, 4}, {1, 2}}));
+  EXPECT_NE(path, Path({{3, 4}, {1, 2}}));
+  path.clear();
+  EXPECT_EQ(path, Path()) << "an empty path has no kind";
+  EXPECT_TRUE(
+      path.visit([](std::span<const Cell>) { return true; }, [](const auto&) { return false; }));
+  path.drive_to({1, 1, 0});
+  EXPECT_EQ(path, Path::through({{1, 1, 0}}));
+  path.clear();
+  path.make_cells(1)[0] = {2, 3};
+  EXPECT_EQ(path, Path({{2, 3}}));
+  EXPECT_TRUE(path.driven_poses().empty() && path.waypoints().empty());
+}
+
 TEST(DrivenPath, IsMadeOfPosesAndArcs) {
   const Path path = Path::through({{0, 0, 0}, {1, 1, kPi / 2}, {1, 0, kPi / 2}});
   EXPECT_TRUE(path.driven());

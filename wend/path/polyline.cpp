@@ -17,6 +17,16 @@ int pieces_of(const Arc& arc, double tolerance) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
 }
 
+/// The ends of the chords of arcs.
+std::vector<Point> chords_of(Point start, std::span<const Arc> arcs, double tolerance) {
+  std::vector<Point> points{start};
+  for (const Arc& arc : arcs) {
+    const int pieces = pieces_of(arc, tolerance);
+    for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
+  }
+  return points;
+}
+
 template <class PoseType>
 std::vector<PoseType> poses_every(const BasicPolyline<PoseType>& line, double spacing) {
   assert(spacing > 0);
@@ -108,14 +118,14 @@ template class BasicPolyline<MapPose>;
 Polyline polyline_of(const Path& path, bool closed, double tolerance) {
   const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
   const auto along_arcs = [&](const JoinedPoses& joined) {
-    std::vector<Point> points{joined.poses().front().point()};
-    for (const Arc& arc : path.arcs()) {
-      const int pieces = pieces_of(arc, tolerance);
-      for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
-    }
-    return Polyline(points, closed);
+    return Polyline(chords_of(joined.poses().front().point(), path.arcs(), tolerance), closed);
   };
   return path.visit(along_points, along_arcs);
+}
+
+Polyline polyline_of(std::span<const Arc> arcs, double tolerance) {
+  assert(!arcs.empty());
+  return Polyline(chords_of(arcs.front().from.point(), arcs, tolerance));
 }
 
 std::vector<Pose> poses_along(const Polyline& line, double spacing) {
@@ -125,11 +135,12 @@ std::vector<MapPose> poses_along(const MapPolyline& line, double spacing) {
   return poses_every(line, spacing);
 }
 
-std::vector<Pose> poses_along(const Path& drive, double spacing) {
-  assert(spacing > 0 && drive.driven());
+std::vector<Pose> poses_along(const JoinedPoses& drive, double spacing) {
+  assert(spacing > 0 && !drive.poses().empty());
   std::vector<Pose> poses;
   double next = 0;  // from the start of the segment
-  for (const Segment& segment : drive.segments()) {
+  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+    const Segment segment = drive.segment(i);
     const double length = std::abs(segment.length);
     while (next < length) {
       poses.push_back(pose_on(segment, next / length));
@@ -137,7 +148,7 @@ std::vector<Pose> poses_along(const Path& drive, double spacing) {
     }
     next -= length;
   }
-  poses.push_back(drive.driven_poses().back());
+  poses.push_back(drive.poses().back());
   return poses;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/geometry/arc.hpp"
 #include "wend/geometry/map_pose.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/path/path.hpp"
@@ -93,12 +94,15 @@ extern template class WEND_API BasicPolyline<MapPose>;
 /// The polyline of a path (not empty); arcs within `tolerance` cells.
 WEND_API Polyline polyline_of(const Path& path, bool closed = false, double tolerance = 0.01);
 
+/// The same of arcs (at least one), each beginning where the one before it ends.
+WEND_API Polyline polyline_of(std::span<const Arc> arcs, double tolerance = 0.01);
+
 /// Poses on a polyline, `spacing` (> 0) apart along it, from its beginning on; the last is its end.
 WEND_API std::vector<Pose> poses_along(const Polyline& line, double spacing);
 /// The same in metres.
 WEND_API std::vector<MapPose> poses_along(const MapPolyline& line, double spacing);
 
-/// The same along a path of poses, with their headings.
-WEND_API std::vector<Pose> poses_along(const Path& drive, double spacing);
+/// The same along a path of poses (not empty), with their headings.
+WEND_API std::vector<Pose> poses_along(const JoinedPoses& drive, double spacing);
 
 }  // namespace wend

@@ -64,7 +64,7 @@ TEST(PosesAlong, AreEvenlySpacedAndReachTheEnd) {
   EXPECT_EQ(poses_along(Polyline({{0, 0}, {4, 0}}), 2).size(), 3U) << "the end counts once";
   EXPECT_THAT(poses_along(Polyline({{1, 2}}), 2), ::testing::ElementsAre(Pose{1, 2, 0}));
   const Path aside = Path::through({{0, 0, 0}, {0, 3, 0}, {0, 3, 1}});
-  const std::vector<Pose> facing = poses_along(aside, 2);
+  const std::vector<Pose> facing = poses_along(JoinedPoses(aside.driven_poses()), 2);
   ASSERT_EQ(facing.size(), 3U);
   EXPECT_NEAR(distance(facing[1].point(), {0, 2}), 0, 1e-12);
   EXPECT_EQ(facing[1].heading, 0) << "as the path says, not along its way";
@@ -80,6 +80,8 @@ TEST(Polyline, OfADriveKeepsToItsArcs) {
     const double off = point.y > 5 ? std::abs(point.x - 5) : std::abs(distance(point, {0, 5}) - 5);
     EXPECT_LT(off, 0.0011) << point.x << "," << point.y;
   }
+  const Polyline of_arcs = polyline_of(drive.arcs(), 0.001);
+  EXPECT_THAT(of_arcs.points(), ::testing::ElementsAreArray(line.points()));
 }
 
 /// Points of a circle, 10 degrees apart.

@@ -121,25 +121,48 @@ int pieces_of(double length, double spacing) {
   return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, kMost));
 }
 
-Path resampled_drive(const Path& path, double spacing) {
-  const auto poses = path.driven_poses();
-  const auto arcs = path.arcs();
-  std::vector<Pose> divided{poses.front()};
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const int pieces = pieces_of(std::abs(arcs[i].length), spacing);
-    for (int k = 1; k < pieces; ++k) {
-      divided.push_back(pose_on(arcs[i], arcs[i].length * k / pieces));
-    }
-    divided.push_back(poses[i + 1]);
+/// Of a path that is not empty and not made of poses, which lines would not join.
+std::vector<Point> points_of_lines(const Path& path) {
+  assert(!path.empty() && !path.driven());
+  return path.points();
+}
+
+Path resampled_drive(const JoinedPoses& drive, double spacing) {
+  std::vector<Pose> divided{drive.poses().front()};
+  for (std::size_t i = 0; i < drive.segment_count(); ++i) {
+    const Arc arc = drive.arc(i);
+    const int pieces = pieces_of(std::abs(arc.length), spacing);
+    for (int k = 1; k < pieces; ++k) divided.push_back(pose_on(arc, arc.length * k / pieces));
+    divided.push_back(drive.poses()[i + 1]);
   }
   return Path::through(std::move(divided));
+}
+
+Path resampled_lines(const Polyline& line, double spacing, const Sight& sight) {
+  const auto along = line.along();
+  const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
+  std::vector<Point> points{line.points().front()};
+  double last = 0;
+  for (int i = 1; i <= pieces; ++i) {
+    const double next = line.length() * i / pieces;
+    const Point point = i == pieces ? line.points().back() : line.at(next).point();
+    if (!sight(points.back(), point)) {
+      const auto begin = std::ranges::upper_bound(along, last);
+      const auto end = std::ranges::lower_bound(along, next);
+      for (auto own = begin; own < end; ++own) {
+        points.push_back(line.points()[static_cast<std::size_t>(own - along.begin())]);
+      }
+    }
+    points.push_back(point);
+    last = next;
+  }
+  return Path::along(std::move(points));
 }
 
 }  // namespace
 
 Path without_collinear(const Path& path) {
-  assert(!path.empty() && !path.driven());
-  const Polyline line(path.points());  // without points on top of each other
+  const Polyline line(points_of_lines(path));  // without points on top of each other
   const auto points = line.points();
   std::vector<Point> kept{points.front()};
   std::size_t begin = 0;  // of the straight line that the path is on
@@ -155,9 +178,9 @@ Path without_collinear(const Path& path) {
 }
 
 Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adjacency adjacency) {
-  assert(!path.empty() && !path.driven() && tolerance >= 0);
+  assert(tolerance >= 0);
   const Sight sight(space, adjacency);
-  const std::vector<Point> points = path.points();
+  const std::vector<Point> points = points_of_lines(path);
   std::vector<Point> kept{points.front()};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   while (!open.empty()) {
@@ -180,9 +203,8 @@ Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adja
 }
 
 Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
-  assert(!path.empty() && !path.driven());
   const Sight sight(space, adjacency);
-  const std::vector<Point> points = path.points();
+  const std::vector<Point> points = points_of_lines(path);
   // Each way alone leaves corners behind itself; the shortest of both mixed has the fewest.
   const std::vector<std::size_t> forwards = pulled_forwards(points, sight);
   const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
@@ -193,27 +215,10 @@ Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency
 
 Path resampled(const Path& path, double spacing, const FreeSpace& space, Adjacency adjacency) {
   assert(!path.empty() && spacing > 0);
-  if (path.driven()) return resampled_drive(path, spacing);
   const Sight sight(space, adjacency);
-  const Polyline line = polyline_of(path);
-  const auto along = line.along();
-  const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
-  std::vector<Point> points{line.points().front()};
-  double last = 0;
-  for (int i = 1; i <= pieces; ++i) {
-    const double next = line.length() * i / pieces;
-    const Point point = i == pieces ? line.points().back() : line.at(next).point();
-    if (!sight(points.back(), point)) {
-      const auto begin = std::ranges::upper_bound(along, last);
-      const auto end = std::ranges::lower_bound(along, next);
-      for (auto own = begin; own < end; ++own) {
-        points.push_back(line.points()[static_cast<std::size_t>(own - along.begin())]);
-      }
-    }
-    points.push_back(point);
-    last = next;
-  }
-  return Path::along(std::move(points));
+  return path.visit(
+      [&](const JoinedPoses& drive) { return resampled_drive(drive, spacing); },
+      [&](const auto&) { return resampled_lines(polyline_of(path), spacing, sight); });
 }
 
 }  // namespace wend

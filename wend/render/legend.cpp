@@ -14,9 +14,21 @@ bool has_arrows(const Scene& scene) {
                                              [](const auto& arrow) { return arrow.has_value(); });
 }
 
-bool drives(const Path& path, bool reverse) {
-  return std::ranges::any_of(path.arcs(),
-                             [&](const Arc& arc) { return (arc.length < 0) == reverse; });
+/// A line, or what a car drives in each gear.
+void add_path(const Path& path, const Style& style, std::vector<LegendItem>& items) {
+  const auto add_gears = [&](const JoinedPoses& /*joined*/) {
+    const std::vector<Arc> arcs = path.arcs();
+    const auto backs = [](const Arc& arc) { return arc.length < 0; };
+    if (!std::ranges::all_of(arcs, backs)) {
+      items.push_back({Swatch::driven, style.path, "driven ahead", {}, 'o'});
+    }
+    if (std::ranges::any_of(arcs, backs)) {
+      items.push_back({Swatch::reverse, style.reverse, "in reverse", {}, '='});
+    }
+  };
+  path.visit(add_gears, [&](const auto&) {
+    if (path.size() > 1) items.push_back({Swatch::path, style.path, "path", {}, 'o'});
+  });
 }
 
 /// Each role once, in the enum's order.
@@ -42,10 +54,7 @@ void add_marks(const Scene& scene, const Style& style, std::vector<LegendItem>& 
   add(scene.narrowest.has_value(), Swatch::narrowest, style.narrowest, "narrowest", '!');
   add(!scene.nearest_free.empty(), Swatch::nearest_free, style.narrowest, "nearest free cell", 'N');
   add(scene.collision.has_value(), Swatch::collision, style.narrowest, "collision", 'X');
-  const bool driven = scene.path.driven();
-  add(!driven && scene.path.size() > 1, Swatch::path, style.path, "path", 'o');
-  add(driven && drives(scene.path, false), Swatch::driven, style.path, "driven ahead", 'o');
-  add(driven && drives(scene.path, true), Swatch::reverse, style.reverse, "in reverse", '=');
+  add_path(scene.path, style, items);
   add_lines(scene, style, items);
   add(has_arrows(scene), Swatch::arrow, style.arrows, "way to move", ' ');
 }

@@ -29,15 +29,16 @@ Scene scene_between(FreeSpace space, Cell start, Cell goal) {
 Scene scene_of(FreeSpace space, Path path) {
   assert(!path.empty());
   Scene scene{.space = std::move(space)};
-  const std::vector<Pose> poses = path.poses();
-  if (path.driven()) {
-    scene.start = poses.front();
-    scene.goals = {poses.back()};
+  const auto mark_poses = [&](const JoinedPoses& joined) {
+    scene.start = joined.poses().front();
+    scene.goals = {joined.poses().back()};
     scene.unit = 1;
-  } else {
-    scene.start = poses.front().point();
-    scene.goals = {poses.back().point()};
-  }
+  };
+  path.visit(mark_poses, [&](const auto&) {
+    const std::vector<Point> points = path.points();
+    scene.start = points.front();
+    scene.goals = {points.back()};
+  });
   scene.path = std::move(path);
   return scene;
 }

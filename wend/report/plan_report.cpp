@@ -65,7 +65,7 @@ std::string pose_text(const Pose& pose, const Frame& frame) {
 std::string drive_commands(const Plan& plan, const Frame& frame) {
   if (plan.path.empty()) return {};
   const std::vector<Pose> poses = plan.path.poses();
-  assert(plan.path.driven() && plan.moves.size() + 1 == poses.size());
+  assert(plan.moves.size() + 1 == poses.size());
   std::string text = "Start " + pose_text(poses.front(), frame) + "\n";
   for (std::size_t i = 0; i < plan.moves.size(); ++i) {
     fmt::format_to(std::back_inserter(text), "Go {} -> {}\n", plan.moves[i],

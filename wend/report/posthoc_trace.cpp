@@ -260,9 +260,10 @@ std::string PosthocTrace::finish(const Path& path) {
 }
 
 std::optional<PosthocTrace::Place> PosthocTrace::end_of(const Path& path) const {
-  if (path.driven()) return place_of(path.poses().back());
   if (path.empty()) return std::nullopt;
-  return Place{path.cells().back()};
+  return path.visit(
+      [&](const JoinedPoses& joined) { return place_of(joined.poses().back()); },
+      [&](const auto&) { return std::optional(Place{cell_at(path.points().back())}); });
 }
 
 /// A start or a goal, if it is on the map.

@@ -1,6 +1,7 @@
 // The polygon of a robot, to scale: at the ends of a path and along it.
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "wend/path/polyline.hpp"
@@ -13,12 +14,18 @@ namespace {
 constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
 constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
 
-/// Poses along the last line of the scene, else along the path; none where the robot only stands.
+/// None where the robot only stands.
+std::vector<Pose> poses_along_line(std::span<const Point> points, double spacing) {
+  return points.size() < 2 ? std::vector<Pose>{} : poses_along(Polyline(points), spacing);
+}
+
+/// Poses along the last line of the scene, else along the path.
 std::vector<Pose> driven_poses(const Scene& scene, double spacing) {
   const bool has_line = !scene.lines.empty() && scene.lines.back().role != LineRole::possible;
-  if (!has_line && scene.path.driven()) return poses_along(scene.path, spacing);
-  const std::vector<Point> points = has_line ? scene.lines.back().points : scene.path.points();
-  return points.size() < 2 ? std::vector<Pose>{} : poses_along(Polyline(points), spacing);
+  if (has_line) return poses_along_line(scene.lines.back().points, spacing);
+  return scene.path.visit(
+      [&](const JoinedPoses& drive) { return poses_along(drive, spacing); },
+      [&](const auto&) { return poses_along_line(scene.path.points(), spacing); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "wend/geometry/angle.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
@@ -74,17 +75,16 @@ void trace_bend(cairo_t* context, Point before, Point point, Point after, double
                  (out.x + 2 * point.x) / 3, (out.y + 2 * point.y) / 3, out.x, out.y);
 }
 
-void draw_bent_path(const SceneDrawing& drawing) {
+/// Rounded, if there is room for that.
+void draw_bent_path(const SceneDrawing& drawing, bool rounded) {
   cairo_t* const context = drawing.context;
   const std::vector<Point> bends = bends_of(drawing.scene.path, drawing.view);
   if (bends.size() < 2) return;
   const double scale = drawing.view.scale();
-  // Waypoints are where they are; bends between cells are rounded if there is room for that.
-  const bool rounded = drawing.scene.path.waypoints().empty() && scale >= 1;
   cairo_new_path(context);
   cairo_move_to(context, bends.front().x, bends.front().y);
   for (std::size_t i = 1; i + 1 < bends.size(); ++i) {
-    if (rounded) {
+    if (rounded && scale >= 1) {
       trace_bend(context, bends[i - 1], bends[i], bends[i + 1], std::max(kLeastBend, scale / 2));
     } else {
       cairo_line_to(context, bends[i].x, bends[i].y);
@@ -294,7 +294,8 @@ void draw_path(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
   const MapView& view = drawing.view;
   // A car may drive along the edge of the map.
-  const double beyond = scene.path.driven() ? drawing.sizes.line : 0;
+  const double beyond = scene.path.visit([&](const JoinedPoses&) { return drawing.sizes.line; },
+                                         [](const auto&) { return 0.0; });
   cairo_save(drawing.context);
   cairo_rectangle(drawing.context, view.left - beyond, view.top - beyond, view.width + 2 * beyond,
                   view.height + 2 * beyond);
@@ -304,7 +305,9 @@ void draw_path(const SceneDrawing& drawing) {
   } else if (scene.start && !scene.robot && on_map(scene, scene.start->point)) {
     draw_robot_at_start(drawing);
   }
-  scene.path.driven() ? draw_driven_path(drawing) : draw_bent_path(drawing);
+  scene.path.visit([&](const JoinedPoses&) { draw_driven_path(drawing); },
+                   [&](std::span<const Cell>) { draw_bent_path(drawing, true); },
+                   [&](std::span<const Point>) { draw_bent_path(drawing, false); });
   draw_lines(drawing);
   if (scene.robot) draw_robot(drawing);
   cairo_restore(drawing.context);
