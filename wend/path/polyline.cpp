@@ -127,8 +127,10 @@ std::vector<MapPose> poses_along(const MapPolyline& line, double spacing) {
 
 std::vector<Pose> poses_along(const Path& drive, double spacing) {
   assert(spacing > 0 && drive.driven());
+  const std::vector<Pose> ends = drive.poses();
   std::vector<Pose> poses;
-  double next = 0;  // from the start of the segment
+  if (ends.size() > 1) poses.push_back(ends.front());
+  double next = spacing;  // from the start of the segment
   for (const Segment& segment : drive.segments()) {
     const double length = std::abs(segment.length);
     while (next < length) {
@@ -137,7 +139,7 @@ std::vector<Pose> poses_along(const Path& drive, double spacing) {
     }
     next -= length;
   }
-  poses.push_back(drive.driven_poses().back());
+  poses.push_back(ends.back());
   return poses;
 }
 

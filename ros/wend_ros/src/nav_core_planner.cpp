@@ -66,7 +66,7 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                   .goals = {pose_from(goal.pose)},
                   .planner = {},
                   .options = {}};
-    const PlanResult result = answer(session_, *map, parameters_, ask);
+    const PlanResult result = answer(session_, *map, parameters_, ask).result;
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
       return false;

@@ -123,7 +123,7 @@ void PlannerNode::cancel(const std_msgs::Empty&) {
     wanted_ = active_ = false;
     cancel_topics_ = true;
   }
-  if (const auto map = session_.view()) publish(PlanResult(), *map, nullptr);
+  if (const auto map = session_.view()) publish({}, *map, nullptr);
 }
 
 void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
@@ -196,13 +196,14 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
 PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                                SearchWatch* watch) {
   const auto map = session_.view();
-  PlanResult result;
+  Answer answer;
+  PlanResult& result = answer.result;
   if (!map) {
     result = refusal(code_of(map.error().status), map.error().message);
   } else if (const auto ask = ask_of(request, *map); !ask) {
     result = ask.error();
   } else {
-    result = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
+    answer = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
   }
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
@@ -213,12 +214,13 @@ PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<boo
     ROS_WARN_STREAM("no plan, " << result.status << " " << result.status_name << ": "
                                 << result.reason);
   }
-  if (map) publish(result, *map, watch);
-  return result;
+  if (map) publish(answer, *map, watch);
+  return std::move(answer.result);
 }
 
-void PlannerNode::publish(const PlanResult& result, const wend::Session::View& map,
+void PlannerNode::publish(const Answer& answer, const wend::Session::View& map,
                           const SearchWatch* watch) {
+  const PlanResult& result = answer.result;
   const ros::Time now = ros::Time::now();
   nav_msgs::Path path = result.path;
   path.header.frame_id = map.frame_id;
@@ -231,7 +233,8 @@ void PlannerNode::publish(const PlanResult& result, const wend::Session::View& m
   nav_msgs::Path trajectory = starting_at(now, result.trajectory);
   trajectory.header.frame_id = map.frame_id;
   trajectory_.publish(trajectory);
-  markers_.publish(path_markers(path, map.space.footprint()));
+  markers_.publish(
+      path_markers({answer.path, map.space.map().frame(), map.frame_id}, map.space.footprint()));
   if (watch != nullptr && !watch->order().empty()) {
     expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
   }

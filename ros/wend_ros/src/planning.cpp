@@ -139,13 +139,13 @@ wend::SessionOptions session_options() {
           .clock = wend::thread_cpu_seconds};
 }
 
-PlanResult answer(wend::Session& session, const wend::Session::View& view,
-                  const Parameters& parameters, const Ask& ask, const Watch& watch) {
+Answer answer(wend::Session& session, const wend::Session::View& view, const Parameters& parameters,
+              const Ask& ask, const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
-  if (!spec) return refusal(code_of(spec.error().status), spec.error().message);
+  if (!spec) return {refusal(code_of(spec.error().status), spec.error().message)};
   wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
   refine_as_asked(request, parameters);
-  const auto answered = session.plan(view, request);
+  auto answered = session.plan(view, request);
   PlanResult result;
   if (answered) {
     put_answer(result, *answered, view.frame_id);
@@ -157,7 +157,7 @@ PlanResult answer(wend::Session& session, const wend::Session::View& view,
     put_metrics(result, failed.metrics, failed.search_seconds);
   }
   result.from_field = request.from_field ? 1 : 0;
-  return result;
+  return {std::move(result), answered ? std::move(answered->plan.path) : wend::Path()};
 }
 
 }  // namespace wend_ros

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
 #include "wend/robot/placed_polygon.hpp"
@@ -10,15 +11,15 @@
 namespace wend {
 namespace {
 
-constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
-constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
+constexpr double kLeastSize = 6;  // pixels across; smaller outlines are only specks
 
 /// Poses along the last line of the scene, else along the path; none where the robot only stands.
-std::vector<Pose> driven_poses(const Scene& scene, double spacing) {
+std::vector<Pose> shown_poses(const Scene& scene) {
+  const double radius = scene.space.radius_in_cells();
   const bool has_line = !scene.lines.empty() && scene.lines.back().role != LineRole::possible;
-  if (!has_line && scene.path.driven()) return poses_along(scene.path, spacing);
+  if (!has_line && scene.path.driven()) return outline_poses(scene.path, radius);
   const std::vector<Point> points = has_line ? scene.lines.back().points : scene.path.points();
-  return points.size() < 2 ? std::vector<Pose>{} : poses_along(Polyline(points), spacing);
+  return points.size() < 2 ? std::vector<Pose>{} : outline_poses(Polyline(points), radius);
 }
 
 }  // namespace
@@ -35,9 +36,8 @@ void trace_footprint(const SceneDrawing& drawing, const Pose& pose) {
 
 void draw_footprints(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
-  const double size = 2 * scene.space.radius_in_cells();
-  if (size * drawing.view.scale() < kLeastSize) return;
-  const std::vector<Pose> poses = driven_poses(scene, kFootprintGap * size);
+  if (2 * scene.space.radius_in_cells() * drawing.view.scale() < kLeastSize) return;
+  const std::vector<Pose> poses = shown_poses(scene);
   const double width = std::max(1.0, drawing.sizes.line / 4);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool at_end = i == 0 || i + 1 == poses.size();
