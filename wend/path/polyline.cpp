@@ -5,17 +5,10 @@
 #include <cmath>
 
 #include "wend/geometry/line.hpp"
+#include "wend/path/dense_poses.hpp"
 
 namespace wend {
 namespace {
-
-/// So many chords keep within the tolerance of an arc.
-int pieces_of(const Arc& arc, double tolerance) {
-  if (arc.curvature == 0) return 1;
-  // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
-  const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
-  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
-}
 
 template <class PoseType>
 std::vector<PoseType> poses_every(const BasicPolyline<PoseType>& line, double spacing) {
@@ -107,12 +100,9 @@ template class BasicPolyline<MapPose>;
 
 Polyline polyline_of(const Path& path, bool closed, double tolerance) {
   const auto along_points = [&](const auto&) { return Polyline(path.points(), closed); };
-  const auto along_arcs = [&](const JoinedPoses& joined) {
-    std::vector<Point> points{joined.poses().front().point()};
-    for (const Arc& arc : path.arcs()) {
-      const int pieces = pieces_of(arc, tolerance);
-      for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
-    }
+  const auto along_arcs = [&](const JoinedPoses&) {
+    std::vector<Point> points;
+    for (const Pose& pose : dense_poses(path, tolerance)) points.push_back(pose.point());
     return Polyline(points, closed);
   };
   return path.visit(along_points, along_arcs);
