@@ -1,6 +1,7 @@
 #include "wend_ros/markers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,8 +29,7 @@ constexpr Rgb kYellow{0.95F, 0.77F, 0.06F};
 constexpr Rgb kGreen{0.0F, 0.62F, 0.45F};
 constexpr Rgb kOrange{0.84F, 0.37F, 0.0F};
 constexpr Rgb kBlue{0.0F, 0.45F, 0.7F};
-constexpr double kThin = 0.02;          // m: flat things
-constexpr double kOutlineWidth = 0.02;  // m
+constexpr double kThin = 0.02;  // m: flat things
 
 std_msgs::ColorRGBA colour_of(const Rgb& colour) {
   std_msgs::ColorRGBA message;
@@ -95,22 +95,52 @@ std::vector<wend::MapPoint> outline_at(const wend::Footprint& footprint,
   return points;
 }
 
+/// A chevron from one side of an outline to its front and to the other side: which way it faces. A line
+/// ahead would lie on the path.
+std::array<wend::MapPoint, 3> chevron_in(const std::vector<wend::MapPoint>& outline,
+                                         const wend::MapPose& pose) {
+  const double x = std::cos(pose.heading);
+  const double y = std::sin(pose.heading);
+  double front = 0;
+  double side = 0;
+  for (const wend::MapPoint at : outline) {
+    front = std::max(front, (at.x - pose.x) * x + (at.y - pose.y) * y);
+    side = std::max(side, std::abs((at.y - pose.y) * x - (at.x - pose.x) * y));
+  }
+  return {{{pose.x - side * y, pose.y + side * x},
+           {pose.x + front * x, pose.y + front * y},
+           {pose.x + side * y, pose.y - side * x}}};
+}
+
+/// Thin beside the robot, but not too thin to see.
+double outline_width(const wend::Footprint& footprint) {
+  constexpr double kShare = 1.0 / 20;
+  return std::clamp(kShare * footprint.circumscribed_radius(), 0.02, 0.1);
+}
+
 Marker footprint_marker(const ShownPath& shown, const wend::Footprint& footprint) {
   Marker marker = marker_of(shown.frame_id, "footprint", Marker::LINE_LIST, kBlue);
-  marker.scale.x = kOutlineWidth;
+  marker.scale.x = outline_width(footprint);
   std::vector<wend::Pose> poses;
   if (!shown.path.empty() && !footprint.is_point()) {
     poses =
         wend::outline_poses(shown.path, footprint.circumscribed_radius() / shown.frame.resolution);
   }
   for (std::size_t at = 0; at < poses.size(); ++at) {
-    const auto outline = outline_at(footprint, shown.frame.to_metres(poses[at]));
+    const wend::MapPose pose = shown.frame.to_metres(poses[at]);
+    const auto outline = outline_at(footprint, pose);
     const auto colour = colour_of(at + 1 == poses.size() ? kOrange : at == 0 ? kGreen : kBlue);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      marker.points.push_back(point_of(outline[i], kThin));
-      marker.points.push_back(point_of(outline[(i + 1) % outline.size()], kThin));
+    const auto add = [&](wend::MapPoint from, wend::MapPoint to) {
+      marker.points.push_back(point_of(from, kThin));
+      marker.points.push_back(point_of(to, kThin));
       marker.colors.insert(marker.colors.end(), 2, colour);
+    };
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      add(outline[i], outline[(i + 1) % outline.size()]);
     }
+    const auto chevron = chevron_in(outline, pose);
+    add(chevron[0], chevron[1]);
+    add(chevron[1], chevron[2]);
   }
   finish(marker);
   return marker;

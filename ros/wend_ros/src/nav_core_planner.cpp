@@ -66,13 +66,13 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                   .goals = {pose_from(goal.pose)},
                   .planner = {},
                   .options = {}};
-    const PlanResult result = answer(session_, *map, parameters_, ask).result;
+    const auto [result, path, way] = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
       return false;
     }
     const bool smooth = !result.smoothed.poses.empty();
-    plan = smooth ? result.smoothed.poses : result.path.poses;
+    plan = smooth ? result.smoothed.poses : way.poses;
     for (auto& pose : plan) pose.header.stamp = ros::Time::now();
     plan.back().pose.orientation = goal.pose.orientation;
     cost = result.cost;

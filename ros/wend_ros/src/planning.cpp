@@ -157,7 +157,10 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
     put_metrics(result, failed.metrics, failed.search_seconds);
   }
   result.from_field = request.from_field ? 1 : 0;
-  return {std::move(result), answered ? std::move(answered->plan.path) : wend::Path()};
+  if (!answered) return {std::move(result)};
+  const wend::Frame& frame = answered->space.map().frame();
+  nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
+  return {std::move(result), std::move(answered->plan.path), std::move(way)};
 }
 
 }  // namespace wend_ros

@@ -28,10 +28,16 @@ Marker footprint_of(const visualization_msgs::MarkerArray& array) {
 
 wend::Footprint box() { return *wend::parse_footprint("0.5,0.25;-0.5,0.25;-0.5,-0.25;0.5,-0.25"); }
 
+constexpr std::size_t kOfABox = 12;  // points: four edges, and a chevron
+constexpr std::size_t kOfADisc = 52;
+
 /// Is the i-th outline of a marker that of the box at this place, along x or along y?
 void expect_box(const Marker& marker, std::size_t i, wend::MapPoint at, bool along_y) {
-  ASSERT_GE(marker.points.size(), 8 * (i + 1));
-  for (std::size_t corner = 8 * i; corner < 8 * (i + 1); ++corner) {
+  const std::size_t first = kOfABox * i;
+  ASSERT_GE(marker.points.size(), first + kOfABox);
+  EXPECT_NEAR(marker.points[first + 9].x, at.x + (along_y ? 0 : 0.5), 1e-9) << "the front";
+  EXPECT_NEAR(marker.points[first + 9].y, at.y + (along_y ? 0.5 : 0), 1e-9);
+  for (std::size_t corner = first; corner < first + 8; ++corner) {
     EXPECT_NEAR(std::abs(marker.points[corner].x - at.x), along_y ? 0.25 : 0.5, 1e-9);
     EXPECT_NEAR(std::abs(marker.points[corner].y - at.y), along_y ? 0.5 : 0.25, 1e-9);
   }
@@ -41,7 +47,7 @@ TEST(PathMarkers, ShowAPolygonFacingAlongThePath) {
   const Marker marker = footprint_of(shown(line({2, 2}, {2, 4}), box()));
   EXPECT_EQ(marker.action, Marker::ADD);
   EXPECT_EQ(marker.header.frame_id, "map");
-  ASSERT_EQ(marker.points.size(), 2 * 4 * 2U) << "four edges at the start and at the goal";
+  ASSERT_EQ(marker.points.size(), 2 * kOfABox) << "at the start and at the goal";
   expect_box(marker, 0, {1, 1}, true);
   expect_box(marker, 1, {1, 2}, true);
 }
@@ -50,13 +56,14 @@ TEST(PathMarkers, ShowAPolygonAsItFacesOnPathsOfPoses) {
   const double up = wend::kPi / 2;
   const auto aside = wend::Path::through({{0, 0, 0}, {0, 16, 0}});
   const Marker sideways = footprint_of(shown(aside, box()));
-  ASSERT_GE(sideways.points.size(), 24U);
-  for (std::size_t i = 0; 8 * i < sideways.points.size(); ++i) {
-    expect_box(sideways, i, {0, (sideways.points[8 * i].y + sideways.points[8 * i + 4].y) / 2},
-               false);
+  ASSERT_GE(sideways.points.size(), 3 * kOfABox);
+  for (std::size_t i = 0; kOfABox * i < sideways.points.size(); ++i) {
+    const double y = sideways.points[kOfABox * i + 9].y;
+    EXPECT_NEAR(y, 8.0 * static_cast<double>(i) / (sideways.points.size() / kOfABox - 1), 1e-6);
+    expect_box(sideways, i, {0, y}, false);
   }
   const Marker turning = footprint_of(shown(wend::Path::through({{2, 2, 0}, {2, 2, up}}), box()));
-  ASSERT_EQ(turning.points.size(), 16U);
+  ASSERT_EQ(turning.points.size(), 2 * kOfABox);
   expect_box(turning, 0, {1, 1}, false);
   expect_box(turning, 1, {1, 1}, true);
 }
@@ -65,8 +72,13 @@ TEST(PathMarkers, PointTheWayTheRobotFacesAtItsEnds) {
   const auto array =
       shown(wend::Path::through({{0, 0, 0}, {-4, 0, 0}, {-4, 0, wend::kPi / 2}}), box());
   for (const Marker& marker : array.markers) {
-    if (marker.ns == "start") EXPECT_NEAR(marker.pose.orientation.z, 0, 1e-9) << "it backs away";
-    if (marker.ns == "goal") EXPECT_NEAR(marker.pose.orientation.z, std::sin(wend::kPi / 4), 1e-9);
+    const double turned = marker.pose.orientation.z;
+    if (marker.ns == "start") {
+      EXPECT_NEAR(turned, 0, 1e-9) << "it backs away";
+    }
+    if (marker.ns == "goal") {
+      EXPECT_NEAR(turned, std::sin(wend::kPi / 4), 1e-9);
+    }
   }
 }
 
@@ -74,7 +86,7 @@ TEST(PathMarkers, HaveTheColoursOfTheStartAndTheGoalAtTheirOutlines) {
   const Marker marker = footprint_of(shown(line({0, 0}, {16, 0}), box()));
   ASSERT_EQ(marker.colors.size(), marker.points.size()) << "one a point, or rviz refuses them";
   EXPECT_NE(marker.colors.front(), marker.colors.back());
-  EXPECT_NE(marker.colors.front(), marker.colors[8]);
+  EXPECT_NE(marker.colors.front(), marker.colors[kOfABox]);
 }
 
 TEST(PathMarkers, FollowTheArcsOfAPath) {
@@ -94,7 +106,7 @@ TEST(PathMarkers, ShowADiscAsACircle) {
 
 TEST(PathMarkers, StayFewOnALongPath) {
   const Marker marker = footprint_of(shown(line({0, 0}, {2e5, 0}), wend::Footprint::disc(0.01)));
-  EXPECT_LE(marker.points.size(), 202U * 48U);
+  EXPECT_LE(marker.points.size(), 201 * kOfADisc);
 }
 
 TEST(PathMarkers, DeleteTheFootprintOfAPointAndOfAnEmptyPath) {

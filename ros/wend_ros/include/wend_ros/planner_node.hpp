@@ -55,8 +55,7 @@ class PlannerNode {
   void execute(const PlanPathGoalConstPtr& goal);
 
   /// Plans, publishes and tells the log.
-  PlanResult answer(const PlanRequest& request, const std::atomic<bool>* cancel,
-                    SearchWatch* watch);
+  Answer answer(const PlanRequest& request, const std::atomic<bool>* cancel, SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
   wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
                                          const wend::Session::View& map) const;

@@ -3,6 +3,7 @@
 // Planning: from a request in the map's frame to an answer that ROS clients understand. Knows no
 // node; all threads may call it at once.
 
+#include <nav_msgs/Path.h>
 #include <wend_ros/PlanResult.h>
 
 #include <atomic>
@@ -46,7 +47,8 @@ wend::SessionOptions session_options();
 /// What comes of a request.
 struct Answer {
   PlanResult result;
-  wend::Path path = {};  // as planned, in grid coordinates; empty without one
+  wend::Path path = {};     // as planned, in grid coordinates; empty without one
+  nav_msgs::Path way = {};  // the same with poses on its arcs, for followers and rviz
 };
 
 /// Plans on a view of the session, and refines and times the path as the parameters say.
