@@ -19,6 +19,7 @@
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 #include "wend_ros/planning.hpp"
+#include "wend_ros/plugins.hpp"
 
 namespace wend_ros {
 
@@ -26,6 +27,11 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
  public:
   void initialize(std::string name, costmap_2d::Costmap2DROS* costmap) override {
     const ros::NodeHandle own("~/" + name);
+    if (const std::string fault = load_plugins(own); !fault.empty()) {
+      ROS_FATAL_STREAM(name << ": " << fault);
+      return;
+    }
+    parameters_ = Parameters();  // with the options of the planners that were loaded
     for (const auto& [option, value] : parameters_of(own, parameters_.schema())) {
       const std::string fault = parameters_.set(option, value);
       if (!fault.empty()) ROS_ERROR_STREAM(name << ": " << fault);
