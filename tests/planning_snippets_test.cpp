@@ -27,7 +27,9 @@
 #include "wend/io/files.hpp"
 #include "wend/io/map/load_map.hpp"
 #include "wend/path/curvature_smoother.hpp"
+#include "wend/path/dense_poses.hpp"
 #include "wend/path/gradient_smoother.hpp"
+#include "wend/path/outline_poses.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/refinement.hpp"
@@ -109,6 +111,10 @@ TEST(Snippets, OfPath) {
   double length = 0;
   const wend::Path path = wend::Path::through({{0, 0, 0}, {1, 1, wend::kPi / 2}});
   for (const wend::Arc& arc : path.arcs()) length += arc.length;
+  const auto outlines = wend::outline_poses(path, 0.5);  // of a robot that is a cell wide
+  EXPECT_EQ(outlines.front(), path.poses().front());
+  const auto poses = wend::dense_poses(path);  // lines between them are within 0.01 cells of it
+  EXPECT_GT(poses.size(), path.size());
   EXPECT_NEAR(length, wend::kPi / 2, 1e-12);
 
   const std::size_t lines =

@@ -32,12 +32,7 @@ struct TrackerOptions {
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
-    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.gains.heading_gain,
-          {0, 1e3});
-    field({"along_gain", "speed per metre that the robot is behind, 1/s"}, self.gains.along_gain,
-          {0, 1e3});
-    field({"side_gain", "curvature per metre beside the path, 1/m^2"}, self.gains.side_gain,
-          {0, 1e3});
+    TrackingGains::fields(self.gains, field);
     field({"lateral_acceleration", "upper limit on the lateral acceleration in curves, m/s^2"},
           self.lateral_acceleration, {1e-3, 1e3});
   }

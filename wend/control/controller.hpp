@@ -38,6 +38,7 @@ struct ControllerInput {
   std::size_t waypoint = 0;            // of route->points(): the next one to reach
   double seconds = 0;                  // since the last command, > 0
   VelocityLimits limits{};             // of the robot
+  bool reverse = false;                // the leg is a reverse one: `pose` is turned round
 };
 
 /// Computes the velocity with which a robot follows a line.

@@ -105,8 +105,8 @@ Velocity Follower::ask_controller(const MapPose& shown, double seconds) {
   const RouteLeg& leg = current_leg();
   const double sign = leg.reverse ? -1 : 1;
   const Velocity as_shown{sign * velocity_.linear, velocity_.angular};
-  Velocity wanted =
-      controller_->command({shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_});
+  Velocity wanted = controller_->command(
+      {shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_, leg.reverse});
   const double fastest =
       braking_speed(way_left(leg.line, along_, shown.point()), limits_.acceleration, seconds);
   wanted.linear = sign * std::clamp(wanted.linear, -fastest, fastest);

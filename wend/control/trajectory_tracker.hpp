@@ -7,8 +7,9 @@
 //   const wend::Drive tracked = wend::simulate(space, path, tracker);
 //
 // The follower's route has to be that of the trajectory's path, and the trajectory's limits no higher than
-// the robot's: a slower robot falls behind and leaves the path. The time begins with the first command, so
-// a tracker is for one execution. A robot that cannot turn in place needs a trajectory whose
+// the robot's: a slower robot falls behind and leaves the path. The time begins with the first command, or,
+// if the robot faces another way than the trajectory's start, once it has turned in place. So a tracker is
+// for one execution; track() begins another one. A robot that cannot turn in place needs a trajectory whose
 // smallest_turning_radius() is at least that of the robot.
 //
 // With the reference's velocity (v, w), and its pose in the robot's frame (x, y, turned by t), it wants
@@ -27,6 +28,15 @@ struct TrackingGains {
   double along_gain = 2;    // 1/s: speed per metre that the robot is behind
   double heading_gain = 3;  // 1/s: turn rate per radian of heading error
   double side_gain = 10;    // 1/m^2: curvature per metre beside the trajectory
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"heading_gain", "turn rate per radian of heading error, 1/s"}, self.heading_gain,
+          {0, 1e3});
+    field({"along_gain", "speed per metre that the robot is behind, 1/s"}, self.along_gain,
+          {0, 1e3});
+    field({"side_gain", "curvature per metre beside the path, 1/m^2"}, self.side_gain, {0, 1e3});
+  }
 };
 
 class WEND_API TrajectoryTracker final : public Controller {
@@ -34,18 +44,24 @@ class WEND_API TrajectoryTracker final : public Controller {
   /// A tracker for one execution of the trajectory.
   explicit TrajectoryTracker(Trajectory trajectory, const TrackingGains& gains = {});
 
+  /// Tracks another trajectory, from its start.
+  void track(Trajectory trajectory);
+
   void begin(const MapPolyline& /*line*/, const VelocityLimits& /*limits*/) override {}
 
   /// Allocates no memory. O(log pieces).
   Velocity command(const ControllerInput& input) override;
 
-  /// The time of the next command, s since the first.
+  /// The time on the trajectory of the next command, s.
   double time() const { return time_; }
 
  private:
+  bool begins(double turn);
+
   Trajectory trajectory_;
   TrackingGains gains_;
   double time_ = 0;
+  bool begun_ = false;
 };
 
 }  // namespace wend

@@ -76,5 +76,53 @@ TEST(TrajectoryTracker, DrivesAtTheSpeedOfTheTrajectory) {
   }
 }
 
+/// Where a robot gets that faces any way at first, and whether it was beside the line on its way.
+void expect_turns_first(const Path& path, const MapPose& from) {
+  const auto trajectory = Trajectory::along(path, Frame{}, kTrackedLimits);
+  ASSERT_TRUE(trajectory);
+  TrajectoryTracker tracker(*trajectory);
+  Follower follower(tracker, kRobotLimits, {.goal_tolerance = 0.05});
+  follower.follow(Route(path, Frame{}));
+  RobotState robot{from};
+  FollowerStep step{.state = FollowerState::driving};
+  for (int i = 0; i < 2000 && step.state == FollowerState::driving; ++i) {
+    step = follower.step(robot.pose, 0.05);
+    EXPECT_LT(step.cross_track, 0.15);
+    const double turned = normalized_angle(robot.pose.heading - path.poses().front().heading);
+    if (std::abs(turned) > 0.3 && tracker.time() == 0) {
+      EXPECT_EQ(step.command.linear, 0);
+    }
+    robot = drive({.limits = kRobotLimits}, robot, step.command, 0.05).to;
+  }
+  EXPECT_EQ(step.state, FollowerState::reached);
+  EXPECT_LT(distance(robot.pose.point(), trajectory->at(99).pose.point()), 0.06);
+  EXPECT_LT(std::abs(normalized_angle(robot.pose.heading - path.poses().back().heading)), 0.2)
+      << "it did not drive in reverse, nor the other way round";
+}
+
+TEST(TrajectoryTracker, TurnsToTheTrajectoryBeforeItStarts) {
+  for (const double heading : {0.1, 1.0, 1.8, 3.0, -2.0, -0.5}) {
+    SCOPED_TRACE(heading);
+    expect_turns_first(Path::along({{2, 2}, {9, 2}}), {2, 2, heading});
+    expect_turns_first(Path::through({{9, 2, 0}, {2, 2, 0}}), {9, 2, heading});
+  }
+}
+
+TEST(TrajectoryTracker, TracksAnotherTrajectoryFromItsStart) {
+  const auto first = Trajectory::along(Path::along({{0, 0}, {9, 0}}), Frame{}, kTrackedLimits);
+  const auto second = Trajectory::along(Path::along({{3, 0}, {3, 9}}), Frame{}, kTrackedLimits);
+  ASSERT_TRUE(first && second);
+  TrajectoryTracker tracker(*first);
+  const MapPolyline line({{0, 0}, {9, 0}});
+  for (int i = 0; i < 50; ++i) tracker.command({{0, 0, 0}, {}, &line, 0, 1, 0.1, {}});
+  EXPECT_NEAR(tracker.time(), 5, 1e-9);
+  tracker.track(*second);
+  EXPECT_EQ(tracker.time(), 0);
+  const Velocity command = tracker.command({{3, 0, 0}, {}, &line, 0, 1, 0.1, {}});
+  EXPECT_EQ(command.linear, 0) << "it turns first";
+  EXPECT_GT(command.angular, 0);
+  EXPECT_EQ(tracker.time(), 0);
+}
+
 }  // namespace
 }  // namespace wend

@@ -1,5 +1,6 @@
 #include "wend/geometry/arc.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "wend/geometry/angle.hpp"
@@ -47,5 +48,12 @@ MapPoint point_on(const MapArc& arc, double length) { return point_after(arc, le
 
 Pose pose_on(const Arc& arc, double length) { return pose_after(arc, length); }
 MapPose pose_on(const MapArc& arc, double length) { return pose_after(arc, length); }
+
+int chord_count(const Arc& arc, double tolerance) {
+  if (arc.curvature == 0) return 1;
+  // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
+  const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
+  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
+}
 
 }  // namespace wend

@@ -49,6 +49,9 @@ inline Pose end_of(const Arc& arc) { return pose_on(arc, arc.length); }
 /// The same in metres.
 inline MapPose end_of(const MapArc& arc) { return pose_on(arc, arc.length); }
 
+/// The number of chords, at least 1, that keep within `tolerance` (> 0, in the units of the arc) of an arc.
+WEND_API int chord_count(const Arc& arc, double tolerance);
+
 /// A rotation from a pose by `angle` radians, counter-clockwise if positive: an arc of radius 0.
 struct TurnInPlace {
   Pose from;         // before the rotation

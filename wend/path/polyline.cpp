@@ -9,20 +9,12 @@
 namespace wend {
 namespace {
 
-/// So many chords keep within the tolerance of an arc.
-int pieces_of(const Arc& arc, double tolerance) {
-  if (arc.curvature == 0) return 1;
-  // The sagitta of a chord that turns by t is (1 - cos(t/2)) / curvature.
-  const double cosine = std::max(1 - tolerance * std::abs(arc.curvature), 0.0);
-  return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn()) / (2 * std::acos(cosine)))));
-}
-
 /// The ends of the chords of arcs.
 std::vector<Point> chords_of(Point start, std::span<const Arc> arcs, double tolerance) {
   std::vector<Point> points{start};
   for (const Arc& arc : arcs) {
-    const int pieces = pieces_of(arc, tolerance);
-    for (int i = 1; i <= pieces; ++i) points.push_back(point_on(arc, arc.length * i / pieces));
+    const int chords = chord_count(arc, tolerance);
+    for (int i = 1; i <= chords; ++i) points.push_back(point_on(arc, arc.length * i / chords));
   }
   return points;
 }
@@ -138,7 +130,8 @@ std::vector<MapPose> poses_along(const MapPolyline& line, double spacing) {
 std::vector<Pose> poses_along(const JoinedPoses& drive, double spacing) {
   assert(spacing > 0 && !drive.poses().empty());
   std::vector<Pose> poses;
-  double next = 0;  // from the start of the segment
+  if (drive.segment_count() > 0) poses.push_back(drive.poses().front());
+  double next = spacing;  // from the start of the segment
   for (std::size_t i = 0; i < drive.segment_count(); ++i) {
     const Segment segment = drive.segment(i);
     const double length = std::abs(segment.length);

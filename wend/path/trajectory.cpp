@@ -147,6 +147,44 @@ Expected<Trajectory, Error> Trajectory::along(const Path& path, const Frame& fra
   return trajectory;
 }
 
+Expected<Trajectory, Error> Trajectory::through(std::span<const TimedPose> poses) {
+  if (poses.empty()) return failure(Status::unsupported_query, "the trajectory has no poses");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto& [time, pose] = poses[i];
+    const std::string name = "pose " + std::to_string(i) + " of the trajectory";
+    if (!std::isfinite(time + pose.x + pose.y + pose.heading)) {
+      return failure(Status::unsupported_query, name + " contains NaN or infinity");
+    }
+    if (i > 0 && !(time > poses[i - 1].time)) {
+      return failure(Status::unsupported_query, name + " is not later than the pose before it");
+    }
+  }
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  Trajectory trajectory;
+  trajectory.limits_ = {0, 0, kNone, kNone, kNone};
+  trajectory.start_ = poses.front().pose;
+  trajectory.end_ = poses.back().pose;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const MapPose& from = poses[i - 1].pose;
+    const MapPose& to = poses[i].pose;
+    // Between equal frames, metres and cells are one.
+    const Segment segment =
+        segment_between({from.x, from.y, from.heading}, {to.x, to.y, to.heading});
+    trajectory.drive_for(poses[i].time - poses[i - 1].time,
+                         {from, segment.length, segment.turn, segment.course});
+  }
+  return trajectory;
+}
+
+/// Drives a segment at a constant speed.
+void Trajectory::drive_for(double seconds, const MapSegment& segment) {
+  limits_.speed = std::max(limits_.speed, std::abs(segment.length) / seconds);
+  limits_.turn_rate = std::max(limits_.turn_rate, std::abs(segment.turn) / seconds);
+  pieces_.push_back({segments_.size(), duration_, seconds, 0, extent_of(segment) / seconds, 0});
+  segments_.push_back(segment);
+  duration_ += seconds;
+}
+
 /// Drives a segment from the joint before to the joint after it: accelerates, holds, brakes.
 void Trajectory::drive(std::size_t segment, double squared_before, double squared_after) {
   const double extent = extent_of(segments_[segment]);
@@ -199,7 +237,8 @@ TrajectoryState Trajectory::state_on(const TrajectoryPiece& piece, double second
   const MapSegment& segment = segments_[piece.segment];
   const double along = piece.along + (piece.speed + piece.acceleration * seconds / 2) * seconds;
   const double speed = std::max(piece.speed + piece.acceleration * seconds, 0.0);
-  const double share = std::clamp(along / extent_of(segment), 0.0, 1.0);
+  const double extent = extent_of(segment);
+  const double share = extent > 0 ? std::clamp(along / extent, 0.0, 1.0) : 0;
   const double signed_speed = std::copysign(speed, segment.length);
   return turns_in_place(segment)
              ? TrajectoryState{0, pose_on(segment, share), 0, std::copysign(speed, segment.turn)}
@@ -209,7 +248,8 @@ TrajectoryState Trajectory::state_on(const TrajectoryPiece& piece, double second
 
 std::vector<TrajectoryState> Trajectory::samples(double period) const {
   assert(period > 0);
-  const auto periods = static_cast<std::size_t>(std::ceil(duration_ / period));
+  constexpr double kRounding = 1e-6;  // of a period: no sample that near to the end
+  const auto periods = static_cast<std::size_t>(std::ceil(duration_ / period - kRounding));
   std::vector<TrajectoryState> states;
   states.reserve(periods + 1);
   const double rate = 1 / period;  // dividing by 20 gives 0.15, where multiplying by 0.05 does not

@@ -23,6 +23,8 @@
 // J. Bobrow, S. Dubowsky and J. Gibson, "Time-Optimal Control of Robotic Manipulators Along Specified
 // Paths", 1985; S. LaValle, "Planning Algorithms", 2006, section 14.6.3.
 //
+// through() takes a trajectory from elsewhere, as poses with time stamps, as it is.
+//
 // Immutable; threads may share it.
 
 #include <cstddef>
@@ -72,6 +74,12 @@ struct TrajectoryState {
   double turn_rate = 0;  // rad/s, positive where the heading grows
 };
 
+/// Where a robot is to be at a time.
+struct TimedPose {
+  double time = 0;  // s
+  MapPose pose;     // in the map's frame
+};
+
 /// A stretch of one segment at constant acceleration. The speed here is never negative.
 struct TrajectoryPiece {
   std::size_t segment = 0;  // of Trajectory::segments()
@@ -91,6 +99,13 @@ class WEND_API Trajectory {
   static Expected<Trajectory, Error> along(const Path& path, const Frame& frame,
                                            const TrajectoryLimits& limits = {});
 
+  /// A trajectory from another source, through poses with time stamps, from the first stamp on. Between
+  /// two poses the robot drives their shortest segment at a constant speed, or waits if they are equal.
+  /// limits() are then the highest speed and turn rate that it has, and no limits on accelerations.
+  /// Errors: unsupported_query without poses, for numbers that are not finite, and for stamps that do not
+  /// increase. O(poses).
+  static Expected<Trajectory, Error> through(std::span<const TimedPose> poses);
+
   /// The time from the start to the end, s.
   double duration() const { return duration_; }
 
@@ -104,11 +119,12 @@ class WEND_API Trajectory {
   /// The state at a time; before the start and after the end the robot stands there. O(log pieces).
   TrajectoryState at(double time) const;
 
-  /// The states at 0, period, 2 period, ... (period > 0), and at the end. O(duration / period).
+  /// The states at 0, period, 2 period, ... (period > 0), and at the end; the one before the end is at least
+  /// a millionth of a period earlier. O(duration / period).
   std::vector<TrajectoryState> samples(double period) const;
 
   /// What it drives, in metres: the segments of the path, with turns in place at its corners. None of
-  /// them goes nowhere.
+  /// them goes nowhere, except where the robot waits between two time stamps.
   std::span<const MapSegment> segments() const { return segments_; }
 
   /// Their time stamps and speeds, in order, without gaps.
@@ -118,6 +134,7 @@ class WEND_API Trajectory {
   const TrajectoryLimits& limits() const { return limits_; }
 
  private:
+  void drive_for(double seconds, const MapSegment& segment);
   void drive(std::size_t segment, double squared_before, double squared_after);
   TrajectoryState state_on(const TrajectoryPiece& piece, double seconds) const;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "tests/testing/random_path.hpp"
@@ -364,6 +365,80 @@ TEST(Trajectory, TakesAsLongAsAnIndependentRelaxation) {
     }
     EXPECT_NEAR(trajectory.duration(), seconds, 1e-3 * seconds) << seed;
   }
+}
+
+TEST(Trajectory, HasNoTwoSamplesAtItsEnd) {
+  // Of 2 s; rounding makes it a little longer for some lengths.
+  for (int i = 1; i < 200; ++i) {
+    const double speed = 0.1 * i;
+    const TrajectoryLimits limits{.speed = speed, .acceleration = 1e6};
+    const auto samples = timed_along(Path::along({{0, 0}, {2 * speed, 0}}), limits).samples(0.1);
+    ASSERT_GT(samples.back().time - samples[samples.size() - 2].time, 1e-8) << speed;
+  }
+}
+
+std::vector<TimedPose> timed_poses(const Trajectory& trajectory, double period, double start = 0) {
+  std::vector<TimedPose> poses;
+  for (const TrajectoryState& state : trajectory.samples(period)) {
+    poses.push_back({start + state.time, state.pose});
+  }
+  return poses;
+}
+
+TEST(TrajectoryThrough, ItsOwnSamplesIsNearlyTheSame) {
+  for_each_drawn([](const DrawnTrajectory& drawn) {
+    const Trajectory& wanted = drawn.trajectory;
+    constexpr double kPeriod = 0.05;
+    const auto poses = timed_poses(wanted, kPeriod, 17);
+    const auto again = Trajectory::through(poses);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_NEAR(again->duration(), wanted.duration(), 1e-9);
+    EXPECT_LE(again->length(), 1.01 * wanted.length()) << "shorter, but for turns on the way";
+    EXPECT_LE(again->limits().speed, wanted.limits().speed + 1e-6);
+    for (const TimedPose& at : poses) {
+      const MapPose pose = again->at(at.time - 17).pose;
+      ASSERT_LT(distance(pose.point(), at.pose.point()), 1e-6) << at.time;
+      ASSERT_LT(std::abs(normalized_angle(pose.heading - at.pose.heading)), 1e-6) << at.time;
+    }
+    const double between = wanted.limits().speed * kPeriod;
+    for (double time = 0; time < wanted.duration(); time += 0.013) {
+      ASSERT_LT(distance(again->at(time).pose.point(), wanted.at(time).pose.point()), between);
+    }
+  });
+}
+
+TEST(TrajectoryThrough, WaitsBetweenEqualPosesAndDrivesEachStretchAtOneSpeed) {
+  const std::vector<TimedPose> poses{
+      {3, {1, 1, 0}}, {5, {1, 1, 0}}, {6, {3, 1, 0}}, {8, {2, 1, 0}}, {10, {2, 1, 1}}};
+  const auto trajectory = Trajectory::through(poses);
+  ASSERT_TRUE(trajectory) << trajectory.error().message;
+  EXPECT_EQ(trajectory->duration(), 7);
+  EXPECT_EQ(trajectory->at(1).pose, (MapPose{1, 1, 0}));
+  EXPECT_EQ(trajectory->at(1).speed, 0);
+  EXPECT_EQ(trajectory->at(1).turn_rate, 0);
+  EXPECT_NEAR(trajectory->at(2.25).pose.x, 1.5, 1e-12);
+  EXPECT_EQ(trajectory->at(2.25).speed, 2);
+  EXPECT_EQ(trajectory->at(4).speed, -0.5) << "in reverse";
+  EXPECT_NEAR(trajectory->at(6).turn_rate, 0.5, 1e-12) << "in place";
+  EXPECT_EQ(trajectory->at(99).pose, (MapPose{2, 1, 1}));
+  EXPECT_EQ(trajectory->limits().speed, 2);
+}
+
+TEST(TrajectoryThrough, RefusesWhatIsNoTrajectory) {
+  const auto fault = [](const std::vector<TimedPose>& poses) {
+    const auto trajectory = Trajectory::through(poses);
+    return trajectory ? std::string() : trajectory.error().message;
+  };
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(fault({}), "the trajectory has no poses");
+  EXPECT_EQ(fault({{0, {}}, {0, {1, 0, 0}}}),
+            "pose 1 of the trajectory is not later than the pose before it");
+  EXPECT_EQ(fault({{0, {}}, {1, {1, 0, 0}}, {0.5, {2, 0, 0}}}),
+            "pose 2 of the trajectory is not later than the pose before it");
+  EXPECT_EQ(fault({{0, {}}, {1, {kNone, 0, 0}}}),
+            "pose 1 of the trajectory contains NaN or infinity");
+  EXPECT_EQ(fault({{kNone, {}}}), "pose 0 of the trajectory contains NaN or infinity");
+  EXPECT_EQ(fault({{5, {1, 2, 3}}}), "") << "a robot that stands";
 }
 
 }  // namespace

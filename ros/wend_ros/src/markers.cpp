@@ -1,12 +1,14 @@
 #include "wend_ros/markers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/robot/placed_polygon.hpp"
 #include "wend_ros/map_message.hpp"
@@ -29,6 +31,15 @@ constexpr Rgb kOrange{0.84F, 0.37F, 0.0F};
 constexpr Rgb kBlue{0.0F, 0.45F, 0.7F};
 constexpr double kThin = 0.02;  // m: flat things
 
+std_msgs::ColorRGBA colour_of(const Rgb& colour) {
+  std_msgs::ColorRGBA message;
+  message.r = colour.red;
+  message.g = colour.green;
+  message.b = colour.blue;
+  message.a = 1;
+  return message;
+}
+
 Marker marker_of(const std::string& frame_id, const std::string& name, int type,
                  const Rgb& colour) {
   Marker marker;
@@ -37,10 +48,7 @@ Marker marker_of(const std::string& frame_id, const std::string& name, int type,
   marker.type = type;
   marker.action = Marker::ADD;
   marker.pose.orientation.w = 1;
-  marker.color.r = colour.red;
-  marker.color.g = colour.green;
-  marker.color.b = colour.blue;
-  marker.color.a = 1;
+  marker.color = colour_of(colour);
   return marker;
 }
 
@@ -57,11 +65,11 @@ void finish(Marker& marker) {
   if (marker.points.empty()) marker.action = Marker::DELETE;
 }
 
-Marker end_marker(const geometry_msgs::PoseStamped& end, const std::string& name,
+Marker end_marker(const wend::MapPose& end, const std::string& frame_id, const std::string& name,
                   const Rgb& colour) {
   constexpr double kLength = 0.5;  // m
-  Marker marker = marker_of(end.header.frame_id, name, Marker::ARROW, colour);
-  marker.pose = end.pose;
+  Marker marker = marker_of(frame_id, name, Marker::ARROW, colour);
+  marker.pose = to_message(end);
   marker.scale.x = kLength;
   marker.scale.y = kLength / 3;
   marker.scale.z = kLength / 3;
@@ -87,28 +95,67 @@ std::vector<wend::MapPoint> outline_at(const wend::Footprint& footprint,
   return points;
 }
 
-Marker footprint_marker(const nav_msgs::Path& path, const wend::Footprint& footprint) {
-  constexpr double kGap = 1.6;  // from outline to outline, in widths of the robot
-  constexpr double kMostOutlines = 200;
-  Marker marker = marker_of(path.header.frame_id, "footprint", Marker::LINE_LIST, kBlue);
-  marker.scale.x = 0.01;
-  marker.color.a = 0.6F;
-  std::vector<wend::MapPoint> points;
-  for (const auto& stamped : path.poses) {
-    points.push_back({stamped.pose.position.x, stamped.pose.position.y});
+/// A chevron from one side of an outline to its front and to the other side: which way it faces. A line
+/// ahead would lie on the path.
+std::array<wend::MapPoint, 3> chevron_in(const std::vector<wend::MapPoint>& outline,
+                                         const wend::MapPose& pose) {
+  const double x = std::cos(pose.heading);
+  const double y = std::sin(pose.heading);
+  double front = 0;
+  double side = 0;
+  for (const wend::MapPoint at : outline) {
+    front = std::max(front, (at.x - pose.x) * x + (at.y - pose.y) * y);
+    side = std::max(side, std::abs((at.y - pose.y) * x - (at.x - pose.x) * y));
   }
-  if (!points.empty() && !footprint.is_point()) {
-    const wend::MapPolyline line(points);
-    const double spacing =
-        std::max(2 * kGap * footprint.circumscribed_radius(), line.length() / kMostOutlines);
-    for (const wend::MapPose& pose : poses_along(line, spacing)) {
-      const std::vector<wend::MapPoint> outline = outline_at(footprint, pose);
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        marker.points.push_back(point_of(outline[i], kThin));
-        marker.points.push_back(point_of(outline[(i + 1) % outline.size()], kThin));
-      }
+  return {{{pose.x - side * y, pose.y + side * x},
+           {pose.x + front * x, pose.y + front * y},
+           {pose.x + side * y, pose.y - side * x}}};
+}
+
+/// Thin beside the robot, but not too thin to see.
+double outline_width(const wend::Footprint& footprint) {
+  constexpr double kShare = 1.0 / 20;
+  return std::clamp(kShare * footprint.circumscribed_radius(), 0.02, 0.1);
+}
+
+Marker footprint_marker(const ShownPath& shown, const wend::Footprint& footprint) {
+  Marker marker = marker_of(shown.frame_id, "footprint", Marker::LINE_LIST, kBlue);
+  marker.scale.x = outline_width(footprint);
+  std::vector<wend::Pose> poses;
+  if (!shown.path.empty() && !footprint.is_point()) {
+    poses =
+        wend::outline_poses(shown.path, footprint.circumscribed_radius() / shown.frame.resolution);
+  }
+  for (std::size_t at = 0; at < poses.size(); ++at) {
+    const wend::MapPose pose = shown.frame.to_metres(poses[at]);
+    const auto outline = outline_at(footprint, pose);
+    const auto colour = colour_of(at + 1 == poses.size() ? kOrange : at == 0 ? kGreen : kBlue);
+    const auto add = [&](wend::MapPoint from, wend::MapPoint to) {
+      marker.points.push_back(point_of(from, kThin));
+      marker.points.push_back(point_of(to, kThin));
+      marker.colors.insert(marker.colors.end(), 2, colour);
+    };
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      add(outline[i], outline[(i + 1) % outline.size()]);
+    }
+    const auto chevron = chevron_in(outline, pose);
+    add(chevron[0], chevron[1]);
+    add(chevron[1], chevron[2]);
+  }
+  finish(marker);
+  return marker;
+}
+
+Marker line_marker(const ShownPath& shown) {
+  Marker marker = marker_of(shown.frame_id, "path", Marker::LINE_STRIP, kBlue);
+  marker.scale.x = 0.04;
+  if (!shown.path.empty()) {
+    const wend::Polyline line = wend::polyline_of(shown.path);
+    for (const wend::Point point : line.points()) {
+      marker.points.push_back(point_of(shown.frame.to_metres(point), kThin));
     }
   }
+  if (marker.points.size() < 2) marker.points.clear();  // one point is no line
   finish(marker);
   return marker;
 }
@@ -149,30 +196,22 @@ visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map,
   return array;
 }
 
-visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path,
+visualization_msgs::MarkerArray path_markers(const ShownPath& shown,
                                              const wend::Footprint& footprint) {
-  const std::string& frame_id = path.header.frame_id;
-  Marker line = marker_of(frame_id, "path", Marker::LINE_STRIP, kBlue);
-  line.scale.x = 0.04;
-  for (const auto& stamped : path.poses) {
-    line.points.push_back(stamped.pose.position);
-    line.points.back().z = kThin;
-  }
-  if (line.points.size() < 2) line.points.clear();  // one point is no line
-  finish(line);
   visualization_msgs::MarkerArray array;
-  array.markers.push_back(line);
-  array.markers.push_back(footprint_marker(path, footprint));
-  if (path.poses.empty()) {
+  array.markers = {line_marker(shown), footprint_marker(shown, footprint)};
+  if (shown.path.empty()) {
     for (const char* name : {"start", "goal"}) {
-      Marker gone = marker_of(frame_id, name, Marker::ARROW, kGreen);
+      Marker gone = marker_of(shown.frame_id, name, Marker::ARROW, kGreen);
       gone.action = Marker::DELETE;
       array.markers.push_back(gone);
     }
     return array;
   }
-  array.markers.push_back(end_marker(path.poses.front(), "start", kGreen));
-  array.markers.push_back(end_marker(path.poses.back(), "goal", kOrange));
+  const std::vector<wend::Pose> poses = shown.path.poses();
+  const auto in_metres = [&](const wend::Pose& pose) { return shown.frame.to_metres(pose); };
+  array.markers.push_back(end_marker(in_metres(poses.front()), shown.frame_id, "start", kGreen));
+  array.markers.push_back(end_marker(in_metres(poses.back()), shown.frame_id, "goal", kOrange));
   return array;
 }
 

@@ -19,6 +19,7 @@
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 #include "wend_ros/planning.hpp"
+#include "wend_ros/plugins.hpp"
 
 namespace wend_ros {
 
@@ -26,6 +27,11 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
  public:
   void initialize(std::string name, costmap_2d::Costmap2DROS* costmap) override {
     const ros::NodeHandle own("~/" + name);
+    if (const std::string fault = load_plugins(own); !fault.empty()) {
+      ROS_FATAL_STREAM(name << ": " << fault);
+      return;
+    }
+    parameters_ = Parameters();  // with the options of the planners that were loaded
     for (const auto& [option, value] : parameters_of(own, parameters_.schema())) {
       const std::string fault = parameters_.set(option, value);
       if (!fault.empty()) ROS_ERROR_STREAM(name << ": " << fault);
@@ -66,13 +72,13 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
                   .goals = {pose_from(goal.pose)},
                   .planner = {},
                   .options = {}};
-    const PlanResult result = answer(session_, *map, parameters_, ask);
+    const auto [result, path, way] = answer(session_, *map, parameters_, ask);
     if (result.status != static_cast<std::uint16_t>(StatusCode::found)) {
       ROS_WARN_STREAM(result.status_name << ": " << result.reason);
       return false;
     }
     const bool smooth = !result.smoothed.poses.empty();
-    plan = smooth ? result.smoothed.poses : result.path.poses;
+    plan = smooth ? result.smoothed.poses : way.poses;
     for (auto& pose : plan) pose.header.stamp = ros::Time::now();
     plan.back().pose.orientation = goal.pose.orientation;
     cost = result.cost;

@@ -6,9 +6,25 @@
 
 #include <cmath>
 
+#include "wend/path/dense_poses.hpp"
 #include "wend/path/path_metrics.hpp"
 
 namespace wend_ros {
+namespace {
+
+nav_msgs::Path message_of(const std::vector<wend::Pose>& poses, const wend::Frame& frame,
+                          const std::string& frame_id) {
+  nav_msgs::Path message;
+  message.header.frame_id = frame_id;
+  for (const wend::Pose& pose : poses) {
+    geometry_msgs::PoseStamped& stamped = message.poses.emplace_back();
+    stamped.header.frame_id = frame_id;
+    stamped.pose = to_message(frame.to_metres(pose));
+  }
+  return message;
+}
+
+}  // namespace
 
 geometry_msgs::Pose to_message(const wend::MapPose& pose) {
   geometry_msgs::Pose message;
@@ -26,6 +42,11 @@ wend::MapPose pose_from(const geometry_msgs::Pose& message) {
   return {message.position.x, message.position.y, empty ? 0 : tf2::getYaw(turn)};
 }
 
+double seconds_between(ros::Time from, ros::Time to) {
+  return static_cast<double>(to.sec) - static_cast<double>(from.sec) +
+         1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
+}
+
 bool is_finite(const geometry_msgs::Pose& pose) {
   const auto& at = pose.position;
   const auto& turn = pose.orientation;
@@ -34,14 +55,12 @@ bool is_finite(const geometry_msgs::Pose& pose) {
 
 nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
                           const std::string& frame_id) {
-  nav_msgs::Path message;
-  message.header.frame_id = frame_id;
-  for (const wend::Pose& pose : path.poses()) {
-    geometry_msgs::PoseStamped& stamped = message.poses.emplace_back();
-    stamped.header.frame_id = frame_id;
-    stamped.pose = to_message(frame.to_metres(pose));
-  }
-  return message;
+  return message_of(path.poses(), frame, frame_id);
+}
+
+nav_msgs::Path way_message(const wend::Path& path, const wend::Frame& frame,
+                           const std::string& frame_id) {
+  return message_of(wend::dense_poses(path), frame, frame_id);
 }
 
 nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string& frame_id,
@@ -55,6 +74,31 @@ nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string&
     stamped.pose = to_message(state.pose);
   }
   return message;
+}
+
+wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message) {
+  std::vector<wend::TimedPose> poses;
+  poses.reserve(message.poses.size());
+  for (const auto& stamped : message.poses) {
+    const std::string& frame_id = stamped.header.frame_id;
+    if (!frame_id.empty() && frame_id != message.header.frame_id) {
+      return wend::failure(wend::Status::unsupported_query,
+                           "a pose of the trajectory is in the frame '" + frame_id + "', not '" +
+                               message.header.frame_id + "'");
+    }
+    poses.push_back({seconds_between(message.poses.front().header.stamp, stamped.header.stamp),
+                     pose_from(stamped.pose)});
+  }
+  return wend::Trajectory::through(poses);
+}
+
+wend::Path path_through(const nav_msgs::Path& message) {
+  std::vector<wend::Pose> poses;
+  for (const auto& stamped : message.poses) {
+    const wend::MapPose pose = pose_from(stamped.pose);
+    poses.push_back({pose.x, pose.y, pose.heading});
+  }
+  return wend::Path::through(poses);
 }
 
 nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory) {

@@ -123,7 +123,7 @@ void PlannerNode::cancel(const std_msgs::Empty&) {
     wanted_ = active_ = false;
     cancel_topics_ = true;
   }
-  if (const auto map = session_.view()) publish(PlanResult(), *map, nullptr);
+  if (const auto map = session_.view()) publish({}, *map, nullptr);
 }
 
 void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
@@ -163,7 +163,7 @@ void PlannerNode::plan_for_topics() {
       request.goals = {*goal_};
     }
     SearchWatch watch(true);
-    const PlanResult result = answer(request, &cancel_topics_, &watch);
+    const PlanResult result = answer(request, &cancel_topics_, &watch).result;
     const std::lock_guard lock(mutex_);
     active_ = goal_ && result.status == static_cast<std::uint16_t>(StatusCode::found) &&
               result.path_metrics.length > kArrived;
@@ -193,16 +193,17 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
   return ask;
 }
 
-PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
-                               SearchWatch* watch) {
+Answer PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
+                           SearchWatch* watch) {
   const auto map = session_.view();
-  PlanResult result;
+  Answer answer;
+  PlanResult& result = answer.result;
   if (!map) {
     result = refusal(code_of(map.error().status), map.error().message);
   } else if (const auto ask = ask_of(request, *map); !ask) {
     result = ask.error();
   } else {
-    result = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
+    answer = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
   }
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
@@ -213,25 +214,29 @@ PlanResult PlannerNode::answer(const PlanRequest& request, const std::atomic<boo
     ROS_WARN_STREAM("no plan, " << result.status << " " << result.status_name << ": "
                                 << result.reason);
   }
-  if (map) publish(result, *map, watch);
-  return result;
+  if (map) publish(answer, *map, watch);
+  return answer;
 }
 
-void PlannerNode::publish(const PlanResult& result, const wend::Session::View& map,
+void PlannerNode::publish(const Answer& answer, const wend::Session::View& map,
                           const SearchWatch* watch) {
+  const PlanResult& result = answer.result;
   const ros::Time now = ros::Time::now();
-  nav_msgs::Path path = result.path;
+  nav_msgs::Path path = answer.way;
   path.header.frame_id = map.frame_id;
   path.header.stamp = now;
   plan_.publish(path);
-  poses_.publish(poses_of(path));
+  geometry_msgs::PoseArray poses = poses_of(result.path);
+  poses.header = path.header;
+  poses_.publish(poses);
   nav_msgs::Path smoothed = result.smoothed.poses.empty() ? path : result.smoothed;
   smoothed.header = path.header;
   smoothed_.publish(smoothed);
   nav_msgs::Path trajectory = starting_at(now, result.trajectory);
   trajectory.header.frame_id = map.frame_id;
   trajectory_.publish(trajectory);
-  markers_.publish(path_markers(path, map.space.footprint()));
+  markers_.publish(
+      path_markers({answer.path, map.space.map().frame(), map.frame_id}, map.space.footprint()));
   if (watch != nullptr && !watch->order().empty()) {
     expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
   }
@@ -243,19 +248,19 @@ bool PlannerNode::make_plan(nav_msgs::GetPlan::Request& request,
   ask.use_start = !request.start.header.frame_id.empty();
   ask.start = request.start;
   ask.goals = {request.goal};
-  response.plan = answer(ask, nullptr, nullptr).path;
+  response.plan = answer(ask, nullptr, nullptr).way;
   return true;
 }
 
 bool PlannerNode::plan_path(PlanPath::Request& request, PlanPath::Response& response) {
-  response.result = answer(request.request, nullptr, nullptr);
+  response.result = answer(request.request, nullptr, nullptr).result;
   return true;
 }
 
 void PlannerNode::execute(const PlanPathGoalConstPtr& goal) {
   carry_out<PlanPathResult, PlanPathFeedback>(
       *action_, cancel_action_, [&](const std::atomic<bool>* cancel, SearchWatch* watch) {
-        return answer(goal->request, cancel, watch);
+        return answer(goal->request, cancel, watch).result;
       });
 }
 

@@ -141,13 +141,13 @@ wend::SessionOptions session_options() {
           .clock = wend::thread_cpu_seconds};
 }
 
-PlanResult answer(wend::Session& session, const wend::Session::View& view,
-                  const Parameters& parameters, const Ask& ask, const Watch& watch) {
+Answer answer(wend::Session& session, const wend::Session::View& view, const Parameters& parameters,
+              const Ask& ask, const Watch& watch) {
   const auto spec = spec_of(parameters, ask);
-  if (!spec) return refusal(code_of(spec.error().status), spec.error().message);
+  if (!spec) return {refusal(code_of(spec.error().status), spec.error().message)};
   wend::PlanRequest request = request_of(parameters, ask, watch, *spec);
   refine_as_asked(request, parameters);
-  const auto answered = session.plan(view, request);
+  auto answered = session.plan(view, request);
   PlanResult result;
   if (answered) {
     put_answer(result, *answered, view.frame_id);
@@ -159,7 +159,10 @@ PlanResult answer(wend::Session& session, const wend::Session::View& view,
     put_metrics(result, failed.metrics, failed.search_seconds);
   }
   result.from_field = request.from_field ? 1 : 0;
-  return result;
+  if (!answered) return {std::move(result)};
+  const wend::Frame& frame = answered->space.map().frame();
+  nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
+  return {std::move(result), std::move(answered->plan.path), std::move(way)};
 }
 
 }  // namespace wend_ros

@@ -26,7 +26,7 @@ class Planning {
   void set_robot(const Parameters& parameters) { session_.set_robot(robot_of(parameters)); }
 
   PlanResult answer(const Parameters& parameters, const Ask& ask, const Watch& watch = {}) {
-    return wend_ros::answer(session_, *session_.view(), parameters, ask, watch);
+    return wend_ros::answer(session_, *session_.view(), parameters, ask, watch).result;
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/path/outline_poses.hpp"
 #include "wend/path/polyline.hpp"
 #include "wend/render/picture/scene_drawing.hpp"
 #include "wend/robot/placed_polygon.hpp"
@@ -11,21 +12,16 @@
 namespace wend {
 namespace {
 
-constexpr double kLeastSize = 6;       // pixels across; smaller outlines are only specks
-constexpr double kFootprintGap = 1.6;  // from outline to outline, in widths of the robot
+constexpr double kLeastSize = 6;  // pixels across; smaller outlines are only specks
 
-/// None where the robot only stands.
-std::vector<Pose> poses_along_line(std::span<const Point> points, double spacing) {
-  return points.size() < 2 ? std::vector<Pose>{} : poses_along(Polyline(points), spacing);
-}
-
-/// Poses along the last line of the scene, else along the path.
-std::vector<Pose> driven_poses(const Scene& scene, double spacing) {
+/// Poses along the last line of the scene, else along the path; none where the robot only stands.
+std::vector<Pose> shown_poses(const Scene& scene) {
+  const double radius = scene.space.radius_in_cells();
   const bool has_line = !scene.lines.empty() && scene.lines.back().role != LineRole::possible;
-  if (has_line) return poses_along_line(scene.lines.back().points, spacing);
-  return scene.path.visit(
-      [&](const JoinedPoses& drive) { return poses_along(drive, spacing); },
-      [&](const auto&) { return poses_along_line(scene.path.points(), spacing); });
+  if (!has_line)
+    return scene.path.size() < 2 ? std::vector<Pose>{} : outline_poses(scene.path, radius);
+  const std::vector<Point>& points = scene.lines.back().points;
+  return points.size() < 2 ? std::vector<Pose>{} : outline_poses(Polyline(points), radius);
 }
 
 }  // namespace
@@ -42,9 +38,8 @@ void trace_footprint(const SceneDrawing& drawing, const Pose& pose) {
 
 void draw_footprints(const SceneDrawing& drawing) {
   const Scene& scene = drawing.scene;
-  const double size = 2 * scene.space.radius_in_cells();
-  if (size * drawing.view.scale() < kLeastSize) return;
-  const std::vector<Pose> poses = driven_poses(scene, kFootprintGap * size);
+  if (2 * scene.space.radius_in_cells() * drawing.view.scale() < kLeastSize) return;
+  const std::vector<Pose> poses = shown_poses(scene);
   const double width = std::max(1.0, drawing.sizes.line / 4);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool at_end = i == 0 || i + 1 == poses.size();

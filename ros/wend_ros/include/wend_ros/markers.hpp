@@ -3,13 +3,14 @@
 // What rviz shows of maps and plans: obstacle cells red, rough cells yellow, path, start and goal.
 
 #include <nav_msgs/OccupancyGrid.h>
-#include <nav_msgs/Path.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <string>
 #include <vector>
 
+#include "wend/geometry/frame.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/path/path.hpp"
 #include "wend/robot/footprint.hpp"
 
 namespace wend_ros {
@@ -19,9 +20,17 @@ namespace wend_ros {
 /// above; their points then have -y.
 visualization_msgs::MarkerArray yard_markers(const wend::GridMap& map, const std::string& frame_id);
 
-/// The path as a line, its start and goal as arrows, and the outline of the robot at both and along the
-/// path, facing along it (none of a point; at most 200 along it). For an empty path: what deletes them.
-visualization_msgs::MarkerArray path_markers(const nav_msgs::Path& path,
+/// A path in grid coordinates, and where its map lies.
+struct ShownPath {
+  const wend::Path& path;
+  const wend::Frame& frame;
+  const std::string& frame_id;
+};
+
+/// The path as a line, its start and goal as arrows, and the outline of the robot at both, in their colours,
+/// and along the path, with a chevron to its front (none of a point; see wend::outline_poses). For an empty path: what deletes
+/// them.
+visualization_msgs::MarkerArray path_markers(const ShownPath& shown,
                                              const wend::Footprint& footprint);
 
 /// The cells in the order in which a search expanded them, from 1 to 98; 0 where it did not go. rviz's

@@ -7,7 +7,10 @@
 #include <wend_ros/PathMetrics.h>
 
 #include <string>
+#include <vector>
 
+#include "wend/base/error.hpp"
+#include "wend/base/expected.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/map_pose.hpp"
 #include "wend/path/path.hpp"
@@ -24,9 +27,16 @@ wend::MapPose pose_from(const geometry_msgs::Pose& message);
 /// Is every number of it one?
 bool is_finite(const geometry_msgs::Pose& pose);
 
+/// Of any two stamps; ros::Duration throws if they are 68 years apart, as wrong ones are.
+double seconds_between(ros::Time from, ros::Time to);
+
 /// A pose for each cell, waypoint or pose, heading along the path. An empty path stays empty.
 nav_msgs::Path to_message(const wend::Path& path, const wend::Frame& frame,
                           const std::string& frame_id);
+
+/// The same with more poses on the arcs of a path of poses, see wend::dense_poses().
+nav_msgs::Path way_message(const wend::Path& path, const wend::Frame& frame,
+                           const std::string& frame_id);
 
 /// A pose every `period` seconds, and the last one. The stamps of the poses count from 0, when the robot
 /// starts.
@@ -35,6 +45,13 @@ nav_msgs::Path to_message(const wend::Trajectory& trajectory, const std::string&
 
 /// The same with the stamps of a robot that starts at that time.
 nav_msgs::Path starting_at(ros::Time start, nav_msgs::Path trajectory);
+
+/// The trajectory of a message from here or elsewhere, poses with time stamps; it starts with the first
+/// stamp. Fails as wend::Trajectory::through() does, and for a pose in another frame than the message.
+wend::Expected<wend::Trajectory, wend::Error> trajectory_from(const nav_msgs::Path& message);
+
+/// The poses of a message as a path of poses, in metres.
+wend::Path path_through(const nav_msgs::Path& message);
 
 geometry_msgs::PoseArray poses_of(const nav_msgs::Path& path);
 

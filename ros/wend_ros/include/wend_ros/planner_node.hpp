@@ -55,12 +55,11 @@ class PlannerNode {
   void execute(const PlanPathGoalConstPtr& goal);
 
   /// Plans, publishes and tells the log.
-  PlanResult answer(const PlanRequest& request, const std::atomic<bool>* cancel,
-                    SearchWatch* watch);
+  Answer answer(const PlanRequest& request, const std::atomic<bool>* cancel, SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
   wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
                                          const wend::Session::View& map) const;
-  void publish(const PlanResult& result, const wend::Session::View& map, const SearchWatch* watch);
+  void publish(const Answer& answer, const wend::Session::View& map, const SearchWatch* watch);
 
   void plan_for_topics();
   bool wait_for_topics();

@@ -3,6 +3,7 @@
 // Planning: from a request in the map's frame to an answer that ROS clients understand. Knows no
 // node; all threads may call it at once.
 
+#include <nav_msgs/Path.h>
 #include <wend_ros/PlanResult.h>
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "wend/geometry/map_pose.hpp"
+#include "wend/path/path.hpp"
 #include "wend/session/session.hpp"
 #include "wend_ros/parameters.hpp"
 #include "wend_ros/status_codes.hpp"
@@ -42,8 +44,15 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters);
 /// A session that measures CPU time and explains itself in the names of the parameters.
 wend::SessionOptions session_options();
 
+/// What comes of a request.
+struct Answer {
+  PlanResult result;
+  wend::Path path = {};     // as planned, in grid coordinates; empty without one
+  nav_msgs::Path way = {};  // the same with poses on its arcs, for followers and rviz
+};
+
 /// Plans on a view of the session, and refines and times the path as the parameters say.
-PlanResult answer(wend::Session& session, const wend::Session::View& view,
-                  const Parameters& parameters, const Ask& ask, const Watch& watch = {});
+Answer answer(wend::Session& session, const wend::Session::View& view, const Parameters& parameters,
+              const Ask& ask, const Watch& watch = {});
 
 }  // namespace wend_ros

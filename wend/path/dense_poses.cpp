@@ -1,0 +1,28 @@
+#include "wend/path/dense_poses.hpp"
+
+#include <cassert>
+#include <cstddef>
+
+#include "wend/geometry/arc.hpp"
+#include "wend/geometry/segment.hpp"
+
+namespace wend {
+
+std::vector<Pose> dense_poses(const Path& path, double tolerance) {
+  assert(tolerance > 0);
+  const std::vector<Pose> joints = path.poses();
+  if (!path.driven()) return joints;
+  const std::vector<Segment> segments = path.segments();
+  std::vector<Pose> poses{joints.front()};
+  for (std::size_t joint = 1; joint < joints.size(); ++joint) {
+    const Segment& segment = segments[joint - 1];
+    const int chords = chord_count(way_of_base(segment), tolerance);
+    for (int i = 1; i < chords; ++i) {
+      poses.push_back(pose_on(segment, static_cast<double>(i) / chords));
+    }
+    poses.push_back(joints[joint]);
+  }
+  return poses;
+}
+
+}  // namespace wend
