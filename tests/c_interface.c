@@ -1,0 +1,129 @@
+/* Uses every function of wend.h from C, as a program that links libwend does. C++ tests in wend/c/ check the
+   answers; this says that a C compiler takes the header and that the library exports what it declares. */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "wend/wend.h"
+
+static int failures = 0;
+
+#define CHECK(condition)                                              \
+  do {                                                                \
+    if (!(condition)) {                                               \
+      fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition); \
+      ++failures;                                                     \
+    }                                                                 \
+  } while (0)
+
+static const uint8_t kCells[] = {0, 0, 0, 0, 0, /* */
+                                 0, 1, 1, 1, 0, /* */
+                                 0, 0, 0, 0, 0};
+
+/* A map of 0.5 m a cell, with a wall in the middle. */
+static wend_map* make_map(void) {
+  wend_map* map = NULL;
+  wend_map_options options;
+  wend_error error;
+  CHECK(wend_map_options_init(&options, sizeof options) == WEND_OK);
+  options.resolution = 0.5;
+  options.cells = WEND_CELLS_MASK;
+  CHECK(wend_map_create(kCells, sizeof kCells, 5, 3, &options, &map, &error) == WEND_OK);
+  CHECK(error.message[0] == '\0');
+  return map;
+}
+
+static void check_map(void) {
+  wend_map* map = make_map();
+  wend_pose origin = {1, 1, 1};
+  CHECK(wend_map_width(map) == 5 && wend_map_height(map) == 3);
+  CHECK(wend_map_resolution(map) == 0.5);
+  CHECK(wend_map_origin(map, &origin, NULL) == WEND_OK && origin.x == 0 && origin.heading == 0);
+  wend_map_free(map);
+  CHECK(wend_map_parse("..\n", 3, "m.txt", &map, NULL) == WEND_OK);
+  wend_map_free(map);
+  CHECK(wend_map_load("there is no such file.txt", &map, NULL) == WEND_INVALID_FILE);
+  CHECK(map == NULL);
+}
+
+static wend_robot* make_robot(void) {
+  static const wend_point corners[] = {{0.2, 0.1}, {0.2, -0.1}, {-0.2, -0.1}, {-0.2, 0.1}};
+  wend_robot* robot = NULL;
+  wend_robot_options options;
+  CHECK(wend_robot_options_init(&options, sizeof options) == WEND_OK);
+  options.corners = corners;
+  options.corner_count = 4;
+  CHECK(wend_robot_create(&options, &robot, NULL) == WEND_OK);
+  return robot;
+}
+
+static void check_poses(wend_session* session) {
+  const wend_pose wall = {1.25, 0.75, 0};
+  wend_pose nearest;
+  int32_t fits = 1;
+  CHECK(wend_session_fits(session, &wall, &fits, NULL) == WEND_OK && fits == 0);
+  CHECK(wend_session_nearest(session, &wall, &nearest, NULL) == WEND_OK);
+  CHECK(wend_session_fits(session, &nearest, &fits, NULL) == WEND_OK && fits == 1);
+}
+
+static void check_plan(wend_session* session, const wend_request* request) {
+  wend_plan* plan = NULL;
+  wend_error error;
+  const wend_pose* poses;
+  CHECK(wend_session_plan(session, request, &plan, &error) == WEND_OK);
+  CHECK(wend_plan_pose_count(plan) == 7);
+  poses = wend_plan_poses(plan);
+  CHECK(poses != NULL && poses[0].x == 0.25 && poses[6].x == 2.25);
+  CHECK(wend_plan_cost(plan) == 6 && wend_plan_length(plan) == 3 && wend_plan_bound(plan) == 1);
+  CHECK(wend_plan_expanded(plan) > 0 && wend_plan_generated(plan) >= wend_plan_expanded(plan));
+  wend_plan_free(plan);
+}
+
+static void check_field(wend_session* session, const wend_request* request) {
+  wend_field* field = NULL;
+  wend_plan* plan = NULL;
+  CHECK(wend_session_field(session, request, &field, NULL) == WEND_OK);
+  CHECK(wend_field_width(field) == 5 && wend_field_height(field) == 3);
+  CHECK(wend_field_costs(field)[4] == 2 && isinf(wend_field_costs(field)[5 + 2]));
+  CHECK(wend_field_cost_at(field, 0.25, 1.25) == 4);
+  CHECK(wend_field_expanded(field) == 12);
+  CHECK(wend_field_plan(field, &request->start, &plan, NULL) == WEND_OK);
+  CHECK(wend_plan_cost(plan) == 6);
+  wend_plan_free(plan);
+  wend_field_free(field);
+}
+
+static void check_session(void) {
+  const wend_pose start = {0.25, 0.25, 0};
+  const wend_pose goal = {2.25, 1.25, NAN};
+  wend_map* map = make_map();
+  wend_robot* robot = make_robot();
+  wend_session* session = NULL;
+  wend_session_options options;
+  wend_request request;
+  CHECK(wend_session_options_init(&options, sizeof options) == WEND_OK);
+  options.outside = WEND_POLICY_FREE;
+  CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
+  CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
+  CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
+  wend_robot_free(robot);
+  wend_map_free(map);
+  CHECK(wend_request_init(&request, sizeof request) == WEND_OK);
+  request.start = start;
+  request.goals = &goal;
+  request.goal_count = 1;
+  check_poses(session);
+  check_plan(session, &request);
+  check_field(session, &request);
+  wend_session_free(session);
+}
+
+int main(void) {
+  CHECK(wend_abi_version() == WEND_ABI_VERSION);
+  CHECK(strlen(wend_version()) > 0);
+  CHECK(strcmp(wend_status_name(WEND_UNREACHABLE), "unreachable") == 0);
+  check_map();
+  check_session();
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,57 @@
+#pragma once
+
+// What the opaque types of wend.h are.
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/map/grid_map.hpp"
+#include "wend/map/obstacles.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/search/search_outcome.hpp"
+#include "wend/session/session.hpp"
+#include "wend/wend.h"
+
+struct wend_map {
+  wend::GridMap map;
+};
+
+struct wend_robot {
+  wend::Robot robot;
+};
+
+struct wend_session {
+  wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
+               const wend::ObstacleOptions& chosen);
+
+  /// The options of a robot on this session's obstacles.
+  wend::FreeSpaceOptions options_of(const wend::Robot& robot) const;
+
+  void set_map(const wend::GridMap& next);
+
+  /// Planners that an exception stopped are of no use any more.
+  void drop_planners();
+
+  wend::ObstacleOptions obstacles;
+  wend::Session session;
+  std::mutex mutex;  // guards `map`
+  wend::GridMap map;
+};
+
+struct wend_plan {
+  /// Takes what a caller can ask for from an answer.
+  explicit wend_plan(const wend::PlanAnswer& answer);
+
+  std::vector<wend_pose> poses;
+  double cost;
+  double bound;
+  double length;  // metres
+  wend::SearchMetrics metrics;
+};
+
+struct wend_field {
+  wend::FreeSpace space;
+  wend::Session::Field field;
+};

@@ -1,0 +1,110 @@
+// Plans and fields of the C interface.
+
+#include <cmath>
+#include <limits>
+
+#include "wend/c/boundary.hpp"
+#include "wend/c/objects.hpp"
+
+wend_plan::wend_plan(const wend::PlanAnswer& answer)
+    : cost(answer.plan.cost),
+      bound(answer.plan.bound),
+      length(answer.path().length() * answer.space.map().frame().resolution),
+      metrics(answer.plan.metrics) {
+  for (const wend::MapPose& pose : answer.poses()) poses.push_back({pose.x, pose.y, pose.heading});
+}
+
+namespace wend::c {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+const CostToGo* costs_of(const wend_field* field) {
+  return field == nullptr ? nullptr : field->field.costs.get();
+}
+
+Expected<std::unique_ptr<wend_plan>, Failure> plan_from(const wend_field& field,
+                                                        const wend_pose& start) {
+  const FreeSpace& space = field.space;
+  const Units units(space.map());
+  const Point point = space.map().frame().to_grid(MapPoint{start.x, start.y});
+  const auto cell = cell_under(space, point);
+  const Explainer explainer(space, units, {}, {});
+  const Place place = units.place("start", point);
+  if (!cell) return failed(Error{Status::start_outside, explainer.outside(place)});
+  auto plan = field.field.costs->path_from(*cell);
+  if (!plan && plan.error().status == Status::start_blocked) {
+    return failed(Error{Status::start_blocked, explainer.blocked(place)});
+  }
+  if (!plan) return failed(std::move(plan.error()));
+  return std::make_unique<wend_plan>(PlanAnswer{.space = space, .plan = *std::move(plan)});
+}
+
+}  // namespace
+}  // namespace wend::c
+
+using namespace wend::c;
+
+size_t wend_plan_pose_count(const wend_plan* plan) {
+  return plan == nullptr ? 0 : plan->poses.size();
+}
+
+const wend_pose* wend_plan_poses(const wend_plan* plan) {
+  return plan == nullptr ? nullptr : plan->poses.data();
+}
+
+double wend_plan_cost(const wend_plan* plan) { return plan == nullptr ? kNoNumber : plan->cost; }
+
+double wend_plan_bound(const wend_plan* plan) { return plan == nullptr ? kNoNumber : plan->bound; }
+
+double wend_plan_length(const wend_plan* plan) {
+  return plan == nullptr ? kNoNumber : plan->length;
+}
+
+uint64_t wend_plan_expanded(const wend_plan* plan) {
+  return plan == nullptr ? 0 : plan->metrics.expanded;
+}
+
+uint64_t wend_plan_generated(const wend_plan* plan) {
+  return plan == nullptr ? 0 : plan->metrics.generated;
+}
+
+void wend_plan_free(wend_plan* plan) { delete plan; }
+
+int32_t wend_field_width(const wend_field* field) {
+  return field == nullptr ? 0 : field->space.width();
+}
+
+int32_t wend_field_height(const wend_field* field) {
+  return field == nullptr ? 0 : field->space.height();
+}
+
+const double* wend_field_costs(const wend_field* field) {
+  const wend::CostToGo* costs = costs_of(field);
+  return costs == nullptr ? nullptr : costs->costs().values().data();
+}
+
+double wend_field_cost_at(const wend_field* field, double x, double y) {
+  const wend::CostToGo* costs = costs_of(field);
+  if (costs == nullptr) return kNoNumber;
+  const wend::Point point = field->space.map().frame().to_grid(wend::MapPoint{x, y});
+  const auto cell = wend::cell_under(field->space, point);
+  return cell ? costs->cost(*cell) : kInfinity;
+}
+
+uint64_t wend_field_expanded(const wend_field* field) {
+  return field == nullptr ? 0 : field->field.metrics.expanded;
+}
+
+wend_status wend_field_plan(const wend_field* field, const wend_pose* start, wend_plan** plan,
+                            wend_error* error) {
+  return made("plan", plan, error, [&]() -> wend::Expected<std::unique_ptr<wend_plan>, Failure> {
+    if (field == nullptr) return refused("field is null");
+    if (start == nullptr) return refused("start is null");
+    if (!is_finite(*start)) return refused("start contains NaN or infinity");
+    return plan_from(*field, *start);
+  });
+}
+
+void wend_field_free(wend_field* field) { delete field; }

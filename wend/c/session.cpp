@@ -1,0 +1,298 @@
+// Sessions of the C interface: where the robot fits, plans and fields.
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "wend/base/parse.hpp"
+#include "wend/c/boundary.hpp"
+#include "wend/c/objects.hpp"
+
+wend_session::wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
+                           const wend::ObstacleOptions& chosen)
+    : obstacles(chosen), session(first_map, options_of(robot)), map(first_map) {}
+
+wend::FreeSpaceOptions wend_session::options_of(const wend::Robot& robot) const {
+  return {.footprint = robot.footprint,
+          .unknown = obstacles.unknown,
+          .outside = obstacles.outside,
+          .clearance_distance = robot.clearance_distance,
+          .clearance_cost = robot.clearance_cost};
+}
+
+void wend_session::set_map(const wend::GridMap& next) {
+  const std::lock_guard lock(mutex);
+  map = next;
+  session.set_map(next);
+}
+
+void wend_session::drop_planners() {
+  const std::lock_guard lock(mutex);
+  session.set_map(map);
+}
+
+namespace wend::c {
+namespace {
+
+using Done = Expected<void, Failure>;
+using SessionResult = Expected<std::unique_ptr<wend_session>, Failure>;
+using RequestResult = Expected<PlanRequest, Failure>;
+
+constexpr std::size_t kMostGoals = 1'000'000;
+
+constexpr wend_session_options kSessionDefaults{sizeof(wend_session_options), WEND_POLICY_DEFAULT,
+                                                WEND_POLICY_DEFAULT};
+
+constexpr wend_request kRequestDefaults{sizeof(wend_request),
+                                        {0, 0, 0},
+                                        nullptr,
+                                        0,
+                                        "astar",
+                                        Limits::kUnlimited,
+                                        std::numeric_limits<double>::infinity(),
+                                        0,
+                                        0,
+                                        1};
+
+MapPose map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
+
+Robot robot_or_point(const wend_robot* robot) { return robot == nullptr ? Robot{} : robot->robot; }
+
+/// Runs work(). If it throws, planners may be left in the middle of something.
+template <class Work>
+auto or_without_planners(wend_session& session, Work&& work) {
+  try {
+    return work();
+  } catch (...) {
+    session.drop_planners();
+    throw;
+  }
+}
+
+Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& options) {
+  for (const std::int32_t policy : {options.unknown, options.outside}) {
+    if (policy < WEND_POLICY_DEFAULT || policy > WEND_POLICY_FREE) {
+      return refused("wend_session_options has the policy " + std::to_string(policy) +
+                     ", not a value of wend_policy");
+    }
+  }
+  ObstacleOptions obstacles;
+  if (options.unknown == WEND_POLICY_FREE) obstacles.unknown = UnknownPolicy::free;
+  if (options.outside == WEND_POLICY_FREE) obstacles.outside = OutsidePolicy::free;
+  if (options.outside == WEND_POLICY_BLOCKED) obstacles.outside = OutsidePolicy::blocked;
+  return obstacles;
+}
+
+/// The goals of a request; NaN is any heading.
+Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
+  if (request.goals == nullptr || request.goal_count == 0) {
+    return refused("wend_request has no goals");
+  }
+  if (request.goal_count > kMostGoals) {
+    return refused("wend_request.goal_count is " + std::to_string(request.goal_count) +
+                   ": at most " + std::to_string(kMostGoals) + " expected");
+  }
+  std::vector<MapGoal> goals;
+  goals.reserve(request.goal_count);
+  for (std::size_t i = 0; i < request.goal_count; ++i) {
+    const auto& [x, y, heading] = request.goals[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || std::isinf(heading)) {
+      return refused("wend_request.goals[" + std::to_string(i) + "] contains NaN or infinity");
+    }
+    MapGoal& goal = goals.emplace_back(MapPoint{x, y});
+    if (!std::isnan(heading)) goal.heading = heading;
+  }
+  return goals;
+}
+
+Expected<PlannerSpec, Failure> planner_of(const wend_request& request) {
+  if (request.planner == nullptr) return refused("wend_request.planner is null");
+  auto specs = parse_planner_specs(request.planner);
+  if (!specs) return failed(std::move(specs.error()));
+  if (specs->size() != 1) {
+    return refused("wend_request.planner names " + std::to_string(specs->size()) +
+                   " planners: one expected");
+  }
+  return std::move(specs->front());
+}
+
+/// Goals, planner and limits: what plans and fields have in common.
+RequestResult goal_request_of(const wend_request* given) {
+  if (given == nullptr) return refused("request is null");
+  const auto request = options_of("wend_request", given, kRequestDefaults);
+  if (!request) return Unexpected<Failure>(request.error());
+  auto goals = goals_of(*request);
+  if (!goals) return Unexpected<Failure>(std::move(goals.error()));
+  auto planner = planner_of(*request);
+  if (!planner) return Unexpected<Failure>(std::move(planner.error()));
+  if (!(request->seconds >= 0)) {
+    return refused("wend_request.seconds is " + format_number(request->seconds) +
+                   ": a number from 0 expected");
+  }
+  PlanRequest asked{{}, *std::move(goals), *std::move(planner)};
+  asked.limits.expansions = request->expansions;
+  asked.limits.seconds = request->seconds;
+  return asked;
+}
+
+RequestResult plan_request_of(const wend_request* given, double resolution) {
+  auto asked = goal_request_of(given);
+  if (!asked) return asked;
+  if (!is_finite(given->start)) return refused("wend_request.start contains NaN or infinity");
+  if (!(given->spacing >= 0) || !std::isfinite(given->spacing)) {
+    return refused("wend_request.spacing is " + format_number(given->spacing) +
+                   ": a finite number from 0 expected");
+  }
+  asked->start = map_pose(given->start);
+  asked->explain = given->explain != 0;
+  if (given->straighten != 0) asked->refinement.simplify = Simplification{};
+  if (given->spacing > 0) asked->refinement.spacing = given->spacing / resolution;
+  return asked;
+}
+
+Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
+                                                        const wend_request* request) {
+  const auto view = handle.session.view();
+  if (!view) return failed(view.error());
+  const auto asked = plan_request_of(request, view->space.map().frame().resolution);
+  if (!asked) return Unexpected<Failure>(asked.error());
+  const auto answer = handle.session.plan(*view, *asked);
+  if (!answer) return failed(static_cast<const PlanFailure&>(answer.error()));
+  if (answer->fault) return failed(*answer->fault);
+  return std::make_unique<wend_plan>(*answer);
+}
+
+/// Plans are for poses anywhere in a cell, fields for cells.
+Expected<std::vector<Cell>, Failure> cells_of(const std::vector<MapGoal>& goals,
+                                              const FreeSpace& space) {
+  const Units units(space.map());
+  std::vector<Cell> cells;
+  for (const MapGoal& goal : goals) {
+    const Point point = space.map().frame().to_grid(goal.point);
+    const auto cell = cell_under(space, point);
+    if (cell) {
+      cells.push_back(*cell);
+    } else {
+      const Explainer explainer(space, units, {}, {});
+      return failed(Error{Status::goal_outside, explainer.outside(units.place("goal", point))});
+    }
+  }
+  return cells;
+}
+
+Expected<std::unique_ptr<wend_field>, Failure> make_field(wend_session& handle,
+                                                          const wend_request* request) {
+  const auto view = handle.session.view();
+  if (!view) return failed(view.error());
+  const auto asked = goal_request_of(request);
+  if (!asked) return Unexpected<Failure>(asked.error());
+  const auto planner = handle.session.planner(asked->planner);
+  if (!planner) return failed(planner.error());
+  const auto moves = (*planner)->grid_moves();
+  if (!moves || planners().find(asked->planner.name)->any_angle) {
+    return failed(Error{Status::unsupported_query,
+                        asked->planner.name + " does not step from cell to cell: it has no field"});
+  }
+  auto goals = cells_of(asked->goals, view->space);
+  if (!goals) return Unexpected<Failure>(std::move(goals.error()));
+  auto field = handle.session.cost_to_go(*view, *std::move(goals), *moves, asked->limits);
+  if (!field) return failed(std::move(field.error()));
+  return std::make_unique<wend_field>(view->space, *std::move(field));
+}
+
+/// Checks the arguments of a question about a pose, and asks it.
+template <class Ask>
+wend_status ask_at(wend_session* session, const wend_pose* pose, bool has_answer, wend_error* error,
+                   const Ask& ask) {
+  return guarded(error, [&]() -> Done {
+    if (session == nullptr) return refused("session is null");
+    if (pose == nullptr) return refused("pose is null");
+    if (!has_answer) return refused("the pointer for the answer is null");
+    if (!is_finite(*pose)) return refused("pose contains NaN or infinity");
+    return or_without_planners(*session, ask);
+  });
+}
+
+}  // namespace
+}  // namespace wend::c
+
+using namespace wend::c;
+
+wend_status wend_session_options_init(wend_session_options* options, size_t struct_size) {
+  return init(options, struct_size, kSessionDefaults);
+}
+
+wend_status wend_session_create(const wend_map* map, const wend_robot* robot,
+                                const wend_session_options* options, wend_session** session,
+                                wend_error* error) {
+  return made("session", session, error, [&]() -> SessionResult {
+    if (map == nullptr) return refused("map is null");
+    const auto chosen = wend::c::options_of("wend_session_options", options, kSessionDefaults);
+    if (!chosen) return wend::Unexpected<Failure>(chosen.error());
+    const auto obstacles = obstacles_of(*chosen);
+    if (!obstacles) return wend::Unexpected<Failure>(obstacles.error());
+    return std::make_unique<wend_session>(map->map, robot_or_point(robot), *obstacles);
+  });
+}
+
+wend_status wend_session_set_map(wend_session* session, const wend_map* map, wend_error* error) {
+  return guarded(error, [&]() -> Done {
+    if (session == nullptr) return refused("session is null");
+    if (map == nullptr) return refused("map is null");
+    session->set_map(map->map);
+    return {};
+  });
+}
+
+wend_status wend_session_set_robot(wend_session* session, const wend_robot* robot,
+                                   wend_error* error) {
+  return guarded(error, [&]() -> Done {
+    if (session == nullptr) return refused("session is null");
+    session->session.set_robot(session->options_of(robot_or_point(robot)));
+    return {};
+  });
+}
+
+wend_status wend_session_fits(wend_session* session, const wend_pose* pose, int32_t* fits,
+                              wend_error* error) {
+  return ask_at(session, pose, fits != nullptr, error, [&]() -> Done {
+    const auto view = session->session.view();
+    if (!view) return failed(view.error());
+    const wend::Pose asked = view->space.map().frame().to_grid(map_pose(*pose));
+    *fits = view->space.fits(asked) ? 1 : 0;
+    return {};
+  });
+}
+
+wend_status wend_session_nearest(wend_session* session, const wend_pose* pose, wend_pose* nearest,
+                                 wend_error* error) {
+  return ask_at(session, pose, nearest != nullptr, error, [&]() -> Done {
+    const auto found = session->session.nearest(map_pose(*pose));
+    if (!found) return failed(found.error());
+    *nearest = {found->x, found->y, found->heading};
+    return {};
+  });
+}
+
+void wend_session_free(wend_session* session) { delete session; }
+
+wend_status wend_request_init(wend_request* request, size_t struct_size) {
+  return init(request, struct_size, kRequestDefaults);
+}
+
+wend_status wend_session_plan(wend_session* session, const wend_request* request, wend_plan** plan,
+                              wend_error* error) {
+  return made("plan", plan, error, [&]() -> wend::Expected<std::unique_ptr<wend_plan>, Failure> {
+    if (session == nullptr) return refused("session is null");
+    return or_without_planners(*session, [&] { return make_plan(*session, request); });
+  });
+}
+
+wend_status wend_session_field(wend_session* session, const wend_request* request,
+                               wend_field** field, wend_error* error) {
+  return made("field", field, error, [&]() -> wend::Expected<std::unique_ptr<wend_field>, Failure> {
+    if (session == nullptr) return refused("session is null");
+    return or_without_planners(*session, [&] { return make_field(*session, request); });
+  });
+}

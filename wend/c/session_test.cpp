@@ -1,0 +1,334 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "conformance/random_map.hpp"
+#include "tests/testing/c_objects.hpp"
+#include "wend/c/boundary.hpp"
+#include "wend/c/objects.hpp"
+
+namespace wend::test {
+namespace {
+
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+
+/// A random map with a random robot, for both interfaces.
+class BothSessions {
+ public:
+  explicit BothSessions(Random& random) : random_(random) {
+    const GridMap cells = random_map(random);
+    Frame frame = cells.frame();
+    frame.y_up = true;
+    frame.metric = true;
+    frame.origin.heading = one_of<double>(random, std::array{0.0, 0.0, 0.7});
+    map_ = in_frame(cells, frame);
+    const FreeSpaceOptions robot = random_robot(random, frame.resolution);
+    cpp = std::make_unique<Session>(*map_, robot);
+    auto options = session_options();
+    options.unknown = robot.unknown == UnknownPolicy::free ? WEND_POLICY_FREE : WEND_POLICY_DEFAULT;
+    if (robot.outside == OutsidePolicy::free) options.outside = WEND_POLICY_FREE;
+    if (robot.outside == OutsidePolicy::blocked) options.outside = WEND_POLICY_BLOCKED;
+    auto shape = robot_options();
+    shape.radius = robot.footprint.circumscribed_radius();
+    shape.clearance_distance = robot.clearance_distance;
+    shape.clearance_cost = robot.clearance_cost;
+    const auto its_robot = made_object<wend_robot>(
+        [&](wend_robot** out, wend_error* error) { return wend_robot_create(&shape, out, error); });
+    // Map and robot are freed at once: the session has its own.
+    c = c_session(c_map(*map_).get(), its_robot.get(), &options);
+  }
+
+  /// A pose on the map, or near it.
+  wend_pose pose() {
+    const Cell cell = random_cell_or_outside(random_, map_->width(), map_->height());
+    const MapPose pose = map_->frame().to_metres(
+        Pose{cell.x + random_.uniform(), cell.y + random_.uniform(), 6 * random_.uniform() - 3});
+    return {pose.x, pose.y, pose.heading};
+  }
+
+  std::unique_ptr<Session> cpp;
+  Owned<wend_session> c;
+
+ private:
+  Random& random_;
+  std::optional<GridMap> map_;
+};
+
+MapPose as_map_pose(const wend_pose& pose) { return {pose.x, pose.y, pose.heading}; }
+
+void expect_same_plan(const Expected<PlanAnswer, RequestFailure>& expected, wend_status status,
+                      const wend_plan* plan, const wend_error& error) {
+  if (!expected) {
+    EXPECT_EQ(status, c::status_of(expected.error().status));
+    EXPECT_EQ(error.message, expected.error().message);
+    EXPECT_EQ(error.expanded, expected.error().metrics.expanded);
+    EXPECT_EQ(error.generated, expected.error().metrics.generated);
+    EXPECT_EQ(plan, nullptr);
+    return;
+  }
+  ASSERT_EQ(status, WEND_OK) << error.message;
+  const std::vector<MapPose> poses = expected->poses();
+  ASSERT_EQ(wend_plan_pose_count(plan), poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(as_map_pose(wend_plan_poses(plan)[i]), poses[i]);
+  }
+  const double resolution = expected->space.map().frame().resolution;
+  EXPECT_EQ(wend_plan_cost(plan), expected->plan.cost);
+  EXPECT_EQ(wend_plan_bound(plan), expected->plan.bound);
+  EXPECT_EQ(wend_plan_length(plan), expected->path().length() * resolution);
+  EXPECT_EQ(wend_plan_expanded(plan), expected->plan.metrics.expanded);
+  EXPECT_EQ(wend_plan_generated(plan), expected->plan.metrics.generated);
+}
+
+TEST(CSession, PlansAsTheCppInterface) {
+  constexpr std::array<const char*, 6> kSpecs{
+      "astar", "dijkstra", "astar:weight=2,connectivity=4", "jps", "theta_star", "lattice"};
+  int found = 0;
+  for (int seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    BothSessions sessions(random);
+    for (int i = 0; i < 4; ++i) {
+      std::vector<wend_pose> goals{sessions.pose()};
+      if (random.chance(0.3)) goals.push_back(sessions.pose());
+      if (random.chance(0.5)) goals[0].heading = kAnyHeading;
+      wend_request request = request_to(goals[0], sessions.pose());
+      request.goals = goals.data();
+      request.goal_count = goals.size();
+      request.planner = one_of(random, kSpecs);
+      request.explain = random.chance(0.8) ? 1 : 0;
+      if (random.chance(0.1)) request.expansions = random.below(6);
+
+      PlanRequest same;
+      same.start = as_map_pose(request.start);
+      for (const wend_pose& goal : goals) {
+        MapGoal& its = same.goals.emplace_back(MapPoint{goal.x, goal.y});
+        if (!std::isnan(goal.heading)) its.heading = goal.heading;
+      }
+      same.planner = parse_planner_specs(request.planner).value().front();
+      same.limits.expansions = request.expansions;
+      same.explain = request.explain == 1;
+
+      wend_plan* plan = nullptr;
+      wend_error error;
+      const wend_status status = wend_session_plan(sessions.c.get(), &request, &plan, &error);
+      const Owned<wend_plan> owner(plan);
+      expect_same_plan(sessions.cpp->plan(same), status, plan, error);
+      found += status == WEND_OK ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 100) << "too few paths to say anything";
+}
+
+TEST(CSession, AnswersQuestionsAboutPosesAsTheCppInterface) {
+  std::array<int, 2> answers{};
+  for (int seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    BothSessions sessions(random);
+    const FreeSpace space = sessions.cpp->view().value().space;
+    for (int i = 0; i < 5; ++i) {
+      const wend_pose pose = sessions.pose();
+      std::int32_t fits = -1;
+      EXPECT_EQ(wend_session_fits(sessions.c.get(), &pose, &fits, nullptr), WEND_OK);
+      ASSERT_EQ(fits, space.fits(space.map().frame().to_grid(as_map_pose(pose))) ? 1 : 0);
+      ++answers[static_cast<std::size_t>(fits)];
+
+      const auto expected = sessions.cpp->nearest(as_map_pose(pose));
+      wend_pose nearest{0, 0, 0};
+      const wend_status status = wend_session_nearest(sessions.c.get(), &pose, &nearest, nullptr);
+      EXPECT_EQ(status, expected ? WEND_OK : WEND_UNSUPPORTED_QUERY);
+      if (expected) {
+        EXPECT_EQ(as_map_pose(nearest), *expected);
+      }
+    }
+  }
+  EXPECT_GT(answers[0], 50);
+  EXPECT_GT(answers[1], 50);
+}
+
+TEST(CSession, StraightensAPathAndSetsPosesAlongIt) {
+  const auto session = c_session(open_c_map(20, 20).get());
+  const wend_pose goal{18.5, 7.5, kAnyHeading};
+  wend_request request = request_to(goal);
+  const auto plan = [&] {
+    return made_object<wend_plan>([&](wend_plan** out, wend_error* error) {
+      return wend_session_plan(session.get(), &request, out, error);
+    });
+  };
+  request.straighten = 1;
+  const auto line = plan();
+  EXPECT_EQ(wend_plan_pose_count(line.get()), 2U);
+  EXPECT_NEAR(wend_plan_length(line.get()), std::hypot(18, 7), 1e-9);
+  EXPECT_GT(wend_plan_cost(line.get()), wend_plan_length(line.get()));
+  request.spacing = 0.5;
+  const auto points = plan();
+  ASSERT_GT(wend_plan_pose_count(points.get()), 38U);
+  for (std::size_t i = 1; i < wend_plan_pose_count(points.get()); ++i) {
+    const wend_pose* const poses = wend_plan_poses(points.get());
+    EXPECT_LE(std::hypot(poses[i].x - poses[i - 1].x, poses[i].y - poses[i - 1].y), 0.5 + 1e-9);
+  }
+}
+
+TEST(CSession, SaysWhyAPathCannotBeRefined) {
+  const auto session = c_session(open_c_map(20, 20).get());
+  const wend_pose goal{12.5, 7.5, 0};
+  wend_request request = request_to(goal, {5.5, 5.5, 0});
+  request.planner = "lattice";
+  request.straighten = 1;
+  const auto refusal = refusal_of<wend_plan>([&](wend_plan** plan, wend_error* error) {
+    return wend_session_plan(session.get(), &request, plan, error);
+  });
+  EXPECT_EQ(refusal.status, WEND_UNSUPPORTED_QUERY);
+}
+
+TEST(CSession, PlansOnTheMapAndForTheRobotOfNow) {
+  const auto session = c_session(open_c_map(9, 3).get());
+  const wend_pose middle{4.5, 1.5, 0};
+  const auto fits = [&] {
+    std::int32_t answer = -1;
+    EXPECT_EQ(wend_session_fits(session.get(), &middle, &answer, nullptr), WEND_OK);
+    return answer;
+  };
+  EXPECT_EQ(fits(), 1);
+  wend_robot_options large = robot_options();
+  large.radius = 2;
+  const auto robot = made_object<wend_robot>(
+      [&](wend_robot** out, wend_error* error) { return wend_robot_create(&large, out, error); });
+  EXPECT_EQ(wend_session_set_robot(session.get(), robot.get(), nullptr), WEND_OK);
+  EXPECT_EQ(fits(), 0) << "the robot hangs over the edge";
+  EXPECT_EQ(wend_session_set_map(session.get(), open_c_map(9, 9).get(), nullptr), WEND_OK);
+  EXPECT_EQ(fits(), 0);
+  EXPECT_EQ(wend_session_set_robot(session.get(), nullptr, nullptr), WEND_OK);
+  EXPECT_EQ(fits(), 1) << "a point";
+}
+
+/// Why a request is refused after this change to a good one.
+template <class Change>
+Refusal refused_request(const Change& change) {
+  static const Owned<wend_session> session = c_session(open_c_map(4, 4).get());
+  static constexpr wend_pose kGoal{3.5, 3.5, kAnyHeading};
+  wend_request request = request_to(kGoal);
+  change(request);
+  return refusal_of<wend_plan>([&](wend_plan** plan, wend_error* error) {
+    return wend_session_plan(session.get(), &request, plan, error);
+  });
+}
+
+TEST(CSession, RefusesRequestsThatAreNotComplete) {
+  EXPECT_EQ(refused_request([](auto& request) { request.goals = nullptr; }).message,
+            "wend_request has no goals");
+  EXPECT_EQ(refused_request([](auto& request) { request.goal_count = 0; }).message,
+            "wend_request has no goals");
+  EXPECT_EQ(refused_request([](auto& request) { request.goal_count = SIZE_MAX; }).status,
+            WEND_INVALID_ARGUMENT);
+  EXPECT_EQ(refused_request([](auto& request) { request.planner = nullptr; }).message,
+            "wend_request.planner is null");
+  EXPECT_EQ(refused_request([](auto& request) { request.struct_size = 8; }).status,
+            WEND_INVALID_ARGUMENT);
+}
+
+TEST(CSession, RefusesOtherPlanners) {
+  EXPECT_EQ(refused_request([](auto& request) { request.planner = "bfs,dfs"; }).message,
+            "wend_request.planner names 2 planners: one expected");
+  for (const char* const spec :
+       {"", "nothing", "astar:weight=-1", "astar:swirl=1", "astar:weight"}) {
+    const auto refusal = refused_request([&](auto& request) { request.planner = spec; });
+    EXPECT_EQ(refusal.status, WEND_INVALID_OPTION) << spec << ": " << refusal.message;
+  }
+}
+
+TEST(CSession, RefusesNumbersThatAreNotFinite) {
+  for (const double number : {kAnyHeading, kForEver, -kForEver}) {
+    EXPECT_EQ(refused_request([&](auto& request) { request.start.x = number; }).message,
+              "wend_request.start contains NaN or infinity");
+    EXPECT_EQ(refused_request([&](auto& request) { request.start.heading = number; }).status,
+              WEND_INVALID_ARGUMENT);
+    EXPECT_EQ(refused_request([&](auto& request) { request.spacing = number; }).status,
+              WEND_INVALID_ARGUMENT);
+    const wend_pose far{1.5, number, 0};
+    EXPECT_EQ(refused_request([&](auto& request) { request.goals = &far; }).message,
+              "wend_request.goals[0] contains NaN or infinity");
+  }
+  const wend_pose turned{1.5, 1.5, kForEver};
+  EXPECT_EQ(refused_request([&](auto& request) { request.goals = &turned; }).status,
+            WEND_INVALID_ARGUMENT);
+  for (const double number : {kAnyHeading, -1.0}) {
+    EXPECT_EQ(refused_request([&](auto& request) { request.seconds = number; }).status,
+              WEND_INVALID_ARGUMENT);
+  }
+  EXPECT_EQ(refused_request([](auto& request) { request.spacing = -1; }).status,
+            WEND_INVALID_ARGUMENT);
+}
+
+TEST(CSession, StopsAtLimits) {
+  EXPECT_EQ(refused_request([](auto& request) { request.expansions = 2; }).message,
+            "stopped after 2 expansions");
+  EXPECT_EQ(refused_request([](auto& request) { request.seconds = 0; }).status, WEND_TIME_LIMIT);
+}
+
+TEST(CSession, RefusesNullPointers) {
+  const auto map = open_c_map(4, 4);
+  const auto session = c_session(map.get());
+  const wend_pose pose{1.5, 1.5, 0};
+  const wend_pose nowhere{kAnyHeading, 0, 0};
+  wend_request request = request_to(pose);
+  wend_pose nearest;
+  std::int32_t fits = 0;
+  const auto no_map = refusal_of<wend_session>([](wend_session** out, wend_error* error) {
+    return wend_session_create(nullptr, nullptr, nullptr, out, error);
+  });
+  EXPECT_EQ(no_map.message, "map is null");
+  EXPECT_EQ(wend_session_create(map.get(), nullptr, nullptr, nullptr, nullptr),
+            WEND_INVALID_ARGUMENT);
+  const auto no_session = refusal_of<wend_plan>([&](wend_plan** plan, wend_error* error) {
+    return wend_session_plan(nullptr, &request, plan, error);
+  });
+  EXPECT_EQ(no_session.message, "session is null");
+  const auto no_request = refusal_of<wend_plan>([&](wend_plan** plan, wend_error* error) {
+    return wend_session_plan(session.get(), nullptr, plan, error);
+  });
+  EXPECT_EQ(no_request.message, "request is null");
+  for (const wend_status status :
+       {wend_session_plan(session.get(), &request, nullptr, nullptr),
+        wend_session_set_map(nullptr, map.get(), nullptr),
+        wend_session_set_map(session.get(), nullptr, nullptr),
+        wend_session_set_robot(nullptr, nullptr, nullptr),
+        wend_session_fits(nullptr, &pose, &fits, nullptr),
+        wend_session_fits(session.get(), nullptr, &fits, nullptr),
+        wend_session_fits(session.get(), &pose, nullptr, nullptr),
+        wend_session_fits(session.get(), &nowhere, &fits, nullptr),
+        wend_session_nearest(nullptr, &pose, &nearest, nullptr),
+        wend_session_nearest(session.get(), nullptr, &nearest, nullptr),
+        wend_session_nearest(session.get(), &pose, nullptr, nullptr),
+        wend_session_nearest(session.get(), &nowhere, &nearest, nullptr)}) {
+    EXPECT_EQ(status, WEND_INVALID_ARGUMENT);
+  }
+  wend_session_free(nullptr);
+}
+
+TEST(CSession, RefusesOtherPolicies) {
+  const auto map = open_c_map(4, 4);
+  const auto refused = [&](const wend_session_options& options) {
+    return refusal_of<wend_session>([&](wend_session** out, wend_error* error) {
+      return wend_session_create(map.get(), nullptr, &options, out, error);
+    });
+  };
+  auto options = session_options();
+  options.unknown = 3;
+  EXPECT_EQ(refused(options).message,
+            "wend_session_options has the policy 3, not a value of wend_policy");
+  options = session_options();
+  options.outside = -1;
+  EXPECT_EQ(refused(options).status, WEND_INVALID_ARGUMENT);
+  options = session_options();
+  options.struct_size = 0;
+  EXPECT_EQ(refused(options).status, WEND_INVALID_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace wend::test

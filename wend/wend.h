@@ -1,0 +1,322 @@
+#pragma once
+
+// The C interface: maps, robots, plans and fields of costs, for engines and for other languages.
+//
+//   wend_map* map = NULL;
+//   wend_session* session = NULL;
+//   wend_plan* plan = NULL;
+//   wend_error error;
+//   wend_request request;
+//   wend_status status = wend_map_create(cells, sizeof cells, 3, 2, NULL, &map, &error);
+//   if (status == WEND_OK) status = wend_session_create(map, NULL, NULL, &session, &error);
+//   wend_map_free(map);
+//   wend_request_init(&request, sizeof request);
+//   request.start = start;
+//   request.goals = &goal;
+//   request.goal_count = 1;
+//   if (status == WEND_OK) status = wend_session_plan(session, &request, &plan, &error);
+//   if (status != WEND_OK) report(error.message);
+//   for (size_t i = 0; i < wend_plan_pose_count(plan); ++i) drive_to(wend_plan_poses(plan)[i]);
+//   wend_plan_free(plan);
+//   wend_session_free(session);
+//
+// Errors: a function that can fail returns a status, WEND_OK (0) if it did not. It also writes the status and
+// a sentence into the caller's wend_error, if that is not null. A null pointer, a size that does not fit, NaN
+// and infinity are errors (WEND_INVALID_ARGUMENT), never a crash. No C++ exception leaves the library.
+//
+// Ownership: a function that makes an object writes it to its last parameter but one, null if it failed. The
+// caller owns the object and frees it once, with the function of its type; freeing null does nothing. Objects
+// do not need each other: a map may be freed as soon as a session has it. No function keeps a pointer that the
+// caller passes, unless it is an object of the library.
+//
+// Units: poses are in metres and radians, in the map's frame. Cell (column, row) of a map covers the points
+//
+//    origin + rotate(origin.heading, resolution * (column..column + 1, row..row + 1))
+//
+// Threads: all threads may use a session at the same time. A map, a robot, a plan and a field do not change;
+// all threads may read them. Free an object when no other thread uses it.
+//
+// Growth: structures with a `struct_size` are made by their init function, which sets the defaults and takes
+// the size that the caller was compiled with. A structure of another size is an error. A program that may run
+// with another library than that of its header compares wend_abi_version() with WEND_ABI_VERSION first.
+
+#include <stddef.h>
+#include <stdint.h>
+
+/// Marks what libwend.so exports.
+#if defined(WEND_SHARED)
+#define WEND_C_API __attribute__((visibility("default")))
+#else
+#define WEND_C_API
+#endif
+
+/// Grows when a function or a structure changes so that programs must be compiled again. New functions do not
+/// change it.
+#define WEND_ABI_VERSION 1
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// WEND_ABI_VERSION of the library that runs.
+WEND_C_API uint32_t wend_abi_version(void);
+
+/// The version of the library that runs: "0.2.0". Static.
+WEND_C_API const char* wend_version(void);
+
+/// How a function ended: a value of wend_status_code.
+typedef int32_t wend_status;
+
+/// The values of wend_status. Their numbers never change.
+enum wend_status_code {
+  WEND_OK = 0,                  // it did what was asked
+  WEND_START_OUTSIDE = 1,       // the start lies outside the map
+  WEND_GOAL_OUTSIDE = 2,        // the goal lies outside the map
+  WEND_START_BLOCKED = 3,       // the robot cannot stand on the start
+  WEND_GOAL_BLOCKED = 4,        // the robot cannot stand on the goal
+  WEND_UNREACHABLE = 5,         // start and goal are both free, and no path joins them
+  WEND_STEP_LIMIT = 6,          // a walk used up its steps
+  WEND_EXPANSION_LIMIT = 7,     // wend_request.expansions was reached
+  WEND_TIME_LIMIT = 8,          // wend_request.seconds passed
+  WEND_MEMORY_LIMIT = 9,        // the system had no memory left
+  WEND_CANCELLED = 10,          // the search was cancelled
+  WEND_UNSUPPORTED_MAP = 11,    // this planner cannot plan on such a map (terrain, size)
+  WEND_UNSUPPORTED_QUERY = 12,  // this planner cannot answer such a query
+  WEND_INVALID_OPTION = 13,     // an option of a planner or a robot is unknown or out of range
+  WEND_INVALID_MAP = 14,     // the parts of a map do not fit together, or a value is out of range
+  WEND_INVALID_FILE = 15,    // a file cannot be read, or its content is invalid
+  WEND_INDEX_MISSING = 16,   // the planner needs an index, and has none
+  WEND_INDEX_MISMATCH = 17,  // the index is damaged or belongs to another map
+  WEND_INVALID_ARGUMENT = 100,  // a pointer is null, a number is NaN, a size does not fit
+  WEND_INTERNAL_ERROR = 101     // a bug of wend
+};
+
+/// "ok", "start_outside", ..., or "unknown" for another number. Static.
+WEND_C_API const char* wend_status_name(wend_status status);
+
+/// The size of wend_error.message.
+#define WEND_MESSAGE_SIZE 1024
+
+/// What went wrong. The caller's; it needs no init function and never grows.
+typedef struct wend_error {
+  wend_status status;  // the same as the function returned
+  int32_t truncated;   // 1 if the message was cut to fit, else 0
+  uint64_t expanded;   // states that a search had expanded until it failed
+  uint64_t generated;  // states that it had reached
+  char message
+      [WEND_MESSAGE_SIZE];  // a sentence in UTF-8 without a full stop, 0 behind it; "" for WEND_OK
+} wend_error;
+
+/// A position and a heading. A library function that takes one reads it through a pointer.
+typedef struct wend_pose {
+  double x;        // metres
+  double y;        // metres
+  double heading;  // radians, from +x to +y
+} wend_pose;
+
+/// A position.
+typedef struct wend_point {
+  double x;  // metres
+  double y;  // metres
+} wend_point;
+
+/// A map: cells that are free, occupied or unknown, and how they lie in the world.
+typedef struct wend_map wend_map;
+
+/// What the bytes of wend_map_create() mean.
+enum wend_cells {
+  WEND_CELLS_STATE = 0,  // 0 free, 1 occupied, 2 unknown; another value is an error
+  WEND_CELLS_MASK = 1,   // 0 free, everything else occupied
+  WEND_CELLS_ROS = 2     // nav_msgs/OccupancyGrid: 0 to 100; other values, such as -1, unknown
+};
+
+/// How wend_map_create() reads cells.
+typedef struct wend_map_options {
+  size_t struct_size;     // sizeof(wend_map_options)
+  double resolution;      // metres a cell, > 0; default 1
+  wend_pose origin;       // the corner of cell (0, 0) and the direction of its row; default 0
+  int32_t cells;          // a value of wend_cells; default WEND_CELLS_STATE
+  int32_t occupied_from;  // WEND_CELLS_ROS: the least occupied value, 1 to 100; default 65
+  const double*
+      terrain;  // cost of a unit of length in each cell, finite, >= 1; default null: 1 everywhere
+  size_t terrain_count;  // the number of these multipliers, which is that of the cells; default 0
+} wend_map_options;
+
+/// Sets the defaults. `struct_size` is sizeof(wend_map_options).
+WEND_C_API wend_status wend_map_options_init(wend_map_options* options, size_t struct_size);
+
+/// Makes a map from `size` = `width` * `height` bytes, row by row; the first is cell (0, 0). The bytes are
+/// copied. `options` may be null. Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_MAP. O(cells).
+WEND_C_API wend_status wend_map_create(const uint8_t* cells, size_t size, int32_t width,
+                                       int32_t height, const wend_map_options* options,
+                                       wend_map** map, wend_error* error);
+
+/// Loads a map file: a ROS map.yaml, a MovingAI map, a text grid or an image. Maps without a resolution have
+/// 1 m a cell, and their first row is on top. Fails with WEND_INVALID_FILE.
+WEND_C_API wend_status wend_map_load(const char* file, wend_map** map, wend_error* error);
+
+/// The same from the bytes of a file. `name` is a name for errors, whose extension decides the format: "office.map". The
+/// image of a map.yaml is searched for in the working folder.
+WEND_C_API wend_status wend_map_parse(const void* bytes, size_t size, const char* name,
+                                      wend_map** map, wend_error* error);
+
+/// The number of columns; 0 for null.
+WEND_C_API int32_t wend_map_width(const wend_map* map);
+/// The number of rows; 0 for null.
+WEND_C_API int32_t wend_map_height(const wend_map* map);
+/// Metres a cell; 0 for null.
+WEND_C_API double wend_map_resolution(const wend_map* map);
+/// Writes the corner of cell (0, 0) and the direction of its row to `origin`.
+WEND_C_API wend_status wend_map_origin(const wend_map* map, wend_pose* origin, wend_error* error);
+
+/// Frees a map. Sessions that use it keep what they need.
+WEND_C_API void wend_map_free(wend_map* map);
+
+/// A robot: its shape, and the distance that it likes to keep.
+typedef struct wend_robot wend_robot;
+
+/// The robot that wend_robot_create() makes: a polygon if it has corners, else a disc.
+typedef struct wend_robot_options {
+  size_t struct_size;  // sizeof(wend_robot_options)
+  double radius;       // metres, >= 0; 0 with corners; default 0: a point
+  const wend_point*
+      corners;          // in the robot's own coordinates, +x ahead, base point (0, 0); default null
+  size_t corner_count;  // 3 to 64, or 0
+  double clearance_distance;  // metres from obstacles within which cells cost more; default 0: off
+  double clearance_cost;      // extra cost of a cell where the robot touches, >= 0; default 4
+} wend_robot_options;
+
+/// Sets the defaults. `struct_size` is sizeof(wend_robot_options).
+WEND_C_API wend_status wend_robot_options_init(wend_robot_options* options, size_t struct_size);
+
+/// Makes a robot. The corners are copied; they are those of a simple polygon that contains the base point.
+/// Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_OPTION.
+WEND_C_API wend_status wend_robot_create(const wend_robot_options* options, wend_robot** robot,
+                                         wend_error* error);
+
+/// Frees a robot.
+WEND_C_API void wend_robot_free(wend_robot* robot);
+
+/// A map with a robot on it, and planners that keep what they have prepared.
+typedef struct wend_session wend_session;
+
+/// What counts as free.
+enum wend_policy {
+  WEND_POLICY_DEFAULT =
+      0,  // unknown cells: blocked; the outside: blocked, but free on map files in cells
+  WEND_POLICY_BLOCKED = 1,  // an obstacle
+  WEND_POLICY_FREE = 2      // free
+};
+
+/// What is free for the robot of a session.
+typedef struct wend_session_options {
+  size_t struct_size;  // sizeof(wend_session_options)
+  int32_t unknown;     // a value of wend_policy, for unknown cells
+  int32_t outside;     // a value of wend_policy: may the robot's shape hang over the map's edge?
+} wend_session_options;
+
+/// Sets the defaults. `struct_size` is sizeof(wend_session_options).
+WEND_C_API wend_status wend_session_options_init(wend_session_options* options, size_t struct_size);
+
+/// Makes a session. `robot` may be null: a point. `options` may be null. O(1); the first call that needs
+/// distances to obstacles computes them, in O(cells).
+WEND_C_API wend_status wend_session_create(const wend_map* map, const wend_robot* robot,
+                                           const wend_session_options* options,
+                                           wend_session** session, wend_error* error);
+
+/// Replaces the map. Calls that have begun end on the old one.
+WEND_C_API wend_status wend_session_set_map(wend_session* session, const wend_map* map,
+                                            wend_error* error);
+
+/// Replaces the robot; null: a point. Calls that have begun end with the old one.
+WEND_C_API wend_status wend_session_set_robot(wend_session* session, const wend_robot* robot,
+                                              wend_error* error);
+
+/// Writes 1 to `fits` if the robot may stand at the pose, else 0. Exact up to rounding.
+WEND_C_API wend_status wend_session_fits(wend_session* session, const wend_pose* pose,
+                                         int32_t* fits, wend_error* error);
+
+/// Writes the nearest pose with the same heading at which the robot fits to `nearest`; `pose` itself if it
+/// does. Fails with WEND_UNSUPPORTED_QUERY if there is none.
+WEND_C_API wend_status wend_session_nearest(wend_session* session, const wend_pose* pose,
+                                            wend_pose* nearest, wend_error* error);
+
+/// Frees a session. Its plans and fields stay.
+WEND_C_API void wend_session_free(wend_session* session);
+
+/// A query: from where to where, and how.
+typedef struct wend_request {
+  size_t struct_size;      // sizeof(wend_request)
+  wend_pose start;         // planners on cells ignore the heading
+  const wend_pose* goals;  // the cheapest is found; a heading of NaN: any
+  size_t goal_count;       // 1 to 1,000,000
+  const char* planner;     // a planner and its options: "astar:weight=1.5"; default "astar"
+  uint64_t expansions;     // the most states to expand; default UINT64_MAX
+  double seconds;          // of the search, >= 0; default infinity
+  double spacing;      // metres, of the poses along the path; default 0: where the planner has them
+  int32_t straighten;  // 1: joins cells by lines along which the robot fits; default 0
+  int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1
+} wend_request;
+
+/// Sets the defaults. `struct_size` is sizeof(wend_request). Start and goals have none.
+WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_size);
+
+/// A path and its cost.
+typedef struct wend_plan wend_plan;
+
+/// Plans. If there is no path, the status says what happened, the message where, why and what would help.
+WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
+                                         wend_plan** plan, wend_error* error);
+
+/// The number of poses, at least 1; 0 for null.
+WEND_C_API size_t wend_plan_pose_count(const wend_plan* plan);
+/// The poses from start to goal. Valid until the plan is freed; null for null. A pose on cells heads for the
+/// next one.
+WEND_C_API const wend_pose* wend_plan_poses(const wend_plan* plan);
+/// The cost of the path as the planner found it, before it was straightened: cells, times terrain. NaN for null.
+WEND_C_API double wend_plan_cost(const wend_plan* plan);
+/// The cost is at most this many times the cheapest one: 1 for an optimal path, infinity without a guarantee.
+/// NaN for null.
+WEND_C_API double wend_plan_bound(const wend_plan* plan);
+/// The length of the path in metres; NaN for null.
+WEND_C_API double wend_plan_length(const wend_plan* plan);
+/// The states that the search expanded; 0 for null.
+WEND_C_API uint64_t wend_plan_expanded(const wend_plan* plan);
+/// The states that the search reached; 0 for null.
+WEND_C_API uint64_t wend_plan_generated(const wend_plan* plan);
+
+/// Frees a plan.
+WEND_C_API void wend_plan_free(wend_plan* plan);
+
+/// The cost from every cell to the nearest goal.
+typedef struct wend_field wend_field;
+
+/// Computes the field of the request's goals, for the moves of its planner, which steps from cell to cell.
+/// Start, spacing, straighten and explain are ignored. O(cells log cells); the field of the same goals on the
+/// same map is kept.
+WEND_C_API wend_status wend_session_field(wend_session* session, const wend_request* request,
+                                          wend_field** field, wend_error* error);
+
+/// The number of columns; 0 for null.
+WEND_C_API int32_t wend_field_width(const wend_field* field);
+/// The number of rows; 0 for null.
+WEND_C_API int32_t wend_field_height(const wend_field* field);
+/// The costs row by row, in cells times terrain; infinity where no path leads to a goal. Valid until the field
+/// is freed; null for null.
+WEND_C_API const double* wend_field_costs(const wend_field* field);
+/// The cost of the cell under a point in metres; infinity outside the map, NaN for null.
+WEND_C_API double wend_field_cost_at(const wend_field* field, double x, double y);
+/// The states that the search for the field expanded; 0 if the field was kept, and for null.
+WEND_C_API uint64_t wend_field_expanded(const wend_field* field);
+
+/// The cheapest path from a pose to a goal, without a search. The heading is ignored. Fails with
+/// WEND_START_OUTSIDE, WEND_START_BLOCKED or WEND_UNREACHABLE. O(length).
+WEND_C_API wend_status wend_field_plan(const wend_field* field, const wend_pose* start,
+                                       wend_plan** plan, wend_error* error);
+
+/// Frees a field.
+WEND_C_API void wend_field_free(wend_field* field);
+
+#ifdef __cplusplus
+}
+#endif
