@@ -27,7 +27,7 @@ std::string stepped_fault(Planner& planner, const PlannerInfo& info, const Query
   const std::uint64_t most = 4 * answer.plan.metrics.expanded + kSlack;
   Answer stepped;
   auto outcome = planner.begin(query, stepped.plan);
-  if (!info.can_step) {
+  if (!info.capabilities.can_step) {
     return outcome && *outcome != Status::found ? "" : "it cannot be stepped, but began a search";
   }
   for (std::uint64_t steps = 0; !outcome; ++steps) {

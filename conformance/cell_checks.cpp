@@ -29,7 +29,7 @@ void hold_to_its_path(Examination& examination, const Plan& plan, const Referenc
     examination.violate("a path to a goal",
                         fmt::format("one to ({},{})", cells.back().x, cells.back().y));
   }
-  const std::string fault = info.any_angle
+  const std::string fault = info.capabilities.any_angle
                                 ? reference.any_angle_fault(cells, query.start, cells.back())
                                 : reference.fault(cells, query.start, cells.back());
   if (!fault.empty()) examination.violate("a legal path", fault);
@@ -39,7 +39,8 @@ void hold_to_its_path(Examination& examination, const Plan& plan, const Referenc
                         fmt::format("cost {}", plan.cost));
   }
   const SearchMetrics& metrics = plan.metrics;
-  if (metrics.generated < metrics.expanded || (!info.jumps && metrics.expanded < cells.size())) {
+  if (metrics.generated < metrics.expanded ||
+      (!info.capabilities.jumps && metrics.expanded < cells.size())) {
     examination.violate(
         fmt::format("every of {} cells expanded, and generated before", cells.size()),
         fmt::format("{} generated, {} expanded", metrics.generated, metrics.expanded));
@@ -51,7 +52,7 @@ void hold_to_its_guarantee(Examination& examination, const Plan& plan, const Tru
   const PlannerInfo& info = examination.info();
   const auto cost_came = fmt::format("cost {}, bound {}", plan.cost, plan.bound);
   // Lines may be shorter than steps; that they are free has been checked.
-  if (!info.any_angle && !(plan.cost >= truth.cost * (1 - kRelative))) {
+  if (!info.capabilities.any_angle && !(plan.cost >= truth.cost * (1 - kRelative))) {
     examination.violate(fmt::format("a cost of at least {}", truth.cost), cost_came);
   }
   if (!(plan.bound >= 1)) examination.violate("a bound of at least 1", cost_came);
@@ -128,10 +129,10 @@ void conclude_answers(Examination& examination) {
   const PlannerInfo& info = examination.info();
   // Options can make a walk short, or motions longer than the maps.
   const bool may_find_few = examination.fixed_options() &&
-                            (info.guarantee == Guarantee::none || has_heading(info.state_kind));
+                            (info.guarantee == Guarantee::none || info.capabilities.headings);
   if (report.maps < kFewMaps || may_find_few) return;
   // Most random queries of a car have no answer: a yard is small.
-  const std::uint64_t enough = has_heading(info.state_kind) ? report.maps / 4 : report.maps / 2;
+  const std::uint64_t enough = info.capabilities.headings ? report.maps / 4 : report.maps / 2;
   if (report.found > enough) return;
   examination.violate(fmt::format("more than {} paths on {} maps", enough, report.maps),
                       fmt::format("{}: too few to say anything", report.found));

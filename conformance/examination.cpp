@@ -17,7 +17,7 @@ Examination::Examination(const PlannerInfo& info, std::optional<OptionValues> fi
     : info_(info), fixed_(std::move(fixed)) {}
 
 Trial Examination::random_trial(std::uint64_t seed) const {
-  if (!has_heading(info_.state_kind)) {
+  if (!info_.capabilities.headings) {
     Trial trial = test::random_trial(seed, info_);
     if (fixed_) trial.options = *fixed_;
     return trial;
@@ -32,8 +32,8 @@ std::unique_ptr<Planner> Examination::planner_for(const Trial& trial) {
   const FreeSpace space = *make_free_space(trial.map, trial.robot);
   auto made = info_.make(space, trial.options);
   if (made) return *std::move(made);
-  const bool refuses_terrain = !space.uniform_terrain() && !info_.plans_on_terrain;
-  const bool refuses_lattice = has_heading(info_.state_kind);
+  const bool refuses_terrain = !space.uniform_terrain() && !info_.capabilities.terrain;
+  const bool refuses_lattice = info_.capabilities.headings;
   if (made.error().status != Status::unsupported_map || !(refuses_terrain || refuses_lattice)) {
     violate("a planner for this map", made.error().message);
   }

@@ -22,7 +22,7 @@ void examine_reused(Examination& examination, std::uint64_t seed) {
   const PlannerInfo& info = examination.info();
   Trial trial = examination.random_trial(seed);
   trial.robot = {};
-  if (!has_heading(info.state_kind)) {
+  if (!info.capabilities.headings) {
     trial.map = random_map(random, 20, 15);
     if (!examination.fixed_options()) trial.options = random_options(random, info.options);
   }

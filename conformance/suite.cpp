@@ -10,15 +10,15 @@ namespace {
 std::string always(const PlannerInfo& /*info*/) { return {}; }
 
 std::string on_cells(const PlannerInfo& info) {
-  return has_heading(info.state_kind) ? "for planners on cells" : "";
+  return info.capabilities.headings ? "for planners on cells" : "";
 }
 
 std::string with_headings(const PlannerInfo& info) {
-  return has_heading(info.state_kind) ? "" : "for planners with headings";
+  return info.capabilities.headings ? "" : "for planners with headings";
 }
 
 std::string plans_only_on_flat_maps(const PlannerInfo& info) {
-  return info.plans_on_terrain ? "it plans on terrain" : "";
+  return info.capabilities.terrain ? "it plans on terrain" : "";
 }
 
 std::vector<ConformanceCheck> make_checks() {

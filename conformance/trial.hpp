@@ -53,7 +53,7 @@ inline Trial random_pose_trial(std::uint64_t seed, const PlannerInfo& info) {
   });
   const double resolution = map.frame().resolution;
   FreeSpaceOptions robot = random_car(random, resolution, 1);
-  if (info.state_kind == StateKind::cell_pose && random.chance(0.3)) {
+  if (info.capabilities.primitives && random.chance(0.3)) {
     robot.footprint = random_box(random, resolution);
   }
   return {std::move(map), robot, std::move(options)};
@@ -199,7 +199,7 @@ inline Query random_pose_query(Random& random, const GridMap& map) {
 
 /// A query for what the planner plans for.
 inline Query random_query(Random& random, const GridMap& map, const PlannerInfo& info) {
-  if (has_heading(info.state_kind)) return random_pose_query(random, map);
+  if (info.capabilities.headings) return random_pose_query(random, map);
   return random_test_query(random, map).query();
 }
 

@@ -149,7 +149,7 @@ TEST_P(Allocation, OfAWarmQueryIsNone) {
 }
 
 TEST_P(Allocation, OfAWarmQueryInStepsIsNone) {
-  if (!info().can_step) GTEST_SKIP() << "it cannot be stepped";
+  if (!info().capabilities.can_step) GTEST_SKIP() << "it cannot be stepped";
   const FreeSpace space =
       *make_free_space(*make_grid_map(Grid<CellState>(64, 64, CellState::free)));
   const auto planner = make(space);
@@ -185,7 +185,7 @@ TEST_P(Allocation, OfAPlannerIsAtMost20BytesACellOr24APose) {
     const auto planner = make(space);
     if (planner == nullptr) continue;
     const std::size_t most =
-        (info().state_kind == StateKind::corner_pose ? 24 : 20) * planner->state_count();
+        (info().capabilities.vertices == Vertices::corners ? 24 : 20) * planner->state_count();
     EXPECT_LE(bytes_in_use() - before, most) << "when it is made";
     EXPECT_EQ(planner->plan(query, plan), Status::found);
     EXPECT_LE(bytes_in_use() - before, most) << "after a query";

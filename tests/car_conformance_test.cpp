@@ -234,8 +234,7 @@ TEST_P(CarConformance, SteppingAndWatchingChangeNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, CarConformance,
-                         ::testing::ValuesIn(planner_names(StateKind::corner_pose)),
+INSTANTIATE_TEST_SUITE_P(Registry, CarConformance, ::testing::ValuesIn(planner_names("car")),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

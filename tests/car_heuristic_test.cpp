@@ -149,8 +149,7 @@ TEST_P(CarHeuristics, ThatDoNotAreExactForSomePosesOnly) {
   on_empty_yards("zero", GetParam(), [](double h, double) { EXPECT_EQ(h, 0); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, CarHeuristics,
-                         ::testing::ValuesIn(planner_names(StateKind::corner_pose)),
+INSTANTIATE_TEST_SUITE_P(Registry, CarHeuristics, ::testing::ValuesIn(planner_names("car")),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -194,8 +194,7 @@ TEST_P(CarSymmetry, ADriveReversedInTimeIsADriveOfTheSameCost) {
   EXPECT_GT(driven, kSymmetryYards / 20) << "too few drives to say anything";
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, CarSymmetry,
-                         ::testing::ValuesIn(planner_names(StateKind::corner_pose)),
+INSTANTIATE_TEST_SUITE_P(Registry, CarSymmetry, ::testing::ValuesIn(planner_names("car")),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(CompareCommand, RunsAllPlannersOnTheSameQuery) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
   // The map has terrain: who refuses it is left out, and so is who needs an index.
-  for (const std::string& name : planner_names(StateKind::cell)) {
+  for (const std::string& name : planner_names("cells")) {
     const bool taken = terrain_in_words(*planners().find(name)) != "refused";
     EXPECT_EQ(outcome.out.find(name) != std::string::npos, taken) << name;
   }

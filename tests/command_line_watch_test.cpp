@@ -244,10 +244,10 @@ TEST_F(Watching, ShowsTheHeadingsOfACarsOpenList) {
 
 TEST_F(Watching, StepsThroughEveryPlanner) {
   for (const PlannerInfo& info : planners()) {
-    if (info.state_kind != StateKind::cell) continue;
+    if (info.capabilities.headings) continue;
     const Outcome outcome = step("nnq", "--planner " + info.name);
-    EXPECT_EQ(outcome.code, info.can_step ? 1 : 2) << info.name << ": " << outcome.err;
-    EXPECT_EQ(times_in(outcome.out, "expansion 3:"), info.can_step ? 1U : 0U);
+    EXPECT_EQ(outcome.code, info.capabilities.can_step ? 1 : 2) << info.name << ": " << outcome.err;
+    EXPECT_EQ(times_in(outcome.out, "expansion 3:"), info.capabilities.can_step ? 1U : 0U);
   }
 }
 

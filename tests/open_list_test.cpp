@@ -54,7 +54,7 @@ void expect_ties_say_what_decides(const OpenList& list, const PlannerInfo& info)
   for (std::size_t i = 1; i < list.entries.size(); ++i) {
     const SearchEvent& before = list.entries[i - 1].state;
     const OpenEntry& entry = list.entries[i];
-    if (entry.tie == OpenTie::none || info.jumps) continue;
+    if (entry.tie == OpenTie::none || info.capabilities.jumps) continue;
     EXPECT_NEAR(entry.state.f, before.f, 1e-6);
     if (entry.tie == OpenTie::g) {
       EXPECT_GT(before.g + 1e-9, entry.state.g);
@@ -114,14 +114,14 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
       }
       EXPECT_EQ(watcher.expanded()->cell, list.entries.front().state.cell) << "after " << steps;
       // Lazy Theta* chooses the parent of a cell, and so its g, when it expands the cell.
-      if (!info().any_angle) {
+      if (!info().capabilities.any_angle) {
         EXPECT_EQ(state_of(*watcher.expanded()), state_of(list.entries.front().state))
             << "after " << steps << " expansions";
       }
       EXPECT_EQ(state_of(next.entries.front().state), state_of(list.entries.front().state));
       if (info().guarantee != Guarantee::none && !outcome) {
         expect_same_order(states_of(list), states_of(planner.open_list(kAll)),
-                          watcher.take_reached(), info().jumps);
+                          watcher.take_reached(), info().capabilities.jumps);
       }
       ++steps;
       if (HasFailure()) break;
@@ -133,7 +133,7 @@ class OpenListOf : public ::testing::TestWithParam<std::string> {
 TEST_P(OpenListOf, NamesWhatIsExpandedNextInOrder) {
   int steps = 0;
   for (std::uint64_t seed = 1; seed <= test::share_of(kTrials) && !HasFailure(); ++seed) {
-    const bool car = info().state_kind == StateKind::corner_pose;
+    const bool car = info().capabilities.vertices == Vertices::corners;
     const Trial trial = car ? random_car_trial(seed, info()) : random_trial(seed, info());
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner = info().make(*make_free_space(trial.map, trial.robot), trial.options);
@@ -166,7 +166,7 @@ TEST_P(OpenListOf, IsTheStartBeforeTheFirstStep) {
 std::vector<std::string> steppable_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.can_step) names.push_back(info.name);
+    if (info.capabilities.can_step) names.push_back(info.name);
   }
   return names;
 }

@@ -103,7 +103,8 @@ TEST_P(OptimalPlanners, AreOptimalWhereWordsEnd) {
 std::vector<std::string> optimal_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.state_kind == StateKind::cell && info.jumps && info.guarantee == Guarantee::optimal) {
+    if (!info.capabilities.headings && info.capabilities.jumps &&
+        info.guarantee == Guarantee::optimal) {
       names.push_back(info.name);
     }
   }

@@ -215,7 +215,7 @@ TEST_F(PlannerPage, MeasuresEveryPlanner) {
       const Table table = table_below(heading, page);
       EXPECT_EQ(table.rows.front().at(1), "astar");
       for (const PlannerInfo& planner : planners()) {
-        const bool measured = planner.state_kind == StateKind::cell && !planner.any_angle &&
+        const bool measured = !planner.capabilities.headings && !planner.capabilities.any_angle &&
                               !planner.index_support && planner.guarantee != Guarantee::none;
         EXPECT_EQ(table.has_column(planner.name), measured) << heading << planner.name;
       }

@@ -14,6 +14,7 @@
 #include "wend/planner/planners.hpp"
 #include "wend/report/posthoc_test_support.hpp"
 #include "wend/report/posthoc_trace.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 namespace wend {
 namespace {

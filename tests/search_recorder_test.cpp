@@ -144,12 +144,13 @@ void expect_true_costs(const SearchLayers& layers, const Planner& planner, const
   for_all_cells(space, [&](Cell cell) {
     if (std::isnan(layers.g[cell])) return;
     EXPECT_NEAR(layers.h[cell], planner.heuristic(cell), kRounding);
-    const bool by_steps = !info.jumps && !info.any_angle;
+    const bool by_steps = !info.capabilities.jumps && !info.capabilities.any_angle;
     if (!layers.parent[cell] || info.guarantee == Guarantee::none || !by_steps) return;
     const Cell parent = step(cell, *layers.parent[cell]);
     EXPECT_TRUE(reference.is_step(parent, cell));
-    const double cost = info.plans_on_terrain ? reference.step_cost(parent, cell)
-                                              : std::hypot(parent.x - cell.x, parent.y - cell.y);
+    const double cost = info.capabilities.terrain
+                            ? reference.step_cost(parent, cell)
+                            : std::hypot(parent.x - cell.x, parent.y - cell.y);
     EXPECT_NEAR(layers.g[cell], layers.g[parent] + cost, kRounding * (1 + layers.g[cell]));
   });
 }
@@ -213,7 +214,7 @@ TEST_P(SearchRecorderOf, ForgetsTheLastSearchWhenCleared) {
 std::vector<std::string> searching_planners() {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.state_kind == StateKind::cell && !info.index_support) names.push_back(info.name);
+    if (!info.capabilities.headings && !info.index_support) names.push_back(info.name);
   }
   return names;
 }

@@ -25,7 +25,6 @@
 #include "wend/geometry/arc.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/geometry/box.hpp"
-#include "wend/geometry/car_move.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/geometry/line.hpp"
@@ -35,6 +34,7 @@
 #include "wend/io/primitives/load_primitives.hpp"
 #include "wend/io/text.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/car_primitives.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/free_space.hpp"
@@ -96,6 +96,10 @@ TEST(Snippets, OfDirectionHeadingCarMoveAndCompass) {
   const std::string_view north = wend::letter_of(wend::Heading::plus_y, frame);
   EXPECT_EQ(up, "up");
   EXPECT_EQ(north, "N");
+
+  const wend::CornerPose place{{1, 0}, wend::Heading::plus_x};
+  const wend::Pose pose = wend::pose_of(place);  // x 1, y 0, heading 0
+  EXPECT_EQ(pose, (wend::Pose{1, 0, 0}));
 
   const wend::CornerPose from{{1, 0}, wend::Heading::plus_x};
   const wend::CornerPose to = wend::moved(from, wend::CarMove::fwd_plus);  // (2,1) facing +y

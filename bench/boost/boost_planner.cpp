@@ -95,9 +95,7 @@ PlannerInfo boost_astar_planner() {
           .memory = "some 100 bytes a cell",
           .when = "To compare with.",
           .guarantee = Guarantee::optimal,
-          .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
-          .can_step = false,
           .options = {},
           .make = make_boost};
 }

@@ -97,7 +97,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const wend::PlannerSpec& spec : *planners) {
-    if (wend::planners().find(spec.name)->state_kind == wend::StateKind::corner_pose) continue;
+    if (wend::planners().find(spec.name)->capabilities.vertices == wend::Vertices::corners)
+      continue;
     fmt::print(stderr, "--planner: {} drives no car\n", spec.name);
     return 2;
   }

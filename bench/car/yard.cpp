@@ -4,7 +4,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend::bench {

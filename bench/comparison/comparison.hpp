@@ -51,7 +51,8 @@ struct ComparedQuery {
 struct Comparison {
   Frame frame;
   std::vector<ComparedQuery> queries;
-  StateKind state_kind = StateKind::cell;  // of all planners
+  Capabilities capabilities{};     // of the first planner; all have the same states
+  std::string cost_name = "cost";  // what its cost is called
 };
 
 /// For people. For one query: a line for each planner about its path, then one about its search, then

@@ -32,7 +32,7 @@ Json row_json(const Comparison& comparison, const ComparedQuery& query, std::siz
 
 /// [x, y] of a cell; for a car, with the heading.
 Json json_of_end(const Comparison& comparison, const Goal& end) {
-  if (comparison.state_kind == StateKind::cell) return json_of(cell_at(end.point));
+  if (!comparison.capabilities.headings) return json_of(cell_at(end.point));
   Json json = json_of(end.point);
   json.push_back(end.heading ? json_of_heading(*end.heading, comparison.frame) : Json("any"));
   return json;
@@ -101,9 +101,9 @@ std::string comparison_json(const Comparison& comparison) {
 }
 
 std::string comparison_csv(const Comparison& comparison) {
-  const bool cars = has_heading(comparison.state_kind);
-  std::string csv = cars ? "start_x,start_y,start_heading,goal_x,goal_y,goal_heading"
-                         : "start_x,start_y,goal_x,goal_y";
+  const bool headings = comparison.capabilities.headings;
+  std::string csv = headings ? "start_x,start_y,start_heading,goal_x,goal_y,goal_heading"
+                             : "start_x,start_y,goal_x,goal_y";
   csv += ",planner,status";
   for (const Measure& measure : measures_of(comparison)) {
     if (measure.key != kRatio) csv.append(",").append(measure.key);

@@ -169,7 +169,7 @@ double Measure::of(const Comparison& comparison, const ComparedQuery& query,
 std::vector<std::reference_wrapper<const Measure>> measures_of(const Comparison& comparison) {
   std::vector<std::reference_wrapper<const Measure>> measures;
   for (const Measure& measure : kMeasures) {
-    if (!measure.of_cars || has_heading(comparison.state_kind)) measures.emplace_back(measure);
+    if (!measure.of_cars || comparison.capabilities.headings) measures.emplace_back(measure);
   }
   return measures;
 }

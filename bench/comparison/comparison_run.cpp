@@ -19,16 +19,16 @@ double without_rounding(double degrees) {
   return std::round(degrees * kDigits) / kDigits;
 }
 
-/// The motion of the planners; nothing if they differ.
-std::optional<StateKind> state_kind_of(std::span<const PlannerSpec> specs) {
-  std::optional<StateKind> kind;
+/// Could all planners answer the same queries?
+bool have_same_states(std::span<const PlannerSpec> specs) {
+  const PlannerInfo* first = nullptr;
   for (const PlannerSpec& spec : specs) {
     const PlannerInfo* const info = planners().find(spec.name);
     if (info == nullptr) continue;
-    if (kind && *kind != info->state_kind) return std::nullopt;
-    kind = info->state_kind;
+    if (first == nullptr) first = info;
+    if (!same_states(first->capabilities, info->capabilities)) return false;
   }
-  return kind.value_or(StateKind::cell);
+  return true;
 }
 
 }  // namespace
@@ -37,13 +37,15 @@ Expected<ComparisonRun, Error> ComparisonRun::make(const FreeSpace& space,
                                                    std::vector<PlannerSpec> specs,
                                                    const Clock& clock, const RepetitionRule& rule) {
   ComparisonRun run(space);
-  const auto kind = state_kind_of(specs);
-  if (!kind) {
+  if (!have_same_states(specs)) {
     return failure(Status::invalid_option,
                    "planners of different states, of cells or of poses, cannot be compared");
   }
   run.comparison_.frame = space.map().frame();
-  run.comparison_.state_kind = *kind;
+  if (const auto* info = specs.empty() ? nullptr : wend::planners().find(specs.front().name)) {
+    run.comparison_.capabilities = info->capabilities;
+    run.comparison_.cost_name = info->cost_name;
+  }
   for (PlannerSpec& spec : specs) {
     const TimedPlanner& planner = run.planners_.emplace_back(space, spec, clock, rule);
     if (planner.error() && planner.error()->status == Status::invalid_option) {
@@ -84,8 +86,7 @@ ComparisonRow ComparisonRun::answer_of(std::size_t planner, const Query& query) 
   row.generated = plan_.metrics.generated;
   row.max_frontier = plan_.metrics.max_frontier;
   if (!row.found()) {
-    if (has_heading(comparison_.state_kind))
-      row.reason = timed.planner()->reason(query, row.status);
+    if (comparison_.capabilities.headings) row.reason = timed.planner()->reason(query, row.status);
     return row;
   }
   const PathMetrics metrics = measure(plan_.path, space_);

@@ -84,9 +84,9 @@ bool has_wanted_unit(const Measure& measure, bool metric) {
 }
 
 /// For one query: the measures of paths, or of searches, as far as there is room.
-bool is_shown_of_one(const Measure& measure, bool of_path, StateKind state_kind) {
+bool is_shown_of_one(const Measure& measure, bool of_path, bool headings) {
   if (measure.key == "cost_ratio" || measure.title == "turning radius") return false;
-  if (measure.title == "mean clearance" && has_heading(state_kind)) return false;
+  if (measure.title == "mean clearance" && headings) return false;
   return measure.of_path == of_path;
 }
 
@@ -94,7 +94,7 @@ std::vector<Column> columns_of_one(const Comparison& comparison, bool of_path) {
   std::vector<Column> columns;
   for (const Measure& measure : measures_of(comparison)) {
     if (!has_wanted_unit(measure, comparison.frame.metric)) continue;
-    if (!is_shown_of_one(measure, of_path, comparison.state_kind)) continue;
+    if (!is_shown_of_one(measure, of_path, comparison.capabilities.headings)) continue;
     columns.push_back(column_of(comparison, comparison.queries.front(), measure));
   }
   return columns;

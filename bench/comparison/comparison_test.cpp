@@ -104,7 +104,7 @@ run of a planner just made. later queries: the quickest of runs that fill 5 ms.
 
 TEST(ComparisonTable, OfOneQueryFitsIntoEightyColumns) {
   Comparison comparison = of_one({kAStar, kGreedy, kLost}, kMetric);
-  comparison.state_kind = StateKind::corner_pose;
+  comparison.capabilities.headings = true;
   comparison.queries[0].rows[0].planner = "car:weight=2";
   comparison.queries[0].rows[0].cost = 12345.67;
   std::istringstream lines(comparison_table(comparison));
@@ -120,7 +120,7 @@ TEST(ComparisonTable, MarksNothingThatNobodyIsBestIn) {
 
 TEST(ComparisonTable, HasStepsAndReversalsOfACar) {
   Comparison comparison = of_one({kAStar, kLost});
-  comparison.state_kind = StateKind::corner_pose;
+  comparison.capabilities.headings = true;
   comparison.queries[0].rows[0].steps = 12;
   comparison.queries[0].rows[0].reversals = 3;
   EXPECT_THAT(comparison_table(comparison), HasSubstr(" 1/cells  steps  reversals"));
@@ -258,7 +258,7 @@ TEST(ComparisonJson, HasEveryRow) {
 Comparison of_a_car(std::vector<ComparisonRow> rows) {
   rows.front().steps = 12;
   rows.front().reversals = 3;
-  Comparison comparison{kMetric, {}, StateKind::corner_pose};
+  Comparison comparison{kMetric, {}, {.headings = true}};
   comparison.queries.push_back({{1, 2, 0}, {Pose{3.5, 4, -kPi / 2}}, rows});
   comparison.queries.push_back({{1, 2, 0.25}, {Goal(Point{3, 4})}, rows});
   return comparison;

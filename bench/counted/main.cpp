@@ -36,7 +36,7 @@ std::vector<std::string> counted_planners() {
   for (const PlannerInfo& info : planners()) {
     const bool optimal =
         info.guarantee == Guarantee::optimal || info.guarantee == Guarantee::bounded;
-    if (info.state_kind == StateKind::cell && optimal) names.push_back(info.name);
+    if (!info.capabilities.headings && optimal) names.push_back(info.name);
   }
   return names;
 }

@@ -253,7 +253,7 @@ std::vector<std::string> optimal_planners() {
   for (const PlannerInfo& info : planners()) {
     const bool optimal =
         info.guarantee == Guarantee::optimal || info.guarantee == Guarantee::bounded;
-    if (info.state_kind == StateKind::cell && optimal) names.push_back(info.name);
+    if (!info.capabilities.headings && optimal) names.push_back(info.name);
   }
   names.emplace_back(kBoost);
   return names;

@@ -45,7 +45,8 @@ PlannerSpec parse_planner(const std::string& text) {
 
 const PlannerInfo& info_of(const PlannerSpec& planner) { return *planners().find(planner.name); }
 
-int unit_of(const PlannerSpec& planner, const Frame& frame) {
+int corner_unit_of(const PlannerSpec& planner, const Frame& frame) {
+  if (info_of(planner).capabilities.vertices != Vertices::corners) return 0;
   std::int64_t unit = 1;
   for (const auto& [name, value] : planner.options) {
     if (name == "lattice_resolution" || name == "unit") {

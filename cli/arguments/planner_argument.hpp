@@ -32,8 +32,9 @@ PlannerSpec parse_planner(const std::string& text);
 
 const PlannerInfo& info_of(const PlannerSpec& planner);
 
-/// Spacing of the car's lattice in map cells, from the planner's options; 1 if they do not set it.
-int unit_of(const PlannerSpec& planner, const Frame& frame);
+/// Spacing of lattice vertices at corners in map cells, from the planner's options; 0 for planners with
+/// other vertices.
+int corner_unit_of(const PlannerSpec& planner, const Frame& frame);
 
 /// Has a planner or smoother an option of that name?
 bool has_option(const std::vector<OptionInfo>& options, std::string_view name);

@@ -56,25 +56,26 @@ Car planners are compared with car planners only. The picture has a panel for
 each planner with the cells that it expanded. Plots need gnuplot. Exit codes: 0
 a path was found, 1 no path was found, 2 bad usage or input.)";
 
-/// All planners that fit the typed start (cars have a heading), need no index and accept the map.
+/// All planners that fit the typed start, which may have a heading, and the robot, need no index and accept
+/// the map.
 std::vector<PlannerSpec> all_planners(const std::string& start, const FreeSpace& space) {
   std::vector<PlannerSpec> specs;
-  StateKind state_kind = has_heading(start) ? StateKind::corner_pose : StateKind::cell;
-  if (space.robot().primitives) state_kind = StateKind::cell_pose;
-  for (const std::string& name : planner_names(state_kind)) {
-    const PlannerInfo& info = *planners().find(name);
-    if (info.index_support) continue;
+  const bool primitives = space.robot().primitives.has_value();
+  const bool headings = primitives || has_heading(start);
+  for (const PlannerInfo& info : planners()) {
+    const Capabilities& can = info.capabilities;
+    if (can.headings != headings || can.primitives != primitives || info.index_support) continue;
     if (!space.uniform_terrain() && terrain_in_words(info) == "refused") continue;
-    specs.push_back({name, {}, name});
+    specs.push_back({info.name, {}, info.name});
   }
   return specs;
 }
 
-/// The spacing of the lattice vertices that all car planners share.
+/// The spacing of the lattice vertices that all planners share, in cells.
 int common_unit(const std::vector<PlannerSpec>& planners, const Frame& frame) {
   std::int64_t unit = 1;
   for (const PlannerSpec& planner : planners) {
-    unit = std::lcm(unit, unit_of(planner, frame));
+    unit = std::lcm(unit, std::max(corner_unit_of(planner, frame), 1));
     unit = std::min<std::int64_t>(unit, std::numeric_limits<int>::max());  // no map is so large
   }
   return static_cast<int>(unit);
@@ -113,7 +114,7 @@ std::unique_ptr<TypedQuery> query_for(const PlannerSpec& planner, const CompareA
 
 std::vector<Query> random_queries(const ComparisonRun& run, const CompareArguments& arguments,
                                   const FreeSpace& space) {
-  if (has_heading(run.comparison().state_kind)) {
+  if (run.comparison().capabilities.headings) {
     auto drives = random_drives(space, common_unit(run.planners(), space.map().frame()),
                                 arguments.random, arguments.seed);
     if (drives.empty())
@@ -169,12 +170,12 @@ void give_reasons(ComparisonRun& run, const CompareArguments& arguments, const F
   }
 }
 
-std::string caption_of(const ComparisonRow& row, StateKind state_kind) {
+std::string caption_of(const ComparisonRow& row, const std::string& cost_name) {
   if (!row.found()) return fmt::format("{}, {} expanded", describe(row.status), row.expanded);
   return fmt::format("{} {:.6g}, {} expanded\nfirst query {}, later {}\nprepared in {} ({})",
-                     state_kind == StateKind::corner_pose ? "fuel" : "cost", row.cost, row.expanded,
-                     time_text(row.times.first), time_text(row.times.later),
-                     time_text(row.times.preparation), thread_time_name());
+                     cost_name, row.cost, row.expanded, time_text(row.times.first),
+                     time_text(row.times.later), time_text(row.times.preparation),
+                     thread_time_name());
 }
 
 /// A panel for each planner: what it expanded for the first query, and its path.
@@ -189,7 +190,7 @@ std::vector<Panel> panels_of(const ComparisonRun& run, const CompareArguments& a
     scene.marked = {{CellRole::expanded, snapshot.expanded},
                     {CellRole::frontier, snapshot.frontier}};
     panels.push_back({query.rows[i].planner, std::move(scene),
-                      caption_of(query.rows[i], run.comparison().state_kind)});
+                      caption_of(query.rows[i], run.comparison().cost_name)});
   }
   return panels;
 }

@@ -63,7 +63,7 @@ void check_constant(const PlannerSpec& planner) {
 /// Throws InputError where the file of --primitives is not used.
 void check_primitives(const PlanArguments& arguments, const PlannerSpec& planner) {
   if (arguments.map.primitives.empty()) return;
-  if (info_of(planner).state_kind == StateKind::cell_pose) return;
+  if (info_of(planner).capabilities.primitives) return;
   throw InputError(
       fmt::format("--primitives changes nothing for the planner {}: use "
                   "--planner lattice",

@@ -128,7 +128,7 @@ std::string text_of(const PlannerSpec& planner, const std::vector<QueryAnswer>& 
     case TableFormat::text:
       return query_answers_text(answers, frame);
     case TableFormat::json:
-      return query_answers_json(planner.name, answers, frame, info_of(planner).state_kind);
+      return query_answers_json(planner.name, answers, frame, info_of(planner).capabilities);
     case TableFormat::csv:
       break;
   }

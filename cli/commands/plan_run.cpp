@@ -47,7 +47,7 @@ PlanRun::PlanRun(const PlanArguments& arguments, Session& session, PlannerSpec p
       refinement_(arguments.refine.refinement(arguments.map.coordinates(space_.map()))) {
   result_.times = times;
   asked_->check(arguments.layers);
-  if (!arguments.refine.any() || info_of(spec_).state_kind == StateKind::cell) return;
+  if (!arguments.refine.any() || !info_of(spec_).capabilities.headings) return;
   throw InputError(
       fmt::format("--simplify, --smooth and --resample support grid planners only: the path of the "
                   "planner {} consists of arcs",
@@ -63,7 +63,8 @@ bool PlanRun::records() const {
 
 void PlanRun::plan() {
   result_.planner = spec_.name;
-  result_.state_kind = info_of(spec_).state_kind;
+  result_.capabilities = info_of(spec_).capabilities;
+  result_.cost_name = info_of(spec_).cost_name;
   result_.footprint = space_.footprint();
   auto planner = make_planner();
   if (!planner) {
@@ -147,7 +148,7 @@ bool PlanRun::steps() const { return arguments_.watch.step || arguments_.watch.o
 
 /// Only the search is timed, not the person.
 Status PlanRun::search_in_steps(const Query& query, SearchRecorder& recorder, ObserverList& told) {
-  if (!info_of(spec_).can_step) {
+  if (!info_of(spec_).capabilities.can_step) {
     throw InputError(fmt::format("--step: the planner {} does not support stepping", spec_.name));
   }
   SteppedSearch search(**planner_, query, recorder, told, result_.plan);

@@ -33,11 +33,9 @@ PoseAnchor anchor_of(int unit) { return unit > 0 ? PoseAnchor::corner : PoseAnch
 
 std::unique_ptr<TypedQuery> typed_query(const PlannerSpec& planner, const FreeSpace& space,
                                         const Coordinates& coordinates, const EndArguments& ends) {
-  const StateKind kind = info_of(planner).state_kind;
-  if (has_heading(kind)) {
-    const bool corners = kind == StateKind::corner_pose;
-    return std::make_unique<PoseQuery>(space, coordinates,
-                                       corners ? unit_of(planner, coordinates.frame()) : 0, ends);
+  if (info_of(planner).capabilities.headings) {
+    const int unit = corner_unit_of(planner, coordinates.frame());
+    return std::make_unique<PoseQuery>(space, coordinates, unit, ends);
   }
   return std::make_unique<CellQuery>(space, coordinates, ends);
 }

@@ -129,7 +129,7 @@ std::string drive_summary(const PlanResult& result, const Coordinates& coordinat
          end_line("goal", poses.back(), plan.goal_snapping_error, goals, coordinates) +
          named_line("planner", result.planner) + named_line("steps", steps_text(plan)) +
          (result.unit > 0 ? named_line("turns in", radius_text(result.unit, coordinates)) : "") +
-         named_line(result.unit > 0 ? "fuel" : "cost", fmt::format("{:.6g}", plan.cost)) +
+         named_line(result.cost_name, fmt::format("{:.6g}", plan.cost)) +
          named_line("length", length_text(plan.path.length(), frame)) +
          named_line("quality", bound_text(plan)) +
          work_lines(plan.metrics, result.times, fmt::format("of {} states", result.states));

@@ -88,8 +88,8 @@ PlannerSpec planner_spec(const std::string& text) {
 std::vector<Configuration> planners_for(const FreeSpace& space, const std::string& option) {
   std::vector<std::string> names;
   for (const PlannerInfo& planner : planners()) {
-    if (planner.state_kind == StateKind::cell && !planner.any_angle && !planner.index_support &&
-        planner.guarantee != Guarantee::none) {
+    if (!planner.capabilities.headings && !planner.capabilities.any_angle &&
+        !planner.index_support && planner.guarantee != Guarantee::none) {
       names.push_back(planner.name);
     }
   }

@@ -13,7 +13,7 @@
 #include "docs/planner_page/measurements.hpp"
 #include "wend/base/random.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/planner/planner.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/report/text_table.hpp"

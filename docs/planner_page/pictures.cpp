@@ -8,7 +8,7 @@
 
 #include "docs/planner_page/benchmark_maps.hpp"
 #include "wend/analysis/layer.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/picture/drawing.hpp"
 
@@ -25,7 +25,7 @@ constexpr int kLotHeight = 40;
 
 std::string expanded_in_words(const PlannerInfo& info, const Plan& plan,
                               const SearchRecorder& recorder) {
-  if (has_heading(info.state_kind)) return fmt::format("{} poses expanded", plan.metrics.expanded);
+  if (info.capabilities.headings) return fmt::format("{} poses expanded", plan.metrics.expanded);
   if (info.index_support) return "answered by the index, no cells expanded";
   const auto& orders = recorder.layers().expansion.values();
   const auto cells = std::ranges::count_if(orders, [](std::uint32_t order) { return order > 0; });
@@ -70,9 +70,9 @@ PictureQuery across_a_parking_lot() {
 
 Expected<Picture, Error> picture_of(const PlannerInfo& info) {
   PictureQuery asked =
-      info.state_kind == StateKind::corner_pose ? across_a_parking_lot() : between_rooms();
+      info.capabilities.vertices == Vertices::corners ? across_a_parking_lot() : between_rooms();
   OptionValues options;
-  if (info.state_kind == StateKind::cell_pose) options = {{"turning_radius", "2"}};
+  if (info.capabilities.primitives) options = {{"turning_radius", "2"}};
   const auto planner = info.make(asked.space, options);
   if (!planner) return failure(planner.error().status, info.name + ": " + planner.error().message);
   SearchRecorder recorder(asked.space, asked.unit);

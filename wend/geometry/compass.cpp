@@ -9,17 +9,11 @@ namespace {
 constexpr std::array<std::string_view, kDirections> kDirectionNames{
     "down", "down_right", "right", "up_right", "up", "up_left", "left", "down_left"};
 constexpr std::array<std::string_view, kHeadings> kLetters{"N", "W", "E", "S"};
-constexpr std::array<std::string_view, kCarMoves> kMoveNames{"FWD", "FWD_RIGHT", "FWD_LEFT",
-                                                             "REV", "REV_RIGHT", "REV_LEFT"};
 
 }  // namespace
 
 std::string_view name_of(Direction direction, const Frame& frame) {
   return kDirectionNames[static_cast<std::size_t>(on_page(direction, frame))];
-}
-
-std::string_view name_of(CarMove move, const Frame& frame) {
-  return kMoveNames[static_cast<std::size_t>(on_page(move, frame))];
 }
 
 std::string_view name_of(const Segment& segment, const Frame& frame) {
@@ -32,10 +26,10 @@ std::string_view name_of(const Segment& segment, const Frame& frame) {
   if (!turns && std::abs(segment.course) > kStraight) {
     return is_left(ahead ? segment.course : -segment.course) ? "SIDE_LEFT" : "SIDE_RIGHT";
   }
-  if (!turns) return name_of(ahead ? CarMove::fwd : CarMove::rev, frame);
-  const bool plus = (segment.turn > 0) == ahead;  // the side of the centre of the turn
-  if (ahead) return name_of(plus ? CarMove::fwd_plus : CarMove::fwd_minus, frame);
-  return name_of(plus ? CarMove::rev_plus : CarMove::rev_minus, frame);
+  if (!turns) return ahead ? "FWD" : "REV";
+  const bool centre_is_left = is_left(ahead ? segment.turn : -segment.turn);
+  if (ahead) return centre_is_left ? "FWD_LEFT" : "FWD_RIGHT";
+  return centre_is_left ? "REV_LEFT" : "REV_RIGHT";
 }
 
 std::string_view letter_of(Heading heading, const Frame& frame) {

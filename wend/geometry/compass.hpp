@@ -1,6 +1,6 @@
 #pragma once
 
-// Names of directions, headings and car moves: up and down, N and S, right and left as the map is
+// Names of directions, headings and motions: up and down, N and S, right and left as the map is
 // drawn on a page. Row 0 is the bottom row of the page if the frame has y up, else its top row.
 // Everything that people read or type goes through this file; all other code uses grid coordinates.
 //
@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "wend/base/compiler.hpp"
-#include "wend/geometry/car_move.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/geometry/segment.hpp"
@@ -27,12 +26,8 @@ constexpr Direction mirrored(Direction direction) {
 constexpr Heading mirrored(Heading heading) {
   return is_along_x(heading) ? heading : opposite(heading);
 }
-/// The same for a move: swaps its sides.
-constexpr CarMove mirrored(CarMove move) {
-  return static_cast<CarMove>(static_cast<int>(move) + side_of(move));
-}
 
-/// Converts a direction, heading or move to the page, where y grows downwards, and back.
+/// Converts a direction or heading to the page, where y grows downwards, and back.
 template <class T>
 constexpr T on_page(T in_grid, const Frame& frame) {
   return frame.y_up ? mirrored(in_grid) : in_grid;
@@ -41,11 +36,8 @@ constexpr T on_page(T in_grid, const Frame& frame) {
 /// "down", "down_right", "right", ...
 WEND_API std::string_view name_of(Direction direction, const Frame& frame);
 
-/// "FWD", "FWD_RIGHT", "FWD_LEFT", "REV", "REV_RIGHT" or "REV_LEFT".
-WEND_API std::string_view name_of(CarMove move, const Frame& frame);
-
-/// The same for a segment between two poses, or "TURN_RIGHT", "TURN_LEFT" in place, "SIDE_RIGHT" or
-/// "SIDE_LEFT" without turning.
+/// A segment between two poses: "FWD", "FWD_RIGHT", "FWD_LEFT", "REV", "REV_RIGHT" or "REV_LEFT";
+/// "TURN_RIGHT" or "TURN_LEFT" in place; "SIDE_RIGHT" or "SIDE_LEFT" without turning.
 WEND_API std::string_view name_of(const Segment& segment, const Frame& frame);
 
 /// "N", "W", "E" or "S"

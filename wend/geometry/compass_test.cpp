@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "wend/geometry/angle.hpp"
 
@@ -49,37 +50,23 @@ TEST(Compass, NorthIsUpOnAPage) {
   }
 }
 
-TEST(Compass, NamesSegmentsLikeTheMovesOfACar) {
+TEST(Compass, NamesSegments) {
   for (const Frame& frame : kBothWays) {
-    for (int i = 0; i < kCarMoves; ++i) {
-      const auto move = static_cast<CarMove>(i);
-      for (const Heading heading : kAllHeadings) {
-        const CornerPose from{{3, 4}, heading};
-        const Segment segment = segment_between(pose_of(from), pose_of(moved(from, move)));
-        EXPECT_EQ(name_of(segment, frame), name_of(move, frame));
-      }
-    }
-    const std::string_view plus = frame.y_up ? "LEFT" : "RIGHT";
-    const std::string_view minus = frame.y_up ? "RIGHT" : "LEFT";
-    EXPECT_EQ(name_of(segment_between({0, 0, 0}, {0, 0, 1}), frame), "TURN_" + std::string(plus));
-    EXPECT_EQ(name_of(segment_between({0, 0, 0}, {0, 0, -1}), frame), "TURN_" + std::string(minus));
-    EXPECT_EQ(name_of(segment_between({0, 0, 1}, {-1, 1, 1}), frame), "SIDE_" + std::string(plus));
-    EXPECT_EQ(name_of(segment_between({0, 0, 0}, {-1, -1, 0}), frame),
-              "SIDE_" + std::string(minus));
-  }
-}
-
-TEST(Compass, RightIsRightOnAPage) {
-  for (const Frame& frame : kBothWays) {
-    for (int i = 0; i < kCarMoves; ++i) {
-      const auto move = static_cast<CarMove>(i);
-      const CornerPose to = moved({{0, 0}, Heading::plus_x}, move);
-      const std::string_view name = name_of(move, frame);
-      EXPECT_EQ(name.starts_with("FWD"), to.corner.x > 0) << name;
-      EXPECT_EQ(name.starts_with("REV"), to.corner.x < 0) << name;
-      EXPECT_EQ(name.ends_with("RIGHT"), seen(to.corner, frame).y < 0) << name;
-      EXPECT_EQ(name.ends_with("LEFT"), seen(to.corner, frame).y > 0) << name;
-    }
+    const std::string plus = frame.y_up ? "LEFT" : "RIGHT";
+    const std::string minus = frame.y_up ? "RIGHT" : "LEFT";
+    const auto name = [&](const Pose& from, const Pose& to) {
+      return name_of(segment_between(from, to), frame);
+    };
+    EXPECT_EQ(name({0, 0, 0}, {0, 0, 1}), "TURN_" + plus);
+    EXPECT_EQ(name({0, 0, 0}, {0, 0, -1}), "TURN_" + minus);
+    EXPECT_EQ(name({0, 0, 1}, {-1, 1, 1}), "SIDE_" + plus);
+    EXPECT_EQ(name({0, 0, 0}, {-1, -1, 0}), "SIDE_" + minus);
+    EXPECT_EQ(name({0, 0, 0}, {2, 0, 0}), "FWD");
+    EXPECT_EQ(name({0, 0, 0}, {-2, 0, 0}), "REV");
+    EXPECT_EQ(name({0, 0, 0}, {1, 1, kPi / 2}), "FWD_" + plus);
+    EXPECT_EQ(name({0, 0, 0}, {1, -1, -kPi / 2}), "FWD_" + minus);
+    EXPECT_EQ(name({0, 0, 0}, {-1, 1, -kPi / 2}), "REV_" + plus);
+    EXPECT_EQ(name({0, 0, 0}, {-1, -1, kPi / 2}), "REV_" + minus);
   }
 }
 

@@ -46,7 +46,7 @@ class WEND_API Planner {
   /// then.
   Status plan(const Query& query, Plan& out);
 
-  /// The same one expansion at a time, for planners that can be stepped (PlannerInfo::can_step):
+  /// The same one expansion at a time, for planners that can be stepped (Capabilities::can_step):
   /// begin a query, then step until there is an outcome. Limits and the observer work as in plan().
   ///
   ///   auto outcome = planner.begin(query, plan);

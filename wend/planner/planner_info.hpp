@@ -15,6 +15,7 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/options.hpp"
+#include "wend/planner/capabilities.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -39,22 +40,6 @@ constexpr std::array<Choice<Guarantee>, 5> choice_names(Guarantee) {
            {"bounded", Guarantee::bounded},
            {"optimal", Guarantee::optimal}}};
 }
-
-/// What a state of a planner is, and so what its starts, goals and paths are.
-enum class StateKind {
-  cell,         // headings do not matter; a path is cells
-  corner_pose,  // a vertex where cells meet, and a heading; a path is poses
-  cell_pose,    // the middle of a cell, and a heading; a path is poses
-};
-
-constexpr std::array<Choice<StateKind>, 3> choice_names(StateKind) {
-  return {{{"cells", StateKind::cell},
-           {"car", StateKind::corner_pose},
-           {"poses", StateKind::cell_pose}}};
-}
-
-/// Do states of this kind have a heading?
-constexpr bool has_heading(StateKind kind) { return kind != StateKind::cell; }
 
 /// Work for a map before the first query, besides loading it.
 enum class Preprocessing {
@@ -89,14 +74,13 @@ struct PlannerInfo {
   std::string memory = {};          // "8 bytes a cell", and what grows with a search
   double bytes_per_cell = 0;        // of the map, at most, for one search; 0: unknown
   std::string when = {};            // when to choose it and when not, in one to three sentences
+  std::string motion = "cells";     // what its states are, in one word: reports have it
+  std::string mover = "a disc, from cell to cell";    // who moves, and between what
+  std::string cost_name = "cost";                     // what people call Plan::cost
   Guarantee guarantee = Guarantee::none;              // of every answer
-  bool plans_on_terrain = false;                      // takes terrain costs into account
   Preprocessing preprocessing = Preprocessing::none;  // of `make`
-  bool can_step = false;                              // Planner::begin and step work
-  bool jumps = false;      // expands only some cells of its paths, if any
-  bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
-  StateKind state_kind = StateKind::cell;  // what its starts, goals and paths are
-  std::vector<OptionInfo> options = {};    // which `make` takes
+  Capabilities capabilities = {};                     // what it plans for, and how it can be used
+  std::vector<OptionInfo> options = {};               // which `make` takes
   /// Makes the planner, including its preprocessing, on one thread.
   std::function<PlannerResult(const FreeSpace&, const OptionValues&)> make = {};
 

@@ -134,7 +134,7 @@ TEST_P(EveryPlanner, KeepsItsOwnCopyOfTheLimitsWhileItIsStepped) {
   auto query = std::make_unique<Query>(Query::between({0, 0}, {39, 39}));
   query->limits.expansions = 1;
   auto outcome = planner->begin(*query, plan);
-  if (!planners().find(GetParam())->can_step) {
+  if (!planners().find(GetParam())->capabilities.can_step) {
     EXPECT_EQ(outcome, Status::unsupported_query);
     return;
   }
@@ -200,8 +200,9 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
     }
     Planner* const planner = made->get();
     Auditor auditor;
-    auditor.revisits = GetParam() == "random_walk" || planners().find(GetParam())->jumps;
-    auditor.settles = planners().find(GetParam())->any_angle;
+    auditor.revisits =
+        GetParam() == "random_walk" || planners().find(GetParam())->capabilities.jumps;
+    auditor.settles = planners().find(GetParam())->capabilities.any_angle;
     Query query =
         Query::between(test::random_cell(random, 15, 12), test::random_cell(random, 15, 12));
     query.observer = &auditor;
@@ -233,8 +234,7 @@ TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {99, 49})), "goal_outside");
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner,
-                         ::testing::ValuesIn(planner_names(StateKind::cell)),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPlanner, ::testing::ValuesIn(planner_names("cells")),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -91,10 +91,10 @@ Expected<void, Error> add_planners(std::vector<PlannerInfo> added) {
   return registries().add(std::move(added));
 }
 
-std::vector<std::string> planner_names(StateKind state_kind) {
+std::vector<std::string> planner_names(std::string_view motion) {
   std::vector<std::string> names;
   for (const PlannerInfo& info : planners()) {
-    if (info.state_kind == state_kind) names.push_back(info.name);
+    if (info.motion == motion) names.push_back(info.name);
   }
   return names;
 }
@@ -144,7 +144,7 @@ Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view l
 }
 
 std::string_view terrain_in_words(const PlannerInfo& planner) {
-  if (planner.plans_on_terrain) return "costs count";
+  if (planner.capabilities.terrain) return "costs count";
   constexpr int kSide = 2;
   const GridMap rough = *make_grid_map(Grid<CellState>(kSide, kSide, CellState::free), {},
                                        Grid<double>(kSide, kSide, 2));

@@ -32,8 +32,8 @@ WEND_API const Registry<PlannerInfo>& planners();
 /// time.
 WEND_API Expected<void, Error> add_planners(std::vector<PlannerInfo> added);
 
-/// The names of the planners with that motion.
-WEND_API std::vector<std::string> planner_names(StateKind state_kind);
+/// The names of the planners with that PlannerInfo::motion: "cells", "car" or "poses".
+WEND_API std::vector<std::string> planner_names(std::string_view motion);
 
 /// Makes a planner by name; an unknown name or option is Status::invalid_option.
 WEND_API PlannerResult make_planner(std::string_view name, const FreeSpace& space,

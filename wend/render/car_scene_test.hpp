@@ -2,11 +2,13 @@
 
 // Scenes with a car for tests.
 
+#include <array>
 #include <utility>
 #include <vector>
 
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/compass.hpp"
 #include "wend/render/scene.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 namespace wend {
 
@@ -19,6 +21,14 @@ inline Path driven(CornerPose from, const std::vector<CarMove>& moves, int unit 
     path.drive_to(pose_of(from));
   }
   return path;
+}
+
+/// The move that looks so on a page: its other side where y is drawn upwards.
+inline CarMove move_on_page(CarMove move, const Frame& frame) {
+  using enum CarMove;
+  if (!frame.y_up) return move;
+  constexpr std::array kMirrored{fwd, fwd_minus, fwd_plus, rev, rev_minus, rev_plus};
+  return kMirrored[static_cast<std::size_t>(move)];
 }
 
 inline Scene car_on(FreeSpace space, Path path) {

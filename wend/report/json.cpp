@@ -120,13 +120,13 @@ Json json_of(const OptionInfo& option) {
   return json;
 }
 
-void put_path(Json& json, const Plan& plan, const Frame& frame, StateKind state_kind) {
+void put_path(Json& json, const Plan& plan, const Frame& frame, const Capabilities& capabilities) {
   const bool found = !plan.path.empty();
   const double length = plan.path.length();
   json["cost"] = found ? Json(plan.cost) : Json();
   json["length_cells"] = found ? Json(length) : Json();
   json["length_m"] = found ? Json(length * frame.resolution) : Json();
-  if (has_heading(state_kind)) {
+  if (capabilities.headings) {
     json["steps"] = found ? Json(plan.path.size() - 1) : Json();
     put_poses(json, plan, frame);
     return;

@@ -64,9 +64,9 @@ Json in_microseconds(double seconds);
 Json json_of(const WorkTimes& times);
 
 /// "cost", "length_cells", "length_m", "path", "path_m" of a plan; without a path, null and empty.
-/// For a car also "steps", "headings", "moves" and "yaw", as in plan_json().
+/// For planners with headings also "steps", "headings", "moves" and "yaw", as in plan_json().
 void put_path(Json& json, const Plan& plan, const Frame& frame,
-              StateKind state_kind = StateKind::cell);
+              const Capabilities& capabilities = {});
 
 // JSON of path_report.hpp: the lengths of a path, what smoothing_json() has besides the original path, and
 // the original path too.

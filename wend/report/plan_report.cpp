@@ -25,11 +25,11 @@ Json json_of(const SnappingError& error, const Frame& frame) {
 std::string plan_json(const PlanResult& result, const Frame& frame, std::span<const Layer> layers) {
   Json json{{"planner", result.planner}, {"status", to_string(result.status)}};
   if (result.status != Status::found) json["reason"] = result.reason;
-  put_path(json, result.plan, frame, result.state_kind);
+  put_path(json, result.plan, frame, result.capabilities);
   if (result.refined) put_refined(json, *result.refined, frame);
   if (result.trajectory) json["trajectory"] = json_of(*result.trajectory);
   json["bound"] = result.plan.bound;
-  if (has_heading(result.state_kind)) {
+  if (result.capabilities.headings) {
     const bool found = !result.plan.path.empty();
     json["start_shift"] = found ? json_of(result.plan.start_snapping_error, frame) : Json();
     json["goal_shift"] = found ? json_of(result.plan.goal_snapping_error, frame) : Json();

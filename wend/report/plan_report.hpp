@@ -85,9 +85,10 @@ struct PlanResult {
   Status status = Status::found;
   Plan plan;  // on failure only its metrics
   WorkTimes times{};
-  std::string reason;  // of a failure, in words
-  StateKind state_kind = StateKind::cell;
-  std::uint64_t states = 0;  // Planner::state_count()
+  std::string reason;              // of a failure, in words
+  Capabilities capabilities{};     // of the planner
+  std::string cost_name = "cost";  // PlannerInfo::cost_name
+  std::uint64_t states = 0;        // Planner::state_count()
   // The refined path, if it was smoothed or the like.
   std::optional<RefinedPath> refined{};
   // The trajectory along the path, refined or not, if it was asked for.

@@ -10,6 +10,7 @@
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/io/path/load_path.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 namespace wend {
 namespace {
@@ -46,7 +47,7 @@ TEST(PlanJson, SaysWhatAnIndexTook) {
 
 PlanResult driven() {
   PlanResult result{.planner = "car", .plan = {}, .reason = {}};
-  result.state_kind = StateKind::corner_pose;
+  result.capabilities.headings = true;
   result.states = 1600;
   result.plan.path = Path::through({{1, 0, 0}, {2, 1, kPi / 2}, {2, 2, kPi / 2}});
   result.plan.moves = {"FWD_LEFT", "FWD"};
@@ -111,7 +112,7 @@ TEST(PlanJson, OfACarThatFailedHasTheSameKeys) {
 RC_GTEST_PROP(PlanJson, OfADriveIsReadAsTheSamePath, (bool y_up)) {
   const Frame frame{.resolution = 0.05, .origin = {-3, 7, 0.3}, .y_up = y_up, .metric = true};
   PlanResult result{.planner = "car", .plan = {}, .reason = {}};
-  result.state_kind = StateKind::corner_pose;
+  result.capabilities.headings = true;
   CornerPose place{{*rc::gen::inRange(100, 1 << 20), 1000000}, *rc::gen::elementOf(kAllHeadings)};
   result.plan.path.drive_to(pose_of(place));
   for (int moves = *rc::gen::inRange(0, 40); moves > 0; --moves) {

@@ -43,18 +43,6 @@ std::string option_text(const OptionInfo& option) {
          paragraph("        ", option.help);
 }
 
-std::string moves_text(StateKind kind) {
-  switch (kind) {
-    case StateKind::cell:
-      break;
-    case StateKind::corner_pose:
-      return "a car, from corner to corner";
-    case StateKind::cell_pose:
-      return "a robot with a shape and a heading, from cell to cell";
-  }
-  return "a disc, from cell to cell";
-}
-
 std::string planner_text(const PlannerInfo& planner) {
   std::string text = planner.name + "\n" + paragraph("  ", planner.summary);
   text += entry("idea", planner.idea);
@@ -62,7 +50,7 @@ std::string planner_text(const PlannerInfo& planner) {
   text += entry("time", planner.time);
   text += entry("memory", planner.memory);
   text += entry("when", planner.when);
-  text += entry("moves", moves_text(planner.state_kind));
+  text += entry("moves", planner.mover);
   text += entry("terrain", std::string(terrain_in_words(planner)));
   text += entry("preprocessing", choice_name(planner.preprocessing));
   text += entry("paper", planner.citation);
@@ -104,10 +92,10 @@ std::string planner_listing_json(const Registry<PlannerInfo>& planners) {
                        {"time", planner.time},
                        {"memory", planner.memory},
                        {"when", planner.when},
-                       {"motion", choice_name(planner.state_kind)},
-                       {"plans_on_terrain", planner.plans_on_terrain},
+                       {"motion", planner.motion},
+                       {"plans_on_terrain", planner.capabilities.terrain},
                        {"preprocessing", choice_name(planner.preprocessing)},
-                       {"can_step", planner.can_step},
+                       {"can_step", planner.capabilities.can_step},
                        {"citation", planner.citation},
                        {"options", options}});
   }

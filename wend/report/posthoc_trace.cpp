@@ -7,7 +7,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/angle.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/map/joined_rows.hpp"
 #include "wend/report/json.hpp"
 

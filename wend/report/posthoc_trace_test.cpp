@@ -119,8 +119,9 @@ void check_map(const json& trace, const FreeSpace& space) {
 
 /// The planners that search from cell to neighbouring cell: their parents are the path.
 std::vector<std::string> walking_planners() {
-  std::vector<std::string> names = planner_names(StateKind::cell);
-  std::erase_if(names, [](const std::string& name) { return planners().find(name)->jumps; });
+  std::vector<std::string> names = planner_names("cells");
+  std::erase_if(names,
+                [](const std::string& name) { return planners().find(name)->capabilities.jumps; });
   return names;
 }
 
@@ -131,7 +132,7 @@ RC_GTEST_PROP(PosthocTrace, TellsEverySearchAsItWas, ()) {
   const PlannerInfo& info = *planners().find(names[random.below(names.size())]);
   const test::Trial trial = test::random_trial(seed, info);
   const FreeSpace space = *make_free_space(trial.map, trial.robot);
-  if (!info.plans_on_terrain && !space.uniform_terrain()) RC_DISCARD("terrain");
+  if (!info.capabilities.terrain && !space.uniform_terrain()) RC_DISCARD("terrain");
   const Search search{space, info.name, trial.options, test::random_test_query(random, trial.map)};
   RC_LOG() << info.name << ", " << test::text_of(trial, seed) << test::text_of(search.test_query);
   const std::uint64_t most = random.chance(0.5) ? kNoLimit : random.below(60);

@@ -47,7 +47,7 @@ std::string query_answers_csv(std::span<const QueryAnswer> answers, const Frame&
 }
 
 std::string query_answers_json(std::string_view planner, std::span<const QueryAnswer> answers,
-                               const Frame& frame, StateKind state_kind) {
+                               const Frame& frame, const Capabilities& capabilities) {
   Json rows = Json::array();
   for (const QueryAnswer& answer : answers) {
     Json row{{"line", answer.line},
@@ -55,7 +55,7 @@ std::string query_answers_json(std::string_view planner, std::span<const QueryAn
              {"goal", answer.goal},
              {"status", answer.status},
              {"reason", answer.reason}};
-    put_path(row, answer.plan, frame, state_kind);
+    put_path(row, answer.plan, frame, capabilities);
     row["metrics"] = json_of(answer.plan.metrics);
     row["search_us"] = in_microseconds(answer.seconds);
     rows.push_back(std::move(row));

@@ -44,7 +44,7 @@ struct QueryAnswer {
 std::string query_answers_csv(std::span<const QueryAnswer> answers, const Frame& frame);
 
 std::string query_answers_json(std::string_view planner, std::span<const QueryAnswer> answers,
-                               const Frame& frame, StateKind state_kind);
+                               const Frame& frame, const Capabilities& capabilities);
 
 /// A table for people, then the number of answers with each status.
 std::string query_answers_text(std::span<const QueryAnswer> answers, const Frame& frame);

@@ -177,22 +177,22 @@ Unexpected<Error> invalid(std::string message, std::string where = {}) {
 
 // The built-in sets.
 
-constexpr std::array<Cell, 16> kDirections{{{1, 0},
-                                            {2, 1},
-                                            {1, 1},
-                                            {1, 2},
-                                            {0, 1},
-                                            {-1, 2},
-                                            {-1, 1},
-                                            {-2, 1},
-                                            {-1, 0},
-                                            {-2, -1},
-                                            {-1, -1},
-                                            {-1, -2},
-                                            {0, -1},
-                                            {1, -2},
-                                            {1, -1},
-                                            {2, -1}}};
+constexpr std::array<Cell, 16> kSixteenWays{{{1, 0},
+                                             {2, 1},
+                                             {1, 1},
+                                             {1, 2},
+                                             {0, 1},
+                                             {-1, 2},
+                                             {-1, 1},
+                                             {-2, 1},
+                                             {-1, 0},
+                                             {-2, -1},
+                                             {-1, -1},
+                                             {-1, -2},
+                                             {0, -1},
+                                             {1, -2},
+                                             {1, -1},
+                                             {2, -1}}};
 
 double angle_of(Cell way) { return std::atan2(way.y, way.x); }
 double length_of(Cell way) { return std::hypot(way.x, way.y); }
@@ -204,8 +204,8 @@ Pose moved_along(const Pose& pose, Cell way, double length) {
 
 /// From heading a to heading b, its neighbour: straight, an arc that touches both directions, straight.
 MotionPrimitive turn_on_arc(int a, int b, double radius) {
-  const Cell ahead = kDirections[static_cast<std::size_t>(a)];
-  const Cell after = kDirections[static_cast<std::size_t>(b)];
+  const Cell ahead = kSixteenWays[static_cast<std::size_t>(a)];
+  const Cell after = kSixteenWays[static_cast<std::size_t>(b)];
   const double turn = normalized_angle(angle_of(after) - angle_of(ahead));
   const double least_tangent = radius * std::tan(std::abs(turn) / 2);
   const auto steps_for = [&](Cell way) {
@@ -226,13 +226,13 @@ MotionPrimitive turn_on_arc(int a, int b, double radius) {
 
 MotionPrimitive turn_in_place(int a, int b) {
   const auto pose = [](int heading) {
-    return Pose{0, 0, angle_of(kDirections[static_cast<std::size_t>(heading)])};
+    return Pose{0, 0, angle_of(kSixteenWays[static_cast<std::size_t>(heading)])};
   };
   return {0, a, b, {0, 0}, 1, {pose(a), pose(b)}};
 }
 
 MotionPrimitive straight(int heading) {
-  const Cell way = kDirections[static_cast<std::size_t>(heading)];
+  const Cell way = kSixteenWays[static_cast<std::size_t>(heading)];
   const double angle = angle_of(way);
   const Pose end{static_cast<double>(way.x), static_cast<double>(way.y), angle};
   return {0, heading, heading, way, 1, {{0, 0, angle}, end}};
@@ -292,9 +292,9 @@ Expected<MotionPrimitives, Error> MotionPrimitives::turning_circle(double radius
                    std::to_string(kFarthest) + " cells");
   }
   Parts parts;
-  const int count = static_cast<int>(kDirections.size());
+  const int count = static_cast<int>(kSixteenWays.size());
   for (int a = 0; a < count; ++a) {
-    parts.headings.push_back(angle_of(kDirections[static_cast<std::size_t>(a)]));
+    parts.headings.push_back(angle_of(kSixteenWays[static_cast<std::size_t>(a)]));
     parts.primitives.push_back(straight(a));
     parts.primitives.push_back(reversed(straight(a)));
     for (const int b : {(a + 1) % count, (a + count - 1) % count}) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // MotionPrimitives: the motions that a robot can make between the vertices of a lattice, as data. A vertex
-// is a cell; a robot on it has one of the set's headings. A primitive leads from a heading at one vertex to
+// is the middle or a corner of a cell; a robot on it has one of the set's headings. A primitive leads from a heading at one vertex to
 // a heading at another, along segments: ahead or in reverse, on arcs, to a side, or turning in place.
 // M. Pivtoraiko and A. Kelly, "Efficient Constrained Path Planning via Search in State Lattices", 2005.
 //
@@ -23,6 +23,12 @@
 #include "wend/geometry/pose.hpp"
 
 namespace wend {
+
+/// Where the vertices of a lattice lie.
+enum class Vertices {
+  centres,  // in the middle of cells
+  corners,  // where cells meet
+};
 
 /// A motion from one vertex and heading to another.
 struct MotionPrimitive {
@@ -49,6 +55,7 @@ class WEND_API MotionPrimitives {
     std::optional<double> resolution;         // metres per cell; nothing: that of the map
     std::vector<double> headings;             // radians
     std::vector<MotionPrimitive> primitives;  // in any order
+    Vertices vertices = Vertices::centres;    // where they begin and end
   };
 
   /// Moves the ends of each primitive onto their exact vertices and headings, the poses between them in
@@ -67,6 +74,9 @@ class WEND_API MotionPrimitives {
   std::optional<double> resolution() const { return data_->parts.resolution; }
   /// The headings in radians; primitives refer to them by index.
   std::span<const double> headings() const& { return data_->parts.headings; }
+
+  /// Where the vertices lie: files have them in the middle of cells, car_primitives() at corners.
+  Vertices vertices() const { return data_->parts.vertices; }
 
   /// All primitives, ordered by their first headings.
   std::span<const MotionPrimitive> all() const& { return data_->parts.primitives; }

@@ -26,7 +26,7 @@ Ends ends_of(const Query& query, const Units& units) {
 
 bool steps_from_cell_to_cell(const PlannerSpec& spec) {
   const PlannerInfo* info = planners().find(spec.name);
-  return info != nullptr && !info->any_angle;
+  return info != nullptr && !info->capabilities.any_angle;
 }
 
 /// Moves blocked ends. Returns a sentence for each.

@@ -59,7 +59,7 @@ GridMoves typed_moves(const PlannerSpec& spec) {
 
 /// Gives a planner the same moves as all others; otherwise the lengths would differ.
 void set_moves(PlannerSpec& spec, const PlannerInfo& info, GridMoves moves) {
-  if (info.state_kind != StateKind::cell) {
+  if (info.capabilities.headings) {
     throw InputError(fmt::format(
         "{}: scenarios support grid planners only, and this planner is for a car", spec.text));
   }

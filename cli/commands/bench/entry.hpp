@@ -35,7 +35,7 @@ class BenchEntry {
   /// As it was typed: "astar:weight=2".
   const std::string& name() const { return spec_.text; }
 
-  bool any_angle() const { return info_.any_angle; }
+  bool any_angle() const { return info_.capabilities.any_angle; }
 
   /// Throws InputError if the planner does not take its options, or terrain where there is some. O(1).
   void check(const FreeSpace& space) const;

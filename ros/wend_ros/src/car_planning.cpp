@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "wend/base/thread_time.hpp"
-#include "wend/geometry/car_move.hpp"
 #include "wend/geometry/compass.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 namespace wend_ros {
 namespace {

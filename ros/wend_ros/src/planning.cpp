@@ -64,7 +64,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
 /// Grid planners' paths are smoothed; a drive is smooth as it is.
 void refine_as_asked(wend::PlanRequest& request, const Parameters& parameters) {
   const wend::PlannerInfo* info = wend::planners().find(request.planner.name);
-  const bool of_cells = info != nullptr && info->state_kind == wend::StateKind::cell;
+  const bool of_cells = info != nullptr && !info->capabilities.headings;
   if (!parameters.flag("smooth") || !of_cells) return;
   request.refinement.smoother = wend::SmootherChoice{
       "gradient",

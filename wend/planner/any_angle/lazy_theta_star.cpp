@@ -67,7 +67,7 @@ PlannerInfo lazy_theta_star_planner() {
        .bytes_per_cell = 16,
        .when = "As theta_star, of which it is the faster one; its paths are about as long.",
        .guarantee = Guarantee::complete,
-       .any_angle = true},
+       .capabilities = {.any_angle = true}},
       any_angle_parts<ParentsTakenOnTrust>);
 }
 

@@ -55,7 +55,7 @@ PlannerInfo theta_star_planner() {
                "waypoints lie in the middle of cells; string pulling a path of jps is faster, and "
                "mostly a little longer. Not on terrain.",
        .guarantee = Guarantee::complete,
-       .any_angle = true},
+       .capabilities = {.any_angle = true}},
       any_angle_parts<ParentsInSight>);
 }
 

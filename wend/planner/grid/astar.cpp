@@ -50,7 +50,7 @@ PlannerInfo astar_planner() {
            "A weight above 1 often expands far fewer cells, but each expansion takes several "
            "times as long.",
        .guarantee = Guarantee::bounded,
-       .plans_on_terrain = true},
+       .capabilities = {.terrain = true}},
       choose_parts);
 }
 

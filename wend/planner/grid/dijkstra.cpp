@@ -26,7 +26,7 @@ PlannerInfo dijkstra_planner() {
        .bytes_per_cell = 8,
        .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",
        .guarantee = Guarantee::optimal,
-       .plans_on_terrain = true},
+       .capabilities = {.terrain = true}},
       choose_parts);
 }
 

@@ -173,9 +173,7 @@ class MethodSupport final : public IndexSupport {
 
 PlannerInfo with_index(PlannerInfo info, const IndexMethod& method) {
   info.guarantee = Guarantee::optimal;
-  info.plans_on_terrain = false;
-  info.can_step = false;
-  info.jumps = true;
+  info.capabilities = {.jumps = true};
   const auto support = std::make_shared<const MethodSupport>(method, info.name);
   info.index_support = support;
   info.make = [support](const FreeSpace& space, const OptionValues& options) -> PlannerResult {

@@ -155,10 +155,8 @@ PlannerInfo jps_planner() {
               "The fastest planner without an index on maps with rooms, streets or corridors. On "
               "random noise it skips few cells. It refuses terrain and clearance costs.",
           .guarantee = Guarantee::optimal,
-          .plans_on_terrain = false,
           .preprocessing = Preprocessing::none,
-          .can_step = true,
-          .jumps = true,
+          .capabilities = {.jumps = true, .can_step = true},
           .options = {},
           .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
             auto refused = refused_options(values);

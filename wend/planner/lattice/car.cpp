@@ -73,11 +73,15 @@ PlannerInfo car_planner() {
       .when =
           "For robots that cannot turn in place. On a fine map set lattice_resolution to the "
           "turning radius in cells.",
+      .motion = "car",
+      .mover = "a car, from corner to corner",
+      .cost_name = "fuel",
       .guarantee = Guarantee::bounded,
-      .plans_on_terrain = true,
       .preprocessing = Preprocessing::none,
-      .can_step = true,
-      .state_kind = StateKind::corner_pose,
+      .capabilities = {.headings = true,
+                       .vertices = Vertices::corners,
+                       .terrain = true,
+                       .can_step = true},
       .options = option_schema<CarFlags>(),
       .make = make};
 }

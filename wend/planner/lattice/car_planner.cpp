@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "wend/geometry/compass.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/widening_engine.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {

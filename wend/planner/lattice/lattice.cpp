@@ -69,7 +69,7 @@ PlannerInfo lattice_planner() {
       .name = "lattice",
       .summary = "A* for a robot with a shape and a heading, by motion primitives from a file",
       .idea =
-          "A state is a cell and a heading. StateKind primitives lead from state to state; the "
+          "A state is a cell and a heading. Motion primitives lead from state to state; the "
           "robot's own shape is swept along each. The heuristic is the way around the obstacles "
           "for a robot that may take any heading at every cell.",
       .citation = "Pivtoraiko, Kelly 2005; Hart, Nilsson, Raphael 1968",
@@ -84,11 +84,11 @@ PlannerInfo lattice_planner() {
       .when =
           "For robots that are not round, or that have a turning circle. Primitives come from "
           "SBPL's or Nav2's files (--primitives), or from a turning radius.",
+      .motion = "poses",
+      .mover = "a robot with a shape and a heading, from cell to cell",
       .guarantee = Guarantee::bounded,
-      .plans_on_terrain = true,
       .preprocessing = Preprocessing::none,
-      .can_step = true,
-      .state_kind = StateKind::cell_pose,
+      .capabilities = {.headings = true, .primitives = true, .terrain = true, .can_step = true},
       .options = option_schema<LatticeFlags>(),
       .make = make};
 }

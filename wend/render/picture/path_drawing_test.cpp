@@ -9,6 +9,7 @@
 #include "wend/render/picture/drawing.hpp"
 #include "wend/render/picture/layout.hpp"
 #include "wend/render/picture/png_picture_test.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 namespace wend {
 namespace {

@@ -17,7 +17,7 @@ Scene parking(bool y_up) {
   using enum CarMove;
   const Frame frame{.y_up = y_up};
   std::vector<CarMove> moves{fwd, fwd_plus, fwd, rev_minus, rev, rev_minus};
-  for (CarMove& move : moves) move = on_page(move, frame);
+  for (CarMove& move : moves) move = move_on_page(move, frame);
   Scene scene = car_on(*make_free_space(map_of(
                            {
                                "......",

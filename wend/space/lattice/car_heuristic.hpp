@@ -17,7 +17,7 @@
 #include <optional>
 
 #include "wend/base/choice.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 
 namespace wend {
 

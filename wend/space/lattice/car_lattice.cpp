@@ -31,31 +31,42 @@ bool may_touch_obstacles(const FreeSpace& space, int unit) {
 int cells_along(int length, int unit) { return (length + unit - 1) / unit; }
 int corners_along(int length, int unit) { return length / unit + 1; }
 
-CarStep turn_of(Heading heading, CarMove move) {
-  const CornerPose to = moved({{0, 0}, heading}, move);
-  const Cell swept{std::min(0, to.corner.x), std::min(0, to.corner.y)};
-  // The centre lies beside the car, on the side of the turn.
-  const Heading plus = quarter_turned(heading);
-  const Cell side = ahead(side_of(move) > 0 ? plus : opposite(plus));
-  const unsigned bit = (side.x > swept.x ? 1U : 0U) + (side.y > swept.y ? 2U : 0U);
-  return {to.corner, to.heading, swept, {}, {}, bit, swept};
+/// What an arc sweeps.
+void complete_turn(CarStep& step, Heading heading) {
+  step.swept = {std::min(0, step.by.x), std::min(0, step.by.y)};
+  // The centre lies beside the car: where the arc does not lead along its heading.
+  const Cell along = ahead(heading);
+  const Cell side{along.x != 0 ? 0 : step.by.x, along.y != 0 ? 0 : step.by.y};
+  step.arc_bit = (side.x > step.swept.x ? 1U : 0U) + (side.y > step.swept.y ? 2U : 0U);
+  step.arc_owner = step.swept;
 }
 
-CarStep straight_of(Heading heading, CarMove move) {
-  const CornerPose to = moved({{0, 0}, heading}, move);
-  const Cell lower{std::min(0, to.corner.x), std::min(0, to.corner.y)};
-  const bool along_x = to.corner.x != 0;
-  const Cell other{lower.x - (along_x ? 0 : 1), lower.y - (along_x ? 1 : 0)};
-  return {to.corner, heading, {}, lower, other, along_x ? kLineAlongX : kLineAlongY, lower};
+/// What lies beside a line.
+void complete_straight(CarStep& step) {
+  const Cell lower{std::min(0, step.by.x), std::min(0, step.by.y)};
+  const bool along_x = step.by.x != 0;
+  step.beside = lower;
+  step.other_beside = {lower.x - (along_x ? 0 : 1), lower.y - (along_x ? 1 : 0)};
+  step.arc_bit = along_x ? kLineAlongX : kLineAlongY;
+  step.arc_owner = lower;
 }
 
 Steps all_steps() {
   Steps steps;
-  for (const Heading heading : kAllHeadings) {
-    for (int number = 0; number < kCarMoves; ++number) {
-      const auto move = static_cast<CarMove>(number);
-      steps[static_cast<std::size_t>(heading) * kCarMoves + static_cast<std::size_t>(number)] =
-          is_turn(move) ? turn_of(heading, move) : straight_of(heading, move);
+  for (const MotionPrimitive& primitive : car_primitives().all()) {
+    const auto move = static_cast<CarMove>(primitive.number);
+    const auto heading = static_cast<Heading>(primitive.from);
+    CarStep& step = steps[static_cast<std::size_t>(primitive.from) * kCarMoves +
+                          static_cast<std::size_t>(primitive.number)];
+    step = {.by = primitive.by,
+            .heading = static_cast<Heading>(primitive.to),
+            .turns = is_turn(move),
+            .reverses = is_reverse(move),
+            .undone_by = inverse(move)};
+    if (step.turns) {
+      complete_turn(step, heading);
+    } else {
+      complete_straight(step);
     }
   }
   return steps;
@@ -172,7 +183,7 @@ std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
 double CarLattice::ground(const CornerPose& from, CarMove move) const {
   const CarStep& way = step(from.heading, move);
   if (terrain().empty()) return 1;
-  if (is_turn(move)) return terrain_at(from.corner, way.swept);
+  if (way.turns) return terrain_at(from.corner, way.swept);
   if (driving().straight_terrain == StraightTerrain::none) return 1;
   const auto multiplier = [&](Cell offset, Cell instead) {
     const Cell cell{from.corner.x + offset.x, from.corner.y + offset.y};
@@ -207,8 +218,9 @@ double car_path_cost(const CarLattice& lattice, std::span<const CornerPose> pose
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto move = move_between(poses[i - 1], poses[i]);
     if (!move) continue;
-    const double factor = is_reverse(*move) ? lattice.driving().reverse_factor : 1;
-    (is_turn(*move) ? turns : straight) += factor * lattice.ground(poses[i - 1], *move);
+    const CarStep& way = lattice.step(poses[i - 1].heading, *move);
+    const double factor = way.reverses ? lattice.driving().reverse_factor : 1;
+    (way.turns ? turns : straight) += factor * lattice.ground(poses[i - 1], *move);
   }
   return straight * length_of(CarMove::fwd) + turns * length_of(CarMove::fwd_plus);
 }

@@ -22,10 +22,11 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/compiler.hpp"
-#include "wend/geometry/car_move.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/robot/car_primitives.hpp"
 #include "wend/robot/free_space.hpp"
 
 namespace wend {
@@ -68,15 +69,18 @@ struct CarDriving {
   }
 };
 
-/// A car's move from one heading, in lattice steps.
+/// A car's primitive from one heading, with what it touches on a lattice.
 struct CarStep {
-  Cell by;            // from corner to corner
-  Heading heading;    // afterwards
-  Cell swept;         // for a turn: the lattice cell that the arc sweeps, from the corner
-  Cell beside;        // straight move: one of the two lattice cells beside it, from the corner
-  Cell other_beside;  // the other one
-  unsigned arc_bit;   // the index of its arc or line in CarLattice::fits()
-  Cell arc_owner;     // the owner of the arc or line, from the corner
+  Cell by{};              // from corner to corner
+  Heading heading{};      // afterwards
+  bool turns = false;     // or is straight
+  bool reverses = false;  // or leads ahead
+  CarMove undone_by{};    // the move that leads back
+  Cell swept{};           // for a turn: the lattice cell that the arc sweeps, from the corner
+  Cell beside{};          // straight move: one of the two lattice cells beside it
+  Cell other_beside{};    // the other one
+  unsigned arc_bit = 0;   // the index of its arc or line in CarLattice::fits()
+  Cell arc_owner{};       // the owner of the arc or line, from the corner
 };
 
 /// Why a corner is impassable.

@@ -121,7 +121,8 @@ class CarSpace {
   StateId id(const State& state) const { return state.number; }
 
   State parent(const State& state, Move move) const {
-    return after(state, step(state.place.heading, inverse(static_cast<CarMove>(move))));
+    const CarStep& way = step(state.place.heading, static_cast<CarMove>(move));
+    return after(state, step(state.place.heading, way.undone_by));
   }
 
   StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
@@ -142,9 +143,9 @@ class CarSpace {
       const CarStep& way = step(state.place.heading, move);
       if (!lattice_.fits(corner, way)) continue;
       const Cost along =
-          is_turn(move) ? costs_.turn(shifted(corner, way.swept)) : straight(corner, way);
+          way.turns ? costs_.turn(shifted(corner, way.swept)) : straight(corner, way);
       sink(after(state, way), static_cast<Move>(move),
-           is_reverse(move) ? costs_.reversed(along) : along);
+           way.reverses ? costs_.reversed(along) : along);
     }
   }
 

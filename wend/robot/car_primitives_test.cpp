@@ -1,10 +1,12 @@
-#include "wend/geometry/car_move.hpp"
+#include "wend/robot/car_primitives.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
+#include <string_view>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc.hpp"
 
 namespace wend {
@@ -37,6 +39,8 @@ TEST(CarMove, IsUndoneByItsInverse) {
   }
 }
 
+constexpr std::array<int, kCarMoves> kSides{0, 1, -1, 0, 1, -1};
+
 /// The car drives an arc: the end pose in the table is that of a circle of radius one.
 TEST(CarMove, IsAnArcOfItsLength) {
   for (int number = 0; number < kCarMoves; ++number) {
@@ -47,7 +51,7 @@ TEST(CarMove, IsAnArcOfItsLength) {
       const Arc arc = arc_to(pose_of(from), to.point());
       EXPECT_NEAR(std::abs(arc.length), length_of(move), 1e-15);
       EXPECT_EQ(arc.length < 0, is_reverse(move));
-      EXPECT_NEAR(arc.curvature, side_of(move), 1e-15);
+      EXPECT_NEAR(arc.curvature, kSides[static_cast<std::size_t>(move)], 1e-15);
       const Pose end = end_of(arc);
       EXPECT_NEAR(distance(end.point(), to.point()), 0, 1e-15);
       EXPECT_NEAR(std::abs(normalized_angle(end.heading - to.heading)), 0, 1e-15);
@@ -55,15 +59,43 @@ TEST(CarMove, IsAnArcOfItsLength) {
   }
 }
 
-TEST(CornerPose, IsTheNearestOfTheLattice) {
-  EXPECT_EQ(nearest_corner_pose({2.4, 3.6, 0.7}), (CornerPose{{2, 4}, Heading::plus_x}));
-  EXPECT_EQ(nearest_corner_pose({2.4, 3.6, 0.8}), (CornerPose{{2, 4}, Heading::plus_y}));
-  EXPECT_EQ(nearest_corner_pose({2.4, 3.6, -0.8}), (CornerPose{{2, 4}, Heading::minus_y}));
-  EXPECT_EQ(nearest_corner_pose({7.4, -3, 0}, 5), (CornerPose{{5, -5}, Heading::plus_x}));
-  EXPECT_EQ(nearest_corner_pose({1e12, 0, 0}), std::nullopt);
-  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(nearest_corner_pose({kNothing, 0, 0}), std::nullopt);
-  EXPECT_EQ(nearest_corner_pose({0, 0, kNothing}), std::nullopt);
+/// Of the table that the moves once were.
+TEST(CarMove, IsAsLongAsEver) {
+  for (int number = 0; number < kCarMoves; ++number) {
+    const auto move = static_cast<CarMove>(number);
+    const bool turn = kSides[static_cast<std::size_t>(number)] != 0;
+    EXPECT_EQ(is_turn(move), turn);
+    EXPECT_EQ(is_reverse(move), number >= 3);
+    EXPECT_EQ(length_of(move), turn ? 1.5707963267948966 : 1.0);
+  }
+}
+
+TEST(CarMove, RightIsRightOnAPage) {
+  for (const Frame& frame : {Frame{}, Frame{.y_up = true}}) {
+    for (int number = 0; number < kCarMoves; ++number) {
+      const auto move = static_cast<CarMove>(number);
+      const Cell to = moved({{0, 0}, Heading::plus_x}, move).corner;
+      const int up = frame.y_up ? to.y : -to.y;
+      const std::string_view name = name_of(move, frame);
+      EXPECT_EQ(name.starts_with("FWD"), to.x > 0) << name;
+      EXPECT_EQ(name.starts_with("REV"), to.x < 0) << name;
+      EXPECT_EQ(name.ends_with("RIGHT"), up < 0) << name;
+      EXPECT_EQ(name.ends_with("LEFT"), up > 0) << name;
+    }
+  }
+}
+
+TEST(CarPrimitives, AreInTheOrderOfHeadingsAndMoves) {
+  const MotionPrimitives& set = car_primitives();
+  EXPECT_EQ(set.vertices(), Vertices::corners);
+  EXPECT_EQ(set.all().size(), std::size_t{kHeadings} * kCarMoves);
+  for (const Heading heading : kAllHeadings) {
+    EXPECT_EQ(set.headings()[static_cast<std::size_t>(heading)], radians_of(heading));
+    EXPECT_EQ(set.nearest_heading(radians_of(heading)), static_cast<int>(heading));
+    for (int number = 0; number < kCarMoves; ++number) {
+      EXPECT_EQ(primitive_of(heading, static_cast<CarMove>(number)).number, number);
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+
+// Capabilities: what a planner plans for, and what can be done with it. Front ends and the conformance suite
+// read these facts; they do not ask which planner it is.
+
+#include "wend/robot/motion_primitives.hpp"
+
+namespace wend {
+
+/// Facts about a planner. Those that are false by default hold for planners from cell to cell.
+struct Capabilities {
+  bool headings = false;  // a state has a heading: starts, goals and paths are poses, else cells
+  Vertices vertices = Vertices::centres;  // where its states lie
+  bool primitives = false;                // moves by the robot's motion primitives, if it has any
+  bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
+  bool jumps = false;      // expands only some cells of its paths, if any
+  bool terrain = false;    // takes terrain costs into account
+  bool can_step = false;   // Planner::begin and step work
+};
+
+/// Do two planners have states of the same kind, so that they answer the same queries?
+constexpr bool same_states(const Capabilities& a, const Capabilities& b) {
+  return a.headings == b.headings && a.vertices == b.vertices;
+}
+
+}  // namespace wend
