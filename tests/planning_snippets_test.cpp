@@ -37,6 +37,7 @@
 #include "wend/path/smoother.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/index_support.hpp"
+#include "wend/planner/planner_options.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/render/animation/gif.hpp"
 #include "wend/render/picture/drawing.hpp"
@@ -46,6 +47,7 @@
 #include "wend/report/path_report.hpp"
 #include "wend/report/posthoc_trace.hpp"
 #include "wend/report/text_table.hpp"
+#include "wend/session/plan_request.hpp"
 
 namespace {
 
@@ -410,6 +412,31 @@ TEST(Snippets, OfGoals) {
     return wend::Status::found;
   };
   EXPECT_EQ(status(), wend::Status::found);
+}
+
+TEST(Snippets, OfTypedOptions) {
+  const wend::FreeSpace space = open_ground();
+  wend::PlanRequest request;
+  const auto make = [&] {
+    const auto planner = wend::make_planner(space, wend::AStarOptions{.weight = 2});
+    if (!planner) return report(planner.error().message);
+
+    request.planner = wend::planner_spec(wend::AStarOptions{.weight = 2});
+  };
+  reported = {};
+  make();
+  EXPECT_EQ(reported, "");
+  EXPECT_EQ(request.planner.name, "astar");
+  {
+    const auto planner = wend::make_planner(space, wend::ThetaStarOptions{.weight = 1.5});
+    EXPECT_TRUE(planner);
+  }
+  const auto car = wend::make_planner(space, wend::CarOptions{.turning_radius = 0.4});
+  const auto robot = wend::make_planner(space, wend::LatticeOptions{.turning_radius = 0.4});
+  EXPECT_TRUE(car);
+  EXPECT_TRUE(robot);
+  const wend::OptionValues values = wend::option_values(wend::AStarOptions{.weight = 2});
+  EXPECT_EQ(values, (wend::OptionValues{{"weight", "2"}}));
 }
 
 }  // namespace

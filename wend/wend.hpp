@@ -23,7 +23,7 @@
 #include "wend/path/refinement.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/planners.hpp"
+#include "wend/planner/planner_options.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/nearest_passable.hpp"
 #include "wend/session/session.hpp"

@@ -50,7 +50,7 @@ struct ParentsTakenOnTrust {
 }  // namespace
 
 PlannerInfo lazy_theta_star_planner() {
-  return grid_planner<AnyAngleOptions>(
+  return grid_planner<LazyThetaStarOptions>(
       {.name = "lazy_theta_star",
        .summary =
            "Lazy Theta*: Theta* that checks the line to a cell only when it expands the cell",
@@ -68,7 +68,7 @@ PlannerInfo lazy_theta_star_planner() {
        .when = "As theta_star, of which it is the faster one; its paths are about as long.",
        .guarantee = Guarantee::complete,
        .capabilities = {.any_angle = true}},
-      any_angle_parts<ParentsTakenOnTrust>);
+      any_angle_parts<ParentsTakenOnTrust, SightCheck::when_expanded>);
 }
 
 }  // namespace wend

@@ -5,26 +5,12 @@
 
 #include <memory>
 
+#include "wend/planner/any_angle/any_angle_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/space/grid/sight_grid.hpp"
 
 namespace wend {
-
-struct AnyAngleOptions {
-  CornerRule corner_rule = CornerRule::none;
-  double weight = 1;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    field({"corner_rule",
-           "corners that a path may cut: both lets it pass between two obstacles that touch at a "
-           "corner; none and one do not"},
-          self.corner_rule);
-    field({"weight", "w in f = g + w h, where h is the straight distance to the goal"}, self.weight,
-          OptionRange{0, 1e6});
-  }
-};
 
 /// For a state that is about to be expanded: `link`, or a shorter one by a neighbour of its parent, by a
 /// neighbour of that one, and so on. Without it, paths often turn a cell beside the best turn, which the
@@ -50,8 +36,8 @@ inline Link<double> with_shifted_turn(const auto& search, const GridState& state
 }
 
 /// The parts of a planner with such links; without an engine where there is terrain.
-template <class Links>
-GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions& options) {
+template <class Links, SightCheck kCheck>
+GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions<kCheck>& options) {
   using Engine = GridEngineOf<SightGrid, HeapFrontier<RealKey<double>>, RealEstimate<SightGrid>,
                               DuplicateRule::keep_cheaper, Links>;
   const GridMoves moves{Connectivity::eight, options.corner_rule};

@@ -37,7 +37,7 @@ struct ParentsInSight {
 }  // namespace
 
 PlannerInfo theta_star_planner() {
-  return grid_planner<AnyAngleOptions>(
+  return grid_planner<ThetaStarOptions>(
       {.name = "theta_star",
        .summary = "Theta*: A* that turns at any angle, at the cells where it has to",
        .idea = "A cell takes the parent of its neighbour for its own parent where that one is in "
@@ -56,7 +56,7 @@ PlannerInfo theta_star_planner() {
                "mostly a little longer. Not on terrain.",
        .guarantee = Guarantee::complete,
        .capabilities = {.any_angle = true}},
-      any_angle_parts<ParentsInSight>);
+      any_angle_parts<ParentsInSight, SightCheck::when_reached>);
 }
 
 }  // namespace wend

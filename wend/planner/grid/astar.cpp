@@ -2,26 +2,10 @@
 // Heuristic Determination of Minimum Cost Paths", 1968; with a weight: I. Pohl, 1970.
 
 #include "wend/planner/grid/best_first.hpp"
+#include "wend/planner/grid/grid_options.hpp"
 
 namespace wend {
 namespace {
-
-struct AStarOptions {
-  GridMoves moves;
-  HeuristicOptions heuristic{HeuristicKind::automatic};
-  double weight = 1;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-    HeuristicOptions::fields(self.heuristic, field);
-    field({"weight",
-           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
-           "optimum",
-           {"lambda", "w"}},
-          self.weight, OptionRange{0, 1e6});
-  }
-};
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
   const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 
@@ -18,7 +19,8 @@ double bound(const FreeSpace& space, const GridMoves& moves) {
   return moves.connectivity == Connectivity::four ? 1 : std::numbers::sqrt2;
 }
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const BfsOptions& options) {
+  const GridMoves& moves = options.moves;
   return {moves, std::make_unique<BfsEngine>(ExactGrid(space, moves), ByArrival()),
           bound(space, moves)};
 }
@@ -26,7 +28,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) 
 }  // namespace
 
 PlannerInfo bfs_planner() {
-  return grid_planner<GridMoves>(
+  return grid_planner<BfsOptions>(
       {.name = "bfs",
        .summary = "Breadth-first search: expands cells in the order in which they are reached",
        .idea = "Its frontier is a queue, so the first path to the goal has the fewest steps.",

@@ -1,6 +1,7 @@
 // Depth-first search: the cell reached last first. C. P. Trémaux, 1882 (in E. Lucas, "Récréations
 // mathématiques").
 
+#include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 
@@ -9,14 +10,15 @@ namespace {
 
 using DfsEngine = GridEngineOf<ExactGrid, LifoFrontier, ByArrival, DuplicateRule::keep_first>;
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const DfsOptions& options) {
+  const GridMoves& moves = options.moves;
   return {moves, std::make_unique<DfsEngine>(ExactGrid(space, moves), ByArrival()), Plan::kNoBound};
 }
 
 }  // namespace
 
 PlannerInfo dfs_planner() {
-  return grid_planner<GridMoves>(
+  return grid_planner<DfsOptions>(
       {.name = "dfs",
        .summary = "Depth-first search: expands the cell that was reached last",
        .idea =

@@ -2,11 +2,13 @@
 // with Graphs", 1959.
 
 #include "wend/planner/grid/best_first.hpp"
+#include "wend/planner/grid/grid_options.hpp"
 
 namespace wend {
 namespace {
 
-GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) {
+GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
+  const GridMoves& moves = options.moves;
   const BestFirst parts{moves, HeuristicKind::zero, 0, 0};
   return {moves, make_best_first_engine(space, parts), parts.bound()};
 }
@@ -14,7 +16,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const GridMoves& moves) 
 }  // namespace
 
 PlannerInfo dijkstra_planner() {
-  return grid_planner<GridMoves>(
+  return grid_planner<DijkstraOptions>(
       {.name = "dijkstra",
        .summary = "Dijkstra: expands the cell with the lowest cost from the start",
        .idea = "The search grows evenly in all directions and needs no estimate.",

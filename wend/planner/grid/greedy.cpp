@@ -1,22 +1,12 @@
 // Greedy best-first search: the smallest estimate of the rest first. J. Doran and D. Michie,
 // "Experiments with the Graph Traverser Program", 1966.
 
+#include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 
 namespace wend {
 namespace {
-
-struct GreedyOptions {
-  GridMoves moves;
-  HeuristicOptions heuristic{HeuristicKind::euclidean};
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    GridMoves::fields(self.moves, field);
-    HeuristicOptions::fields(self.heuristic, field);
-  }
-};
 
 using GreedyEngine = GridEngineOf<ExactGrid, HeapFrontier<RealKey<ExactGrid::Cost>>,
                                   RealEstimate<ExactGrid>, DuplicateRule::keep_first>;

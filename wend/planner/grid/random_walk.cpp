@@ -5,6 +5,7 @@
 
 #include "wend/base/random.hpp"
 #include "wend/planner/goal_cells.hpp"
+#include "wend/planner/grid/grid_options.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/node_table.hpp"
@@ -12,23 +13,6 @@
 
 namespace wend {
 namespace {
-
-constexpr double kMostSteps = 1e8;  // a walk keeps 8 bytes a step
-
-struct RandomWalkOptions {
-  std::int64_t max_steps = 1'000'000;
-  std::int64_t seed = 1;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    field({"max_steps",
-           "limit on the number of steps; the walk avoids the cells of its last "
-           "floor(sqrt(max_steps)) steps"},
-          self.max_steps, OptionRange{0, kMostSteps});
-    field({"seed", "seed of the random numbers: each seed gives another walk"}, self.seed,
-          OptionRange{0, 9e15});
-  }
-};
 
 constexpr GridMoves kOrthogonal{Connectivity::four, CornerRule::none};
 

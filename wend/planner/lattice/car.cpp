@@ -8,28 +8,8 @@
 namespace wend {
 namespace {
 
-/// The options as text, for the schema.
-struct CarFlags : CarOptions {
-  double turning_radius = 0;  // m
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    CarDriving::fields(self.driving, field);
-    field({"turning_radius",
-           "turning radius in metres (in cells on maps in cells), rounded up to whole cells, "
-           "instead of lattice_resolution; 0: lattice_resolution applies"},
-          self.turning_radius, OptionRange{0, 1e6});
-    field({"heuristic", "estimate of the cost to the goal"}, self.heuristic);
-    field({"weight",
-           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
-           "optimum",
-           {"lambda", "w"}},
-          self.weight, OptionRange{0, 1e6});
-  }
-};
-
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
-  auto options = parse_options<CarFlags>(values);
+  auto options = parse_options<CarOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
   }
@@ -82,7 +62,7 @@ PlannerInfo car_planner() {
                        .vertices = Vertices::corners,
                        .terrain = true,
                        .can_step = true},
-      .options = option_schema<CarFlags>(),
+      .options = option_schema<CarOptions>(),
       .make = make};
 }
 

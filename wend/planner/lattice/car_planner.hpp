@@ -12,6 +12,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/planner/lattice/car_priority.hpp"
+#include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
@@ -20,15 +21,6 @@ namespace wend {
 
 /// Places and goals are in lattice coordinates.
 using CarEngine = SearchEngine<CornerPose, CarRegion>;
-
-struct CarOptions {
-  CarDriving driving;
-  CarHeuristic heuristic = CarHeuristic::headings;
-  double weight = 1;
-
-  /// Plan::bound of every answer.
-  double bound() const { return weight > 1 ? weight : 1; }
-};
 
 class CarPlanner final : public SearchPlanner<CarEngine> {
  public:

@@ -16,6 +16,7 @@
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
+#include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/car_heuristic.hpp"

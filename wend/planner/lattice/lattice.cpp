@@ -6,34 +6,8 @@
 namespace wend {
 namespace {
 
-/// The options as text, for the schema.
-struct LatticeFlags : LatticeOptions {
-  double turning_radius = 0;  // m
-  bool ways_back = false;
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    field({"turning_radius",
-           "turning radius of a robot without motion primitives of its own, in metres (in cells on "
-           "maps in cells); 0: it turns in place"},
-          self.turning_radius, OptionRange{0, 1e6});
-    field({"ways_back",
-           "also makes the motion primitives of the robot in reverse, where it has none that lead "
-           "back"},
-          self.ways_back);
-    LatticeCosts::fields(self.costs, field);
-    field(
-        {"heuristic", "estimate of the cost to the goal; obstacles: around them, with any heading"},
-        self.heuristic);
-    field({"weight",
-           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
-           "optimum"},
-          self.weight, OptionRange{0, 1e6});
-  }
-};
-
 Expected<MotionPrimitives, Error> primitives_for(const FreeSpace& space,
-                                                 const LatticeFlags& options) {
+                                                 const LatticeOptions& options) {
   const auto refused = [](std::string why) {
     return failure(Status::invalid_option, std::move(why));
   };
@@ -51,7 +25,7 @@ Expected<MotionPrimitives, Error> primitives_for(const FreeSpace& space,
 }
 
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
-  const auto options = parse_options<LatticeFlags>(values);
+  const auto options = parse_options<LatticeOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
   }
@@ -89,7 +63,7 @@ PlannerInfo lattice_planner() {
       .guarantee = Guarantee::bounded,
       .preprocessing = Preprocessing::none,
       .capabilities = {.headings = true, .primitives = true, .terrain = true, .can_step = true},
-      .options = option_schema<LatticeFlags>(),
+      .options = option_schema<LatticeOptions>(),
       .make = make};
 }
 

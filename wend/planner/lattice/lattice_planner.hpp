@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/lattice/lattice_priority.hpp"
 #include "wend/planner/search_planner.hpp"
 #include "wend/space/lattice/motion_lattice.hpp"
@@ -17,15 +18,6 @@
 namespace wend {
 
 using LatticeEngine = SearchEngine<LatticePose, LatticeGoal>;
-
-struct LatticeOptions {
-  LatticeCosts costs;
-  LatticeHeuristic heuristic = LatticeHeuristic::obstacles;
-  double weight = 1;
-
-  /// Plan::bound of every answer.
-  double bound() const { return weight > 1 ? weight : 1; }
-};
 
 class LatticePlanner final : public SearchPlanner<LatticeEngine> {
  public:

@@ -10,7 +10,6 @@
 // All are consistent.
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <cmath>
 #include <cstddef>
@@ -19,23 +18,15 @@
 #include <span>
 #include <vector>
 
-#include "wend/base/choice.hpp"
 #include "wend/base/limits.hpp"
 #include "wend/planner/goal_region.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
+#include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/robot/motion_primitives.hpp"
 #include "wend/search/frontiers.hpp"
 #include "wend/space/lattice/lattice_space.hpp"
 
 namespace wend {
-
-enum class LatticeHeuristic { zero, distance, obstacles };
-
-constexpr std::array<Choice<LatticeHeuristic>, 3> choice_names(LatticeHeuristic) {
-  return {{{"zero", LatticeHeuristic::zero},
-           {"distance", LatticeHeuristic::distance},
-           {"obstacles", LatticeHeuristic::obstacles}}};
-}
 
 /// Where a path may end.
 struct LatticeGoal {

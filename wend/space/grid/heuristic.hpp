@@ -23,7 +23,15 @@
 
 namespace wend {
 
-enum class HeuristicKind { automatic, zero, constant, manhattan, octile, euclidean };
+/// A heuristic on a grid; the comment of this header has the formulas.
+enum class HeuristicKind {
+  automatic,  // the exact one of the connectivity: manhattan on 4 neighbours, octile on 8
+  zero,       // 0
+  constant,   // the same everywhere
+  manhattan,  // the sum of both distances
+  octile,     // steps to 8 neighbours
+  euclidean   // the straight distance
+};
 
 constexpr std::array<Choice<HeuristicKind>, 6> choice_names(HeuristicKind) {
   return {{{"auto", HeuristicKind::automatic},
@@ -36,8 +44,8 @@ constexpr std::array<Choice<HeuristicKind>, 6> choice_names(HeuristicKind) {
 
 /// A heuristic as an option of a planner.
 struct HeuristicOptions {
-  HeuristicKind kind;
-  double constant = 1;  // the value of HeuristicKind::constant
+  HeuristicKind kind = HeuristicKind::automatic;  // which one
+  double constant = 1;                            // the value of HeuristicKind::constant
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {

@@ -12,23 +12,12 @@
 // the estimates are scaled by that factor.
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <optional>
 
-#include "wend/base/choice.hpp"
 #include "wend/geometry/corner_pose.hpp"
 
 namespace wend {
-
-enum class CarHeuristic { zero, diagonal, headings, obstacles };
-
-constexpr std::array<Choice<CarHeuristic>, 4> choice_names(CarHeuristic) {
-  return {{{"zero", CarHeuristic::zero},
-           {"diagonal", CarHeuristic::diagonal},
-           {"headings", CarHeuristic::headings},
-           {"obstacles", CarHeuristic::obstacles}}};
-}
 
 /// A goal in lattice coordinates; without a heading, any heading is accepted.
 struct CarGoal {

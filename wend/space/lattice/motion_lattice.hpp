@@ -19,29 +19,16 @@
 #include <string>
 #include <vector>
 
-#include "wend/base/choice.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/pose.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/robot/motion_primitives.hpp"
 #include "wend/robot/swept_cells.hpp"
+#include "wend/space/lattice/driving_options.hpp"
 
 namespace wend {
 
 inline constexpr int kTerrainSamples = 16;
-
-struct LatticeCosts {
-  double reverse_factor = 2;
-  double turn_cost = 1;  // cells a radian, of a turn in place
-
-  template <class Self, class Field>
-  static void fields(Self& self, Field&& field) {
-    field({"reverse_factor", "factor on the cost of driving in reverse"}, self.reverse_factor,
-          OptionRange{0.01, 1e6});
-    field({"turn_cost", "cost of turning in place by a radian, in cells"}, self.turn_cost,
-          OptionRange{0.001, 1e6});
-  }
-};
 
 /// A vertex, and an index in the headings of the primitives.
 struct LatticePose {

@@ -1,0 +1,105 @@
+#pragma once
+
+// The options of the planners that search on cells, as structs. Front ends set the same fields by name.
+//
+//   const auto planner = wend::make_planner(space, wend::AStarOptions{.weight = 2});
+
+#include <cstdint>
+#include <string_view>
+
+#include "wend/base/options.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+#include "wend/space/grid/heuristic.hpp"
+
+namespace wend {
+
+/// The options of `astar`.
+struct AStarOptions {
+  static constexpr std::string_view kPlanner = "astar";  // its name
+
+  GridMoves moves = {};             // how the robot steps
+  HeuristicOptions heuristic = {};  // the estimate of the cost to the goal
+  double weight = 1;                // w >= 0 in f = g + w h: 0 is Dijkstra
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+    HeuristicOptions::fields(self.heuristic, field);
+    field({"weight",
+           "w in f = g + w h: 0 is Dijkstra, 1 is A*; above 1 the cost is at most w times the "
+           "optimum",
+           {"lambda", "w"}},
+          self.weight, OptionRange{0, 1e6});
+  }
+};
+
+/// The options of `greedy`.
+struct GreedyOptions {
+  static constexpr std::string_view kPlanner = "greedy";  // its name
+
+  GridMoves moves = {};                                     // how the robot steps
+  HeuristicOptions heuristic = {HeuristicKind::euclidean};  // the estimate of the cost to the goal
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+    HeuristicOptions::fields(self.heuristic, field);
+  }
+};
+
+/// The options of `dijkstra`.
+struct DijkstraOptions {
+  static constexpr std::string_view kPlanner = "dijkstra";  // its name
+
+  GridMoves moves = {};  // how the robot steps
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+  }
+};
+
+/// The options of `bfs`.
+struct BfsOptions {
+  static constexpr std::string_view kPlanner = "bfs";  // its name
+
+  GridMoves moves = {};  // how the robot steps
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+  }
+};
+
+/// The options of `dfs`.
+struct DfsOptions {
+  static constexpr std::string_view kPlanner = "dfs";  // its name
+
+  GridMoves moves = {};  // how the robot steps
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+  }
+};
+
+/// The options of `random_walk`.
+struct RandomWalkOptions {
+  static constexpr std::string_view kPlanner = "random_walk";  // its name
+  static constexpr double kMostSteps = 1e8;                    // a walk keeps 8 bytes a step
+
+  std::int64_t max_steps = 1'000'000;  // 0 to kMostSteps
+  std::int64_t seed = 1;               // at least 0: each seed gives another walk
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    field({"max_steps",
+           "limit on the number of steps; the walk avoids the cells of its last "
+           "floor(sqrt(max_steps)) steps"},
+          self.max_steps, OptionRange{0, kMostSteps});
+    field({"seed", "seed of the random numbers: each seed gives another walk"}, self.seed,
+          OptionRange{0, 9e15});
+  }
+};
+
+}  // namespace wend
