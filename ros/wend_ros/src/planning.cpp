@@ -6,6 +6,7 @@
 #include "wend/path/path_metrics.hpp"
 #include "wend/path/trajectory.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/session/units.hpp"
 #include "wend_ros/path_message.hpp"
 
 namespace wend_ros {
@@ -61,11 +62,14 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   return request;
 }
 
+bool is_of_cells(const std::string& planner) {
+  const wend::PlannerInfo* info = wend::planners().find(planner);
+  return info != nullptr && !info->capabilities.headings;
+}
+
 /// Grid planners' paths are smoothed; a drive is smooth as it is.
 void refine_as_asked(wend::PlanRequest& request, const Parameters& parameters) {
-  const wend::PlannerInfo* info = wend::planners().find(request.planner.name);
-  const bool of_cells = info != nullptr && !info->capabilities.headings;
-  if (!parameters.flag("smooth") || !of_cells) return;
+  if (!parameters.flag("smooth") || !is_of_cells(request.planner.name)) return;
   request.refinement.smoother = wend::SmootherChoice{
       "gradient",
       {{"alpha", parameters.text("smooth_alpha")}, {"beta", parameters.text("smooth_beta")}}};
@@ -109,14 +113,23 @@ PlanResult refusal(StatusCode code, std::string reason) {
 
 namespace {
 
-/// Where to plan from and to instead, if an end is blocked.
-void put_nearest(PlanResult& result, const wend::Session& session, wend::Status status,
-                 const Ask& ask) {
-  const auto put = [&](auto& message, const wend::MapPose& pose) {
-    if (const auto free = session.nearest(pose)) message.push_back(to_message(*free));
+/// Where to plan from and to instead, if an end is blocked. The reasons of planners on cells name their
+/// nearest free cell already.
+void put_nearest(PlanResult& result, const wend::Session& session, const wend::GridMap& map,
+                 wend::Status status, const Ask& ask, bool of_cells) {
+  const auto put = [&](auto& message, const std::string& name, const wend::MapPose& pose) {
+    const auto free = session.nearest(pose);
+    if (!free) return;
+    message.push_back(to_message(*free));
+    if (of_cells) return;
+    result.reason += ". The nearest pose with this heading at which it fits is at " +
+                     wend::Units(map).text(map.frame().to_grid(free->point())) + ": `" + name +
+                     "` of the result";
   };
-  if (status == wend::Status::start_blocked) put(result.nearest_start, ask.start);
-  if (status == wend::Status::goal_blocked) put(result.nearest_goal, ask.goals.front());
+  if (status == wend::Status::start_blocked) put(result.nearest_start, "nearest_start", ask.start);
+  if (status == wend::Status::goal_blocked) {
+    put(result.nearest_goal, "nearest_goal", ask.goals.front());
+  }
 }
 
 }  // namespace
@@ -155,7 +168,7 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   } else {
     const wend::RequestFailure& failed = answered.error();
     result = refusal(code_of(failed.status), failed.message);
-    put_nearest(result, session, failed.status, ask);
+    put_nearest(result, session, view.space.map(), failed.status, ask, is_of_cells(spec->name));
     put_metrics(result, failed.metrics, failed.search_seconds);
   }
   result.from_field = request.from_field ? 1 : 0;

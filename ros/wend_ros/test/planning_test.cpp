@@ -104,6 +104,18 @@ TEST(Planning, SaysWhatWouldHelpInTheNamesOfItsParameters) {
   EXPECT_NE(result.reason.find("(~robot_radius 0.95)"), std::string::npos) << result.reason;
 }
 
+TEST(Planning, SaysWhereARobotWithAHeadingFits) {
+  Planning planning;
+  Ask blocked = ask({5.05, 1.05, 0}, {9.05, 1.05, 0});
+  blocked.planner = "lattice";
+  const PlanResult refused = planning.answer({}, blocked);
+  ASSERT_EQ(refused.status, 205);
+  ASSERT_EQ(refused.nearest_start.size(), 1U);
+  EXPECT_NE(refused.reason.find("it fits is at (4.95,1.05) m, cell (49,10): `nearest_start`"),
+            std::string::npos)
+      << refused.reason;
+}
+
 TEST(Planning, NamesTheNearestFreePoseAndPlansFromIt) {
   Planning planning;
   Ask blocked = ask({5.05, 1.05, 1}, {9.05, 1.05, 0});
