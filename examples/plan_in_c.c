@@ -63,7 +63,7 @@ int main(void) {
   wend_pose goal = {3.75, 1.25, NAN}; /* with any heading */
   wend_error error;
   wend_request request;
-  wend_session* session;
+  wend_session* session = NULL;
   if (wend_abi_version() != WEND_ABI_VERSION) return 2;
   session = make_session(&error);
   if (session == NULL) return puts(error.message), 2;
