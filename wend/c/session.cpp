@@ -190,7 +190,7 @@ Expected<std::unique_ptr<wend_field>, Failure> make_field(wend_session& handle,
   const auto planner = handle.session.planner(asked->planner);
   if (!planner) return failed(planner.error());
   const auto moves = (*planner)->grid_moves();
-  if (!moves || planners().find(asked->planner.name)->any_angle) {
+  if (!moves || planners().find(asked->planner.name)->capabilities.any_angle) {
     return failed(Error{Status::unsupported_query,
                         asked->planner.name + " does not step from cell to cell: it has no field"});
   }
