@@ -13,6 +13,28 @@ add_test(
 set_tests_properties(consumer.examples PROPERTIES TIMEOUT 1200 FIXTURES_REQUIRED installed
                                                   FIXTURES_SETUP examples)
 
+# wend_add_pkg_config_test(<name> <prefix> <fixture>): the example in C, built by a C compiler and pkg-config alone.
+function(wend_add_pkg_config_test name prefix fixture)
+  set(program "${PROJECT_BINARY_DIR}/consumers/${name}")
+  set(build "cc -std=c99 -Wall -Wextra -pedantic -Werror '${PROJECT_SOURCE_DIR}/examples/plan_in_c.c' -o '${program}'")
+  add_test(NAME consumer.${name}_build
+           COMMAND sh -c "${build} $(pkg-config --cflags --libs wend) -Wl,-rpath,$(pkg-config --variable=libdir wend)")
+  add_test(NAME consumer.${name}
+           COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${program}"
+                   "-DEXPECTED=${PROJECT_SOURCE_DIR}/examples/expected/plan_in_c.txt" -P
+                   "${PROJECT_SOURCE_DIR}/cmake/same_output.cmake")
+  set_tests_properties(
+    consumer.${name}_build
+    PROPERTIES FIXTURES_REQUIRED ${fixture} FIXTURES_SETUP ${name} ENVIRONMENT
+                                                             "PKG_CONFIG_PATH=${prefix}/${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+  set_tests_properties(consumer.${name} PROPERTIES FIXTURES_REQUIRED ${name})
+endfunction()
+include(GNUInstallDirs)
+wend_add_pkg_config_test(pkg_config "${prefix}" installed)
+if(BUILD_SHARED_LIBS)
+  wend_add_pkg_config_test(static_pkg_config "${static_prefix}" static_installed)
+endif()
+
 if(NOT TARGET wend_cli)
   return()
 endif()
@@ -21,7 +43,8 @@ file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/consumers")
 add_test(NAME consumer.example_map COMMAND wend_cli generate office --size 160x100 --seed 7 -o
                                            "${PROJECT_BINARY_DIR}/consumers/office.yaml")
 set_tests_properties(consumer.example_map PROPERTIES FIXTURES_SETUP examples)
-file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.cpp")
+file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.cpp"
+     "${PROJECT_SOURCE_DIR}/examples/*.c")
 list(FILTER sources EXCLUDE REGEX "/swirl\\.cpp$")
 foreach(source IN LISTS sources)
   cmake_path(GET source STEM name)

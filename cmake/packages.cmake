@@ -52,7 +52,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
     "wend plans paths for robots on grid maps, smooths them and follows them.
 .
-This package has the C++ headers, and what CMake and pkg-config read.")
+This package has the headers for C++ and C, and what CMake and pkg-config read.")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME wend)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)

@@ -1,5 +1,6 @@
 // What planners take from the heap: nothing in a warm query, and at most 20 bytes a cell of their
-// own, or 24 a pose. What a follower takes while it drives: nothing.
+// own, or 24 a pose. What a follower takes while it drives: nothing. What the C interface does when there is no
+// more memory: it says so.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -8,17 +9,20 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "conformance/random_map.hpp"
+#include "tests/testing/c_objects.hpp"
 #include "wend/control/follower.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/observer.hpp"
 #include "wend/planner/planners.hpp"
+#include "wend/wend.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define WEND_ADDRESS_SANITIZER 1
@@ -35,10 +39,13 @@ __sanitizer_get_current_allocated_bytes();  // NOLINT(bugprone-reserved-identifi
 
 namespace {
 
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
 std::atomic<std::size_t> allocations{0};
+std::atomic<std::size_t> first_without_memory{kNone};  // from this allocation on there is no memory
 
 void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
+  if (++allocations > first_without_memory) throw std::bad_alloc();
   void* const memory =
       alignment <= alignof(std::max_align_t)
           ? std::malloc(size == 0 ? 1 : size)
@@ -218,6 +225,109 @@ TEST(FollowerAllocation, OfADriveIsNone) {
     EXPECT_EQ(state, FollowerState::reached);
   }
 }
+
+/// Takes all memory but that of so many allocations, while it lives.
+class ShortOfMemory {
+ public:
+  explicit ShortOfMemory(std::size_t left) { first_without_memory = allocations + left; }
+  ~ShortOfMemory() { first_without_memory = kNone; }
+  ShortOfMemory(const ShortOfMemory&) = delete;
+  ShortOfMemory& operator=(const ShortOfMemory&) = delete;
+};
+
+/// Calls a function of the C interface with ever more memory, until it succeeds. Returns how often it failed.
+template <class Call>
+int failures_without_memory(const Call& call) {
+  for (std::size_t left = 0;; ++left) {
+    wend_error error;
+    wend_status status = WEND_OK;
+    {
+      const ShortOfMemory little(left);
+      status = call(&error);
+    }
+    EXPECT_EQ(error.status, status);
+    if (status == WEND_OK) return static_cast<int>(left);
+    EXPECT_EQ(status, WEND_MEMORY_LIMIT) << error.message;
+    if (status != WEND_MEMORY_LIMIT || left > 100'000) return -1;
+  }
+}
+
+/// The same for a function that makes an object, which has to be null if there is none.
+template <class Object, class Make>
+Owned<Object> made_without_memory(const Make& make) {
+  Owned<Object> made;
+  const int failures = failures_without_memory([&](wend_error* error) {
+    auto* object = reinterpret_cast<Object*>(1);
+    const wend_status status = make(&object, error);
+    if (status == WEND_OK) made.reset(object);
+    EXPECT_EQ(object == nullptr, status != WEND_OK);
+    return status;
+  });
+  EXPECT_GT(failures, 0);
+  return made;
+}
+
+TEST(CInterface, SaysThatThereIsNoMemory) {
+  const GridMap cells = generated("random", 30, 20).map();
+  const std::vector<std::uint8_t> bytes = bytes_of(cells);
+  const auto map = made_without_memory<wend_map>([&](wend_map** out, wend_error* error) {
+    return wend_map_create(bytes.data(), bytes.size(), 30, 20, nullptr, out, error);
+  });
+  made_without_memory<wend_map>([](wend_map** out, wend_error* error) {
+    return wend_map_parse("..\n..\n", 6, "m.txt", out, error);
+  });
+  wend_robot_options options = robot_options();
+  options.radius = 0.4;
+  const auto robot = made_without_memory<wend_robot>(
+      [&](wend_robot** out, wend_error* error) { return wend_robot_create(&options, out, error); });
+  const auto session = made_without_memory<wend_session>([&](wend_session** out, wend_error* e) {
+    return wend_session_create(map.get(), robot.get(), nullptr, out, e);
+  });
+  const wend_pose corner{0, 0, 0};
+  wend_pose start{};
+  EXPECT_GT(failures_without_memory([&](wend_error* error) {
+              return wend_session_nearest(session.get(), &corner, &start, error);
+            }),
+            0);
+}
+
+/// Planners that were stopped by an exception leave nothing behind that a later plan could see.
+class CInterfaceShortOfMemory : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(CInterfaceShortOfMemory, PlansAsBeforeOnceThereIsMemory) {
+  const GridMap cells = generated("random", 30, 20).map();
+  const auto session = c_session(c_map(cells).get());
+  const auto reference = c_session(c_map(cells).get());
+  wend_pose start{};
+  wend_pose goal{};
+  const wend_pose corner{1.5, 1.5, 0};
+  const wend_pose other{28.5, 18.5, 0};
+  ASSERT_EQ(wend_session_nearest(session.get(), &corner, &start, nullptr), WEND_OK);
+  ASSERT_EQ(wend_session_nearest(session.get(), &other, &goal, nullptr), WEND_OK);
+  wend_request request = request_to(goal, start);
+  request.planner = GetParam();
+  const auto planned = [&](wend_session* with) {
+    return made_object<wend_plan>([&](wend_plan** plan, wend_error* error) {
+      return wend_session_plan(with, &request, plan, error);
+    });
+  };
+  const auto expected = planned(reference.get());
+  const auto plan = made_without_memory<wend_plan>([&](wend_plan** out, wend_error* error) {
+    return wend_session_plan(session.get(), &request, out, error);
+  });
+  const auto again = planned(session.get());
+  for (const wend_plan* const each : {plan.get(), again.get()}) {
+    EXPECT_EQ(wend_plan_cost(each), wend_plan_cost(expected.get()));
+    EXPECT_EQ(wend_plan_pose_count(each), wend_plan_pose_count(expected.get()));
+  }
+  if (std::string(GetParam()) != "astar") return;
+  made_without_memory<wend_field>([&](wend_field** out, wend_error* error) {
+    return wend_session_field(session.get(), &request, out, error);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(, CInterfaceShortOfMemory,
+                         ::testing::Values("astar", "jps", "lattice", "theta_star"));
 
 INSTANTIATE_TEST_SUITE_P(Registry, Allocation, ::testing::ValuesIn(specs()), [](const auto& test) {
   std::string name = test.param;

@@ -34,7 +34,8 @@ std::set<std::string, std::less<>> compiled_lines() {
   std::set<std::string, std::less<>> lines;
   for (const auto* const name :
        {"snippets_test.cpp", "search_snippets_test.cpp", "planning_snippets_test.cpp",
-        "control_snippets_test.cpp", "session_snippets_test.cpp", "plugin_snippets_test.cpp"}) {
+        "control_snippets_test.cpp", "session_snippets_test.cpp", "plugin_snippets_test.cpp",
+        "c_snippets_test.cpp"}) {
     std::istringstream text(text_of(kSource / "tests" / name));
     for (std::string line; std::getline(text, line);) lines.emplace(code_of(line));
   }
@@ -54,7 +55,8 @@ TEST(SnippetLines, OfHeadersAreCompiled) {
   int headers = 0;
   for (const auto* const folder : {"wend", "bench"}) {
     for (const auto& file : fs::recursive_directory_iterator(kSource / folder)) {
-      if (file.path().extension() != ".hpp") continue;
+      const fs::path extension = file.path().extension();
+      if (extension != ".hpp" && extension != ".h") continue;
       std::istringstream text(text_of(file.path()));
       bool shows = false;
       for (std::string line; std::getline(text, line);) {

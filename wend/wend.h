@@ -146,17 +146,18 @@ typedef struct wend_map_options {
 WEND_C_API wend_status wend_map_options_init(wend_map_options* options, size_t struct_size);
 
 /// Makes a map from `size` = `width` * `height` bytes, row by row; the first is cell (0, 0). The bytes are
-/// copied. `options` may be null. Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_MAP. O(cells).
+/// copied. `options` may be null. Free the map with wend_map_free(). Fails with WEND_INVALID_ARGUMENT or
+/// WEND_INVALID_MAP. O(cells).
 WEND_C_API wend_status wend_map_create(const uint8_t* cells, size_t size, int32_t width,
                                        int32_t height, const wend_map_options* options,
                                        wend_map** map, wend_error* error);
 
 /// Loads a map file: a ROS map.yaml, a MovingAI map, a text grid or an image. Maps without a resolution have
-/// 1 m a cell, and their first row is on top. Fails with WEND_INVALID_FILE.
+/// 1 m a cell, and their first row is on top. Free the map with wend_map_free(). Fails with WEND_INVALID_FILE.
 WEND_C_API wend_status wend_map_load(const char* file, wend_map** map, wend_error* error);
 
-/// The same from the bytes of a file. `name` is a name for errors, whose extension decides the format: "office.map". The
-/// image of a map.yaml is searched for in the working folder.
+/// The same from the bytes of a file. `name` is a name for errors, whose extension decides the format:
+/// "office.map". The image of a map.yaml is searched for in the working folder.
 WEND_C_API wend_status wend_map_parse(const void* bytes, size_t size, const char* name,
                                       wend_map** map, wend_error* error);
 
@@ -190,7 +191,7 @@ typedef struct wend_robot_options {
 WEND_C_API wend_status wend_robot_options_init(wend_robot_options* options, size_t struct_size);
 
 /// Makes a robot. The corners are copied; they are those of a simple polygon that contains the base point.
-/// Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_OPTION.
+/// Free the robot with wend_robot_free(). Fails with WEND_INVALID_ARGUMENT or WEND_INVALID_OPTION.
 WEND_C_API wend_status wend_robot_create(const wend_robot_options* options, wend_robot** robot,
                                          wend_error* error);
 
@@ -200,10 +201,9 @@ WEND_C_API void wend_robot_free(wend_robot* robot);
 /// A map with a robot on it, and planners that keep what they have prepared.
 typedef struct wend_session wend_session;
 
-/// What counts as free.
+/// What counts as free. By default unknown cells do not; nor does the outside, but of a map file in cells.
 enum wend_policy {
-  WEND_POLICY_DEFAULT =
-      0,  // unknown cells: blocked; the outside: blocked, but free on map files in cells
+  WEND_POLICY_DEFAULT = 0,  // as above
   WEND_POLICY_BLOCKED = 1,  // an obstacle
   WEND_POLICY_FREE = 2      // free
 };
@@ -219,7 +219,7 @@ typedef struct wend_session_options {
 WEND_C_API wend_status wend_session_options_init(wend_session_options* options, size_t struct_size);
 
 /// Makes a session. `robot` may be null: a point. `options` may be null. O(1); the first call that needs
-/// distances to obstacles computes them, in O(cells).
+/// distances to obstacles computes them, in O(cells). Free the session with wend_session_free().
 WEND_C_API wend_status wend_session_create(const wend_map* map, const wend_robot* robot,
                                            const wend_session_options* options,
                                            wend_session** session, wend_error* error);
@@ -265,6 +265,7 @@ WEND_C_API wend_status wend_request_init(wend_request* request, size_t struct_si
 typedef struct wend_plan wend_plan;
 
 /// Plans. If there is no path, the status says what happened, the message where, why and what would help.
+/// Free the plan with wend_plan_free().
 WEND_C_API wend_status wend_session_plan(wend_session* session, const wend_request* request,
                                          wend_plan** plan, wend_error* error);
 
@@ -293,7 +294,7 @@ typedef struct wend_field wend_field;
 
 /// Computes the field of the request's goals, for the moves of its planner, which steps from cell to cell.
 /// Start, spacing, straighten and explain are ignored. O(cells log cells); the field of the same goals on the
-/// same map is kept.
+/// same map is kept. Free it with wend_field_free().
 WEND_C_API wend_status wend_session_field(wend_session* session, const wend_request* request,
                                           wend_field** field, wend_error* error);
 
@@ -310,7 +311,8 @@ WEND_C_API double wend_field_cost_at(const wend_field* field, double x, double y
 WEND_C_API uint64_t wend_field_expanded(const wend_field* field);
 
 /// The cheapest path from a pose to a goal, without a search. The heading is ignored. Fails with
-/// WEND_START_OUTSIDE, WEND_START_BLOCKED or WEND_UNREACHABLE. O(length).
+/// WEND_START_OUTSIDE, WEND_START_BLOCKED or WEND_UNREACHABLE. O(length). Free the plan with
+/// wend_plan_free().
 WEND_C_API wend_status wend_field_plan(const wend_field* field, const wend_pose* start,
                                        wend_plan** plan, wend_error* error);
 

@@ -15,7 +15,7 @@ import shutil
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".def": "cpp", ".cff": "yaml", ".py": "python", ".json": "json"}
+LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".h": "c", ".c": "c", ".def": "cpp", ".cff": "yaml", ".py": "python", ".json": "json"}
 LINK = re.compile(r"\[([^\[\]]*)\]\(([^)\s#:]+)(#[^)\s]*)?\)")
 
 

@@ -7,6 +7,7 @@
 
 #include "checks.hpp"
 #include "forged_index.hpp"
+#include "fuzzed_c_interface.hpp"
 #include "fuzzed_map_yaml.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
@@ -156,6 +157,7 @@ constexpr std::array kLoaders{
     Loader{"footprint", fuzz_footprint},
     Loader{"primitives", fuzz_primitives},
     Loader{"index", fuzz_index},
+    Loader{"c_interface", fuzz_c_interface},
 };
 
 }  // namespace

@@ -22,13 +22,13 @@ wend::FreeSpaceOptions wend_session::options_of(const wend::Robot& robot) const 
 }
 
 void wend_session::set_map(const wend::GridMap& next) {
-  const std::lock_guard lock(mutex);
+  const std::scoped_lock lock(mutex);
   map = next;
   session.set_map(next);
 }
 
 void wend_session::drop_planners() {
-  const std::lock_guard lock(mutex);
+  const std::scoped_lock lock(mutex);
   session.set_map(map);
 }
 

@@ -30,8 +30,10 @@ struct WarmPlanner::Shelf {
 
   explicit Shelf(std::size_t most) : most_idle(most) {}
 
+  /// Also makes room for the planner to come back: that must not fail.
   std::unique_ptr<Planner> take(std::uint64_t wanted, const std::string& key) {
     const MutexLock lock(mutex);
+    if (idle.capacity() < most_idle) idle.reserve(idle.capacity() + 1);
     if (wanted > version) {
       idle.clear();
       version = wanted;

@@ -30,7 +30,7 @@ ALIKE = [
 ]
 
 STRING = re.compile(r'"(?:\\.|[^"\\])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\])+\'')
-DECLARES = re.compile(r"\s*(?:namespace|class|struct|(enum)|union)\b[^(=]*$")
+DECLARES = re.compile(r'\s*(?:(?:typedef )?(?:namespace|class|struct|(enum)|union)\b[^(=]*|extern _ )$')
 
 
 def split(line):
