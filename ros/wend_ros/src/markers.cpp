@@ -65,14 +65,18 @@ void finish(Marker& marker) {
   if (marker.points.empty()) marker.action = Marker::DELETE;
 }
 
+/// As long as the robot, or half a metre for a point.
+double arrow_length(const wend::Footprint& footprint) {
+  return footprint.is_point() ? 0.5 : std::clamp(footprint.circumscribed_radius(), 0.2, 2.0);
+}
+
 Marker end_marker(const wend::MapPose& end, const std::string& frame_id, const std::string& name,
-                  const Rgb& colour) {
-  constexpr double kLength = 0.5;  // m
+                  const Rgb& colour, double length) {
   Marker marker = marker_of(frame_id, name, Marker::ARROW, colour);
   marker.pose = to_message(end);
-  marker.scale.x = kLength;
-  marker.scale.y = kLength / 3;
-  marker.scale.z = kLength / 3;
+  marker.scale.x = length;
+  marker.scale.y = length / 3;
+  marker.scale.z = length / 3;
   return marker;
 }
 
@@ -209,9 +213,13 @@ visualization_msgs::MarkerArray path_markers(const ShownPath& shown,
     return array;
   }
   const std::vector<wend::Pose> poses = shown.path.poses();
-  const auto in_metres = [&](const wend::Pose& pose) { return shown.frame.to_metres(pose); };
-  array.markers.push_back(end_marker(in_metres(poses.front()), shown.frame_id, "start", kGreen));
-  array.markers.push_back(end_marker(in_metres(poses.back()), shown.frame_id, "goal", kOrange));
+  const double length = arrow_length(footprint);
+  const auto add = [&](const std::string& name, const wend::Pose& pose, const Rgb& colour) {
+    array.markers.push_back(
+        end_marker(shown.frame.to_metres(pose), shown.frame_id, name, colour, length));
+  };
+  add("start", poses.front(), kGreen);
+  add("goal", poses.back(), kOrange);
   return array;
 }
 

@@ -82,6 +82,15 @@ TEST(PathMarkers, PointTheWayTheRobotFacesAtItsEnds) {
   }
 }
 
+TEST(PathMarkers, HaveArrowsAsLongAsTheRobot) {
+  const auto length = [](const wend::Footprint& footprint) {
+    return shown(line({0, 0}, {16, 0}), footprint).markers.back().scale.x;
+  };
+  EXPECT_EQ(length({}), 0.5);
+  EXPECT_EQ(length(wend::Footprint::disc(0.9)), 0.9);
+  EXPECT_EQ(length(wend::Footprint::disc(0.01)), 0.2) << "still to be seen";
+}
+
 TEST(PathMarkers, HaveTheColoursOfTheStartAndTheGoalAtTheirOutlines) {
   const Marker marker = footprint_of(shown(line({0, 0}, {16, 0}), box()));
   ASSERT_EQ(marker.colors.size(), marker.points.size()) << "one a point, or rviz refuses them";
