@@ -10,8 +10,8 @@ namespace wend {
 
 std::vector<Pose> dense_poses(const Path& path, double tolerance) {
   assert(tolerance > 0);
+  if (!path.driven()) return path.poses();
   const std::vector<Pose> joints = path.poses();
-  if (!path.driven()) return joints;
   const std::vector<Segment> segments = path.segments();
   std::vector<Pose> poses{joints.front()};
   for (std::size_t joint = 1; joint < joints.size(); ++joint) {
