@@ -246,13 +246,15 @@ WEND_C_API void wend_session_free(wend_session* session);
 
 /// A query: from where to where, and how.
 typedef struct wend_request {
-  size_t struct_size;      // sizeof(wend_request)
-  wend_pose start;         // planners on cells ignore the heading
-  const wend_pose* goals;  // the cheapest is found; a heading of NaN: any
-  size_t goal_count;       // 1 to 1,000,000
-  const char* planner;     // a planner and its options: "astar:weight=1.5"; default "astar"
-  uint64_t expansions;     // the most states to expand; default UINT64_MAX
-  double seconds;          // of the search, >= 0; default infinity
+  size_t struct_size;        // sizeof(wend_request)
+  wend_pose start;           // planners on cells ignore the heading
+  const wend_pose* goals;    // the cheapest is found; a heading of NaN: any
+  size_t goal_count;         // 1 to 1,000,000
+  double tolerance;          // metres, >= 0: how far from its goal a path may end; default 0
+  double heading_tolerance;  // radians, >= 0: the same for the heading; default 0
+  const char* planner;       // a planner and its options: "astar:weight=1.5"; default "astar"
+  uint64_t expansions;       // the most states to expand; default UINT64_MAX
+  double seconds;            // of the search, >= 0; default infinity
   double spacing;      // metres, of the poses along the path; default 0: where the planner has them
   int32_t straighten;  // 1: joins cells by lines along which the robot fits; default 0
   int32_t explain;     // 1: says why there is no path, in O(cells log cells); default 1

@@ -174,6 +174,8 @@ class FuzzedRequest {
     request.goals = goals_.data();
     request.goal_count = goals_.size();
     if (!planner_.empty()) request.planner = planner_.c_str();
+    if (bytes.byte() < 64) request.tolerance = bytes.number();
+    if (bytes.byte() < 64) request.heading_tolerance = bytes.number();
     request.expansions = 2000;
     request.straighten = bytes.byte() % 2;
     request.explain = bytes.byte() % 2;

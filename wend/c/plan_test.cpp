@@ -116,6 +116,10 @@ TEST(CField, SaysWhatIsWrongWithItsGoals) {
   EXPECT_EQ(refusal.message,
             "the goal (9,1) m, cell (9,1) is outside the map, which covers x from 0 to 4 m and y "
             "from 0 to 4 m");
+  request.tolerance = 5.6;  // reaches the cells of the last column
+  const auto field = field_of(session.get(), request);
+  EXPECT_EQ(wend_field_cost_at(field.get(), 3.5, 1.5), 0);
+  EXPECT_EQ(wend_field_cost_at(field.get(), 1.5, 1.5), 2);
   request.goal_count = 0;
   EXPECT_EQ(refused_field(session.get(), &request).status, WEND_INVALID_ARGUMENT);
   const wend_pose goal{1.5, 1.5, 0};

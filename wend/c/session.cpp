@@ -8,6 +8,7 @@
 #include "wend/base/parse.hpp"
 #include "wend/c/boundary.hpp"
 #include "wend/c/objects.hpp"
+#include "wend/planner/goal_region.hpp"
 
 wend_session::wend_session(const wend::GridMap& first_map, const wend::Robot& robot,
                            const wend::ObstacleOptions& chosen)
@@ -47,6 +48,8 @@ constexpr wend_session_options kSessionDefaults{sizeof(wend_session_options), WE
 constexpr wend_request kRequestDefaults{sizeof(wend_request),
                                         {0, 0, 0},
                                         nullptr,
+                                        0,
+                                        0,
                                         0,
                                         "astar",
                                         Limits::kUnlimited,
@@ -93,6 +96,11 @@ Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
     return refused("wend_request.goal_count is " + std::to_string(request.goal_count) +
                    ": at most " + std::to_string(kMostGoals) + " expected");
   }
+  for (const double tolerance : {request.tolerance, request.heading_tolerance}) {
+    if (tolerance >= 0 && std::isfinite(tolerance)) continue;
+    return refused("a tolerance of wend_request is " + format_number(tolerance) +
+                   ": a finite number from 0 expected");
+  }
   std::vector<MapGoal> goals;
   goals.reserve(request.goal_count);
   for (std::size_t i = 0; i < request.goal_count; ++i) {
@@ -101,6 +109,8 @@ Expected<std::vector<MapGoal>, Failure> goals_of(const wend_request& request) {
       return refused("wend_request.goals[" + std::to_string(i) + "] contains NaN or infinity");
     }
     MapGoal& goal = goals.emplace_back(MapPoint{x, y});
+    goal.tolerance = request.tolerance;
+    goal.heading_tolerance = request.heading_tolerance;
     if (!std::isnan(heading)) goal.heading = heading;
   }
   return goals;
@@ -163,22 +173,17 @@ Expected<std::unique_ptr<wend_plan>, Failure> make_plan(wend_session& handle,
   return std::make_unique<wend_plan>(*answer);
 }
 
-/// Plans are for poses anywhere in a cell, fields for cells.
-Expected<std::vector<Cell>, Failure> cells_of(const std::vector<MapGoal>& goals,
-                                              const FreeSpace& space) {
-  const Units units(space.map());
-  std::vector<Cell> cells;
-  for (const MapGoal& goal : goals) {
-    const Point point = space.map().frame().to_grid(goal.point);
-    const auto cell = cell_under(space, point);
-    if (cell) {
-      cells.push_back(*cell);
-    } else {
-      const Explainer explainer(space, units, {}, {});
-      return failed(Error{Status::goal_outside, explainer.outside(units.place("goal", point))});
+/// Why there is no field: for a goal that is outside or blocked, which and why.
+Failure no_field(PlanFailure failure, const FreeSpace& space, const Query& query) {
+  if (failure.status == Status::goal_outside || failure.status == Status::goal_blocked) {
+    const Units units(space.map());
+    const Explainer explainer(space, units, {}, {});
+    for (const Goal& goal : query.goals) {
+      std::string why = explainer.blocked(units.place("goal", goal.point));
+      if (!why.empty()) failure.message = std::move(why);
     }
   }
-  return cells;
+  return failure_of(std::move(failure));
 }
 
 Expected<std::unique_ptr<wend_field>, Failure> make_field(wend_session& handle,
@@ -194,10 +199,12 @@ Expected<std::unique_ptr<wend_field>, Failure> make_field(wend_session& handle,
     return failed(Error{Status::unsupported_query,
                         asked->planner.name + " does not step from cell to cell: it has no field"});
   }
-  auto goals = cells_of(asked->goals, view->space);
-  if (!goals) return Unexpected<Failure>(std::move(goals.error()));
-  auto field = handle.session.cost_to_go(*view, *std::move(goals), *moves, asked->limits);
-  if (!field) return failed(std::move(field.error()));
+  const Query query = query_of(*asked, view->space.map().frame());
+  auto field =
+      handle.session.cost_to_go(*view, goal_cells(view->space, query), *moves, asked->limits);
+  if (!field) {
+    return Unexpected<Failure>(no_field(std::move(field.error()), view->space, query));
+  }
   return std::make_unique<wend_field>(view->space, *std::move(field));
 }
 

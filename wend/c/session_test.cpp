@@ -102,12 +102,16 @@ TEST(CSession, PlansAsTheCppInterface) {
       request.planner = one_of(random, kSpecs);
       request.explain = random.chance(0.8) ? 1 : 0;
       if (random.chance(0.1)) request.expansions = random.below(6);
+      if (random.chance(0.3)) request.tolerance = 2 * random.uniform();
+      if (random.chance(0.3)) request.heading_tolerance = random.uniform();
 
       PlanRequest same;
       same.start = as_map_pose(request.start);
       for (const wend_pose& goal : goals) {
         MapGoal& its = same.goals.emplace_back(MapPoint{goal.x, goal.y});
         if (!std::isnan(goal.heading)) its.heading = goal.heading;
+        its.tolerance = request.tolerance;
+        its.heading_tolerance = request.heading_tolerance;
       }
       same.planner = parse_planner_specs(request.planner).value().front();
       same.limits.expansions = request.expansions;
@@ -249,6 +253,10 @@ TEST(CSession, RefusesNumbersThatAreNotFinite) {
     EXPECT_EQ(refused_request([&](auto& request) { request.start.heading = number; }).status,
               WEND_INVALID_ARGUMENT);
     EXPECT_EQ(refused_request([&](auto& request) { request.spacing = number; }).status,
+              WEND_INVALID_ARGUMENT);
+    EXPECT_EQ(refused_request([&](auto& request) { request.tolerance = number; }).status,
+              WEND_INVALID_ARGUMENT);
+    EXPECT_EQ(refused_request([&](auto& request) { request.heading_tolerance = number; }).status,
               WEND_INVALID_ARGUMENT);
     const wend_pose far{1.5, number, 0};
     EXPECT_EQ(refused_request([&](auto& request) { request.goals = &far; }).message,
