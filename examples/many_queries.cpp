@@ -6,7 +6,7 @@
 #include "wend/wend.hpp"
 
 int main() {
-  const auto map = wend::generators().find("random")->make(200, 200, 7, {});
+  const auto map = wend::make_map("random", 200, 200, 7);
   if (!map) return std::puts(map.error().message.c_str()), 2;
   wend::Session session(*map);
   std::vector<wend::PlanRequest> requests(199);

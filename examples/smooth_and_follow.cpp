@@ -18,7 +18,7 @@ int main() {
   if (!plan) return std::puts(plan.error().message.c_str()), 1;
   const auto smooth = wend::refined(plan->path, wide, {.smoother = wend::SmootherChoice{}});
   if (!smooth) return std::puts(smooth.error().message.c_str()), 1;
-  const auto controller = wend::controllers().find("pure_pursuit")->make({}).value();
+  const auto controller = wend::make_controller("pure_pursuit").value();
   const wend::Drive drive = wend::simulate(space, smooth->path, *controller);
   std::printf("%s after %.0f s and %.0f m\n", describe(drive.outcome).data(), drive.time,
               drive.distance);

@@ -84,7 +84,7 @@ std::size_t bytes_in_use() {
 }
 
 FreeSpace generated(std::string_view kind, int width, int height) {
-  return *make_free_space(generators().find(kind)->make(width, height, 7, {}).value());
+  return *make_free_space(make_map(kind, width, height, 7).value());
 }
 
 std::vector<FreeSpace> maps() {

@@ -88,9 +88,8 @@ struct WheeledRobot {
 };
 
 TEST(Snippets, OfControllerRouteAndFollower) {
-  const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
   const auto made = [&] {
-    const auto controller = info->make({{"lookahead", "0.5"}});
+    const auto controller = wend::make_controller("pure_pursuit", {{"lookahead", "0.5"}});
     if (!controller) report(controller.error().message);
     return controller.has_value();
   };
@@ -130,7 +129,7 @@ TEST(Snippets, OfRemainingAndSimulation) {
   EXPECT_NEAR(rest.path.length(), path.length() - driven_so_far, 1e-9);
 
   reported = "";
-  auto controller = wend::controllers().find("pid")->make({});
+  auto controller = wend::make_controller("pid");
   const wend::Drive drive = wend::simulate(space, plan->path, **controller, {}, {.seed = 7});
   if (drive.outcome != wend::DriveOutcome::reached) report(wend::describe(drive.outcome));
   EXPECT_EQ(reported, "");

@@ -39,7 +39,7 @@ std::vector<Parking> parkings() {
   std::vector<Parking> parkings;
   for (int seed = 1; seed <= kDrivenYards; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
-    const GridMap map = generators().find("parking")->make(40, 25, seed, {}).value();
+    const GridMap map = make_map("parking", 40, 25, seed).value();
     const FreeSpace cautious =
         *make_free_space(map, {.footprint = Footprint::disc(kPlannedRadius)});
     const auto planner = make_planner("car", cautious).value();
@@ -59,7 +59,7 @@ std::vector<Parking> parkings() {
 class FollowCar : public ::testing::TestWithParam<Drivetrain> {};
 
 TEST_P(FollowCar, ParksForthAndBack) {
-  const auto controller = controllers().find("pure_pursuit")->make({}).value();
+  const auto controller = make_controller("pure_pursuit").value();
   const MotionModel model{.drivetrain = GetParam()};
   double worst = 0;
   double worst_heading = 0;

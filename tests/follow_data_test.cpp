@@ -40,7 +40,7 @@ TEST_P(LapOf, StaysOnTheTrack) {
   const FreeSpace space = *make_free_space(map, {.footprint = Footprint::disc(kDataRadius)});
   const fs::path file = fs::path(WEND_DATA) / "tracks" / (GetParam() + "_centerline.csv");
   const Path line = load_path(file, map.frame()).value();
-  const auto controller = controllers().find("pure_pursuit")->make({}).value();
+  const auto controller = make_controller("pure_pursuit").value();
   MotionModel model{.drivetrain = Drivetrain::bicycle};
   model.limits = {.speed = 3, .turn_rate = 3, .acceleration = 3, .turn_acceleration = 20};
 

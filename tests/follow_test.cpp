@@ -55,7 +55,7 @@ std::vector<PlannedDrive> planned_drives() {
   for (const auto& [kind, width, height] :
        {std::tuple("office", 120, 90), std::tuple("warehouse", 150, 110)}) {
     for (int seed = 1; seed <= kMapsOfAKind; ++seed) {
-      const GridMap map = generators().find(kind)->make(width, height, seed, {}).value();
+      const GridMap map = make_map(kind, width, height, seed).value();
       Random random(static_cast<std::uint64_t>(seed));
       const FreeSpace cautious =
           *make_free_space(map, {.footprint = Footprint::disc(kRobotRadius + kRobotMargin)});
@@ -80,7 +80,7 @@ double largest_error(const PlannedDrive& plan, const Path& path, Controller& con
 class Follow : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Follow, ReachesTheGoalOfEveryPlan) {
-  const auto controller = controllers().find(GetParam())->make({}).value();
+  const auto controller = make_controller(GetParam()).value();
   double as_planned = 0;
   double smoothed = 0;
   double pulled = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kClones = 8;
 
-FreeSpace rooms() { return *make_free_space(*generators().find("rooms")->make(60, 40, 3, {})); }
+FreeSpace rooms() { return *make_free_space(*make_map("rooms", 60, 40, 3)); }
 
 std::vector<Query> queries_on(const FreeSpace& space, std::uint64_t seed) {
   Random random(seed);
@@ -71,7 +71,7 @@ TEST_P(PlannerClone, IsUpdatedByItself) {
   const auto planner = make_planner(GetParam(), rooms());
   ASSERT_TRUE(planner) << planner.error().message;
   const auto clone = (*planner)->clone();
-  const auto office = generators().find("maze")->make(31, 21, 5, {});
+  const auto office = make_map("maze", 31, 21, 5);
   ASSERT_TRUE(office) << office.error().message;
   ASSERT_TRUE(clone->update(*make_free_space(*office)));
   EXPECT_EQ(clone->free_space().width(), 31);

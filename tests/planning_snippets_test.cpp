@@ -67,8 +67,9 @@ TEST(Snippets, OfSmoothingAndSimplification) {
   const auto plan = (*planner)->plan(wend::Query::between({2, 2}, {17, 2}));
   reported.clear();
   {
-    const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
-    const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
+    const auto smoother = wend::make_smoother("gradient", {{"beta", "0.4"}});
+    if (!smoother) return report(smoother.error().message);
+    const auto smoothed = (*smoother)(plan->path, space);
     if (!smoothed) report(smoothed.error().message);
     EXPECT_TRUE(smoothed);
   }

@@ -40,7 +40,7 @@ class SharedIndex : public ::testing::TestWithParam<std::string> {
 };
 
 FreeSpace space_of(const char* generator, const OptionValues& options = {}) {
-  const auto map = generators().find(generator)->make(160, 100, 5, options);
+  const auto map = make_map(generator, 160, 100, 5, options);
   return *make_free_space(map.value());
 }
 

@@ -137,7 +137,7 @@ std::vector<Path> office_plans(const FreeSpace& space, Random& random, int count
 TEST(Smoothing, BoundsCurvatureInOffices) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Random random(seed);
-    const auto map = generators().find("office")->make(200, 160, seed, {});
+    const auto map = make_map("office", 200, 160, seed);
     const FreeSpace space = *make_free_space(*map, {.footprint = Footprint::disc(0.2)});
     for (const Path& path : office_plans(space, random, 4)) {
       for (const double radius : {3.0, 4.0}) {
@@ -158,7 +158,7 @@ TEST(Smoothing, MeetsTurningRadiiThatDoorsAllow) {
     int plans = 0;
     for (std::uint64_t seed = 1; seed <= test::share_of(4U); ++seed) {
       Random random(seed);
-      const auto map = generators().find("office")->make(200, 160, seed, {});
+      const auto map = make_map("office", 200, 160, seed);
       const FreeSpace space = *make_free_space(*map, {.footprint = Footprint::disc(0.2)});
       for (const Path& path : office_plans(space, random, 25)) {
         met += smooth_by_curvature(path, space, {.radius = radius})->within_bound ? 1 : 0;
@@ -206,7 +206,7 @@ TEST(Smoothing, IsSafeWithEverySmootherAsItComes) {
   on_random_plans(500, [&](const Trial& trial, Random&) {
     for (const SmootherInfo& smoother : smoothers()) {
       SCOPED_TRACE(smoother.name);
-      const auto smoothed = smoother.smooth(trial.path, trial.space, squeezing(trial));
+      const auto smoothed = smoother.make(squeezing(trial)).value()(trial.path, trial.space);
       ASSERT_TRUE(smoothed) << smoothed.error().message;
       expect_guarantee_kept(*smoothed, trial);
     }

@@ -262,8 +262,7 @@ TEST(Snippets, OfMapsAndFreeSpace) {
 }
 
 void generate() {
-  const wend::GeneratorInfo* maze = wend::generators().find("maze");
-  const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
+  const auto map = wend::make_map("maze", 41, 21, 7, {{"corridor_width", "1"}});
   if (!map) report(map.error().message);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->width(), 41);

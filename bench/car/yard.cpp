@@ -40,7 +40,7 @@ std::vector<Query> drives_on(const FreeSpace& space, const YardPlan& plan) {
 
 Yard make_yard(const std::string& name, const std::string& kind, const OptionValues& options,
                const YardPlan& plan) {
-  const auto map = generators().find(kind)->make(plan.size, plan.size, plan.seed, options);
+  const auto map = make_map(kind, plan.size, plan.size, plan.seed, options);
   const FreeSpace space = *make_free_space(*map);
   return {name, space, drives_on(space, plan)};
 }

@@ -67,8 +67,7 @@ namespace {
 int run(const std::string& name) {
   double cost = 0;
   for (const CountedMap& counted : counted_maps()) {
-    const auto map =
-        generators().find(counted.generator)->make(kSize, kSize, kSeed, counted.options);
+    const auto map = make_map(counted.generator, kSize, kSize, kSeed, counted.options);
     if (!map) return std::fputs(map.error().message.c_str(), stderr), 2;
     const FreeSpace space = *make_free_space(*map);
     const auto planner = make_planner(name, space);

@@ -4,14 +4,13 @@
 
 #include <array>
 
+#include "wend/io/file_error.hpp"
 #include "wend/io/files.hpp"
 #include "wend/report/json.hpp"
 #include "wend/report/text_table.hpp"
 
 namespace wend {
 namespace {
-
-using Fault = Unexpected<std::string>;
 
 constexpr int kBaselineSchema = 1;
 
@@ -50,18 +49,19 @@ std::string change(double now, double before) {
 
 }  // namespace
 
-Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& file) {
+Expected<SpeedBaseline, Error> read_baseline(const std::filesystem::path& file) {
   const auto text = read_file(file);
-  if (!text) return Fault(text.error().message);
+  if (!text) return Unexpected<Error>(text.error());
   try {
     const Json json = Json::parse(*text);
     if (json.at("schema") != kBaselineSchema) {
-      return Fault(fmt::format("{}: schema {} is not supported, only {} is", file.string(),
-                               json.at("schema").dump(), kBaselineSchema));
+      return file_failure(file.string(), 0,
+                          fmt::format("schema {} is not supported, only {} is",
+                                      json.at("schema").dump(), kBaselineSchema));
     }
     return baseline_of(json);
   } catch (const Json::exception& error) {
-    return Fault(fmt::format("{}: not a baseline: {}", file.string(), error.what()));
+    return file_failure(file.string(), 0, fmt::format("not a baseline: {}", error.what()));
   }
 }
 

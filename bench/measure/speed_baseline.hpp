@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
 
 namespace wend {
@@ -33,7 +34,7 @@ struct SpeedBaseline {
 };
 
 /// An error names the file and what is wrong with it.
-Expected<SpeedBaseline, std::string> read_baseline(const std::filesystem::path& file);
+Expected<SpeedBaseline, Error> read_baseline(const std::filesystem::path& file);
 
 /// The text of the file.
 std::string baseline_json(const SpeedBaseline& baseline);

@@ -25,7 +25,7 @@ class SpeedBaselineFile : public testing::Test {
   void write(const std::string& text) const { std::ofstream(file_) << text; }
   std::string error() const {
     const auto read = read_baseline(file_);
-    return read ? "" : read.error();
+    return read ? "" : read.error().message;
   }
 
   std::filesystem::path file_ =
@@ -35,7 +35,7 @@ class SpeedBaselineFile : public testing::Test {
 TEST_F(SpeedBaselineFile, IsReadAsItWasWritten) {
   write(baseline_json(two_planners()));
   const auto read = read_baseline(file_);
-  ASSERT_TRUE(read) << read.error();
+  ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->machine, "a processor");
   EXPECT_EQ(read->commit, "0123abc");
   EXPECT_EQ(read->tolerance, 0.2);

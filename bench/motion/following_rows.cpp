@@ -24,7 +24,7 @@ struct Office {
 /// Splits every cell of 10 cm into four of 5 cm, as map servers have them.
 Office office() {
   constexpr int kSide = 1000;
-  const auto coarse = generators().find("office")->make(kSide / 2, kSide / 2, 1, {});
+  const auto coarse = make_map("office", kSide / 2, kSide / 2, 1);
   if (!coarse) fail(coarse.error().message);
   Frame frame = coarse->frame();
   frame.resolution /= 2;

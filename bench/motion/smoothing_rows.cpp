@@ -27,7 +27,7 @@ struct Walk {
 
 Walk walk_on(std::string name, const std::string& kind, const OptionValues& options,
              double radius_in_cells) {
-  const auto map = generators().find(kind)->make(kSide, kSide, 1, options);
+  const auto map = make_map(kind, kSide, kSide, 1, options);
   if (!map) fail(map.error().message);
   FreeSpace space = *make_free_space(
       *map, {.footprint = Footprint::disc(radius_in_cells * map->frame().resolution)});

@@ -33,7 +33,7 @@ int run(ScalingPlan plan, const fs::path& folder, int least, int largest) {
   const auto maps =
       run_scaling(plan, [](const std::string& next) { fmt::print(stderr, "{}\n", next); });
   if (!maps) {
-    fmt::print(stderr, "{}\n", maps.error());
+    fmt::print(stderr, "{}\n", maps.error().message);
     return 2;
   }
   fs::create_directories((folder / kPicture).parent_path());

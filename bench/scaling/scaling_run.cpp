@@ -24,8 +24,6 @@
 namespace wend::bench {
 namespace {
 
-using Error = Unexpected<std::string>;
-
 constexpr std::uint64_t kSeed = 7;
 constexpr std::size_t kMostQueries = 200;
 constexpr std::size_t kNewPlanners = 10;  // that are asked one query
@@ -173,12 +171,10 @@ class KindRun {
         last_builds_(plan.planners.size(), 0.0),
         last_queries_(plan.planners.size(), 0.0) {}
 
-  Expected<MapScale, std::string> run(int size,
-                                      const std::function<void(const std::string&)>& progress) {
+  Expected<MapScale, Error> run(int size, const std::function<void(const std::string&)>& progress) {
     progress(fmt::format("{}, {} x {}", kind_.name, size, size));
-    const GeneratorInfo* generator = generators().find(kind_.generator);
-    const auto map = generator->make(size, size, kSeed, kind_.options);
-    if (!map) return Error(map.error().message);
+    const auto map = make_map(kind_.generator, size, size, kSeed, kind_.options);
+    if (!map) return Unexpected<Error>(map.error());
     const double begin = thread_cpu_seconds();
     const FreeSpace space = *make_free_space(*map);
     MapScale scale{kind_, size, space.passable().count(), thread_cpu_seconds() - begin, {}};
@@ -226,14 +222,14 @@ class KindRun {
 
 }  // namespace
 
-Expected<std::vector<MapScale>, std::string> run_scaling(
+Expected<std::vector<MapScale>, Error> run_scaling(
     const ScalingPlan& plan, const std::function<void(const std::string&)>& progress) {
   if (plan.queries < 1 || plan.queries > kMostQueries) {
-    return Error(fmt::format("from 1 to {} queries", kMostQueries));
+    return failure(Status::invalid_option, fmt::format("from 1 to {} queries", kMostQueries));
   }
   for (const std::string& name : plan.planners) {
     if (name != kBoost && planners().find(name) == nullptr) {
-      return Error(planners().unknown("planner", name));
+      return failure(Status::invalid_option, planners().unknown("planner", name), name);
     }
   }
   std::vector<MapScale> maps;
@@ -241,7 +237,7 @@ Expected<std::vector<MapScale>, std::string> run_scaling(
     KindRun run(plan, kind);
     for (const int size : plan.sizes) {
       auto scale = run.run(size, progress);
-      if (!scale) return Error(scale.error());
+      if (!scale) return Unexpected<Error>(scale.error());
       maps.push_back(*std::move(scale));
     }
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/base/options.hpp"
 
@@ -56,7 +57,7 @@ struct MapScale {
 
 /// `progress` is told what comes next. Each planner is measured in a process of its own. An error says
 /// what is wrong with the plan.
-Expected<std::vector<MapScale>, std::string> run_scaling(
+Expected<std::vector<MapScale>, Error> run_scaling(
     const ScalingPlan& plan, const std::function<void(const std::string&)>& progress);
 
 /// All our planners that find a cheapest path by default, and Boost's A*.

@@ -16,7 +16,7 @@ using test::Robot;
 using test::Rules;
 
 GridMap generated(const std::string& kind, int size, const OptionValues& options = {}) {
-  return *generators().find(kind)->make(size, size, 3, options);
+  return *make_map(kind, size, size, 3, options);
 }
 
 /// Compares every query with brute force.

@@ -35,8 +35,8 @@ struct Refused {
 };
 
 template <class T>
-T value_or_refuse(Expected<T, std::string> result) {
-  if (!result) throw Refused{result.error()};
+T value_or_refuse(Expected<T, Error> result) {
+  if (!result) throw Refused{result.error().message};
   return *std::move(result);
 }
 

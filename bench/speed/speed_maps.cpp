@@ -5,35 +5,35 @@
 
 #include "bench/scenario/scenario_queries.hpp"
 #include "wend/generate/generators.hpp"
+#include "wend/io/file_error.hpp"
 #include "wend/io/map/load_map.hpp"
 
 namespace wend::bench {
 namespace {
 
-using Error = Unexpected<std::string>;
-
-Expected<SpeedMap, std::string> load(const std::filesystem::path& scenario_file) {
+Expected<SpeedMap, Error> load(const std::filesystem::path& scenario_file) {
   auto scenario = load_scenario(scenario_file);
-  if (!scenario) return Error(scenario.error().message);
+  if (!scenario) return Unexpected<Error>(scenario.error());
   const auto map_file = scenario_map_path(*scenario);
-  if (!map_file) return Error(map_file.error().message);
+  if (!map_file) return Unexpected<Error>(map_file.error());
   auto loaded = load_map(*map_file);
-  if (!loaded) return Error(loaded.error().message);
+  if (!loaded) return Unexpected<Error>(loaded.error());
   const auto fits = check_map_size(*scenario, loaded->map.width(), loaded->map.height());
-  if (!fits) return Error(fits.error().message);
-  if (scenario->queries.empty()) return Error(scenario->file + ": the scenario has no queries");
+  if (!fits) return Unexpected<Error>(fits.error());
+  if (scenario->queries.empty())
+    return file_failure(scenario->file, 0, "the scenario has no queries");
   return SpeedMap{map_file->stem().string(), std::move(loaded->map), std::move(scenario->queries)};
 }
 
 }  // namespace
 
-Expected<std::vector<SpeedMap>, std::string> maps_of_folder(const std::filesystem::path& folder) {
+Expected<std::vector<SpeedMap>, Error> maps_of_folder(const std::filesystem::path& folder) {
   const auto files = scenarios_in(folder);
-  if (!files) return Error(files.error().message);
+  if (!files) return Unexpected<Error>(files.error());
   std::vector<SpeedMap> maps;
   for (const std::filesystem::path& file : *files) {
     auto map = load(file);
-    if (!map) return Error(map.error());
+    if (!map) return Unexpected<Error>(map.error());
     maps.push_back(*std::move(map));
   }
   return maps;
@@ -50,7 +50,7 @@ std::vector<SpeedMap> generated_maps() {
                          Kind{"random", 256, {{"density", "0.3"}}}};
   std::vector<SpeedMap> maps;
   for (const Kind& kind : kinds) {
-    auto map = generators().find(kind.generator)->make(kind.size, kind.size, kSeed, kind.options);
+    auto map = make_map(kind.generator, kind.size, kind.size, kSeed, kind.options);
     auto queries = scenario_queries(*make_free_space(*map), {}, {.seed = kSeed, .per_bucket = 2});
     maps.push_back({kind.generator, *std::move(map), *std::move(queries)});
   }

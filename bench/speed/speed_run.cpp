@@ -17,8 +17,6 @@
 namespace wend::bench {
 namespace {
 
-using Failure = Unexpected<std::string>;
-
 constexpr double kMicroseconds = 1e6;
 constexpr std::size_t kAskedFirst = 10;  // queries that new planners are asked
 
@@ -113,7 +111,7 @@ class Entry {
   Timing timing_;
 };
 
-Expected<MapTimings, std::string> time_map(const SpeedMap& map, const SpeedPlan& plan) {
+Expected<MapTimings, Error> time_map(const SpeedMap& map, const SpeedPlan& plan) {
   const FreeSpace space = *make_free_space(map.map);
   const auto sample = evenly_sampled(map.queries, plan.sample);
   std::vector<Entry> entries;
@@ -124,7 +122,7 @@ Expected<MapTimings, std::string> time_map(const SpeedMap& map, const SpeedPlan&
   MapTimings timings{map.name, space.passable().count(), sample.size(), 0, {}};
   for (Entry& entry : entries) {
     const std::string wrong = entry.prepare();
-    if (!wrong.empty()) return Failure(map.name + ": " + wrong);
+    if (!wrong.empty()) return failure(Status::invalid_option, map.name + ": " + wrong, map.name);
     entry.time_first(evenly_sampled(sample, kAskedFirst));
     entry.check(sample, timings.path_cells);
   }
@@ -137,14 +135,14 @@ Expected<MapTimings, std::string> time_map(const SpeedMap& map, const SpeedPlan&
 
 }  // namespace
 
-Expected<std::vector<MapTimings>, std::string> run_speed(
+Expected<std::vector<MapTimings>, Error> run_speed(
     const std::vector<SpeedMap>& maps, const SpeedPlan& plan,
     const std::function<void(const std::string&, std::size_t, std::size_t)>& progress) {
   std::vector<MapTimings> all;
   for (const SpeedMap& map : maps) {
     progress(map.name, all.size(), maps.size());
     auto timings = time_map(map, plan);
-    if (!timings) return Failure(timings.error());
+    if (!timings) return Unexpected<Error>(timings.error());
     all.push_back(*std::move(timings));
   }
   return all;

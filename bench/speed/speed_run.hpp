@@ -10,6 +10,7 @@
 
 #include "bench/measure/speed_baseline.hpp"
 #include "bench/speed/speed_maps.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/planner/planners.hpp"
 
@@ -43,7 +44,7 @@ struct SpeedPlan {
 
 /// `progress(map, done, all)` is called before every map. An error says what is wrong with a planner's
 /// name or options, or that it cannot plan on a map.
-Expected<std::vector<MapTimings>, std::string> run_speed(
+Expected<std::vector<MapTimings>, Error> run_speed(
     const std::vector<SpeedMap>& maps, const SpeedPlan& plan,
     const std::function<void(const std::string&, std::size_t, std::size_t)>& progress);
 

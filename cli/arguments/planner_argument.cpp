@@ -66,7 +66,8 @@ Expected<GivenIndex, Error> read_given_index(const std::string& file) {
   if (!bytes) throw InputError(bytes.error().message);
   const auto header = read_index_header(bytes->bytes());
   if (!header) {
-    return failure(Status::index_mismatch, fmt::format("{}: {}", file, header.error()), file);
+    return failure(Status::index_mismatch, fmt::format("{}: {}", file, header.error().message),
+                   file);
   }
   return GivenIndex{file, *header, *std::move(bytes)};
 }

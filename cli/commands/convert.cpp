@@ -95,7 +95,7 @@ std::string text_of(const ConvertArguments& arguments, const Conversion& convers
 void save(const GridMap& map, const ConvertArguments& arguments) {
   if (arguments.prints()) {
     const auto text = encode_map(map, MapFormat::text_grid);
-    if (!text) throw InputError(text.error());
+    if (!text) throw InputError(text.error().message);
     return print(text->bytes);
   }
   const auto done = save_map(map, arguments.output);

@@ -96,7 +96,7 @@ std::string json_of(const GenerateArguments& arguments, const GridMap& map) {
 
 std::string text_grid_of(const GridMap& map) {
   auto text = encode_map(map, MapFormat::text_grid);
-  if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error()));
+  if (!text) throw InputError(fmt::format("{}; -o FILE.yaml can", text.error().message));
   return std::move(text->bytes);
 }
 

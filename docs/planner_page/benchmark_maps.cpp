@@ -143,7 +143,7 @@ Expected<BenchmarkMap, Error> loaded(const Benchmark& benchmark,
 
 GridMap generated_map(std::string_view kind, int width, int height, std::uint64_t seed,
                       const OptionValues& options) {
-  auto map = generators().find(kind)->make(width, height, seed, options);
+  auto map = make_map(kind, width, height, seed, options);
   assert(map);
   return *std::move(map);
 }

@@ -53,14 +53,14 @@ inline Expected<LoadedMap, Error> load_as(MapFormat format, std::string_view byt
 inline std::string check_saved_image(const GridMap& map, const GreyImage& image,
                                      const ImageMeaning& meaning) {
   const auto png = encode_png(image);
-  if (!png) return "no PNG of a map: " + png.error();
+  if (!png) return "no PNG of a map: " + png.error().message;
   const auto again = decode_image(*png);
-  if (!again) return "the PNG of a map does not load: " + again.error();
+  if (!again) return "the PNG of a map does not load: " + again.error().message;
   if (!same_map(map_from_image(*again, meaning, map.frame()), map))
     return "the PNG has another map";
   if (!image.transparent.empty()) return {};
   const auto pgm = decode_image(encode_pgm(image));
-  if (!pgm) return "the PGM of a map does not load: " + pgm.error();
+  if (!pgm) return "the PGM of a map does not load: " + pgm.error().message;
   if (!same_map(map_from_image(*pgm, meaning, map.frame()), map)) return "the PGM has another map";
   return {};
 }
@@ -72,7 +72,7 @@ inline std::string check_saved_map(const GridMap& map, const MapFormatInfo& info
     return "losses() and nearest_map() disagree";
   }
   const auto files = encode_map(nearest, info.format, "m" + std::string(info.saved_extensions[0]));
-  if (!files) return "a map that cannot be saved: " + files.error();
+  if (!files) return "a map that cannot be saved: " + files.error().message;
   if (info.load_lines == nullptr) {
     const bool scale = !nearest.uniform_terrain();
     return check_saved_image(nearest, scale ? scale_image(nearest) : trinary_image(nearest),
@@ -108,8 +108,8 @@ inline std::string check_map(const Expected<LoadedMap, Error>& loaded) {
 }
 
 /// An image has a value for each pixel, none above its maximum, and is a map.
-inline std::string check_image(const Expected<WholeImage, std::string>& image) {
-  if (!image) return check_text(image.error());
+inline std::string check_image(const Expected<WholeImage, Error>& image) {
+  if (!image) return check_text(image.error().message);
   const std::size_t pixels =
       static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
   if (image->width < 1 || image->height < 1 || image->values.size() != pixels) {

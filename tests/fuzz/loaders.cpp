@@ -139,7 +139,7 @@ std::string fuzz_primitives(std::string_view bytes) {
 /// The bytes as a file, and as changes to whole files.
 std::string fuzz_index(std::string_view bytes) {
   const auto header = read_index_header(std::as_bytes(std::span(bytes)));
-  const std::string wrong = header ? "" : check_text(header.error());
+  const std::string wrong = header ? "" : check_text(header.error().message);
   return wrong.empty() ? use_forged_indexes(bytes) : wrong;
 }
 

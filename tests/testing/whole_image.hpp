@@ -48,17 +48,17 @@ class RowCollector final : public ImageRows {
 };
 
 /// The image that a decoder gives row by row.
-inline Expected<WholeImage, std::string> whole_image(std::string_view bytes,
-                                                     DecodedRows (*decode)(std::string_view bytes,
-                                                                           ImageRows& rows)) {
+inline Expected<WholeImage, Error> whole_image(std::string_view bytes,
+                                               DecodedRows (*decode)(std::string_view bytes,
+                                                                     ImageRows& rows)) {
   RowCollector rows;
   auto notes = decode(bytes, rows);
-  if (!notes) return Unexpected<std::string>(notes.error());
+  if (!notes) return Unexpected<Error>(notes.error());
   rows.image.notes = *std::move(notes);
   return std::move(rows.image);
 }
 
-inline Expected<WholeImage, std::string> decode_image(std::string_view bytes) {
+inline Expected<WholeImage, Error> decode_image(std::string_view bytes) {
   return whole_image(bytes, decode_image);
 }
 

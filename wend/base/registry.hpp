@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/error.hpp"
 
 namespace wend {
 
@@ -42,6 +43,12 @@ class Registry {
       if (entry.name == name) return &entry;
     }
     return nullptr;
+  }
+
+  /// The same, or invalid_option with unknown_name().
+  Expected<const T*, Error> named(std::string_view kind, std::string_view name) const {
+    if (const T* entry = find(name)) return entry;
+    return failure(Status::invalid_option, unknown(kind, name), std::string(name));
   }
 
   /// The names of the entries, in their order.

@@ -18,6 +18,12 @@ const Registry<ControllerInfo>& controllers() {
   return registry;
 }
 
+ControllerResult make_controller(std::string_view name, const OptionValues& options) {
+  const auto info = controllers().named("controller", name);
+  if (!info) return Unexpected<Error>(info.error());
+  return (*info)->make(options);
+}
+
 std::optional<std::string> why_unfit(const ControllerInfo& info, const MotionModel& model) {
   if (!info.turns_in_place || model.turning_radius() == 0) return std::nullopt;
   return "the controller '" + info.name + "' turns in place, and a bicycle cannot";

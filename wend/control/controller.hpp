@@ -3,8 +3,7 @@
 // Controllers: compute the velocities with which a robot follows a path. They have names and
 // options; `wend/control/controllers.def` lists them, one file each.
 //
-//   const wend::ControllerInfo* info = wend::controllers().find("pure_pursuit");
-//   const auto controller = info->make({{"lookahead", "0.5"}});
+//   const auto controller = wend::make_controller("pure_pursuit", {{"lookahead", "0.5"}});
 //   if (!controller) report(controller.error().message);
 //
 // Metres, radians, seconds, in the map's frame. A controller has state (integrals, filters); use
@@ -16,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -76,9 +76,12 @@ struct ControllerInfo {
 /// p, p_moving, pid, pure_pursuit.
 WEND_API const Registry<ControllerInfo>& controllers();
 
+/// Makes a controller by name; an unknown name or option is Status::invalid_option.
+WEND_API ControllerResult make_controller(std::string_view name, const OptionValues& options = {});
+
 /// What ControllerInfo::make does: makes a controller from its options as text.
 template <class Made, class Options>
-ControllerResult make_controller(const OptionValues& values) {
+ControllerResult controller_from(const OptionValues& values) {
   const auto options = parse_options<Options>(values);
   if (!options) return Unexpected<Error>(options.error());
   return std::make_unique<Made>(*options);

@@ -17,7 +17,7 @@ namespace wend {
 namespace {
 
 std::unique_ptr<Controller> make(std::string_view name, const OptionValues& options = {}) {
-  return controllers().find(name)->make(options).value();
+  return make_controller(name, options).value();
 }
 
 /// A robot at a pose that follows a line, of which it has come to nothing yet.

@@ -64,7 +64,7 @@ struct TestRobot {
 
 std::unique_ptr<Controller> made_controller(std::string_view name,
                                             const OptionValues& options = {}) {
-  return controllers().find(name)->make(options).value();
+  return make_controller(name, options).value();
 }
 
 TEST(Follower, HasNothingToDoBeforeItFollows) {

@@ -60,7 +60,7 @@ ControllerInfo p_controller() {
       .citation = "Åström, Murray 2008",
       .turns_in_place = true,
       .options = option_schema<POptions>(),
-      .make = make_controller<PController, POptions>};
+      .make = controller_from<PController, POptions>};
 }
 
 }  // namespace wend

@@ -55,7 +55,7 @@ ControllerInfo p_moving_controller() {
       .citation = "Åström, Murray 2008",
       .turns_in_place = true,
       .options = option_schema<PMovingOptions>(),
-      .make = make_controller<PMovingController, PMovingOptions>};
+      .make = controller_from<PMovingController, PMovingOptions>};
 }
 
 }  // namespace wend

@@ -100,7 +100,7 @@ ControllerInfo pid_controller() {
           .citation = "Åström, Murray 2008",
           .turns_in_place = true,
           .options = option_schema<PidOptions>(),
-          .make = make_controller<PidController, PidOptions>};
+          .make = controller_from<PidController, PidOptions>};
 }
 
 }  // namespace wend

@@ -104,7 +104,7 @@ ControllerInfo pure_pursuit_controller() {
           .citation = "Coulter 1992; regulated: Macenski, Singh, Martín, Ginés 2023",
           .turns_in_place = false,
           .options = option_schema<PurePursuitOptions>(),
-          .make = make_controller<PurePursuitController, PurePursuitOptions>};
+          .make = controller_from<PurePursuitController, PurePursuitOptions>};
 }
 
 }  // namespace wend

@@ -59,7 +59,7 @@ Path wild_track(std::uint64_t seed) {
 }
 
 Drive lap(const Path& path, const MotionModel& model) {
-  const auto controller = controllers().find("pure_pursuit")->make({}).value();
+  const auto controller = make_controller("pure_pursuit").value();
   return simulate(race_ground(), path, *controller, model, {.closed = true});
 }
 

@@ -3,7 +3,7 @@
 // Simulation: a robot follows a path on a map, with noise and latency; the result has measures of
 // it.
 //
-//   auto controller = wend::controllers().find("pid")->make({});
+//   auto controller = wend::make_controller("pid");
 //   const wend::Drive drive = wend::simulate(space, plan->path, **controller, {}, {.seed = 7});
 //   if (drive.outcome != wend::DriveOutcome::reached) report(wend::describe(drive.outcome));
 //

@@ -16,7 +16,7 @@ namespace wend {
 namespace {
 
 std::unique_ptr<Controller> driver(std::string_view name, const OptionValues& options = {}) {
-  return controllers().find(name)->make(options).value();
+  return make_controller(name, options).value();
 }
 
 /// Open ground of 10 cells a metre, for a robot of 0.2 m.

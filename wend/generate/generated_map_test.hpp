@@ -10,12 +10,12 @@ namespace wend::test {
 
 inline GridMap made(const std::string& name, int width, int height, std::uint64_t seed,
                     const OptionValues& options = {}) {
-  return generators().find(name)->make(width, height, seed, options).value();
+  return make_map(name, width, height, seed, options).value();
 }
 
 inline std::string error_of(const std::string& name, int width, int height,
                             const OptionValues& options = {}) {
-  const auto map = generators().find(name)->make(width, height, 1, options);
+  const auto map = make_map(name, width, height, 1, options);
   return map ? "no error" : map.error().message;
 }
 

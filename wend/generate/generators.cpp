@@ -36,4 +36,11 @@ const Registry<GeneratorInfo>& generators() {
   return registry;
 }
 
+GeneratorResult make_map(std::string_view kind, int width, int height, std::uint64_t seed,
+                         const OptionValues& options) {
+  const auto info = generators().named("generator", kind);
+  if (!info) return Unexpected<Error>(info.error());
+  return (*info)->make(width, height, seed, options);
+}
+
 }  // namespace wend

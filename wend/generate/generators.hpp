@@ -3,13 +3,13 @@
 // Generators: maps made from a seed, for demos, tests and teaching. The same kind, size, options
 // and seed give the same map on every platform.
 //
-//   const wend::GeneratorInfo* maze = wend::generators().find("maze");
-//   const auto map = maze->make(41, 21, 7, {{"corridor_width", "1"}});
+//   const auto map = wend::make_map("maze", 41, 21, 7, {{"corridor_width", "1"}});
 //   if (!map) report(map.error().message);
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -55,5 +55,10 @@ struct GeneratorInfo {
 /// building and inside obstacles; the others have a plain frame. `car` and the parking yard are for cars
 /// that stand on corners of cells and turn with a radius of one cell; rough road costs 2.
 WEND_API const Registry<GeneratorInfo>& generators();
+
+/// Makes a map of that kind, of `width` x `height` cells; an unknown kind, a wrong option or a size that is too
+/// small or too large is Status::invalid_option.
+WEND_API GeneratorResult make_map(std::string_view kind, int width, int height, std::uint64_t seed,
+                                  const OptionValues& options = {});
 
 }  // namespace wend

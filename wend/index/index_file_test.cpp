@@ -38,13 +38,13 @@ IndexBytes small_index(const BitGrid& cells) {
 std::string error_of(const IndexBytes& index, const BitGrid& cells, const char* planner = "tester",
                      std::uint32_t version = 3) {
   const auto reader = IndexReader::open(index, planner, version, cells);
-  return reader ? "" : reader.error();
+  return reader ? "" : reader.error().message;
 }
 
 TEST(IndexFile, GivesBackWhatWasWritten) {
   const BitGrid cells = random_cells(1);
   const auto reader = IndexReader::open(small_index(cells), "tester", 3, cells);
-  ASSERT_TRUE(reader) << reader.error();
+  ASSERT_TRUE(reader) << reader.error().message;
   EXPECT_EQ(reader->sections(), 3U);
   EXPECT_THAT(*reader->section<std::uint32_t>(0), ElementsAre(7, 8, 9));
   EXPECT_THAT(*reader->section<std::uint8_t>(1), ElementsAre(1, 2, 3, 4, 5));

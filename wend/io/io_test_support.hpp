@@ -76,11 +76,6 @@ std::string error_of(const Expected<T, E>& result) {
   return result ? "no error" : result.error().message;
 }
 
-template <class T>
-std::string error_of(const Expected<T, std::string>& result) {
-  return result ? "no error" : result.error();
-}
-
 /// The map in a text of this format, under the name "m".
 inline Expected<LoadedMap, Error> load_as(MapFormat format, std::string_view text) {
   return info_of(format).load(std::string(text), {"m"});

@@ -128,7 +128,7 @@ TEST(CurvatureSmoother, IsInTheRegistry) {
   const SmootherInfo* curvature = smoothers().find("curvature");
   ASSERT_NE(curvature, nullptr);
   const FreeSpace space = test::open_space(40, 40);
-  EXPECT_EQ(curvature->smooth(right_angle(9), space, {{"radius", "2"}})->path,
+  EXPECT_EQ((*curvature->make({{"radius", "2"}}))(right_angle(9), space)->path,
             smooth_by_curvature(right_angle(9), space, {.radius = 2})->path);
 }
 

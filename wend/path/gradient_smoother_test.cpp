@@ -251,9 +251,9 @@ TEST(GradientSmoother, IsInTheRegistry) {
   const SmootherInfo* gradient = smoothers().find("gradient");
   ASSERT_NE(gradient, nullptr);
   const FreeSpace space = test::open_space(7, 7);
-  EXPECT_EQ(gradient->smooth(kStairs, space, {{"beta", "0.4"}})->path,
+  EXPECT_EQ((*gradient->make({{"beta", "0.4"}}))(kStairs, space)->path,
             smooth_by_gradient(kStairs, space, {.beta = 0.4})->path);
-  const auto wrong = gradient->smooth(kStairs, space, {{"beta", "-1"}});
+  const auto wrong = gradient->make({{"beta", "-1"}});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().status, Status::invalid_option);
 }

@@ -21,15 +21,13 @@ Path simplified_by(const Simplification& simplify, const Path& path, const FreeS
 
 SmoothingResult smoothed_by(const SmootherChoice& choice, const Path& path, const FreeSpace& space,
                             Adjacency adjacency) {
-  const SmootherInfo* info = smoothers().find(choice.name);
-  if (info == nullptr) {
-    return failure(Status::invalid_option, smoothers().unknown("smoother", choice.name));
-  }
   OptionValues options = choice.options;
   if (adjacency == Adjacency::edges_and_corners) {
     options.insert(options.begin(), {"squeeze", "true"});
   }
-  return info->smooth(path, space, options);
+  const auto smoother = make_smoother(choice.name, options);
+  if (!smoother) return Unexpected<Error>(smoother.error());
+  return (*smoother)(path, space);
 }
 
 }  // namespace

@@ -13,4 +13,10 @@ const Registry<SmootherInfo>& smoothers() {
   return registry;
 }
 
+SmootherResult make_smoother(std::string_view name, const OptionValues& options) {
+  const auto info = smoothers().named("smoother", name);
+  if (!info) return Unexpected<Error>(info.error());
+  return (*info)->make(options);
+}
+
 }  // namespace wend

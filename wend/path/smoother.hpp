@@ -3,8 +3,9 @@
 // Smoothers: what makes a path of cells, or of waypoints, smooth, by name and with options. See
 // gradient_smoother.hpp and curvature_smoother.hpp for what each does.
 //
-//   const wend::SmootherInfo* gradient = wend::smoothers().find("gradient");
-//   const auto smoothed = gradient->smooth(plan->path, space, {{"beta", "0.4"}});
+//   const auto smoother = wend::make_smoother("gradient", {{"beta", "0.4"}});
+//   if (!smoother) return report(smoother.error().message);
+//   const auto smoothed = (*smoother)(plan->path, space);
 //   if (!smoothed) report(smoothed.error().message);
 //
 // A smoother keeps the path's ends. Unless its option `unsafe` is set, it takes a free path (see
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -40,17 +42,25 @@ struct Smoothed {
 /// Errors: invalid_option, or unsupported_query for a drive or a path that is not free.
 using SmoothingResult = Expected<Smoothed, Error>;
 
+/// A smoother with its options: smooths a path, which must not be empty. Thread-safe.
+using Smoother = std::function<SmoothingResult(const Path&, const FreeSpace&)>;
+
+/// A smoother, or why it could not be made: invalid_option.
+using SmootherResult = Expected<Smoother, Error>;
+
 /// A smoother: its description, its options, and the function.
 struct SmootherInfo {
-  std::string name;                 // as in options
-  std::string summary;              // one line
-  std::string citation;             // the paper or book it comes from
-  std::vector<OptionInfo> options;  // which `smooth` takes
-  /// Smooths a path. The path must not be empty.
-  std::function<SmoothingResult(const Path&, const FreeSpace&, const OptionValues&)> smooth;
+  std::string name;                                         // as in options
+  std::string summary;                                      // one line
+  std::string citation;                                     // the paper or book it comes from
+  std::vector<OptionInfo> options;                          // which `make` takes
+  std::function<SmootherResult(const OptionValues&)> make;  // from options as text
 };
 
 /// gradient, curvature.
 WEND_API const Registry<SmootherInfo>& smoothers();
+
+/// Makes a smoother by name; an unknown name or option is Status::invalid_option.
+WEND_API SmootherResult make_smoother(std::string_view name, const OptionValues& options = {});
 
 }  // namespace wend

@@ -113,11 +113,12 @@ template <class Options, class Smooth>
 SmootherInfo smoother_with(std::string name, std::string summary, std::string citation,
                            Smooth&& smooth) {
   return {std::move(name), std::move(summary), std::move(citation), option_schema<Options>(),
-          [smooth](const Path& path, const FreeSpace& space,
-                   const OptionValues& values) -> SmoothingResult {
+          [smooth](const OptionValues& values) -> SmootherResult {
             const auto options = parse_options<Options>(values);
             if (!options) return Unexpected<Error>(options.error());
-            return smooth(path, space, *options);
+            return [smooth, options = *options](const Path& path, const FreeSpace& space) {
+              return smooth(path, space, options);
+            };
           }};
 }
 

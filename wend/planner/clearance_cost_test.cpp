@@ -69,7 +69,7 @@ void expect_wider_paths(const GridMap& map, double radius, double distance, std:
 
 TEST(ClearanceCost, MakesPathsWiderInOffices) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const auto map = generators().find("office")->make(160, 100, seed, {});
+    const auto map = make_map("office", 160, 100, seed);
     ASSERT_TRUE(map);
     expect_wider_paths(*map, 0.2, 0.6, seed);
   }
@@ -77,7 +77,7 @@ TEST(ClearanceCost, MakesPathsWiderInOffices) {
 
 TEST(ClearanceCost, MakesPathsWiderInRooms) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const auto map = generators().find("rooms")->make(120, 90, seed, {});
+    const auto map = make_map("rooms", 120, 90, seed);
     ASSERT_TRUE(map);
     expect_wider_paths(*map, 0, 4, seed);
   }

@@ -99,26 +99,16 @@ std::vector<std::string> planner_names(std::string_view motion) {
   return names;
 }
 
-namespace {
-
-Expected<const PlannerInfo*, Error> planner_named(std::string_view name) {
-  const PlannerInfo* info = planners().find(name);
-  if (info != nullptr) return info;
-  return failure(Status::invalid_option, planners().unknown("planner", name));
-}
-
-}  // namespace
-
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options) {
-  const auto info = planner_named(name);
+  const auto info = planners().named("planner", name);
   if (!info) return Unexpected<Error>(info.error());
   return (*info)->make(space, options);
 }
 
 PlannerResult make_planner(std::string_view name, const FreeSpace& space,
                            const OptionValues& options, IndexBytes index) {
-  const auto info = planner_named(name);
+  const auto info = planners().named("planner", name);
   if (!info) return Unexpected<Error>(info.error());
   if (!(*info)->index_support) {
     return failure(Status::invalid_option, std::string(name) + " does not use an index");

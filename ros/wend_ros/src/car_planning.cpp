@@ -20,8 +20,8 @@ std::string text_of(int x, int y) {
   return "(" + std::to_string(x) + "," + std::to_string(y) + ")";
 }
 
-wend::Unexpected<std::string> wrong(std::string what) {
-  return wend::Unexpected<std::string>(std::move(what));
+wend::Unexpected<wend::Error> wrong(std::string what) {
+  return wend::failure(wend::Status::unsupported_query, std::move(what));
 }
 
 CarResult car_refusal(StatusCode code, std::string reason) {
@@ -44,7 +44,7 @@ std::optional<std::string> first_outside(const std::vector<YardCell>& cells, con
   return std::nullopt;
 }
 
-wend::Expected<wend::Pose, std::string> pose_of(const CarPose& pose, const char* name) {
+wend::Expected<wend::Pose, wend::Error> pose_of(const CarPose& pose, const char* name) {
   if (pose.d < 0 || pose.d >= wend::kHeadings) {
     return wrong(std::string(name) + ": the heading must be 0 (N), 1 (W), 2 (E) or 3 (S), not " +
                  std::to_string(pose.d));
@@ -78,7 +78,7 @@ std::string pose_text(const CarPose& pose) {
 
 }  // namespace
 
-wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request) {
+wend::Expected<wend::GridMap, wend::Error> yard_of(const CarRequest& request) {
   const auto in_range = [](int corners) { return corners >= 2 && corners <= kMostCorners; };
   if (!in_range(request.mapWidth) || !in_range(request.mapHeight)) {
     return wrong("mapWidth and mapHeight count corners, from 2 to " + std::to_string(kMostCorners) +
@@ -105,11 +105,11 @@ wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request) {
 
 CarResult plan_car(const CarRequest& request, const Watch& watch) {
   auto yard = yard_of(request);
-  if (!yard) return car_refusal(StatusCode::invalid_request, yard.error());
+  if (!yard) return car_refusal(StatusCode::invalid_request, yard.error().message);
   const auto start = pose_of(request.start, "start");
-  if (!start) return car_refusal(StatusCode::invalid_request, start.error());
+  if (!start) return car_refusal(StatusCode::invalid_request, start.error().message);
   const auto goal = pose_of(request.goal, "goal");
-  if (!goal) return car_refusal(StatusCode::invalid_request, goal.error());
+  if (!goal) return car_refusal(StatusCode::invalid_request, goal.error().message);
 
   auto planner = wend::make_planner("car", *wend::make_free_space(*std::move(yard)), {});
   if (!planner) return car_refusal(code_of(planner.error().status), planner.error().message);

@@ -33,8 +33,8 @@ std::int8_t value_of(const wend::GridMap& map, wend::Cell cell) {
   return static_cast<std::int8_t>(std::clamp(rough, 0.0, static_cast<double>(kRoughest)));
 }
 
-wend::Unexpected<std::string> wrong(std::string what) {
-  return wend::Unexpected<std::string>(std::move(what));
+wend::Unexpected<wend::Error> wrong(std::string what) {
+  return wend::failure(wend::Status::invalid_map, std::move(what));
 }
 
 bool is_finite(const geometry_msgs::Pose& pose) {
@@ -91,7 +91,7 @@ nav_msgs::OccupancyGrid to_message(const wend::GridMap& map, const std::string& 
   return message;
 }
 
-wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGrid& message,
+wend::Expected<wend::GridMap, wend::Error> map_from(const nav_msgs::OccupancyGrid& message,
                                                     const MapReading& reading) {
   const auto& info = message.info;
   const std::size_t width = info.width;

@@ -82,8 +82,8 @@ void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   reading.rough = reconfigure_->parameters().flag("rough");
   auto map = map_from(message, reading);
   if (!map) {
-    ROS_ERROR_STREAM("/map: " << map.error());
-    session_.clear_map(map.error());
+    ROS_ERROR_STREAM("/map: " << map.error().message);
+    session_.clear_map(map.error().message);
     return;
   }
   ROS_INFO_STREAM("/map: " << map->width() << " x " << map->height() << " cells in the frame '"

@@ -31,7 +31,7 @@ TEST(MapMessage, TurnsAMapWithYDownOver) {
 
 TEST(MapMessage, ComesBackAsTheSameMap) {
   for (const char* kind : {"office", "warehouse"}) {
-    const auto map = wend::generators().find(kind)->make(220, 160, 3, {});
+    const auto map = wend::make_map(kind, 220, 160, 3);
     ASSERT_TRUE(map);
     const auto back = map_from(to_message(*map, "map"), {});
     ASSERT_TRUE(back) << back.error();
@@ -59,15 +59,16 @@ TEST(MapMessage, KeepsRoughGround) {
 
 TEST(MapMessage, ThatIsNoMapSaysWhy) {
   const float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(map_from(message(0, 0, 1), {}).error(), "the map is empty: 0 x 0 cells");
+  EXPECT_EQ(map_from(message(0, 0, 1), {}).error().message, "the map is empty: 0 x 0 cells");
   for (const float resolution : {0.0F, -1.0F, not_a_number}) {
     const auto map = map_from(message(4, 4, resolution), {});
     ASSERT_FALSE(map);
-    EXPECT_NE(map.error().find("resolution"), std::string::npos) << map.error();
+    EXPECT_EQ(map.error().status, wend::Status::invalid_map);
+    EXPECT_NE(map.error().message.find("resolution"), std::string::npos) << map.error().message;
   }
   auto cut = message(4, 4, 1);
   cut.data.pop_back();
-  EXPECT_EQ(map_from(cut, {}).error(), "the map has 15 values, 4 x 4 expected");
+  EXPECT_EQ(map_from(cut, {}).error().message, "the map has 15 values, 4 x 4 expected");
   auto astray = message(4, 4, 1);
   astray.info.origin.position.x = not_a_number;
   EXPECT_FALSE(map_from(astray, {}));

@@ -281,20 +281,20 @@ Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
   return writer.finish();
 }
 
-Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
-                                                                          const BitGrid& passable) {
+Expected<std::unique_ptr<IndexEngine>, Error> open_corner_hierarchy(IndexBytes index,
+                                                                    const BitGrid& passable) {
   auto reader = IndexReader::open(std::move(index), kPlanner, kVersion, passable);
-  if (!reader) return Unexpected<std::string>(reader.error());
+  if (!reader) return Unexpected<Error>(reader.error());
   const auto stored = read_hierarchy(*reader);
-  if (!stored) return Unexpected<std::string>("its sections are not those of a hierarchy");
-  if (const auto fault = fault_of(stored->hierarchy)) return Unexpected<std::string>(*fault);
+  if (!stored) return index_failure("its sections are not those of a hierarchy");
+  if (const auto fault = fault_of(stored->hierarchy)) return index_failure(*fault);
   Turns turns(passable);
   auto cells = cells_by_height(turns, stored->heights);
   if (!cells || stored->hierarchy.size() != turns.size()) {
-    return Unexpected<std::string>("its nodes are not the turns of this map");
+    return index_failure("its nodes are not the turns of this map");
   }
   if (!costs_fit(stored->hierarchy, *cells)) {
-    return Unexpected<std::string>("the costs of its arcs do not match this map");
+    return index_failure("the costs of its arcs do not match this map");
   }
   return std::make_unique<CornerHierarchyEngine>(*std::move(reader), std::move(turns), *stored,
                                                  *std::move(cells));

@@ -30,8 +30,8 @@ Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
                                                    const ContractionEffort& effort = {});
 
 /// An engine for an index of these cells, or what is wrong with the index.
-Expected<std::unique_ptr<IndexEngine>, std::string> open_corner_hierarchy(IndexBytes index,
-                                                                          const BitGrid& passable);
+Expected<std::unique_ptr<IndexEngine>, Error> open_corner_hierarchy(IndexBytes index,
+                                                                    const BitGrid& passable);
 
 /// False if no shortest path on the map costs 2^32 - 1 or more. In each connected component it measures
 /// the paths from one cell: two of them are at least as long as any. O(turns and arcs, log turns).

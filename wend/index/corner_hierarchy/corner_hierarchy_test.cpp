@@ -28,7 +28,7 @@ IndexBytes built(const BitGrid& bits, const ContractionEffort& effort = {}) {
 
 std::unique_ptr<IndexEngine> opened(const IndexBytes& index, const BitGrid& bits) {
   auto engine = open_corner_hierarchy(index, bits);
-  EXPECT_TRUE(engine) << engine.error();
+  EXPECT_TRUE(engine) << engine.error().message;
   return *std::move(engine);
 }
 

@@ -35,10 +35,6 @@ class Hash {
   std::uint64_t state_ = 0x243F6A8885A308D3U;
 };
 
-Unexpected<std::string> failure(std::string what) {
-  return Unexpected<std::string>(std::move(what));
-}
-
 bool lies_within(const IndexSection& section, std::uint64_t bytes) {
   return section.offset % IndexBytes::kAlignment == 0 && section.offset >= sizeof(IndexHeader) &&
          section.offset <= bytes && section.bytes <= bytes - section.offset;
@@ -97,29 +93,31 @@ std::uint64_t index_file::checksum_of(std::span<const std::byte> file) {
   return hash.value();
 }
 
-Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes) {
+Expected<IndexHeader, Error> read_index_header(std::span<const std::byte> bytes) {
   IndexHeader header;
   if (bytes.size() < header.magic.size() ||
       std::memcmp(bytes.data(), IndexHeader::kMagic.data(), header.magic.size()) != 0) {
-    return failure("it is not an index of wend");
+    return index_failure("it is not an index of wend");
   }
-  if (bytes.size() < sizeof header) return failure("it is truncated within its header");
+  if (bytes.size() < sizeof header) return index_failure("it is truncated within its header");
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.format != IndexHeader::kFormat) {
-    return failure("its format has number " + std::to_string(header.format) + ", this wend reads " +
-                   std::to_string(IndexHeader::kFormat) + ": build it again");
+    return index_failure("its format has number " + std::to_string(header.format) +
+                         ", this wend reads " + std::to_string(IndexHeader::kFormat) +
+                         ": build it again");
   }
   if (header.bytes != bytes.size()) {
-    return failure("it should have " + std::to_string(header.bytes) + " bytes and has " +
-                   std::to_string(bytes.size()));
+    return index_failure("it should have " + std::to_string(header.bytes) + " bytes and has " +
+                         std::to_string(bytes.size()));
   }
   if (header.checksum != index_file::checksum_of(bytes)) {
-    return failure("it is damaged: its checksum is wrong");
+    return index_failure("it is damaged: its checksum is wrong");
   }
-  if (header.sections > IndexHeader::kMostSections) return failure("it has too many sections");
+  if (header.sections > IndexHeader::kMostSections)
+    return index_failure("it has too many sections");
   for (std::size_t i = 0; i < header.sections; ++i) {
     if (!lies_within(header.table[i], header.bytes)) {
-      return failure("its section " + std::to_string(i) + " is outside the file");
+      return index_failure("its section " + std::to_string(i) + " is outside the file");
     }
   }
   return header;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
 #include "wend/map/bit_grid.hpp"
 
@@ -82,9 +83,14 @@ struct WEND_API IndexHeader {
 /// A hash of the passable cells: two different maps have the same hash with a probability of 2^-64.
 WEND_API std::uint64_t map_hash(const BitGrid& passable);
 
+/// For `return`: index_mismatch, with what is wrong and "index" as Error::where.
+inline Unexpected<Error> index_failure(std::string what) {
+  return failure(Status::index_mismatch, std::move(what), "index");
+}
+
 /// Returns the header of a complete file (its sections lie within the file and the checksum is right),
-/// or what is wrong. O(bytes).
-WEND_API Expected<IndexHeader, std::string> read_index_header(std::span<const std::byte> bytes);
+/// or index_mismatch. O(bytes).
+WEND_API Expected<IndexHeader, Error> read_index_header(std::span<const std::byte> bytes);
 
 /// Why the index does not match a map; empty if it matches.
 WEND_API std::string index_fault(const IndexHeader& header, std::string_view planner,

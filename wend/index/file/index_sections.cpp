@@ -6,13 +6,12 @@
 
 namespace wend {
 
-Expected<IndexReader, std::string> IndexReader::open(IndexBytes index, std::string_view planner,
-                                                     std::uint32_t version,
-                                                     const BitGrid& passable) {
+Expected<IndexReader, Error> IndexReader::open(IndexBytes index, std::string_view planner,
+                                               std::uint32_t version, const BitGrid& passable) {
   const auto header = read_index_header(index.bytes());
-  if (!header) return Unexpected<std::string>(header.error());
+  if (!header) return Unexpected<Error>(header.error());
   std::string fault = index_fault(*header, planner, version, passable);
-  if (!fault.empty()) return Unexpected<std::string>(std::move(fault));
+  if (!fault.empty()) return index_failure(std::move(fault));
   return IndexReader(std::move(index), *header);
 }
 

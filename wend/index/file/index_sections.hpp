@@ -23,8 +23,8 @@ namespace wend {
 class IndexReader {
  public:
   /// Returns a reader, or why the index does not match (Status::index_mismatch).
-  static Expected<IndexReader, std::string> open(IndexBytes index, std::string_view planner,
-                                                 std::uint32_t version, const BitGrid& passable);
+  static Expected<IndexReader, Error> open(IndexBytes index, std::string_view planner,
+                                           std::uint32_t version, const BitGrid& passable);
 
   std::size_t sections() const { return static_cast<std::size_t>(header_.sections); }
 

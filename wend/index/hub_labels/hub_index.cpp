@@ -183,13 +183,13 @@ Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable,
              : write_index<std::uint32_t>(graph, first, labelling, building);
 }
 
-Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes index,
-                                                                   const BitGrid& passable) {
+Expected<std::unique_ptr<IndexEngine>, Error> open_hub_index(IndexBytes index,
+                                                             const BitGrid& passable) {
   const auto reader =
       IndexReader::open(std::move(index), kHubLabels, HubSections::kVersion, passable);
-  if (!reader) return Unexpected<std::string>(reader.error());
+  if (!reader) return Unexpected<Error>(reader.error());
   const auto sections = HubSections::of(*reader, passable);
-  if (!sections) return Unexpected<std::string>(sections.error());
+  if (!sections) return Unexpected<Error>(sections.error());
   return make_hub_engine(reader->index(), *sections, passable);
 }
 

@@ -41,7 +41,7 @@ inline constexpr std::string_view kHubLabels = "hub_labels";
 Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable, const IndexBuilding& building);
 
 /// An engine for an index of these cells, or what is wrong with the index. O(bytes).
-Expected<std::unique_ptr<IndexEngine>, std::string> open_hub_index(IndexBytes index,
-                                                                   const BitGrid& passable);
+Expected<std::unique_ptr<IndexEngine>, Error> open_hub_index(IndexBytes index,
+                                                             const BitGrid& passable);
 
 }  // namespace wend

@@ -41,13 +41,13 @@ IndexBytes built_labels(const BitGrid& bits, const IndexBuilding& building = {})
 
 std::unique_ptr<IndexEngine> opened_labels(const IndexBytes& index, const BitGrid& bits) {
   auto engine = open_hub_index(index, bits);
-  if (!engine) ADD_FAILURE() << engine.error();
+  if (!engine) ADD_FAILURE() << engine.error().message;
   return engine ? *std::move(engine) : nullptr;
 }
 
 std::string opening_error(const IndexBytes& index, const BitGrid& bits) {
   const auto engine = open_hub_index(index, bits);
-  return engine ? "" : engine.error();
+  return engine ? "" : engine.error().message;
 }
 
 TEST(HubIndex, AnswersAllPairsOfSmallBoardsLikeDijkstra) {

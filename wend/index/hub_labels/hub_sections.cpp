@@ -7,8 +7,6 @@
 namespace wend {
 namespace {
 
-using Fault = Unexpected<std::string>;
-
 constexpr std::size_t kJointWords = 3;
 
 /// Checks one record after the other, and remembers where they begin.
@@ -103,8 +101,7 @@ constexpr unsigned kHalf = 16;  // bits
 
 }  // namespace
 
-Expected<HubSections, std::string> HubSections::of(const IndexReader& reader,
-                                                   const BitGrid& passable) {
+Expected<HubSections, Error> HubSections::of(const IndexReader& reader, const BitGrid& passable) {
   const auto number = [](Section section) { return static_cast<std::size_t>(section); };
   const auto hub_count = reader.section<std::uint64_t>(number(Section::hub_count));
   const auto record_of_cell = reader.section<std::uint32_t>(number(Section::record_of_cell));
@@ -114,13 +111,13 @@ Expected<HubSections, std::string> HubSections::of(const IndexReader& reader,
       static_cast<std::size_t>(passable.width()) * static_cast<std::size_t>(passable.height());
   if (!hub_count || hub_count->size() != 1 || !record_of_cell || record_of_cell->size() != cells ||
       !records || !runs) {
-    return Fault("its sections are not those of a label index");
+    return index_failure("its sections are not those of a label index");
   }
   const HubSections sections{static_cast<std::size_t>(hub_count->front()), *record_of_cell,
                              *records, *runs};
-  if (sections.hub_count > cells) return Fault("it has more hubs than the map has cells");
-  if (!runs_pass(sections.runs)) return Fault("its paths do not end");
-  if (!records_pass(sections, passable)) return Fault("its records contradict each other");
+  if (sections.hub_count > cells) return index_failure("it has more hubs than the map has cells");
+  if (!runs_pass(sections.runs)) return index_failure("its paths do not end");
+  if (!records_pass(sections, passable)) return index_failure("its records contradict each other");
   return sections;
 }
 

@@ -206,7 +206,7 @@ struct HubSections {
 
   /// Returns the sections of an index, or what is wrong. They are checked so that the engine never reads
   /// out of bounds, whatever they contain.
-  static Expected<HubSections, std::string> of(const IndexReader& reader, const BitGrid& passable);
+  static Expected<HubSections, Error> of(const IndexReader& reader, const BitGrid& passable);
 };
 
 // hub_engine.cpp: the engine that answers queries from these sections.

@@ -40,9 +40,10 @@ DecodedRows decode_image(std::string_view bytes, ImageRows& rows) {
   if (looks_like_png(bytes)) return decode_png(bytes, rows);
   if (looks_like_pnm(bytes)) return decode_pnm(bytes, rows);
   const std::string name(unsupported_format(bytes));
-  return Unexpected<std::string>(
-      name.empty() ? "unknown image format; expected PNG or PNM (P1 to P6)"
-                   : name + " images are not supported; expected PNG or PNM (P1 to P6)");
+  return failure(Status::invalid_file,
+                 name.empty() ? "unknown image format; expected PNG or PNM (P1 to P6)"
+                              : name + " images are not supported; expected PNG or PNM (P1 to P6)",
+                 name);
 }
 
 }  // namespace wend

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wend/base/error.hpp"
 #include "wend/base/expected.hpp"
 
 namespace wend {
@@ -38,8 +39,9 @@ class ImageRows {
                    std::span<const unsigned char> transparent) = 0;
 };
 
-/// Notes on unusual content of an image file and how it was read; or the error.
-using DecodedRows = Expected<std::vector<std::string>, std::string>;
+/// Notes on unusual content of an image file and how it was read. The error is invalid_file, with the format
+/// as Error::where; who knows the file adds its name.
+using DecodedRows = Expected<std::vector<std::string>, Error>;
 
 /// The luma of a colour, on the scale of its channels.
 inline std::uint16_t luma(unsigned red, unsigned green, unsigned blue) {
@@ -65,8 +67,8 @@ bool looks_like_png(std::string_view bytes);
 DecodedRows decode_png(std::string_view bytes, ImageRows& rows);
 
 /// An 8-bit grey PNG of an image with a maximum of 255, with an alpha channel if pixels of it are
-/// transparent.
-Expected<std::string, std::string> encode_png(const GreyImage& image);
+/// transparent. The error is that of libpng.
+Expected<std::string, Error> encode_png(const GreyImage& image);
 
 // PNM: P1 and P4 (bitmaps, 1 is black), P2 and P5 (grey), P3 and P6 (colour); the first of each pair
 // is text, the second binary. Samples go from 0 to the file's own maximum, 1..65535, and take two

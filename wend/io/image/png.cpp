@@ -111,8 +111,8 @@ class PngDecoder {
   }
 
  private:
-  static Unexpected<std::string> failure(const std::string& what) {
-    return Unexpected<std::string>("PNG: " + what);
+  static Unexpected<Error> failure(const std::string& what) {
+    return wend::failure(Status::invalid_file, "PNG: " + what, "PNG");
   }
 
   bool read_header() {
@@ -267,11 +267,11 @@ bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignatur
 
 DecodedRows decode_png(std::string_view bytes, ImageRows& rows) {
   const std::string wrong = wrong_first_chunk(bytes);
-  if (!wrong.empty()) return Unexpected<std::string>("PNG: " + wrong);
+  if (!wrong.empty()) return failure(Status::invalid_file, "PNG: " + wrong, "PNG");
   return PngDecoder(bytes, rows).decode();
 }
 
-Expected<std::string, std::string> encode_png(const GreyImage& image) {
+Expected<std::string, Error> encode_png(const GreyImage& image) {
   assert(image.maximum == 255);
   const bool alpha = !image.transparent.empty();
   std::vector<unsigned char> samples;
@@ -288,7 +288,7 @@ Expected<std::string, std::string> encode_png(const GreyImage& image) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&png, bytes.data(), &size, 0, samples.data(), 0, nullptr) == 0) {
-    return Unexpected<std::string>(fmt::format("PNG: {}", png.message));
+    return failure(Status::invalid_file, fmt::format("PNG: {}", png.message), "PNG");
   }
   bytes.resize(size);
   return bytes;

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-Expected<WholeImage, std::string> decoded_png(std::string_view bytes) {
+Expected<WholeImage, Error> decoded_png(std::string_view bytes) {
   return whole_image(bytes, decode_png);
 }
 

@@ -45,7 +45,7 @@ class PnmDecoder {
 
   DecodedRows decode() {
     auto header = read_header();
-    if (!header) return Unexpected<std::string>(header.error());
+    if (!header) return Unexpected<Error>(header.error());
     if (rest_.size() < header->least_bytes()) {
       return failure(fmt::format("pixel data truncated: {} bytes, expected at least {}",
                                  rest_.size(), header->least_bytes()));
@@ -64,8 +64,8 @@ class PnmDecoder {
   }
 
  private:
-  static Unexpected<std::string> failure(std::string what) {
-    return Unexpected<std::string>(std::move(what));
+  static Unexpected<Error> failure(std::string what) {
+    return wend::failure(Status::invalid_file, std::move(what), "PNM");
   }
 
   void skip_space_and_comments() {
@@ -92,7 +92,7 @@ class PnmDecoder {
     return word;
   }
 
-  Expected<int, std::string> read_number(std::string_view name, int largest) {
+  Expected<int, Error> read_number(std::string_view name, int largest) {
     const std::string_view word = next_word();
     if (word.empty()) return failure(fmt::format("header truncated: {} is missing", name));
     const auto value = parse_integer<int>(word);
@@ -103,19 +103,19 @@ class PnmDecoder {
     return *value;
   }
 
-  Expected<Header, std::string> read_header() {
+  Expected<Header, Error> read_header() {
     const int kind = rest_[1] - '0';
     rest_.remove_prefix(2);
     Header header{kind <= 3, kind % 3 == 1, kind % 3 == 0 ? 3 : 1};
     const auto width = read_number("width", static_cast<int>(GridMap::kMaxCells));
-    if (!width) return Unexpected<std::string>(width.error());
+    if (!width) return Unexpected<Error>(width.error());
     const auto height = read_number("height", static_cast<int>(GridMap::kMaxCells));
-    if (!height) return Unexpected<std::string>(height.error());
+    if (!height) return Unexpected<Error>(height.error());
     header.width = *width;
     header.height = *height;
     if (!header.bitmap) {
       const auto maximum = read_number("the maximum value", kLargestMaximum);
-      if (!maximum) return Unexpected<std::string>(maximum.error());
+      if (!maximum) return Unexpected<Error>(maximum.error());
       header.maximum = *maximum;
     }
     if (header.pixels() > GridMap::kMaxCells) {

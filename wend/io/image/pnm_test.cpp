@@ -12,7 +12,7 @@ using namespace std::string_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Expected<WholeImage, std::string> decoded_pnm(std::string_view bytes) {
+Expected<WholeImage, Error> decoded_pnm(std::string_view bytes) {
   return whole_image(bytes, decode_pnm);
 }
 

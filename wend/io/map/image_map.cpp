@@ -40,7 +40,7 @@ Expected<LoadedMap, Error> load_bare_image(const std::string& bytes, const MapSo
                                            const LoadOptions& options) {
   ImageMapRows rows({});
   auto notes = decode_image(bytes, rows);
-  if (!notes) return file_failure(source.file, 0, notes.error());
+  if (!notes) return file_failure(source.file, 0, notes.error().message);
   const Frame frame{.resolution = options.resolution.value_or(1),
                     .metric = options.resolution.has_value()};
   auto map = rows.finish(frame);
@@ -48,8 +48,7 @@ Expected<LoadedMap, Error> load_bare_image(const std::string& bytes, const MapSo
   return LoadedMap{*std::move(map), MapFormat::image_map, *std::move(notes)};
 }
 
-Expected<MapFiles, std::string> save_bare_image(const GridMap& map,
-                                                const std::filesystem::path& file) {
+Expected<MapFiles, Error> save_bare_image(const GridMap& map, const std::filesystem::path& file) {
   const GreyImage image = trinary_image(map);
   if (lower_case(file.extension().string()) != ".png") return MapFiles{encode_pgm(image)};
   return encode_png(image).map([](std::string bytes) { return MapFiles{std::move(bytes)}; });

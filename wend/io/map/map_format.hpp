@@ -85,8 +85,8 @@ struct WEND_API MapFormatInfo {
 
   /// The files of a map whose cells the format can hold; null if maps are never saved in it. `file` is the
   /// name that the map will have. An error says what else the format cannot hold.
-  Expected<MapFiles, std::string> (*save)(const GridMap& map,
-                                          const std::filesystem::path& file) = nullptr;
+  Expected<MapFiles, Error> (*save)(const GridMap& map,
+                                    const std::filesystem::path& file) = nullptr;
 
   /// The second file as a saved map names it; nothing if the text is not a map.
   std::optional<std::filesystem::path> (*companion_in)(const std::string& text) = nullptr;

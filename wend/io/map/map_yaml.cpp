@@ -221,14 +221,14 @@ bool is_map_yaml(std::string_view bytes) {
   return bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos;
 }
 
-Expected<MapFiles, std::string> save_map_yaml(const GridMap& map,
-                                              const std::filesystem::path& file) {
+Expected<MapFiles, Error> save_map_yaml(const GridMap& map, const std::filesystem::path& file) {
   if (!map.frame().y_up && map.frame().origin != MapPose{}) {
-    return Unexpected<std::string>("a ROS map.yaml cannot hold an origin of a map with y down");
+    return failure(Status::unsupported_map,
+                   "a ROS map.yaml cannot hold an origin of a map with y down", "origin");
   }
   const bool uniform = map.uniform_terrain();
   auto image = encode_png(uniform ? trinary_image(map) : scale_image(map));
-  if (!image) return Unexpected<std::string>(image.error());
+  if (!image) return Unexpected<Error>(image.error());
   const MapYaml yaml{.image = file.filename().replace_extension(".png"),
                      .frame = map.frame(),
                      .meaning = uniform ? ImageMeaning{} : kScaleMeaning};
@@ -292,7 +292,8 @@ Expected<LoadedMap, Error> load_map_yaml(const std::string& text, const MapSourc
   ImageMapRows rows(yaml->meaning);
   const auto notes = decode_image(*bytes, rows);
   if (!notes) {
-    return file_failure(source.file, 0, "image " + image_file.string() + ": " + notes.error());
+    return file_failure(source.file, 0,
+                        "image " + image_file.string() + ": " + notes.error().message);
   }
   auto map = rows.finish(yaml->frame);
   if (!map) return file_failure(source.file, 0, map.error().message);

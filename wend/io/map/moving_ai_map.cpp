@@ -175,8 +175,7 @@ Expected<LoadedMap, Error> load_moving_ai_map(LineReader lines, const std::strin
   return MovingAiReader(std::move(lines), file).read();
 }
 
-Expected<MapFiles, std::string> save_moving_ai_map(const GridMap& map,
-                                                   const std::filesystem::path&) {
+Expected<MapFiles, Error> save_moving_ai_map(const GridMap& map, const std::filesystem::path&) {
   std::string text =
       fmt::format("type octile\nheight {}\nwidth {}\nmap\n", map.height(), map.width());
   text.reserve(text.size() + map.size() + static_cast<std::size_t>(map.height()));

@@ -27,7 +27,7 @@ Expected<void, Error> save_map(const GridMap& map, const fs::path& file) {
     const auto format = saved_format(file);
     if (!format) return Unexpected<Error>(format.error());
     const auto files = encode_map(map, *format, file);
-    if (!files) return file_failure(file.string(), 0, files.error());
+    if (!files) return file_failure(file.string(), 0, files.error().message);
     if (const auto companion = companion_of(file)) {
       if (auto written = write_file(*companion, files->companion); !written) return written;
     }
@@ -37,10 +37,11 @@ Expected<void, Error> save_map(const GridMap& map, const fs::path& file) {
   }
 }
 
-Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
-                                           const fs::path& file) {
+Expected<MapFiles, Error> encode_map(const GridMap& map, MapFormat format, const fs::path& file) {
   const std::string wrong = cells_not_held(map, format);
-  if (!wrong.empty()) return Unexpected<std::string>(wrong);
+  if (!wrong.empty()) {
+    return failure(Status::unsupported_map, wrong, std::string(info_of(format).name));
+  }
   return info_of(format).save(map, file);
 }
 

@@ -31,9 +31,9 @@ namespace wend {
 WEND_API Expected<void, Error> save_map(const GridMap& map, const std::filesystem::path& file);
 
 /// The bytes that save_map() writes. `file` is their name: images differ by extension, and a map.yaml
-/// names its image. An error says what the format cannot hold.
-WEND_API Expected<MapFiles, std::string> encode_map(const GridMap& map, MapFormat format,
-                                                    const std::filesystem::path& file = {});
+/// names its image. What the format cannot hold is unsupported_map, with the format's name as Error::where.
+WEND_API Expected<MapFiles, Error> encode_map(const GridMap& map, MapFormat format,
+                                              const std::filesystem::path& file = {});
 
 /// The format that a file of this name is saved in; an error lists the extensions.
 WEND_API Expected<MapFormat, Error> saved_format(const std::filesystem::path& file);

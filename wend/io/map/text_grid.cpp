@@ -132,7 +132,7 @@ char letter_of(CellState state, double terrain) {
   return terrain == 1 ? '.' : static_cast<char>('0' + static_cast<int>(terrain));
 }
 
-Expected<MapFiles, std::string> save_text_grid(const GridMap& map, const std::filesystem::path&) {
+Expected<MapFiles, Error> save_text_grid(const GridMap& map, const std::filesystem::path&) {
   std::string text;
   text.reserve(map.size() + static_cast<std::size_t>(map.height()));
   for (const int y : rows_from_top(map)) {

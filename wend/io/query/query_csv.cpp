@@ -12,13 +12,13 @@ namespace wend {
 namespace {
 
 /// Removes a quoted field from the beginning of the line and returns it.
-Expected<std::string, std::string> take_quoted(std::string_view& line) {
+Expected<std::string, Error> take_quoted(std::string_view& line) {
   std::string field;
   do {
     line.remove_prefix(1);
     const std::size_t end = line.find('"');
     if (end == std::string_view::npos) {
-      return Unexpected<std::string>("unterminated quoted field");
+      return failure(Status::invalid_file, "unterminated quoted field");
     }
     field += line.substr(0, end);
     line.remove_prefix(end + 1);
@@ -28,8 +28,7 @@ Expected<std::string, std::string> take_quoted(std::string_view& line) {
 }
 
 /// The fields of a line, or the error in its quotes.
-Expected<std::vector<std::string>, std::string> query_fields(std::string_view line,
-                                                             char separator) {
+Expected<std::vector<std::string>, Error> query_fields(std::string_view line, char separator) {
   std::vector<std::string> fields;
   for (;;) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -37,13 +36,13 @@ Expected<std::vector<std::string>, std::string> query_fields(std::string_view li
     const bool in_quotes = line.starts_with('"');
     if (in_quotes) {
       auto field = take_quoted(line);
-      if (!field) return Unexpected<std::string>(field.error());
+      if (!field) return Unexpected<Error>(field.error());
       quoted = *std::move(field);
     }
     const std::size_t end = line.find(separator);
     const std::string_view plain = trimmed(line.substr(0, end));
     if (in_quotes && !plain.empty()) {
-      return Unexpected<std::string>(fmt::format("{} after a quoted field", quote(plain)));
+      return failure(Status::invalid_file, fmt::format("{} after a quoted field", quote(plain)));
     }
     fields.push_back(in_quotes ? std::move(quoted) : std::string(plain));
     if (end == std::string_view::npos) return fields;
@@ -60,7 +59,7 @@ class QueryHeader {
   std::string read(std::string_view line) {
     separator_ = line.find(';') == std::string_view::npos ? ',' : ';';
     auto names = query_fields(line, separator_);
-    if (!names) return names.error();
+    if (!names) return names.error().message;
     names_ = *std::move(names);
     for (auto it = names_.begin(); it != names_.end(); ++it) {
       if (std::find(names_.begin(), it, *it) != it && is_of_query(*it)) {
@@ -78,7 +77,7 @@ class QueryHeader {
     QueryRow row{number, {}, {}, {}};
     const auto fields = query_fields(line, separator_);
     if (!fields) {
-      row.wrong = fields.error();
+      row.wrong = fields.error().message;
     } else if (fields->size() != names_.size()) {
       row.wrong =
           fmt::format("{} columns, expected {} as in the header", fields->size(), names_.size());

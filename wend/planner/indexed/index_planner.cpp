@@ -161,7 +161,9 @@ class MethodSupport final : public IndexSupport {
   EngineResult open(const FreeSpace& space, IndexBytes index) const {
     if (auto refused = refused_terrain(planner_, space)) return Unexpected<Error>(*refused);
     auto opened = method_.open(std::move(index), space.passable());
-    if (!opened) return failure(Status::index_mismatch, "index does not match: " + opened.error());
+    if (!opened)
+      return failure(Status::index_mismatch, "index does not match: " + opened.error().message,
+                     opened.error().where);
     return *std::move(opened);
   }
 

@@ -18,8 +18,7 @@ namespace wend {
 struct IndexMethod {
   std::function<Expected<IndexBytes, Error>(const BitGrid&, const IndexBuilding&)> build;
   /// Checks the index, which is cheap compared with reading it once. The error is index_mismatch.
-  std::function<Expected<std::unique_ptr<IndexEngine>, std::string>(IndexBytes, const BitGrid&)>
-      open;
+  std::function<Expected<std::unique_ptr<IndexEngine>, Error>(IndexBytes, const BitGrid&)> open;
 };
 
 /// Completes the info of an index planner without options: sets make and index_support, and what all

@@ -11,15 +11,15 @@
 
 #include <string>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend_ros/planning.hpp"
 
 namespace wend_ros {
 
-/// The map of a request, or what is wrong with it: "obstacles[3]: the cell (20,4) is outside the
+/// The map of a request, or what is wrong with it, unsupported_query: "obstacles[3]: the cell (20,4) is outside the
 /// map".
-wend::Expected<wend::GridMap, std::string> yard_of(const CarRequest& request);
+wend::Expected<wend::GridMap, wend::Error> yard_of(const CarRequest& request);
 
 CarResult plan_car(const CarRequest& request, const Watch& watch = {});
 

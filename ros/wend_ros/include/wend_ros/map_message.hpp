@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "wend/base/expected.hpp"
+#include "wend/base/error.hpp"
 #include "wend/map/grid_map.hpp"
 
 namespace wend_ros {
@@ -24,8 +24,8 @@ struct MapReading {
   bool rough = false;      // lower ones are rough ground, else free
 };
 
-/// Why a message is no map: "resolution 0", "12 cells, 20 x 10 expected".
-wend::Expected<wend::GridMap, std::string> map_from(const nav_msgs::OccupancyGrid& message,
+/// Why a message is no map, invalid_map: "resolution 0", "12 cells, 20 x 10 expected".
+wend::Expected<wend::GridMap, wend::Error> map_from(const nav_msgs::OccupancyGrid& message,
                                                     const MapReading& reading);
 
 }  // namespace wend_ros
