@@ -6,12 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "wend/geometry/angle.hpp"
 #include "wend/geometry/line.hpp"
 #include "wend/path/path_metrics.hpp"
 #include "wend/robot/fits_along.hpp"
 
 namespace wend {
 namespace {
+
+constexpr double kSame = 1e-9;  // cells: rounding
 
 /// So far from a point in a direction.
 Pose displaced(Point point, double heading, double distance) {
@@ -20,7 +23,6 @@ Pose displaced(Point point, double heading, double distance) {
 
 /// Appends a pose, unless the last one is the same but for rounding.
 void drive_to(std::vector<Pose>& poses, const Pose& pose) {
-  constexpr double kSame = 1e-9;  // cells
   const bool same = !poses.empty() && distance(poses.back().point(), pose.point()) < kSame &&
                     std::abs(poses.back().heading - pose.heading) < kSame;
   if (!same) poses.push_back(pose);
@@ -39,7 +41,7 @@ Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
     const double next = Line{at, points[i]}.heading();
     const double radius = corner.radius(window);
     const double cut =
-        std::isfinite(radius) && radius > 0 ? radius * corner.half_turn_tangent() : 0;
+        std::isfinite(radius) && radius > kSame ? radius * corner.half_turn_tangent() : 0;
     const Pose begin = displaced(at, heading, -cut);
     const Pose end = displaced(at, next, cut);
     if (cut > 0 && fits_along(space, arc_to(begin, end.point()), {.adjacency = adjacency})) {
@@ -47,6 +49,10 @@ Path rounded(std::vector<Point> points, const FreeSpace& space, double window,
       drive_to(poses, end);
     } else {
       drive_to(poses, displaced(at, heading, 0));
+      const double turn = turn_between(space, at, heading, next).angle;
+      if (turn != normalized_angle(next - heading)) {  // half a turn, the other way
+        drive_to(poses, displaced(at, normalized_angle(heading + turn / 2), 0));
+      }
       drive_to(poses, displaced(at, next, 0));
     }
     heading = next;

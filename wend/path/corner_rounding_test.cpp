@@ -58,6 +58,16 @@ TEST(CornerRounding, OfAPointOrADriveChangesNothing) {
   EXPECT_EQ(rounded_corners(drive, space, 0.1), drive);
 }
 
+/// Where a path turns back but for rounding, an arc would be a stop before its end.
+TEST(CornerRounding, LeavesWherePathsTurnBack) {
+  const Point end{7.3, 4.1};
+  const Path path = Path::along({{1.2, 2.3}, end, {1.2 + 1e-14, 2.3}});
+  const Path rounded = rounded_corners(path, test::open_space(20, 15), 0.3);
+  ASSERT_EQ(rounded.size(), 4U);
+  EXPECT_EQ(rounded.points()[1], end);
+  EXPECT_EQ(rounded.points()[2], end);
+}
+
 TEST(CornerRounding, StaysFreeAndWithinTheWindowAndCanBeTimed) {
   for (std::uint64_t seed = 0; seed < test::share_of(100U); ++seed) {
     SCOPED_TRACE(seed);

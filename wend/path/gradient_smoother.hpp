@@ -16,7 +16,8 @@
 //
 //   const auto smoothed = wend::smooth_by_gradient(plan->path, space, {.beta = 0.4});
 //
-// Safe (unless `unsafe`): where the two lines of a point would not stay free it makes an eighth of its
+// Safe (unless `unsafe`): where the two lines of a point, or the turns of a polygon at their ends, would
+// not stay free it makes an eighth of its
 // move, or none in that sweep; one that could not move rests for 1, 2, 4 and then 8 sweeps. With such
 // moves cut or left out the objective still does not grow from sweep to sweep. O(points) a sweep; a
 // move where there is room costs two comparisons (smoothing.hpp).

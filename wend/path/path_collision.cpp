@@ -7,7 +7,6 @@
 #include <span>
 
 #include "wend/base/choice.hpp"
-#include "wend/geometry/angle.hpp"
 #include "wend/geometry/arc_distance.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/placed_polygon.hpp"
@@ -97,8 +96,7 @@ class PathSweep {
     }
     const double heading = line.heading();
     if (heading_) {
-      const double angle = normalized_angle(heading - *heading_);
-      const TurnInPlace turn{{line.from.x, line.from.y, *heading_}, angle};
+      const TurnInPlace turn = turn_between(space_, line.from, *heading_, heading);
       if (auto collision = collision_along(turn)) return collision;
     }
     heading_ = heading;

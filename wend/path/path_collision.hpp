@@ -11,7 +11,7 @@
 // enter the union of the obstacles (edges and corners may be touched), and does not pass between
 // two obstacles that touch at a corner, unless `adjacency` is edges_and_corners. A polygon overlaps no
 // obstacle: it faces along each line of a path and turns in place, the shorter way, where the next one
-// leads elsewhere; along arcs it has the heading that they say. Where a path only stands and has no
+// leads elsewhere (half a turn: either way); along arcs it has the heading that they say. Where a path only stands and has no
 // headings, a polygon has to fit at every one. The base point stays on the map, and
 // the shape too if the outside is blocked. Exact up to rounding, but where a polygon turns:
 // fits_along.hpp says how conservative that is.

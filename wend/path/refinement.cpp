@@ -38,9 +38,8 @@ Expected<Refined, Error> refined(const Path& path, const FreeSpace& space,
   Refined refined{path};
   if (refinement.simplify) {
     if (path.driven()) {
-      return failure(
-          Status::unsupported_query,
-          "a path of the car planner cannot be simplified: its arcs need their end points");
+      return failure(Status::unsupported_query,
+                     "a path of poses cannot be simplified: its arcs need their end points");
     }
     refined.path = simplified_by(*refinement.simplify, path, space, adjacency);
   }

@@ -2,11 +2,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <array>
+#include <string>
+
+#include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
+#include "tests/testing/polygon_overlap.hpp"
+#include "tests/testing/random_path.hpp"
+#include "tests/testing/random_polygon.hpp"
+#include "wend/path/corner_rounding.hpp"
 #include "wend/path/gradient_smoother.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/path/simplification.hpp"
+#include "wend/robot/fits_along.hpp"
 
 namespace wend {
 namespace {
@@ -64,6 +74,101 @@ TEST(Refinement, SqueezesWhereThePathMay) {
       {.smoother = SmootherChoice{}, .spacing = 0.5, .adjacency = Adjacency::edges_and_corners});
   ASSERT_TRUE(squeezed);
   EXPECT_FALSE(first_collision(squeezed->path, space, Adjacency::edges_and_corners));
+}
+
+Refinement random_refinement(Random& random) {
+  Refinement refinement;
+  if (random.chance(0.5)) {
+    const auto by = test::one_of<SimplifyBy>(
+        random, std::array{SimplifyBy::collinear, SimplifyBy::tolerance, SimplifyBy::sight});
+    refinement.simplify = Simplification{by, test::number_between(random, 0, 2)};
+  }
+  if (random.chance(0.7)) {
+    refinement.smoother = random.chance(0.7)
+                              ? SmootherChoice{"gradient", {{"alpha", "0.02"}, {"beta", "0.4"}}}
+                              : SmootherChoice{"curvature", {{"radius", "2"}}};
+  }
+  if (random.chance(0.3)) refinement.spacing = test::number_between(random, 0.2, 3);
+  return refinement;
+}
+
+bool is_narrow(const Path& path, const FreeSpace& space) {
+  const std::vector<Point> points = path.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!disc_fits_along(space, Line{points[i - 1], points[i]})) return true;
+  }
+  return false;
+}
+
+RC_GTEST_PROP(Refinement, OfAPolygonsPathStaysFree, ()) {
+  Random random(*rc::gen::arbitrary<std::uint32_t>());
+  const GridMap map = test::random_map(random, random.between(4, 20), random.between(4, 20));
+  const Polygon outline =
+      *rc::gen::arbitrary<bool>() ? test::random_polygon(1.5) : test::random_right_angled_polygon();
+  const FreeSpace space = *make_free_space(
+      map, {.footprint = *Footprint::polygon(outline.scaled(map.frame().resolution)),
+            .outside = test::random_outside(random)});
+  const Path path = test::random_free_path(random, space, Adjacency::edges);
+  if (path.empty()) return;
+  RC_CLASSIFY(is_narrow(path, space), "where it fits at some headings only");
+  const auto result = refined(path, space, random_refinement(random));
+  if (!result) RC_FAIL(result.error().message + test::text_of(path));
+  RC_ASSERT(!first_collision(result->path, space));
+  RC_ASSERT(!first_collision(rounded_corners(result->path, space, 0.3), space));
+  const std::vector<Point> points = result->path.points();
+  RC_ASSERT(points.front() == path.points().front());
+  RC_ASSERT(points.back() == path.points().back());
+  RC_ASSERT(result->path.length() <= path.length() + 1e-9);
+  const auto blocked = test::blocked_squares(space);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i - 1] == points[i]) continue;
+    const Line line{points[i - 1], points[i]};
+    const Point middle = line.middle();
+    RC_ASSERT(test::worst_overlap(space, blocked, {middle.x, middle.y, line.heading()}) < 1e-7);
+  }
+}
+
+/// A robot that is longer than a corridor is wide, and a path that wobbles there.
+struct NarrowCorridor {
+  FreeSpace space = test::drawn_space("############\n............\n............\n############",
+                                      {.footprint = *Footprint::polygon(*Polygon::make(
+                                           {{1.5, 0.4}, {-1.5, 0.4}, {-1.5, -0.4}, {1.5, -0.4}})),
+                                       .outside = OutsidePolicy::blocked});
+  Path path =
+      Path::along({{2, 2}, {3, 2.1}, {4, 1.9}, {5, 2.1}, {6, 1.9}, {7, 2.1}, {8, 1.9}, {9, 2}});
+};
+
+TEST(Refinement, SmoothsAPolygonsPathWhereItFitsAtSomeHeadingsOnly) {
+  const NarrowCorridor corridor;
+  ASSERT_FALSE(first_collision(corridor.path, corridor.space));
+  for (const std::string smoother : {"gradient", "curvature"}) {
+    const auto smooth = refined(corridor.path, corridor.space,
+                                {.smoother = SmootherChoice{smoother, {{"alpha", "0.01"}}}});
+    ASSERT_TRUE(smooth);
+    EXPECT_LT(smooth->path.length(), 0.1 * corridor.path.length() + 0.9 * 7);
+    EXPECT_FALSE(first_collision(smooth->path, corridor.space));
+  }
+}
+
+TEST(Refinement, SimplifiesAPolygonsPathWhereItFitsAtSomeHeadingsOnly) {
+  const NarrowCorridor corridor;
+  const Path straight = Path::along({{2, 2}, {9, 2}});
+  EXPECT_EQ(string_pulled(corridor.path, corridor.space), straight);
+  EXPECT_EQ(simplified(corridor.path, 0.2, corridor.space), straight);
+  EXPECT_EQ(resampled(straight, 1, corridor.space).size(), 8U);
+}
+
+/// The headings of the pieces of a line differ by rounding, which is not a turn.
+TEST(Refinement, DividesALineOnWhichAPolygonTouchesWalls) {
+  const FreeSpace space = test::drawn_space(
+      "##########\n..........\n..........\n##########",
+      {.footprint =
+           *Footprint::polygon(*Polygon::make({{1.5, 1}, {-1.5, 1}, {-1.5, -1}, {1.5, -1}})),
+       .outside = OutsidePolicy::blocked});
+  const double little = 1e-12;
+  const Path line = Path::along({{1.5, 2}, {3.1, 2 + little}, {8.3, 2}});
+  EXPECT_FALSE(first_collision(line, space));
+  EXPECT_FALSE(first_collision(resampled(line, 0.7, space), space));
 }
 
 TEST(Refinement, TellsWhatItCannotDo) {

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "wend/geometry/line.hpp"
 #include "wend/path/polyline.hpp"
@@ -17,20 +21,37 @@ namespace {
 /// A point nearer to a line than this lies on it: rounding.
 constexpr double kOnLine = 1e-9;  // cells
 
-/// Which shortcuts are free. Of a polygon the disc around it is asked, so that it can turn anywhere.
+/// Which shortcuts are free.
 class Sight {
  public:
   Sight(const FreeSpace& space, Adjacency adjacency) : space_(space), adjacency_(adjacency) {}
 
-  /// Points in gaps have no line of sight: whether a gap is free depends on where the path comes
-  /// from.
+  /// At every heading, so that the robot can turn anywhere. Points in gaps have no line of sight:
+  /// whether a gap is free depends on where the path comes from.
   bool operator()(Point a, Point b) const {
     const bool gaps_matter = space_.radius_in_cells() == 0 && adjacency_ == Adjacency::edges;
     if (gaps_matter && (in_gap(space_, a) || in_gap(space_, b))) return false;
     return disc_fits_along(space_, Line{a, b}, adjacency_);
   }
 
+  /// For a robot that comes to the line, and leaves it, with these headings, if it has any: a polygon
+  /// also sees where it fits facing along the line and can turn at its ends.
+  bool operator()(const Line& line, std::optional<double> arrival,
+                  std::optional<double> departure) const {
+    if ((*this)(line.from, line.to)) return true;
+    if (!space_.outline() || line.length() == 0) return false;
+    const double heading = line.heading();
+    return fits_along(space_, line) && turns(line.from, arrival, heading) &&
+           turns(line.to, heading, departure);
+  }
+
+  bool has_shape() const { return space_.outline() != nullptr; }
+
  private:
+  bool turns(Point at, std::optional<double> before, std::optional<double> after) const {
+    return !before || !after || turns_with_margin(space_, at, *before, *after);
+  }
+
   const FreeSpace& space_;
   Adjacency adjacency_;
 };
@@ -58,17 +79,18 @@ std::size_t farthest_from_line(std::span<const Point> points, std::size_t first,
   return farthest;
 }
 
-/// The last point from which on that of `from` is out of sight, found by steps that double and then
-/// halve. At least the next one, to which the path itself leads.
-std::size_t last_in_sight(std::span<const Point> points, std::size_t from, const Sight& sight) {
+/// The last of `count` points from which on that of `from` is out of sight, by sees(index), found by
+/// steps that double and then halve. At least the next one, to which the path itself leads.
+template <class Sees>
+std::size_t last_in_sight(std::size_t count, std::size_t from, const Sees& sees) {
   std::size_t seen = from + 1;
   std::size_t step = 1;
-  while (seen + step < points.size() && sight(points[from], points[seen + step])) {
+  while (seen + step < count && sees(seen + step)) {
     seen += step;
     step *= 2;
   }
   for (; step > 0; step /= 2) {
-    if (seen + step < points.size() && sight(points[from], points[seen + step])) seen += step;
+    if (seen + step < count && sees(seen + step)) seen += step;
   }
   return seen;
 }
@@ -76,9 +98,42 @@ std::size_t last_in_sight(std::span<const Point> points, std::size_t from, const
 std::vector<std::size_t> pulled_forwards(std::span<const Point> points, const Sight& sight) {
   std::vector<std::size_t> kept{0};
   while (kept.back() + 1 < points.size()) {
-    kept.push_back(last_in_sight(points, kept.back(), sight));
+    const std::size_t from = kept.back();
+    kept.push_back(last_in_sight(points.size(), from,
+                                 [&](std::size_t to) { return sight(points[from], points[to]); }));
   }
   return kept;
+}
+
+/// The heading of the path where it leaves a point; none at its end.
+std::optional<double> departure_from(std::span<const Point> points, std::size_t at) {
+  for (std::size_t next = at + 1; next < points.size(); ++next) {
+    if (points[next] != points[at]) return Line{points[at], points[next]}.heading();
+  }
+  return std::nullopt;
+}
+
+/// A way that is being made, and the heading at its end.
+struct Way {
+  std::vector<Point> points;
+  std::optional<double> heading{};  // none as long as it stands
+
+  void go_to(Point point) {
+    if (point != points.back()) heading = Line{points.back(), point}.heading();
+    points.push_back(point);
+  }
+};
+
+/// Once more, by the robot's own shape, forwards: headings tell where it can turn.
+std::vector<Point> pulled_by_shape(std::span<const Point> points, const Sight& sight) {
+  Way way{{points.front()}};
+  for (std::size_t at = 0; at + 1 < points.size();) {
+    at = last_in_sight(points.size(), at, [&](std::size_t to) {
+      return sight(Line{points[at], points[to]}, way.heading, departure_from(points, to));
+    });
+    way.go_to(points[at]);
+  }
+  return way.points;
 }
 
 std::vector<std::size_t> pulled_backwards(std::vector<Point> points, const Sight& sight) {
@@ -141,22 +196,23 @@ Path resampled_drive(const JoinedPoses& drive, double spacing) {
 Path resampled_lines(const Polyline& line, double spacing, const Sight& sight) {
   const auto along = line.along();
   const int pieces = line.length() > 0 ? pieces_of(line.length(), spacing) : 0;
-  std::vector<Point> points{line.points().front()};
+  Way way{{line.points().front()}};
   double last = 0;
   for (int i = 1; i <= pieces; ++i) {
     const double next = line.length() * i / pieces;
     const Point point = i == pieces ? line.points().back() : line.at(next).point();
-    if (!sight(points.back(), point)) {
+    const auto departure = i == pieces ? std::nullopt : std::optional(line.at(next).heading);
+    if (!sight(Line{way.points.back(), point}, way.heading, departure)) {
       const auto begin = std::ranges::upper_bound(along, last);
       const auto end = std::ranges::lower_bound(along, next);
       for (auto own = begin; own < end; ++own) {
-        points.push_back(line.points()[static_cast<std::size_t>(own - along.begin())]);
+        way.go_to(line.points()[static_cast<std::size_t>(own - along.begin())]);
       }
     }
-    points.push_back(point);
+    way.go_to(point);
     last = next;
   }
-  return Path::along(std::move(points));
+  return Path::along(std::move(way.points));
 }
 
 }  // namespace
@@ -181,25 +237,26 @@ Path simplified(const Path& path, double tolerance, const FreeSpace& space, Adja
   assert(tolerance >= 0);
   const Sight sight(space, adjacency);
   const std::vector<Point> points = points_of_lines(path);
-  std::vector<Point> kept{points.front()};
+  Way way{{points.front()}};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
   while (!open.empty()) {
     const auto [first, last] = open.back();
     open.pop_back();
     if (last <= first + 1) {
-      if (last > first) kept.push_back(points[last]);
+      if (last > first) way.go_to(points[last]);
       continue;
     }
     const std::size_t farthest = farthest_from_line(points, first, last);
-    const double off = distance(Line{points[first], points[last]}, points[farthest]);
-    if (off <= tolerance && sight(points[first], points[last])) {
-      kept.push_back(points[last]);
+    const Line line{points[first], points[last]};
+    if (distance(line, points[farthest]) <= tolerance &&
+        sight(line, way.heading, departure_from(points, last))) {
+      way.go_to(points[last]);
     } else {  // the nearer half comes off the stack first
       open.emplace_back(farthest, last);
       open.emplace_back(first, farthest);
     }
   }
-  return Path::along(std::move(kept));
+  return Path::along(std::move(way.points));
 }
 
 Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency) {
@@ -210,7 +267,8 @@ Path string_pulled(const Path& path, const FreeSpace& space, Adjacency adjacency
   const std::vector<std::size_t> backwards = pulled_backwards(points, sight);
   std::vector<std::size_t> candidates;
   std::ranges::set_union(forwards, backwards, std::back_inserter(candidates));
-  return Path::along(shortest_through(candidates, points, sight));
+  const std::vector<Point> pulled = shortest_through(candidates, points, sight);
+  return Path::along(sight.has_shape() ? pulled_by_shape(pulled, sight) : pulled);
 }
 
 Path resampled(const Path& path, double spacing, const FreeSpace& space, Adjacency adjacency) {

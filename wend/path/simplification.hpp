@@ -1,7 +1,8 @@
 #pragma once
 
 // Simplification: a path with fewer or other waypoints, its ends kept. What comes out of a free path
-// is free, by the rules of first_collision(): a shortcut that is not is not taken.
+// is free, by the rules of first_collision(): a shortcut that is not is not taken. A polygon faces along
+// its shortcuts and turns where they meet.
 //
 //   const wend::Path fewer = wend::without_collinear(plan->path);
 //   const wend::Path taut = wend::string_pulled(plan->path, space);
@@ -26,8 +27,8 @@ WEND_API Path simplified(const Path& path, double tolerance, const FreeSpace& sp
                          Adjacency adjacency = Adjacency::edges);
 
 /// From point to point of the path as far as sight leads, the swept disc fitting through, forwards and
-/// backwards; of the points at which it bends either way the shortest way. Never longer than the
-/// path. O(bends log n) sights tested.
+/// backwards; of the points at which it bends either way the shortest way. Then, for a polygon, once more
+/// forwards, its own shape fitting through. Never longer than the path. O(bends log n) sights tested.
 WEND_API Path string_pulled(const Path& path, const FreeSpace& space,
                             Adjacency adjacency = Adjacency::edges);
 

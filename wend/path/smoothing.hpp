@@ -23,13 +23,14 @@ namespace wend {
 /// point sees where its neighbours are already, not where they were in the sweep before.
 std::optional<std::string> fault_of_weights(double alpha, double beta, bool in_place);
 
-/// A path whose inner points are moved, one at a time, and that stays free all the while, unless it is
-/// unbound.
+/// A path whose inner points are moved, one at a time, and that stays free all the while, by
+/// first_collision(), unless it is unbound.
 ///
 /// Every line remembers where its ends were when it was last looked at on the map, and how much room
 /// there was beside it (room_along()): while its ends stay within that room the line is free, as all
 /// its points stay within it. So most moves cost two comparisons. What was found to be blocked is
-/// looked at less and less often.
+/// looked at less and less often. Where a polygon does not fit at every heading there is no such room:
+/// it is swept along the lines that a move changes, and turned where they begin and end.
 class MovablePath {
  public:
   /// Of a path (not empty) that first_collision() finds free. A path that is not, and a drive, are
@@ -71,6 +72,7 @@ class MovablePath {
   struct Beside {
     Line line;
     double squared_room = 0;
+    bool any_heading = false;  // does the robot fit along it at every heading?
 
     bool allows_begin(Point point) const { return near(line.from, point); }
     bool allows_end(Point point) const { return near(line.to, point); }
@@ -96,7 +98,10 @@ class MovablePath {
            point.y <= space_->height();
   }
 
-  std::optional<double> room_beside(const Line& line) const;
+  Beside look_beside(const Line& line) const;
+  std::optional<Beside> free_beside(const Line& line) const;
+  bool turns_fit_around(std::size_t i) const;
+  bool turn_fits(std::size_t i) const;
   bool look_around();
   double move_as_far_as_free(std::size_t i, Point to);
   bool try_move(std::size_t i, Point to);

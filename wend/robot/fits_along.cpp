@@ -1,5 +1,8 @@
 #include "wend/robot/fits_along.hpp"
 
+#include <cmath>
+
+#include "wend/geometry/angle.hpp"
 #include "wend/robot/disc_sweep.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/polygon_sweep.hpp"
@@ -36,6 +39,24 @@ bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOpti
   const Point point = turn.from.point();
   if (disc_fits_along(space, Line{point, point}, options.adjacency)) return true;
   return space.outline() && PolygonSweep(space, options.tolerance).fits(turn);
+}
+
+TurnInPlace turn_between(const FreeSpace& space, Point joint, double before, double after) {
+  const TurnInPlace turn{{joint.x, joint.y, before}, normalized_angle(after - before)};
+  constexpr double kRounding = 1e-9;
+  if (std::abs(turn.angle) < kPi - kRounding || fits_along(space, turn)) return turn;
+  const TurnInPlace other{turn.from, turn.angle - std::copysign(2 * kPi, turn.angle)};
+  return fits_along(space, other) ? other : turn;
+}
+
+bool turns_with_margin(const FreeSpace& space, Point joint, double before, double after) {
+  constexpr double kMargin = 1e-7;  // radians
+  TurnInPlace turn = turn_between(space, joint, before, after);
+  if (!fits_along(space, turn)) return false;
+  const double margin = std::copysign(kMargin, turn.angle);
+  turn.from.heading -= margin;
+  turn.angle += 2 * margin;
+  return fits_along(space, turn);
 }
 
 bool fits_along(const FreeSpace& space, const Segment& segment, const SweepOptions& options) {

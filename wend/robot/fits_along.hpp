@@ -41,8 +41,16 @@ bool fits_along(const FreeSpace& space, const Arc& arc, const SweepOptions& opti
 bool fits_along(const FreeSpace& space, const TurnInPlace& turn, const SweepOptions& options = {});
 bool fits_along(const FreeSpace& space, const Segment& segment, const SweepOptions& options = {});
 
-/// The same for every heading: a polygon counts as its circumscribed disc. For grid planners and
-/// smoothers, which choose no headings.
+/// The turn of a robot that faces along one line and then along the next one: the shorter way. For half a
+/// turn both ways are as short: it is one that fits, if one does.
+TurnInPlace turn_between(const FreeSpace& space, Point joint, double before, double after);
+
+/// May the robot make that turn, and a little more? For code that changes paths: if their lines are
+/// divided, rounding changes headings, and the turn still fits.
+bool turns_with_margin(const FreeSpace& space, Point joint, double before, double after);
+
+/// The same for every heading: a polygon counts as its circumscribed disc. For grid planners, which choose
+/// no headings.
 bool disc_fits_along(const FreeSpace& space, const Line& line,
                      Adjacency adjacency = Adjacency::edges);
 bool disc_fits_along(const FreeSpace& space, const Arc& arc,

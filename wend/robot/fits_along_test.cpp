@@ -160,6 +160,26 @@ TEST(PolygonFitsAlong, ACorridorAsWideAsItself) {
   EXPECT_EQ(space.why_blocked(Pose{3.5, 1.5, 0.1}), BlockReason::overlaps);
 }
 
+/// A robot whose tail reaches far back, beside a wall, cannot turn through it.
+TEST(PolygonFitsAlong, HalfATurnTheWayThatFits) {
+  const FreeSpace space = test::drawn_space(
+      ".......\n.......\n.......\n.......\n#######",
+      {.footprint = *Footprint::polygon(
+           *Polygon::make({{0.5, 0.4}, {-2.5, 0.4}, {-2.5, -0.4}, {0.5, -0.4}}))});
+  const Point joint{3.5, 3.5};
+  for (const double rounding : {-1e-15, 0.0, 1e-15}) {
+    const double before = 0;
+    const TurnInPlace there = turn_between(space, joint, before, kPi + rounding);
+    EXPECT_TRUE(fits_along(space, there));
+    EXPECT_TRUE(turns_with_margin(space, joint, before, kPi + rounding));
+    EXPECT_NEAR(std::abs(there.angle), kPi, 1e-9);
+    const TurnInPlace blocked{there.from, -there.angle};
+    EXPECT_FALSE(fits_along(space, blocked));
+  }
+  EXPECT_NEAR(turn_between(space, joint, 0, 1).angle, 1, 1e-12) << "the shorter way, free or not";
+  EXPECT_NEAR(turn_between(space, joint, 0, -1).angle, -1, 1e-12);
+}
+
 TEST(PolygonFitsAlong, ItNeverHopsAThinWall) {
   const FreeSpace space = test::drawn_space(".......\n.......\n...#...\n.......\n.......",
                                             {.footprint = kLong, .outside = OutsidePolicy::free});

@@ -107,18 +107,24 @@ bool PolygonSweep::turning_fits(const Way& way) const {
   return turning_fits(halves[0]) && turning_fits(halves[1]);
 }
 
+/// Does the polygon turn on the way, but for rounding?
+template <class Way>
+bool PolygonSweep::turns(const Way& way) const {
+  return std::abs(turn_of(way)) * (circumscribed_ + length_of(way)) > kOverlapTolerance;
+}
+
 bool PolygonSweep::fits(const Arc& arc) const {
   if (arc.length == 0) return fits_at(arc.from);
-  if (arc.curvature != 0) return turning_fits(arc);
+  if (turns(arc)) return turning_fits(arc);
   return fits_facing({arc.from.point(), point_on(arc, arc.length)}, arc.from.heading);
 }
 
 bool PolygonSweep::fits(const TurnInPlace& turn) const {
-  return turn.angle == 0 ? fits_at(turn.from) : turning_fits(turn);
+  return turns(turn) ? turning_fits(turn) : fits_at(turn.from);
 }
 
 bool PolygonSweep::fits(const Segment& segment) const {
-  if (segment.turn != 0) return turning_fits(segment);
+  if (turns(segment)) return turning_fits(segment);
   if (segment.length == 0) return fits_at(segment.from);
   return fits_facing({segment.from.point(), end_of(segment).point()}, segment.from.heading);
 }

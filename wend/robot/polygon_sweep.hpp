@@ -40,6 +40,8 @@ class PolygonSweep {
 
   Verdict disc_verdict(Point middle, double half_length) const;
   bool fits_facing(const Line& line, double heading) const;
+  template <class Way>
+  bool turns(const Way& way) const;
   Verdict verdict_near(const Pose& middle, double reach) const;
   bool stays_inside(const Box& box, double margin) const;
 
