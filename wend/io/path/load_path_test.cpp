@@ -8,6 +8,7 @@
 
 #include "wend/geometry/angle.hpp"
 #include "wend/geometry/compass.hpp"
+#include "wend/geometry/corner_pose.hpp"
 #include "wend/io/io_test_support.hpp"
 #include "wend/io/path/path_csv.hpp"
 
