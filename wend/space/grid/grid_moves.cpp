@@ -1,6 +1,7 @@
 #include "wend/space/grid/grid_moves.hpp"
 
 #include <cstdlib>
+#include <utility>
 
 namespace wend {
 namespace {
@@ -102,17 +103,52 @@ DirectionSet moves_in(const Neighbours& block, Move arrival) {
   return static_cast<DirectionSet>(moves);
 }
 
-}  // namespace
+constexpr std::size_t kBlockCount = 512;
+using Moves = std::array<DirectionSet, (kNoMove + 1) * kBlockCount>;
 
-MoveTable::MoveTable(GridMoves moves, Pruning pruning) {
-  for (unsigned block = 0; block < kBlocks; ++block) {
-    const Neighbours cells{block, moves};
-    moves_[kNoMove * kBlocks + block] = moves_in(cells, kNoMove);
+constexpr std::size_t kCornerRules = choice_names(CornerRule{}).size();
+constexpr std::size_t kKinds = choice_names(Connectivity{}).size() * kCornerRules * 2;
+
+std::size_t kind_of(GridMoves moves, bool canonical) {
+  return (static_cast<std::size_t>(moves.connectivity) * kCornerRules +
+          static_cast<std::size_t>(moves.corner_rule)) *
+             2 +
+         std::size_t{canonical};
+}
+
+Moves computed_moves(std::size_t kind) {
+  const bool canonical = kind % 2 != 0;
+  const GridMoves rule{static_cast<Connectivity>(kind / 2 / kCornerRules),
+                       static_cast<CornerRule>(kind / 2 % kCornerRules)};
+  Moves moves{};
+  for (unsigned block = 0; block < kBlockCount; ++block) {
+    const Neighbours cells{block, rule};
+    const DirectionSet all = moves_in(cells, kNoMove);
+    moves[kNoMove * kBlockCount + block] = all;
     for (Move arrival = 0; arrival < kDirections; ++arrival) {
-      const Move judged = pruning == Pruning::canonical ? arrival : kNoMove;
-      moves_[arrival * kBlocks + block] = moves_in(cells, judged);
+      moves[arrival * kBlockCount + block] = canonical ? moves_in(cells, arrival) : all;
     }
   }
+  return moves;
 }
+
+template <std::size_t Kind>
+const Moves& moves_of_kind() {
+  static const Moves moves = computed_moves(Kind);
+  return moves;
+}
+
+/// Computed once for each kind: on a small map that takes longer than a search.
+template <std::size_t... Kinds>
+const Moves& kept_moves(std::size_t kind, std::index_sequence<Kinds...>) {
+  constexpr std::array kept{&moves_of_kind<Kinds>...};
+  return kept[kind]();
+}
+
+}  // namespace
+
+MoveTable::MoveTable(GridMoves moves, Pruning pruning)
+    : moves_(kept_moves(kind_of(moves, pruning == Pruning::canonical),
+                        std::make_index_sequence<kKinds>{})) {}
 
 }  // namespace wend

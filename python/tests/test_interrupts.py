@@ -1,0 +1,117 @@
+"""Ctrl-C, threads and references."""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from types import FrameType
+
+import numpy as np
+import pytest
+import wend
+
+
+class Alarm(Exception):
+    """What the handler of the signal raises, as that of Ctrl-C raises KeyboardInterrupt."""
+
+
+@contextlib.contextmanager
+def alarm() -> Iterator[None]:
+    """A signal arrives soon."""
+
+    def ring(number: int, frame: FrameType | None) -> None:
+        raise Alarm
+
+    before = signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, 0.05)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+# A walk through the one door takes seconds.
+WALLED = np.zeros((1500, 1500), dtype=np.int8)
+WALLED[:-1, 1400] = 1
+START, GOAL = (0.5, 0.5), (1450.5, 0.5)
+STEPS = 100_000_000
+
+
+def check_usable(space: wend.FreeSpace) -> None:
+    assert space.plan(START, (10.5, 0.5)).cost == 10
+
+
+def test_a_signal_stops_plan() -> None:
+    space = wend.Map(WALLED).free_space()
+    with pytest.raises(Alarm), alarm():
+        space.plan(START, GOAL, "random_walk", max_steps=STEPS)
+    check_usable(space)
+
+
+def test_a_signal_stops_plan_many() -> None:
+    space = wend.Map(WALLED).free_space()
+    with pytest.raises(Alarm), alarm():
+        space.plan_many([START] * 8, [GOAL] * 8, "random_walk", max_steps=STEPS, threads=2)
+    check_usable(space)
+
+
+def test_a_signal_stops_search() -> None:
+    with pytest.raises(Alarm), alarm():
+        wend.search(WALLED, (0, 0), (1450, 0), "random", max_steps=STEPS)
+
+
+def test_plan_does_not_hold_the_interpreter_lock() -> None:
+    space = wend.Map(WALLED).free_space()
+    began = threading.Event()
+
+    def walk() -> None:
+        began.set()
+        with contextlib.suppress(wend.NoPath):
+            space.plan(START, GOAL, "random_walk", max_steps=20_000_000)
+
+    thread = threading.Thread(target=walk)
+    thread.start()
+    began.wait()
+    ran_beside = 0
+    while thread.is_alive():
+        check_usable(space)
+        ran_beside += 1
+    assert ran_beside > 1
+
+
+def test_many_calls_leak_nothing() -> None:
+    world = np.zeros((8, 8), dtype=np.int8)
+    space = wend.Map(world).free_space()
+
+    def calls() -> None:
+        for _ in range(200):
+            wend.search(world, (0, 0), (7, 7))
+            path = space.plan((0.5, 0.5), (7.5, 7.5)).path
+            assert len(path) == 8
+            with pytest.raises(wend.InvalidArgument):
+                space.plan((0.5, 0.5), (7.5, 7.5), weight="x")
+            with pytest.raises(wend.NoPath):
+                space.plan((0.5, 0.5), (99, 7.5))
+            space.trace((0.5, 0.5), (7.5, 7.5)).expansion.sum()
+            space.plan_many([(0, 0)], [(1, 1)], threads=1)
+
+    calls()
+    gc.collect()
+    references = sys.getrefcount(world), sys.getrefcount(None)
+    blocks = sys.getallocatedblocks()
+    calls()
+    gc.collect()
+    assert sys.getrefcount(world) == references[0]
+    assert abs(sys.getrefcount(None) - references[1]) < 100
+    assert sys.getallocatedblocks() - blocks < 200
+
+
+def test_arrays_outlive_what_made_them() -> None:
+    path = wend.Map(np.zeros((5, 5))).free_space().plan((0.5, 0.5), (4.5, 4.5)).path
+    gc.collect()
+    assert path[-1].tolist() == [4.5, 4.5]

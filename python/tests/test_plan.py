@@ -1,0 +1,274 @@
+"""Planning, against Dijkstra's algorithm of scipy."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+import wend
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+
+OPTIMAL = ["astar", "dijkstra"]
+
+
+def distances(cells: npt.NDArray[np.int8], goal: tuple[int, int], connectivity: int) -> npt.NDArray[np.float64]:
+    """The cost of the cheapest path from every cell to the goal (x, y): scipy's answer on a graph that is made here."""
+    height, width = cells.shape
+    steps = [(1, 0, 1.0), (0, 1, 1.0)]
+    if connectivity == 8:
+        steps += [(1, 1, math.sqrt(2)), (-1, 1, math.sqrt(2))]
+    rows, columns, costs = [], [], []
+    for y in range(height):
+        for x in range(width):
+            for dx, dy, cost in steps:
+                there = (x + dx, y + dy)
+                block = [(x, y), there, (x + dx, y), (x, y + dy)]
+                if all(0 <= a < width and 0 <= b < height and cells[b, a] == 0 for a, b in block):
+                    rows.append(y * width + x)
+                    columns.append(there[1] * width + there[0])
+                    costs.append(cost)
+    graph = csr_matrix((costs, (rows, columns)), shape=(width * height, width * height))
+    found: npt.NDArray[np.float64] = dijkstra(graph, directed=False, indices=goal[1] * width + goal[0])
+    return found.reshape(height, width)
+
+
+@st.composite
+def queries(draw: st.DrawFn) -> tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]]:
+    height = draw(st.integers(1, 12))
+    width = draw(st.integers(1, 12))
+    numbers = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    cells = (numbers.random((height, width)) < draw(st.sampled_from([0, 0.2, 0.4]))).astype(np.int8)
+    ends = [(draw(st.integers(0, width - 1)), draw(st.integers(0, height - 1))) for _ in range(2)]
+    for x, y in ends:
+        cells[y, x] = 0
+    return cells, ends[0], ends[1]
+
+
+def centre(cell: tuple[int, int]) -> tuple[float, float]:
+    return cell[0] + 0.5, cell[1] + 0.5
+
+
+@settings(max_examples=60, deadline=None)
+@given(queries(), st.sampled_from([4, 8]))
+def test_costs_are_those_of_scipy(
+    query: tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]], connectivity: int
+) -> None:
+    cells, start, goal = query
+    expected = distances(cells, goal, connectivity)
+    space = wend.Map(cells).free_space()
+    for planner in OPTIMAL if connectivity == 4 else [*OPTIMAL, "jps"]:
+        options: dict[str, Any] = {} if planner == "jps" else {"connectivity": connectivity}
+        try:
+            plan = space.plan(centre(start), centre(goal), planner, **options)
+        except wend.NoPath as no_path:
+            assert no_path.status == "unreachable"
+            assert math.isinf(expected[start[1], start[0]])
+        else:
+            assert plan.cost == pytest.approx(expected[start[1], start[0]])
+            assert plan.bound == 1
+            check_path(plan, cells, start, goal)
+
+
+@settings(max_examples=40, deadline=None)
+@given(queries())
+def test_cost_to_go_and_policy(query: tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]]) -> None:
+    cells, start, goal = query
+    space = wend.Map(cells).free_space()
+    costs = space.cost_to_go(centre(goal))
+    assert costs == pytest.approx(distances(cells, goal, 8))
+    policy = space.policy(centre(goal))
+    x, y = start
+    for _ in range(cells.size):
+        dx, dy = policy[y, x].tolist()
+        if (dx, dy) == (0, 0):
+            break
+        assert costs[y + dy, x + dx] < costs[y, x]
+        x, y = x + dx, y + dy
+    assert (x, y) == (goal if math.isfinite(costs[start[1], start[0]]) else start)
+
+
+def check_path(plan: wend.Plan, cells: npt.NDArray[Any], start: tuple[int, int], goal: tuple[int, int]) -> None:
+    assert plan.cells.dtype == np.int32
+    assert plan.path.dtype == np.float64
+    assert np.array_equal(plan.path, plan.cells + 0.5)
+    assert tuple(plan.cells[0]) == start
+    assert tuple(plan.cells[-1]) == goal
+    assert not cells[plan.cells[:, 1], plan.cells[:, 0]].any()
+    assert np.abs(np.diff(plan.cells, axis=0)).max(initial=0) <= 1
+
+
+ROOM = np.zeros((20, 30), dtype=np.int8)
+ROOM[:15, 10] = 1
+ROOM[5:, 20] = 1
+
+
+def room(footprint: Any = 0.1) -> wend.FreeSpace:
+    return wend.Map(ROOM, resolution=0.1).free_space(footprint)
+
+
+def test_metres_and_frames() -> None:
+    turned = wend.Map(ROOM, resolution=0.1, origin=(5, -3, math.pi / 2)).free_space()
+    straight = wend.Map(ROOM, resolution=0.1).free_space()
+    path = straight.plan((0.25, 0.25), (2.85, 1.55)).path
+    other = turned.plan((5 - 0.25, -3 + 0.25), (5 - 1.55, -3 + 2.85)).path
+    assert other[:, 0] == pytest.approx(5 - path[:, 1])
+    assert other[:, 1] == pytest.approx(-3 + path[:, 0])
+
+
+def test_headings_and_goals() -> None:
+    plan = room().plan((0.5, 0.5, 0), (2.5, 1.5, 1.0), "car", lattice_resolution=2)
+    assert plan.path.shape == (len(plan.moves) + 1, 3)
+    goals: list[Any] = [(2.5, 1.5), np.array([0.75, 0.55])]
+    assert tuple(room().plan((0.55, 0.55), goals).cells[-1]) == (7, 5)
+    assert tuple(room().plan([0.55, 0.55], [0.75, 0.55]).cells[-1]) == (7, 5)
+
+
+@pytest.mark.parametrize(
+    ("call", "where"),
+    [
+        (lambda space: space.plan((float("nan"), 0), (1, 1)), "start"),
+        (lambda space: space.plan((0.5, 0.5), (float("inf"), 1)), "goal"),
+        (lambda space: space.plan((0.5,), (1, 1)), "start"),
+        (lambda space: space.plan("ab", (1, 1)), "start"),
+        (lambda space: space.plan(None, (1, 1)), "start"),
+        (lambda space: space.plan((0.5, 0.5), [(1, 1), None]), "goal"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), weight="heavy"), "weight"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), weight=[1]), "weight"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), no_such_option=1), "no_such_option"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), time_limit=-1), "time_limit"),
+        (lambda space: space.plan_many([(0, 0)], []), "goals"),
+        (lambda space: space.cost_to_go((99, 99)), "goal"),
+        (lambda space: space.cost_to_go((1, 1), corner_rule="maybe"), "corner_rule"),
+        (lambda space: space.fits((1, float("nan"))), "pose"),
+        (lambda space: space.map.free_space(-1), "radius"),
+        (lambda space: space.map.free_space([(0, 0), (1, "x"), (1, 1)]), "footprint[1]"),
+        (lambda space: space.map.free_space(unknown="maybe"), "unknown"),
+    ],
+)
+def test_invalid_arguments_are_named(call: Any, where: str) -> None:
+    with pytest.raises(wend.InvalidArgument) as caught:
+        call(room())
+    assert caught.value.where == where
+
+
+def test_unknown_planner_suggests_one() -> None:
+    with pytest.raises(ValueError, match="did you mean 'astar'"):
+        room().plan((0.5, 0.5), (1, 1), "astr")
+
+
+def test_no_path_says_why() -> None:
+    with pytest.raises(wend.NoPath) as caught:
+        room().plan((1.05, 0.5), (2, 1))
+    assert caught.value.status == "start_blocked"
+    assert "obstacle" in caught.value.reason
+    with pytest.raises(wend.NoPath) as caught:
+        room().plan((0.5, 0.5), (99, 1))
+    assert caught.value.status == "goal_outside"
+    with pytest.raises(wend.NoPath) as caught:
+        room().plan((0.55, 0.55), (2.85, 1.55), expansions=3)
+    assert caught.value.status == "expansion_limit"
+    assert caught.value.metrics.expanded == 3
+    with pytest.raises(wend.NoPath) as caught:
+        room().plan((0.55, 0.55), (2.85, 1.55), time_limit=0)
+    assert caught.value.status == "time_limit"
+    plan = room().plan((1.05, 0.5), (0.55, 0.55), nearest=True)
+    assert plan.notes and "start" in plan.notes[0]
+
+
+def test_explains() -> None:
+    cells = ROOM.copy()
+    cells[15:, 10] = -1
+    space = wend.Map(cells, resolution=0.1).free_space(0.1)
+    why = space.explain((0.5, 0.5), (2.5, 1.5))
+    assert not why.path_exists
+    assert why.ways[0].unknown_free
+    assert why.start_component == (space.cost_to_go((0.5, 0.5)) < np.inf).sum()
+    assert "unknown" in why.text
+    assert room().explain((0.5, 0.5), (2.5, 1.5)).path_exists
+    assert room().why_blocked((1.05, 0.55)) == "an obstacle"
+    assert room().why_blocked((0.55, 0.55)) is None
+
+
+def test_passable_and_clearance_agree() -> None:
+    space = room(0.25)
+    assert space.passable.dtype == np.bool_
+    assert np.array_equal(space.passable, space.clearance >= 0.25 - 1e-9)
+    x, y, heading = space.nearest((1.05, 0.5, 1.25))
+    assert space.fits((x, y, heading)) and heading == 1.25
+
+
+@pytest.mark.parametrize("threads", [0, 1, 3])
+def test_plan_many_is_plan(threads: int) -> None:
+    space = room()
+    starts = [(0.15 + 0.1 * i, 0.15) for i in range(8)] + [(1.05, 0.5)]
+    goals = [(2.85, 1.85)] * 9
+    plans = space.plan_many(starts, goals, threads=threads)
+    for start, goal, plan in zip(starts[:-1], goals, plans):
+        assert isinstance(plan, wend.Plan)
+        assert np.array_equal(plan.path, space.plan(start, goal).path)
+    assert isinstance(plans[-1], wend.NoPath) and plans[-1].status == "start_blocked"
+    with pytest.raises(wend.InvalidArgument):
+        space.plan_many(starts, goals, "astr", threads=threads)
+    assert space.plan_many([], []) == []
+
+
+def test_smooth_trajectory_and_follow() -> None:
+    plan = room().plan((0.55, 0.55), (2.85, 1.55))
+    smooth = plan.smooth(simplify="sight", spacing=0.05)
+    assert smooth.length < plan.length
+    assert smooth.path[[0, -1]] == pytest.approx(plan.path[[0, -1]])
+    assert smooth.quality().smallest_clearance >= 0.1 - 1e-9
+    trajectory = smooth.trajectory(speed=0.25)
+    rows = trajectory.samples(0.1)
+    assert rows.shape == (math.floor(trajectory.duration / 0.1) + 2, 6)
+    assert rows[:, 4].max() <= 0.25 + 1e-9
+    assert rows[-1, :3] == pytest.approx([trajectory.duration, *smooth.path[-1]])
+    assert trajectory.at(1e9)[1:] == pytest.approx(rows[-1, 1:])
+    straight = room().plan((0.25, 0.25), (0.75, 1.75)).smooth()
+    drive = wend.follow(straight, "pid", simulation={"seed": 3, "position_noise": 0.01})
+    assert drive.outcome == "reached" and drive.collisions == 0
+    assert drive.final_error <= 0.1
+    assert drive.samples[0, 1:3] == pytest.approx(straight.path[0])
+    for call in (
+        lambda: plan.smooth("magic"),
+        lambda: plan.smooth(simplify="magic"),  # type: ignore[arg-type]
+        lambda: plan.trajectory(speed=-1),
+        lambda: trajectory.samples(0),
+        lambda: wend.follow(plan, "magic"),
+        lambda: wend.follow(plan, model={"drivetrain": "magic"}),
+    ):
+        with pytest.raises(wend.InvalidArgument):
+            call()
+
+
+def test_index_saves_and_opens(tmp_path: Any) -> None:
+    space = room()
+    wend.Index.build(space, "hub_labels", threads=2).save(tmp_path / "room.idx")
+    index = wend.Index.open(tmp_path / "room.idx")
+    space.use_index(index)
+    found = space.plan((0.55, 0.55), (2.85, 1.55), "hub_labels")
+    assert found.cost == pytest.approx(space.plan((0.55, 0.55), (2.85, 1.55)).cost)
+    other = room(0.2)
+    other.use_index(index)
+    with pytest.raises(wend.Error) as caught:
+        other.plan((0.55, 0.55), (2.85, 1.55), "hub_labels")
+    assert caught.value.status == "index_mismatch"
+    with pytest.raises(wend.InvalidArgument):
+        wend.Index.build(space, "astar")
+    (tmp_path / "bad.idx").write_bytes(b"bad")
+    with pytest.raises(wend.Error):
+        wend.Index.open(tmp_path / "bad.idx")
+
+
+def test_registries_describe_themselves() -> None:
+    for planner in wend.planners():
+        assert planner.summary and planner.paper and planner.when
+    astar = {planner.name: planner for planner in wend.planners()}["astar"]
+    assert "weight" in [option.name for option in astar.options]
+    assert astar.guarantee == "bounded" or astar.guarantee == "optimal"

@@ -1,0 +1,82 @@
+"""The exceptions of wend, and how errors of the C++ side become exceptions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+__all__ = ["Error", "InvalidArgument", "Metrics", "NoPath"]
+
+
+class Metrics(NamedTuple):
+    """The work of one search."""
+
+    expanded: int
+    """States taken from the frontier; the goal counts."""
+    generated: int
+    """States that were reached; the start counts."""
+    max_frontier: int
+    """The most states that were open at the same time."""
+
+
+class Error(Exception):
+    """Why wend could not do what was asked.
+
+    `status` is the name of the kind of problem, the same as in C++ (``"invalid_map"``, ``"index_mismatch"``, ...);
+    `where` is what is wrong: the name of an argument or an option, or a file and line; it may be empty.
+    """
+
+    status: str
+    where: str
+
+    def __init__(self, message: str, status: str = "invalid_option", where: str = "") -> None:
+        super().__init__(message)
+        self.status = status
+        self.where = where
+
+
+class InvalidArgument(Error, ValueError):
+    """An argument, an option or a map that is not valid.
+
+    >>> import wend
+    >>> wend.Map([[0, 7]])
+    Traceback (most recent call last):
+    ...
+    wend.InvalidArgument: array[0, 1] is 7: use 0 (free), 1 (obstacle) or -1 (unknown)
+    """
+
+
+class NoPath(Error):
+    """A search that found no path. `reason` says why, and what would help; `metrics` is the work of the search.
+
+    >>> import wend
+    >>> space = wend.Map([[0, 1, 0]]).free_space()
+    >>> try:
+    ...     space.plan((0, 0), (2, 0))
+    ... except wend.NoPath as no_path:
+    ...     print(no_path.status)
+    unreachable
+    """
+
+    metrics: Metrics
+
+    def __init__(self, message: str, status: str, where: str, metrics: Metrics) -> None:
+        super().__init__(message, status, where)
+        self.metrics = metrics
+
+    @property
+    def reason(self) -> str:
+        """Why there is no path, in one or more sentences."""
+        return str(self)
+
+
+_INVALID = frozenset({"invalid_option", "invalid_map", "unsupported_map", "unsupported_query"})
+_NOT_A_SEARCH = _INVALID | {"invalid_file", "index_missing", "index_mismatch"}
+
+
+def make_error(status: str, message: str, where: str, work: tuple[int, int, int] | None) -> Error:
+    """The exception of an error of the C++ side. `work` is set if it is that of a search."""
+    if work is not None and status not in _NOT_A_SEARCH:
+        return NoPath(message, status, where, Metrics(*work))
+    if status in _INVALID or status.endswith("_outside"):
+        return InvalidArgument(message, status, where)
+    return Error(message, status, where)

@@ -1,0 +1,76 @@
+"""Index: what a planner with an index computes once for a map and a robot."""
+
+from __future__ import annotations
+
+import os
+
+from . import _core
+from ._errors import InvalidArgument
+from ._space import FreeSpace
+
+__all__ = ["Index"]
+
+
+class Index:
+    """An index for queries in microseconds. It belongs to one map, robot and policy for unknown cells.
+
+    >>> import wend
+    >>> space = wend.Map([[0, 0, 0], [0, 1, 0]]).free_space()
+    >>> index = wend.Index.build(space, "hub_labels")
+    >>> space.use_index(index)
+    >>> space.plan((0, 1), (2, 1), planner="hub_labels").bound
+    1.0
+    """
+
+    __slots__ = ("_inner",)
+
+    _inner: _core.Index
+
+    def __init__(self, core: _core.Index) -> None:
+        self._inner = core
+
+    @classmethod
+    def build(cls, space: FreeSpace, planner: str = "hub_labels", *, threads: int = 0) -> Index:
+        """Computes an index. It can take minutes for a large map; Ctrl-C stops it.
+
+        :param planner: a planner with an index, see ``wend.planners()``.
+        :param threads: 0: as many as the machine runs at once.
+        :raises ValueError: the planner is unknown, or has no index.
+        """
+        if threads < 0:
+            raise InvalidArgument("threads must be at least 0", "invalid_option", "threads")
+        return cls(_core.build_index(space._inner, planner, threads))
+
+    @classmethod
+    def open(cls, file: str | os.PathLike[str]) -> Index:
+        """Opens an index file; it is mapped, and read where it is used.
+
+        :raises wend.Error: ``invalid_file``, or ``index_mismatch`` for a file that is not an index.
+        """
+        return cls(_core.open_index(os.fspath(file)))
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes the index; the file is replaced completely or not at all.
+
+        :raises wend.Error: ``invalid_file``.
+
+        >>> import tempfile, pathlib, wend
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "map.idx"
+        >>> wend.Index.build(wend.Map([[0, 0]]).free_space()).save(file)
+        >>> wend.Index.open(file).planner
+        'hub_labels'
+        """
+        self._inner.save(os.fspath(file))
+
+    @property
+    def planner(self) -> str:
+        """The name of the planner that reads it."""
+        return self._inner.planner
+
+    @property
+    def size(self) -> int:
+        """Bytes."""
+        return self._inner.size
+
+    def __repr__(self) -> str:
+        return f"<wend.Index of {self.planner}, {self.size} bytes>"

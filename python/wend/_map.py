@@ -1,0 +1,203 @@
+"""Map: a grid of free, occupied and unknown cells, and where it lies."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Pose, numbers_of
+from ._errors import InvalidArgument
+from ._space import FreeSpace
+
+__all__ = ["Map"]
+
+
+class Map:
+    """The content of a map file: cells that are free (0), occupied (1) or unknown (-1). Immutable.
+
+    **Arrays are array[y, x], points are (x, y).** Row 0 of an array is row 0 of the grid, y = 0; so ``array[3, 4]`` is
+    the cell with x = 4 and y = 3.
+
+    :param array: shape (height, width), any numbers or booleans, any strides, lists too; it is read in place and not
+        kept. 0 is free, 1 an obstacle, -1 unknown.
+    :param resolution: metres a cell. None: the unit is the cell, so that the cell (x, y) covers the points from (x, y)
+        to (x + 1, y + 1), and lengths "in metres" are cells.
+    :param origin: (x, y) or (x, y, heading) of the corner (0, 0) of cell (0, 0): metres, radians.
+    :param costs: shape (height, width): the cost of a unit of length in each cell, finite and at least 1. None: 1.
+    :param y_up: is row 0 drawn at the bottom, as in occupancy grids of ROS? Only pictures and files ask. Default: row
+        0 is at the top, as in text.
+    :raises ValueError: for other values, NaN, other shapes; the message says where.
+
+    >>> import numpy as np
+    >>> array = np.zeros((3, 5), dtype=np.int8)
+    >>> array[0, 4] = 1
+    >>> office = Map(array, resolution=0.05)
+    >>> office.width, office.height, office.resolution
+    (5, 3, 0.05)
+    """
+
+    __slots__ = ("_array", "_inner", "_costs")
+
+    _inner: _core.Map
+    _array: npt.NDArray[np.int8] | None
+    _costs: npt.NDArray[np.float64] | None
+
+    def __init__(
+        self,
+        array: npt.ArrayLike,
+        resolution: float | None = None,
+        origin: Sequence[float] = (0, 0, 0),
+        costs: npt.ArrayLike | None = None,
+        *,
+        y_up: bool = False,
+    ) -> None:
+        x, y, heading = _origin_of(origin)
+        self._inner = _core.make_map(
+            numbers_of(array, "array"),
+            None if resolution is None else float(resolution),
+            (x, y, heading),
+            None if costs is None else numbers_of(costs, "costs"),
+            y_up,
+        )
+        self._array = None
+        self._costs = None
+
+    @classmethod
+    def _of(cls, core: _core.Map) -> Map:
+        self = cls.__new__(cls)
+        self._inner = core
+        self._array = None
+        self._costs = None
+        return self
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str], resolution: float | None = None) -> Map:
+        """Reads a ROS ``map.yaml``, a MovingAI ``.map``, a text grid (``.txt``) or an image (``.png``, ``.pgm``).
+
+        :param resolution: metres a cell, for an image alone.
+        :raises wend.Error: ``invalid_file``, with the file, the line and what is wrong there.
+
+        >>> import tempfile, pathlib
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "room.txt"
+        >>> _ = file.write_text("..#\\n...\\n")
+        >>> Map.load(file).array.tolist()
+        [[0, 0, 1], [0, 0, 0]]
+        """
+        return cls._of(_core.load_map(os.fspath(file), resolution))
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes a ``.yaml`` (with its ``.png``), ``.map``, ``.txt``, ``.png`` or ``.pgm``. What the format cannot hold
+        is an error; nothing is changed silently.
+
+        :raises wend.Error: ``invalid_file``.
+
+        >>> import tempfile, pathlib
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "room.txt"
+        >>> Map([[0, 1], [0, 0]]).save(file)
+        >>> Map.load(file) == Map([[0, 1], [0, 0]])
+        True
+        """
+        self._inner.save(os.fspath(file))
+
+    @property
+    def array(self) -> npt.NDArray[np.int8]:
+        """The cells, shape (height, width), int8, read-only: 0 free, 1 occupied, -1 unknown. Row 0 is y = 0."""
+        if self._array is None:
+            self._array = self._inner.states()
+            self._array.flags.writeable = False
+        return self._array
+
+    @property
+    def costs(self) -> npt.NDArray[np.float64]:
+        """The cost of a unit of length in each cell, shape (height, width), float64, read-only; at least 1."""
+        if self._costs is None:
+            self._costs = self._inner.terrain()
+            self._costs.flags.writeable = False
+        return self._costs
+
+    @property
+    def width(self) -> int:
+        """The number of columns."""
+        return self._inner.width
+
+    @property
+    def height(self) -> int:
+        """The number of rows."""
+        return self._inner.height
+
+    @property
+    def resolution(self) -> float:
+        """Metres a cell; 1 for a map without one."""
+        return self._inner.resolution
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """(x, y, heading) of the corner (0, 0) of cell (0, 0), in metres and radians."""
+        return self._inner.origin
+
+    @property
+    def y_up(self) -> bool:
+        """Is row 0 drawn at the bottom?"""
+        return self._inner.y_up
+
+    def free_space(
+        self,
+        footprint: float | Sequence[Pose] | None = None,
+        *,
+        unknown: Literal["blocked", "free"] = "blocked",
+        outside: Literal["blocked", "free"] | None = None,
+        clearance_distance: float = 0,
+        clearance_cost: float = 4,
+        warm: int = 2,
+    ) -> FreeSpace:
+        """Where a robot may be on this map. It takes O(cells).
+
+        :param footprint: the shape of the robot: a radius in metres, or the corners of a polygon, [(x, y), ...], in
+            metres, with the base point at (0, 0) and +x ahead. None: a point.
+        :param unknown: whether unknown cells are obstacles.
+        :param outside: whether the robot's shape may leave the map ("free"). None: "blocked" for a map with a
+            resolution, else "free".
+        :param clearance_distance: metres: cells nearer to obstacles than this cost more, up to 1 + `clearance_cost`
+            times as much. 0: off.
+        :param warm: how many planners are kept for later queries, with what they have prepared.
+        :raises ValueError: for a shape that is not valid, and for numbers out of range.
+
+        >>> space = Map([[0, 0, 0], [0, 1, 0]], resolution=1.0).free_space(footprint=0.5)
+        >>> space.passable.tolist()
+        [[True, True, True], [True, False, True]]
+        """
+        shape: Any = footprint
+        if footprint is not None and not isinstance(footprint, (int, float)):
+            shape = float(footprint) if isinstance(footprint, np.generic) else list(footprint)
+        core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
+        return FreeSpace(self, core)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Map):
+            return NotImplemented
+        return (
+            self.resolution == other.resolution
+            and self.origin == other.origin
+            and self.y_up == other.y_up
+            and np.array_equal(self.array, other.array)
+            and np.array_equal(self.costs, other.costs)
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<wend.Map of {self.width} x {self.height} cells of {self.resolution:g} m>"
+
+
+def _origin_of(origin: Sequence[float]) -> tuple[float, float, float]:
+    numbers = [float(number) for number in origin]
+    if len(numbers) == 2:
+        numbers.append(0.0)
+    if len(numbers) != 3:
+        raise InvalidArgument("origin must be (x, y) or (x, y, heading)", "invalid_map", "origin")
+    return numbers[0], numbers[1], numbers[2]

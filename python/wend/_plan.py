@@ -1,0 +1,241 @@
+"""Plan: a path and what found it. Trajectory and Drive: what a robot makes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import text_of
+from ._errors import Metrics
+
+__all__ = ["Drive", "Plan", "Quality", "Trajectory", "follow"]
+
+
+class Quality(NamedTuple):
+    """Measures of a path: metres and radians."""
+
+    length: float
+    turning: float
+    """The sum of all changes of heading."""
+    smallest_turning_radius: float
+    """0 if the path has a corner, infinite if it is straight."""
+    reversals: int
+    """Changes between forwards and reverse."""
+    smallest_clearance: float
+    """The least distance from the path to an obstacle; exact along the whole path."""
+    mean_clearance: float
+
+
+class Plan:
+    """A path that a planner found. ``FreeSpace.plan()`` makes it.
+
+    >>> import wend
+    >>> plan = wend.Map([[0, 0], [0, 0]], resolution=2.0).free_space().plan((1, 1), (3, 3))
+    >>> plan
+    <wend.Plan of 2 points, 2.83 m>
+    """
+
+    __slots__ = ("_cells", "_inner", "_path")
+
+    _inner: _core.Plan
+    _path: npt.NDArray[np.float64] | None
+    _cells: npt.NDArray[np.int32] | None
+
+    def __init__(self, core: _core.Plan) -> None:
+        self._inner = core
+        self._path = None
+        self._cells = None
+
+    @property
+    def path(self) -> npt.NDArray[np.float64]:
+        """The path in metres: shape (n, 2), or (n, 3) with headings if the planner's states have them. From the start
+        to the goal, both included; for planners on cells, the centres of cells."""
+        if self._path is None:
+            self._path = self._inner.path()
+        return self._path
+
+    @property
+    def cells(self) -> npt.NDArray[np.int32]:
+        """The cells (x, y) in which these points lie: shape (n, 2), int32."""
+        if self._cells is None:
+            self._cells = self._inner.cells()
+        return self._cells
+
+    @property
+    def cost(self) -> float:
+        """What the planner minimises: the length in cells, times terrain. After ``smooth()``, still that of the path
+        that was smoothed."""
+        return self._inner.cost
+
+    @property
+    def bound(self) -> float:
+        """cost <= bound * the cheapest cost. 1: optimal; infinite: no guarantee."""
+        return self._inner.bound
+
+    @property
+    def length(self) -> float:
+        """The length of the path in metres."""
+        return self._inner.length
+
+    @property
+    def metrics(self) -> Metrics:
+        """The work of the search."""
+        return Metrics(*self._inner.work)
+
+    @property
+    def seconds(self) -> float:
+        """The time of the search."""
+        return self._inner.seconds
+
+    @property
+    def notes(self) -> list[str]:
+        """A sentence for each end that was moved (``nearest=True``)."""
+        return self._inner.notes
+
+    @property
+    def moves(self) -> list[str]:
+        """The names of the car's moves, one fewer than poses; empty for other planners."""
+        return self._inner.moves
+
+    def quality(self) -> Quality:
+        """Measures of the path.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0]]).free_space().plan((0, 0), (2, 0)).quality().length
+        2.0
+        """
+        return Quality(**self._inner.quality())
+
+    def smooth(
+        self,
+        smoother: str | None = "gradient",
+        *,
+        simplify: Literal["collinear", "tolerance", "sight"] | None = None,
+        spacing: float | None = None,
+        **options: object,
+    ) -> Plan:
+        """A smoother path that touches no obstacle: simplified, then smoothed, then resampled, as far as each is asked
+        for.
+
+        :param smoother: a name from ``wend.smoothers()``; `options` are its options. None: not smoothed.
+        :param spacing: metres between the points of the result.
+        :raises ValueError: an option that is not valid, or a path of poses, which cannot be smoothed.
+
+        >>> import wend
+        >>> plan = wend.Map([[0] * 9] * 5).free_space().plan((0, 0), (8, 4))
+        >>> plan.smooth(None, simplify="sight").path.tolist()
+        [[0.5, 0.5], [8.5, 4.5]]
+        """
+        return Plan(self._inner.smooth(smoother, simplify, spacing, text_of(options)))
+
+    def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:
+        """The fastest trajectory along the path, from rest to rest.
+
+        :param corner_rounding: metres: corners become arcs that stay within this of them. None: a tenth of a cell.
+        :param limits: `speed` (m/s, default 0.5), `turn_rate` (rad/s, 1.5), `acceleration` (m/s^2, 1),
+            `turn_acceleration` (rad/s^2, 5), `lateral_acceleration` (m/s^2, 1).
+
+        >>> import wend
+        >>> plan = wend.Map([[0] * 9]).free_space().plan((0, 0), (8, 0))
+        >>> plan.trajectory(speed=1.0, acceleration=1.0).duration
+        9.0
+        """
+        return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding))
+
+    def __len__(self) -> int:
+        return len(self.path)
+
+    def __repr__(self) -> str:
+        return f"<wend.Plan of {len(self)} points, {self.length:.3g} m>"
+
+
+class Trajectory:
+    """A path with time stamps and speeds. ``Plan.trajectory()`` makes it. Metres, radians, seconds."""
+
+    __slots__ = ("_inner",)
+
+    _inner: _core.Trajectory
+
+    def __init__(self, core: _core.Trajectory) -> None:
+        self._inner = core
+
+    @property
+    def duration(self) -> float:
+        """Seconds from the start to the end."""
+        return self._inner.duration
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return self._inner.length
+
+    @property
+    def smallest_turning_radius(self) -> float:
+        """Metres; 0 with a turn in place, infinite on a line."""
+        return self._inner.smallest_turning_radius
+
+    def samples(self, period: float = 0.05) -> npt.NDArray[np.float64]:
+        """The states at 0, period, 2 period, ... and at the end: rows of time, x, y, heading, speed, turn rate.
+
+        >>> import wend
+        >>> plan = wend.Map([[0] * 9]).free_space().plan((0, 0), (8, 0))
+        >>> plan.trajectory(speed=1.0, acceleration=1.0).samples(4.5)[1].tolist()
+        [4.5, 4.5, 0.5, 0.0, 1.0, 0.0]
+        """
+        return self._inner.rows(period)
+
+    def at(self, time: float) -> npt.NDArray[np.float64]:
+        """The state at a time, as a row of ``samples()``; before the start and after the end the robot stands."""
+        row: npt.NDArray[np.float64] = self._inner.row(time)[0]
+        return row
+
+    def __repr__(self) -> str:
+        return f"<wend.Trajectory of {self.duration:.3g} s, {self.length:.3g} m>"
+
+
+class Drive(NamedTuple):
+    """A simulated drive along a path: metres, radians, seconds."""
+
+    outcome: str
+    """"reached", "stuck", "off_path", "collision" or "time"."""
+    time: float
+    distance: float
+    cross_track_rms: float
+    cross_track_largest: float
+    final_error: float
+    """The distance from the goal at the end."""
+    collisions: int
+    samples: npt.NDArray[np.float64]
+    """Rows of time, x, y, heading, speed, turn rate: the true state at each command."""
+
+
+def follow(
+    plan: Plan,
+    controller: str = "pure_pursuit",
+    *,
+    model: Mapping[str, object] | None = None,
+    simulation: Mapping[str, object] | None = None,
+    follower: Mapping[str, object] | None = None,
+    **options: object,
+) -> Drive:
+    """Simulates a robot that follows the path on its map.
+
+    :param controller: a name from ``wend.controllers()``; `options` are its options.
+    :param model: `drivetrain` ("differential" or "bicycle"), `speed`, `turn_rate`, `acceleration`, ...
+    :param simulation: `rate`, `latency`, `position_noise`, `heading_noise`, `actuation_noise`, `seed`, ...
+    :param follower: `goal_tolerance`, `acceptance_radius`, `off_path`, `stuck_time`, ...
+
+    >>> import wend
+    >>> plan = wend.Map([[0] * 40] * 20, resolution=0.1).free_space().plan((0.5, 0.5), (3.5, 1.5))
+    >>> wend.follow(plan.smooth(), "pid").outcome
+    'reached'
+    """
+    return Drive(
+        **plan._inner.follow(
+            controller, text_of(options), text_of(model or {}), text_of(simulation or {}), text_of(follower or {})
+        )
+    )

@@ -1,0 +1,287 @@
+"""FreeSpace: a map with a robot; it plans, and says what is known of both."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import Pose, goals_of, text_of
+from ._errors import Error, InvalidArgument, NoPath
+from ._plan import Plan
+from ._trace import Trace
+
+if TYPE_CHECKING:
+    from ._index import Index
+    from ._map import Map
+
+__all__ = ["Explanation", "FreeSpace", "Way"]
+
+Connectivity = Literal[4, 8]
+CornerRule = Literal["none", "one", "both"]
+
+
+class Way(NamedTuple):
+    """Changes that open a path; without any of them there is none."""
+
+    unknown_free: bool
+    """Unknown cells have to count as free."""
+    squeeze: bool
+    """The robot has to squeeze between two obstacles that touch at a corner."""
+    smaller_robot: bool
+    """The robot has to be smaller."""
+    radius: float
+    """The largest radius that fits, in metres."""
+    narrowest: tuple[float, float]
+    """The narrowest place, in metres."""
+
+
+class Explanation(NamedTuple):
+    """Why no path joins a start and a goal, or that one does."""
+
+    text: str
+    """One or more sentences."""
+    path_exists: bool
+    """Is there a path after all?"""
+    start_component: int
+    """The number of cells that can be reached from the start; 0 if the robot cannot stand there."""
+    goal_component: int
+    """The same for the goal."""
+    ways: tuple[Way, ...]
+    """What would open a path, fewest changes first; empty if nothing does."""
+
+
+class FreeSpace:
+    """Where one robot may be on a map. ``Map.free_space()`` makes it; neither the map nor the robot change.
+
+    Points and poses are in metres of the map's frame (in cells, if the map has no resolution); x is to the right in an
+    array, y is down its rows. All threads may call everything; planning does not hold the interpreter lock.
+
+    >>> import wend
+    >>> space = wend.Map([[0, 0, 0], [1, 1, 0], [0, 0, 0]]).free_space()
+    >>> space.plan((0.5, 0.5), (0.5, 2.5)).cells.tolist()
+    [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2]]
+    """
+
+    __slots__ = ("_inner", "map")
+
+    _inner: _core.Space
+    map: Map
+    """The map."""
+
+    def __init__(self, map: Map, core: _core.Space) -> None:
+        self.map = map
+        self._inner = core
+
+    def plan(
+        self,
+        start: Pose,
+        goal: Pose | Iterable[Pose],
+        planner: str = "astar",
+        *,
+        time_limit: float | None = None,
+        expansions: int | None = None,
+        nearest: bool = False,
+        **options: object,
+    ) -> Plan:
+        """Plans a path. Ctrl-C stops it; the space stays usable.
+
+        :param start: (x, y) or (x, y, heading); planners on cells ignore the heading.
+        :param goal: the same, or a list of goals, of which the cheapest is found. Without a heading, any will do.
+        :param planner: a name from ``wend.planners()``; `options` are its options.
+        :param time_limit: seconds.
+        :param expansions: the most states to expand.
+        :param nearest: if an end is blocked, plan from or to the nearest free cell; ``Plan.notes`` says so.
+        :raises wend.NoPath: there is no path, an end is blocked or outside of the map, or a limit was reached.
+        :raises ValueError: an unknown planner or option, a value out of range, NaN.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0], [0, 0, 0]], resolution=0.5).free_space()
+        >>> plan = space.plan((0.1, 0.1), (1.4, 0.9), planner="jps")
+        >>> plan.path.tolist()
+        [[0.25, 0.25], [0.75, 0.75], [1.25, 0.75]]
+        >>> space.plan((0.1, 0.1), (1.4, 0.9), connectivity=5)
+        Traceback (most recent call last):
+        ...
+        wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
+        """
+        return Plan(
+            self._inner.plan(
+                start,
+                goals_of(goal),
+                planner,
+                text_of(options) if options else {},
+                time_limit,
+                expansions,
+                nearest,
+                None,
+            )
+        )
+
+    def plan_many(
+        self,
+        starts: Sequence[Pose],
+        goals: Sequence[Pose],
+        planner: str = "astar",
+        *,
+        threads: int = 0,
+        time_limit: float | None = None,
+        expansions: int | None = None,
+        **options: object,
+    ) -> list[Plan | NoPath]:
+        """Plans from each start to the goal at the same place in `goals`, with threads that share what the planner
+        prepares.
+
+        :param threads: 0: as many as the machine runs at once.
+        :returns: a ``Plan``, or the ``NoPath`` that ``plan()`` would raise, for each.
+        :raises ValueError: as ``plan()``, and if there are more starts than goals or the other way round.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 1, 0]]).free_space()
+        >>> found, not_found = space.plan_many([(0, 0), (0, 0)], [(1, 0), (3, 0)])
+        >>> found.cells.tolist(), not_found.status
+        ([[0, 0], [1, 0]], 'unreachable')
+        """
+        if len(starts) != len(goals):
+            raise InvalidArgument(f"there are {len(starts)} starts and {len(goals)} goals", "invalid_option", "goals")
+        if threads < 0:
+            raise InvalidArgument("threads must be at least 0", "invalid_option", "threads")
+        answers = self._inner.plan_many(
+            list(starts), [[goal] for goal in goals], planner, text_of(options), time_limit, expansions, threads
+        )
+        return [answer if isinstance(answer, NoPath) else Plan(_planned(answer)) for answer in answers]
+
+    def trace(
+        self,
+        start: Pose,
+        goal: Pose | Iterable[Pose],
+        planner: str = "astar",
+        *,
+        time_limit: float | None = None,
+        expansions: int | None = None,
+        **options: object,
+    ) -> Trace:
+        """Plans as ``plan()`` does, and keeps every event of the search; also of one that finds no path.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 0, 0]]).free_space()
+        >>> trace = space.trace((0, 0), (2, 0))
+        >>> trace.expansion.tolist(), trace.g.tolist()
+        ([[1, 2, 3]], [[0.0, 1.0, 2.0]])
+        """
+        recording = _core.Recording()
+        goals = goals_of(goal)
+        plan: Plan | None = None
+        failure: NoPath | None = None
+        try:
+            plan = Plan(
+                self._inner.plan(
+                    start, goals, planner, text_of(options), time_limit, expansions, False, recording
+                )
+            )
+        except NoPath as no_path:
+            failure = no_path
+        return Trace(recording, (self.map.height, self.map.width), plan, failure)
+
+    def cost_to_go(
+        self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
+    ) -> npt.NDArray[np.float64]:
+        """The cost of the cheapest path from every cell to the nearest goal: shape (height, width), in cells times
+        terrain; infinite without a path.
+
+        :raises wend.NoPath: a goal is blocked.
+        :raises ValueError: a goal is outside of the map.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0]]).free_space().cost_to_go((0, 0)).tolist()
+        [[0.0, 1.0, 2.0]]
+        """
+        return self._inner.cost_to_go(goals_of(goal), str(connectivity), corner_rule)
+
+    def policy(
+        self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
+    ) -> npt.NDArray[np.int8]:
+        """The step (dx, dy) of a cheapest path from every cell: shape (height, width, 2), int8; (0, 0) in a goal and
+        where there is no path. Errors are those of ``cost_to_go()``.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0]]).free_space().policy((0, 0)).tolist()
+        [[[0, 0], [-1, 0], [-1, 0]]]
+        """
+        return self._inner.policy(goals_of(goal), str(connectivity), corner_rule)
+
+    def explain(
+        self, start: Pose, goal: Pose, *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
+    ) -> Explanation:
+        """Why no path joins two points, for planners that step from cell to cell, and what would open one.
+
+        :raises ValueError: an end is outside of the map.
+
+        >>> import wend
+        >>> why = wend.Map([[0, -1, 0]]).free_space().explain((0, 0), (2, 0))
+        >>> why.path_exists, why.ways[0].unknown_free
+        (False, True)
+        """
+        text, start_component, goal_component, path_exists, ways = self._inner.explain(
+            start, goal, str(connectivity), corner_rule
+        )
+        return Explanation(text, path_exists, start_component, goal_component, tuple(Way(*way) for way in ways))
+
+    def fits(self, pose: Pose) -> bool:
+        """May the robot stand at (x, y) or (x, y, heading)? Without a heading: at the heading 0.
+
+        >>> import wend
+        >>> space = wend.Map([[0, 1]]).free_space()
+        >>> space.fits((0.5, 0.5)), space.fits((1.5, 0.5)), space.fits((9, 9))
+        (True, False, False)
+        """
+        return self._inner.why_blocked(pose) is None
+
+    def why_blocked(self, pose: Pose) -> str | None:
+        """Why the robot may not stand there, in a few words; None if it may.
+
+        >>> import wend
+        >>> wend.Map([[0, 1]]).free_space().why_blocked((1.5, 0.5))
+        'an obstacle'
+        """
+        return self._inner.why_blocked(pose)
+
+    def nearest(self, pose: Pose) -> tuple[float, float, float]:
+        """The nearest pose (x, y, heading) with the same heading at which the robot fits; `pose` itself if it does.
+
+        :raises ValueError: it fits nowhere.
+
+        >>> import wend
+        >>> wend.Map([[0, 1, 1]]).free_space().nearest((2.5, 0.5))
+        (0.5, 0.5, 0.0)
+        """
+        return self._inner.nearest(pose)
+
+    @property
+    def passable(self) -> npt.NDArray[np.bool_]:
+        """Where the robot may stand in the middle of a cell at every heading: shape (height, width), bool."""
+        return self._inner.passable().view(np.bool_)
+
+    @property
+    def clearance(self) -> npt.NDArray[np.float64]:
+        """The distance from the middle of each cell to the nearest obstacle in metres: shape (height, width); infinite
+        without obstacles."""
+        return self._inner.clearance()
+
+    def use_index(self, index: Index) -> None:
+        """Lets the index's planner answer from it from now on. If it was built for something else, ``plan()`` raises
+        ``wend.Error`` with the status ``index_mismatch``."""
+        index._inner.give_to(self._inner)
+
+    def __repr__(self) -> str:
+        return f"<wend.FreeSpace on {self.map!r}>"
+
+
+def _planned(answer: Any) -> _core.Plan:
+    if isinstance(answer, Error):
+        raise answer
+    assert isinstance(answer, _core.Plan)
+    return answer

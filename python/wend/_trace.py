@@ -1,0 +1,142 @@
+"""Trace: everything that a search did, as arrays and as events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, NamedTuple, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._errors import NoPath
+from ._plan import Plan
+
+__all__ = ["Event", "Trace"]
+
+_KINDS: tuple[Literal["generate", "expand", "relax"], ...] = ("generate", "expand", "relax")
+_GENERATE, _EXPAND, _RELAX = range(3)
+
+
+class Event(NamedTuple):
+    """One event of a search. Costs are in cells."""
+
+    kind: Literal["generate", "expand", "relax"]
+    """Reached for the first time; taken from the frontier; reached again, more cheaply."""
+    cell: tuple[int, int]
+    """(x, y); for the car, a vertex where cells meet."""
+    parent: tuple[int, int] | None
+    """Where it was reached from; None for the start."""
+    g: float
+    """The cost from the start."""
+    h: float
+    """The estimated cost to the goal; 0 without a heuristic."""
+    f: float
+    """The priority."""
+    heading: float | None
+    """Radians, for planners of poses."""
+
+
+class Trace:
+    """A search from its first event to its last. ``FreeSpace.trace()`` makes it.
+
+    The layers are arrays [y, x]: ``expansion``, ``generation``, ``g``, ``h``, ``f``, ``parents``. For planners whose
+    states have headings, each shows what happened last (for the order: first) at a cell with any heading.
+
+    >>> import wend
+    >>> trace = wend.Map([[0, 0], [0, 1]]).free_space().trace((0, 0), (1, 0), planner="bfs")
+    >>> [(event.kind, event.cell) for event in trace.events()][:2]
+    [('generate', (0, 0)), ('expand', (0, 0))]
+    """
+
+    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_parents", "_shape", "failure", "plan")
+
+    plan: Plan | None
+    """The plan; None if the search found no path."""
+    failure: NoPath | None
+    """Why there is none; None if there is a path."""
+
+    def __init__(
+        self, recording: _core.Recording, shape: tuple[int, int], plan: Plan | None, failure: NoPath | None
+    ) -> None:
+        self.plan = plan
+        self.failure = failure
+        self._kinds = recording.kinds()
+        self._cells = recording.cells()
+        self._parents = recording.parents()
+        self._costs = recording.costs()
+        self._headings = recording.headings()
+        # The vertices of a car: one more than cells.
+        largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
+        self._shape = (max(shape[0], int(largest[1]) + 1), max(shape[1], int(largest[0]) + 1))
+
+    def __len__(self) -> int:
+        """The number of events."""
+        return len(self._kinds)
+
+    @property
+    def order(self) -> npt.NDArray[np.int32]:
+        """The cells (x, y) in the order in which they were expanded: shape (n, 2)."""
+        cells: npt.NDArray[np.int32] = self._cells[self._kinds == _EXPAND]
+        return cells
+
+    @property
+    def expansion(self) -> npt.NDArray[np.uint32]:
+        """When each cell was expanded first, from 1; 0: never. Shape (height, width)."""
+        return self._first(_EXPAND)
+
+    @property
+    def generation(self) -> npt.NDArray[np.uint32]:
+        """When each cell was reached first, from 1; 0: never. Shape (height, width)."""
+        return self._first(_GENERATE)
+
+    @property
+    def g(self) -> npt.NDArray[np.float64]:
+        """The cost of the cheapest path to each cell that the search knows; NaN: never reached."""
+        return self._last(0)
+
+    @property
+    def h(self) -> npt.NDArray[np.float64]:
+        """The estimated cost to the goal; NaN: never reached."""
+        return self._last(1)
+
+    @property
+    def f(self) -> npt.NDArray[np.float64]:
+        """The priority; NaN: never reached."""
+        return self._last(2)
+
+    @property
+    def parents(self) -> npt.NDArray[np.int32]:
+        """The cell (x, y) that each was reached from: shape (height, width, 2); (-1, -1) for the start and where the
+        search never was."""
+        reached = self._kinds != _EXPAND
+        layer = np.full((*self._shape, 2), -1, dtype=np.int32)
+        at = self._cells[reached]
+        layer[at[:, 1], at[:, 0]] = self._parents[reached]
+        return layer
+
+    def events(self) -> Iterator[Event]:
+        """All events, in order."""
+        for i, kind in enumerate(self._kinds.tolist()):
+            x, y = self._cells[i].tolist()
+            parent = cast("tuple[int, int]", tuple(self._parents[i].tolist()))
+            g, h, f = self._costs[i].tolist()
+            heading = float(self._headings[i])
+            yield Event(
+                _KINDS[kind], (x, y), None if parent == (-1, -1) else parent, g, h, f, None if heading != heading else heading
+            )
+
+    def _first(self, kind: int) -> npt.NDArray[np.uint32]:
+        at = self._cells[self._kinds == kind]
+        layer = np.zeros(self._shape, dtype=np.uint32)
+        # NumPy writes in order, so the first time is written last.
+        layer[at[::-1, 1], at[::-1, 0]] = np.arange(len(at), 0, -1, dtype=np.uint32)
+        return layer
+
+    def _last(self, column: int) -> npt.NDArray[np.float64]:
+        layer = np.full(self._shape, np.nan)
+        layer[self._cells[:, 1], self._cells[:, 0]] = self._costs[:, column]
+        return layer
+
+    def __repr__(self) -> str:
+        return f"<wend.Trace of {len(self)} events>"
