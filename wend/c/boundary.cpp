@@ -5,6 +5,7 @@
 #include <cstring>
 #include <exception>
 
+#include "wend/io/text.hpp"
 #include "wend/version.hpp"
 
 namespace wend::c {
@@ -71,6 +72,12 @@ wend_status report(wend_status status, const char* message, const SearchMetrics&
   std::memcpy(error->message, message, kept);
   error->message[kept] = '\0';
   return status;
+}
+
+wend_status report(const Failure& failure, wend_error* error) {
+  constexpr std::size_t kLongestEscape = 4;  // \xNN
+  const std::string line = text_line(failure.message, kLongestEscape * failure.message.size());
+  return report(failure.status, line.c_str(), failure.metrics, error);
 }
 
 wend_status report_exception(wend_error* error) noexcept {

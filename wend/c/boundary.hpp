@@ -47,6 +47,9 @@ inline Unexpected<Failure> refused(std::string message) {
 wend_status report(wend_status status, const char* message, const SearchMetrics& metrics,
                    wend_error* error) noexcept;
 
+/// The same. Messages repeat what a caller wrote, whatever its bytes: they become a line of UTF-8.
+wend_status report(const Failure& failure, wend_error* error);
+
 /// Reports the exception that is being handled.
 wend_status report_exception(wend_error* error) noexcept;
 
@@ -56,8 +59,7 @@ wend_status guarded(wend_error* error, Work&& work) noexcept {
   try {
     const Expected<void, Failure> outcome = work();
     if (outcome) return report(WEND_OK, "", {}, error);
-    return report(outcome.error().status, outcome.error().message.c_str(), outcome.error().metrics,
-                  error);
+    return report(outcome.error(), error);
   } catch (...) {
     return report_exception(error);
   }

@@ -86,6 +86,17 @@ TEST(CBoundary, CutsALongMessageBetweenCharacters) {
   EXPECT_EQ(error.truncated, 1);
 }
 
+TEST(CBoundary, MakesALineOfUtf8OfAnyMessage) {
+  wend_error error;
+  const auto said = [&](std::string message) {
+    guarded(&error, [&]() -> Expected<void, Failure> { return refused(std::move(message)); });
+    return std::string(error.message);
+  };
+  EXPECT_EQ(said("no planner '\u20AC'"), "no planner '\u20AC'");
+  EXPECT_EQ(said("no planner 'a\x01\xff'"), "no planner 'a\\x01\\xFF'");
+  EXPECT_EQ(said("two\nlines"), "two lines");
+}
+
 TEST(CBoundary, InitialisesOnlyStructuresOfItsSize) {
   wend_request request;
   EXPECT_EQ(wend_request_init(nullptr, sizeof request), WEND_INVALID_ARGUMENT);
