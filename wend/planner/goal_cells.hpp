@@ -21,21 +21,32 @@ class GoalCells {
 
   /// O(regions).
   bool contains(Cell cell) const {
-    return cell == first_ || (!others_.empty() && any_contains(others_, cell));
+    return cell == first_ || (!others_.empty() && is_another(cell));
   }
 
   /// The least value(goal) over all goals, or less: over the nearest cells to `from` of their bounding boxes.
   /// O(regions).
   template <class Value>
   auto least(Cell from, Value&& value) const {
-    auto least = value(first_);
+    const auto to_first = value(first_);
+    return others_.empty() ? to_first : least_of_others(from, value, to_first);
+  }
+
+ private:
+  // Most queries have one goal without a tolerance: what others take stays out of the loop of a search.
+  [[gnu::noinline, gnu::cold]] bool is_another(Cell cell) const {
+    return any_contains(others_, cell);
+  }
+
+  template <class Value, class Estimate>
+  [[gnu::noinline, gnu::cold]] Estimate least_of_others(Cell from, Value& value,
+                                                        Estimate least) const {
     for (const GoalRegion& region : others_) {
       least = std::min(least, value(region.nearest_in_box(from)));
     }
     return least;
   }
 
- private:
   Cell first_;  // also in others_, unless it is all of its region
   std::vector<GoalRegion> others_;
 };
