@@ -95,6 +95,14 @@ TEST_F(FollowCommand, DrivesAPathFromAFile) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("smoother")));
 }
 
+TEST_F(FollowCommand, RejectsStepsToTheSide) {
+  const std::string aside =
+      folder_.write("aside.csv", "x,y,heading\n0.5,0.5,E\n1.5,0.5,E\n1.5,1.5,E\n");
+  const Outcome outcome = follow_path(aside);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("the path steps to a side of the robot at (1.5,0.5)"));
+}
+
 TEST_F(FollowCommand, DrivesALap) {
   const std::string map = folder_.write(
       "open.txt", std::string(20, '.') + "\n" + [] {

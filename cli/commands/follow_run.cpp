@@ -63,6 +63,12 @@ FollowRun::FollowRun(const FollowArguments& arguments, FreeSpace space, FreeSpac
 bool FollowRun::find_path() {
   std::optional<Path> path = arguments_.path.empty() ? plan() : loaded();
   if (!path) return false;
+  if (const auto aside = first_step_aside(*path)) {
+    throw InputError(fmt::format(
+        "the path steps to a side of the robot at {}, which a robot on wheels cannot drive: plan "
+        "with motion primitives that only lead ahead, back or around",
+        coordinates_.text(aside->point())));
+  }
   path_ = refine(*path, planning_space_, refinement_, arguments_.refine.rounding(coordinates_));
   return true;
 }

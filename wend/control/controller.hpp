@@ -39,6 +39,7 @@ struct ControllerInput {
   double seconds = 0;                  // since the last command, > 0
   VelocityLimits limits{};             // of the robot
   bool reverse = false;                // the leg is a reverse one: `pose` is turned round
+  double turn = 0;                     // rad, still to turn in place before the line; else 0
 };
 
 /// Computes the velocity with which a robot follows a line.

@@ -39,6 +39,8 @@ void Follower::begin_leg(std::size_t leg) {
   leg_ = leg;
   along_ = 0;
   waypoint_ = 0;
+  turns_ = current_leg().turn_first && options_.turns_in_place;
+  nearest_end_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
   best_headway_ = -std::numeric_limits<double>::infinity();
   least_heading_error_ = std::numeric_limits<double>::infinity();
@@ -59,6 +61,8 @@ FollowerStep Follower::step(const MapPose& pose, double seconds) {
   const double heading = line.heading_at(along_, options_.heading_window);
   const double heading_error = normalized_angle(heading - shown.heading);
   if (cross_track_ > options_.off_path) state_ = FollowerState::off_path;
+  constexpr double kTurned = 0.05;  // rad
+  turns_ = turns_ && std::abs(turn_left) > kTurned;
 
   if (state_ != FollowerState::driving) {
     brake(seconds);
@@ -69,7 +73,8 @@ FollowerStep Follower::step(const MapPose& pose, double seconds) {
     begin_leg(leg_ + 1);
     brake(seconds);
   } else {
-    velocity_ = limited(ask_controller(shown, seconds), velocity_, limits_, seconds);
+    const Velocity wanted = ask_controller(shown, turns_ ? turn_left : 0, seconds);
+    velocity_ = limited(wanted, velocity_, limits_, seconds);
     watch_progress(along() - cross_track_, turn_left, seconds);
   }
   return {velocity_, state_, heading_error, cross_track_};
@@ -95,18 +100,27 @@ void Follower::locate(const MapPose& shown) {
   }
 }
 
-bool Follower::is_at_end_of_leg(const MapPose& pose) const {
+/// Where it turns in place next, the robot comes nearer than the goal's tolerance, if it does.
+bool Follower::is_at_end_of_leg(const MapPose& pose) {
+  constexpr double kAtTurn = 0.02;   // m
+  constexpr double kLeaves = 0.005;  // m
   const MapPolyline& line = current_leg().line;
-  return line.length() - along_ <= 2 * options_.goal_tolerance &&
-         distance(pose.point(), line.points().back()) <= options_.goal_tolerance;
+  const double gap = distance(pose.point(), line.points().back());
+  const bool leaves = gap > nearest_end_ + kLeaves;
+  nearest_end_ = std::min(nearest_end_, gap);
+  if (line.length() - along_ > 2 * options_.goal_tolerance || gap > options_.goal_tolerance) {
+    return false;
+  }
+  const bool turns_next = !is_last_leg() && route_.legs()[leg_ + 1].turn_first;
+  return !turns_next || gap <= kAtTurn || leaves;
 }
 
-Velocity Follower::ask_controller(const MapPose& shown, double seconds) {
+Velocity Follower::ask_controller(const MapPose& shown, double turn, double seconds) {
   const RouteLeg& leg = current_leg();
   const double sign = leg.reverse ? -1 : 1;
   const Velocity as_shown{sign * velocity_.linear, velocity_.angular};
   Velocity wanted = controller_->command(
-      {shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_, leg.reverse});
+      {shown, as_shown, &leg.line, along_, waypoint_, seconds, limits_, leg.reverse, turn});
   const double fastest =
       braking_speed(way_left(leg.line, along_, shown.point()), limits_.acceleration, seconds);
   wanted.linear = sign * std::clamp(wanted.linear, -fastest, fastest);

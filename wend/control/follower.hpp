@@ -98,8 +98,8 @@ class WEND_API Follower {
   void begin_leg(std::size_t leg);
   FollowerStep brake(double seconds);
   void locate(const MapPose& shown);
-  bool is_at_end_of_leg(const MapPose& pose) const;
-  Velocity ask_controller(const MapPose& shown, double seconds);
+  bool is_at_end_of_leg(const MapPose& pose);
+  Velocity ask_controller(const MapPose& shown, double turn, double seconds);
   void arrive(const MapPose& pose, double seconds);
   void watch_progress(double headway, double heading_error, double seconds);
 
@@ -115,7 +115,9 @@ class WEND_API Follower {
   double along_ = 0;   // of this leg
   double cross_track_ = 0;
   std::size_t waypoint_ = 0;
-  bool arrives_ = false;  // within the goal's tolerance: only brakes and turns from now on
+  bool turns_ = false;      // in place, before it drives along the leg
+  double nearest_end_ = 0;  // m, how near it came to the leg's end
+  bool arrives_ = false;    // within the goal's tolerance: only brakes and turns from now on
 
   double best_headway_ = 0;
   double least_heading_error_ = 0;

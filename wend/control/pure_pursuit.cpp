@@ -50,6 +50,8 @@ class PurePursuitController final : public Controller {
   }
 
   Velocity command(const ControllerInput& input) override {
+    constexpr double kTurnGain = 2;  // 1/s
+    if (input.turn != 0) return {0, kTurnGain * input.turn};
     const MapPose& pose = input.pose;
     const MapPoint target = target_of(input);
     const double turn = turn_to(pose, target);

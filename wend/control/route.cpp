@@ -1,9 +1,11 @@
 #include "wend/control/route.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <span>
 
 #include "wend/geometry/angle.hpp"
+#include "wend/path/small_jump.hpp"
 
 namespace wend {
 namespace {
@@ -15,18 +17,31 @@ MapPolyline in_metres(const Polyline& line, const Frame& frame, bool closed) {
   return MapPolyline(points, closed);
 }
 
-/// One leg for each stretch of arcs (at least one) in one direction.
+/// Does the robot turn in place between two arcs of one direction?
+bool turns_between(const Arc& before, const Arc& after) {
+  const double jump = normalized_angle(after.from.heading - before.from.heading - before.turn());
+  return std::abs(jump) > kSmallJump;
+}
+
+/// One leg for each stretch of arcs (at least one) in one direction, without turns in place but at its
+/// ends.
 std::vector<RouteLeg> legs_along(std::span<const Arc> arcs, const Frame& frame) {
   std::vector<RouteLeg> legs;
+  bool turn_first = false;
   for (std::size_t first = 0; first < arcs.size();) {
     std::size_t end = first;
-    double sign = 0;  // that of the leg's first arc that has a length
-    while (end < arcs.size() && sign * arcs[end].length >= 0) {
-      if (sign == 0) sign = arcs[end].length;
-      ++end;
+    const Arc* last = nullptr;  // the leg's last arc that has a length
+    bool turns = false;
+    for (; end < arcs.size(); ++end) {
+      if (arcs[end].length == 0) continue;
+      turns = last != nullptr && turns_between(*last, arcs[end]);
+      if (turns || (last != nullptr && last->length * arcs[end].length < 0)) break;
+      last = &arcs[end];
     }
     const Polyline line = polyline_of(arcs.subspan(first, end - first));
-    legs.push_back({in_metres(line, frame, false), sign < 0});
+    legs.push_back(
+        {in_metres(line, frame, false), last != nullptr && last->length < 0, turn_first});
+    turn_first = turns;
     first = end;
   }
   return legs;
@@ -55,6 +70,13 @@ MapPose facing(const RouteLeg& leg, double along) {
 
 MapPose turned_round(const MapPose& pose, bool reverse) {
   return reverse ? MapPose{pose.x, pose.y, normalized_angle(pose.heading + kPi)} : pose;
+}
+
+std::optional<Pose> first_step_aside(const Path& path) {
+  for (const Segment& segment : path.segments()) {
+    if (segment.length != 0 && std::abs(segment.course) > kSmallJump) return segment.from;
+  }
+  return std::nullopt;
 }
 
 Route::Route(const Path& path, const Frame& frame, bool closed) {

@@ -22,14 +22,19 @@ WEND_API MapPose turned_round(const MapPose& pose, bool reverse);
 
 /// A part of a route that is driven in one direction.
 struct RouteLeg {
-  MapPolyline line;      // in the direction of travel
-  bool reverse = false;  // the robot's back leads
+  MapPolyline line;         // in the direction of travel
+  bool reverse = false;     // the robot's back leads
+  bool turn_first = false;  // the robot turns in place before it
 };
+
+/// Where a path first steps to a side of the robot, by more than 10 degrees, in grid coordinates: no robot
+/// on wheels that a follower drives can do that. O(n).
+WEND_API std::optional<Pose> first_step_aside(const Path& path);
 
 class WEND_API Route {
  public:
-  /// The route of a path (not empty) in grid coordinates. A car's path has a leg for each stretch
-  /// between reversals, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps:
+  /// The route of a path (not empty) in grid coordinates. A path of poses has a leg for each stretch
+  /// between reversals and turns in place, its arcs within 0.01 cells, and ends with a heading. `closed` is for laps:
   /// a straight line, driven forwards, joins the end to the start.
   Route(const Path& path, const Frame& frame, bool closed = false);
 

@@ -108,6 +108,33 @@ TEST(Route, ComesBackFromADriveAhead) {
   expect_near(back.end(), {4, 0, 0});
 }
 
+TEST(Route, BeginsALegWhereThePathTurnsInPlace) {
+  const Route route(Path::through({{0, 0, 1},
+                                   {0, 0, 0},
+                                   {3, 0, 0},
+                                   {3, 0, kPi / 2},
+                                   {3, 2, kPi / 2},
+                                   {3, 2, kPi / 2 + 0.1},
+                                   {2.9, 3, kPi / 2 + 0.1},
+                                   {2.9, 3, 0}}),
+                    {});
+  ASSERT_EQ(route.legs().size(), 2U) << "a small turn does not stop the robot";
+  EXPECT_FALSE(route.legs()[0].turn_first);
+  EXPECT_TRUE(route.legs()[1].turn_first);
+  EXPECT_NEAR(route.legs()[0].line.length(), 3, kRounding);
+  expect_near(route.start(), {0, 0, 1});
+  EXPECT_EQ(route.final_heading(), 0);
+}
+
+TEST(Route, KnowsStepsToTheSide) {
+  EXPECT_FALSE(first_step_aside(Path({{0, 0}, {1, 1}})));
+  EXPECT_FALSE(first_step_aside(Path::through({{0, 0, 0}, {2, 0.1, 0}, {2, 0.1, 1}})))
+      << "nearly ahead";
+  const auto aside = first_step_aside(Path::through({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}}));
+  ASSERT_TRUE(aside);
+  EXPECT_EQ(*aside, (Pose{2, 0, 0}));
+}
+
 TEST(Route, IgnoresPosesOnTopOfEachOther) {
   const Route route(Path::through({{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {1, 0, 0}}), {});
   ASSERT_EQ(route.legs().size(), 2U);

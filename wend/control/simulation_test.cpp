@@ -47,6 +47,24 @@ Path circle(double radius) {
   return Path::along(points);
 }
 
+/// The robot leaves the path at a turn by no more than the tolerance within which it has arrived there.
+TEST(Simulate, TurnsInPlaceWhereThePathDoes) {
+  const Path path =
+      Path::through({{20, 20, 0},
+                     {60, 20, 0},
+                     {60, 20, kPi / 2},
+                     {60, 60, kPi / 2},
+                     {60, 60, -0.8 * kPi},
+                     {60 + 40 * std::cos(-0.8 * kPi), 60 + 40 * std::sin(-0.8 * kPi), -0.8 * kPi}});
+  for (const std::string& name : controllers().names()) {
+    SCOPED_TRACE(name);
+    if (name == "p_moving") continue;  // drives while it turns, whatever the path does
+    const Drive drive = simulate(open_ground(), path, *driver(name));
+    EXPECT_EQ(drive.outcome, DriveOutcome::reached);
+    EXPECT_LT(drive.cross_track_largest, 0.12);
+  }
+}
+
 TEST(Simulate, TellsGainsThatMakeARobotOscillate) {
   const Path path = Path::along(kTour);
   for (const std::string& name : controllers().names()) {

@@ -55,6 +55,12 @@ TEST(TrajectoryTracker, ArrivesInTimeInReverseAndAfterAChangeOfGear) {
   expect_in_time(Path::through({{4, 4, 0}, {9, 4, 0}, {6, 7, -kPi / 2}, {6, 2, -kPi / 2}}), 0.1);
 }
 
+TEST(TrajectoryTracker, ArrivesInTimeAfterTurnsInPlace) {
+  expect_in_time(
+      Path::through({{4, 4, 0}, {9, 4, 0}, {9, 4, kPi / 2}, {9, 9, kPi / 2}, {9, 9, 0}, {6, 9, 0}}),
+      0.1);
+}
+
 TEST(TrajectoryTracker, FindsBackToItsTrajectoryInSpiteOfNoise) {
   double duration = 0;
   const Path path =

@@ -10,14 +10,11 @@
 
 #include "wend/base/options.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/path/small_jump.hpp"
 #include "wend/path/speed_passes.hpp"
 
 namespace wend {
 namespace {
-
-/// Smaller jumps of the direction of travel need no stop: primitives from files end on whole cells, so
-/// their directions are only nearly those of their headings.
-constexpr double kSmallJump = radians_from(10);
 
 constexpr double kStraight = 1e-9;  // radians: a turn of no more is rounding, as of a Corner
 
