@@ -30,14 +30,14 @@ using test::tail;
 using test::Witness;
 
 SearchEvent traced_drive(CornerPose to, std::optional<CornerPose> from, double g) {
-  SearchEvent event{.cell = to.corner,
+  SearchEvent event{.cell = to.vertex,
                     .parent = std::nullopt,
                     .g = g,
                     .h = 0,
                     .f = g,
                     .heading = radians_of(to.heading)};
   if (from) {
-    event.parent = from->corner;
+    event.parent = from->vertex;
     event.parent_heading = radians_of(from->heading);
   }
   return event;

@@ -27,7 +27,7 @@
 #include "wend/search/links.hpp"
 #include "wend/space/grid/grid_space.hpp"
 #include "wend/space/grid/sight_grid.hpp"
-#include "wend/space/lattice/lattice_space.hpp"
+#include "wend/space/lattice/motion_steps.hpp"
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include "wend/index/file/index_bytes.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/planner/index_support.hpp"
-#include "wend/planner/lattice/car_planner.hpp"
+#include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/session/session.hpp"
 

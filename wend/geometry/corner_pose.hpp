@@ -17,7 +17,7 @@ namespace wend {
 
 /// The place of a car: a corner (the point with these grid coordinates) and a heading.
 struct CornerPose {
-  Cell corner;                        // the lattice vertex
+  Cell vertex;                        // a corner of cells
   Heading heading = Heading::plus_x;  // where the car faces
 
   friend constexpr bool operator==(const CornerPose&, const CornerPose&) = default;
@@ -25,7 +25,7 @@ struct CornerPose {
 
 /// Converts to a pose in grid coordinates.
 inline Pose pose_of(const CornerPose& place) {
-  return {static_cast<double>(place.corner.x), static_cast<double>(place.corner.y),
+  return {static_cast<double>(place.vertex.x), static_cast<double>(place.vertex.y),
           radians_of(place.heading)};
 }
 

@@ -204,7 +204,7 @@ std::optional<PosthocTrace::Place> PosthocTrace::place_of(const Pose& pose) cons
   if (unit_ == 0) return Place{cell_at(pose.point()), pose.heading};
   const auto nearest = nearest_corner_pose(pose, unit_);
   if (!nearest) return std::nullopt;
-  return Place{nearest->corner, radians_of(nearest->heading)};
+  return Place{nearest->vertex, radians_of(nearest->heading)};
 }
 
 PosthocTrace::Node& PosthocTrace::node_of(const Place& place) {

@@ -80,7 +80,7 @@ CarMove inverse(CarMove move) {
 
 CornerPose moved(const CornerPose& from, CarMove move, int unit) {
   const MotionPrimitive& primitive = primitive_of(from.heading, move);
-  return {{from.corner.x + unit * primitive.by.x, from.corner.y + unit * primitive.by.y},
+  return {{from.vertex.x + unit * primitive.by.x, from.vertex.y + unit * primitive.by.y},
           static_cast<Heading>(primitive.to)};
 }
 

@@ -74,7 +74,7 @@ TEST(CarMove, RightIsRightOnAPage) {
   for (const Frame& frame : {Frame{}, Frame{.y_up = true}}) {
     for (int number = 0; number < kCarMoves; ++number) {
       const auto move = static_cast<CarMove>(number);
-      const Cell to = moved({{0, 0}, Heading::plus_x}, move).corner;
+      const Cell to = moved({{0, 0}, Heading::plus_x}, move).vertex;
       const int up = frame.y_up ? to.y : -to.y;
       const std::string_view name = name_of(move, frame);
       EXPECT_EQ(name.starts_with("FWD"), to.x > 0) << name;

@@ -2,8 +2,9 @@
 // and A. Kelly, "Efficient Constrained Path Planning via Search in State Lattices", 2005.
 
 #include <algorithm>
+#include <cmath>
 
-#include "wend/planner/lattice/car_planner.hpp"
+#include "wend/planner/lattice/lattice_planner.hpp"
 
 namespace wend {
 namespace {
@@ -24,15 +25,31 @@ PlannerResult make(const FreeSpace& space, const OptionValues& values) {
     }
     options->driving.unit = unit_for(options->turning_radius, space.map().frame());
   }
-  if (std::string why = why_no_lattice(space.map(), options->driving); !why.empty()) {
-    return failure(Status::unsupported_map, std::move(why));
-  }
-  auto planner = std::make_unique<CarPlanner>(space, *options);
+  const auto lattice_for =
+      [driving = options->driving](const FreeSpace& other) -> Expected<CarLattice, Error> {
+    std::string why_none = why_no_lattice(other.map(), driving);
+    if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
+    return CarLattice(other, driving);
+  };
+  const auto engine_on = [heuristic = options->heuristic,
+                          weight = options->weight](const CarLattice& lattice) {
+    return make_engine(lattice, heuristic, weight);
+  };
+  auto planner = std::make_unique<LatticePlanner<CarLattice>>(
+      space, LatticeParts<CarLattice>{lattice_for, engine_on, "the car", options->bound(),
+                                      static_cast<int>(options->driving.unit)});
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }
 
 }  // namespace
+
+std::int64_t unit_for(double turning_radius, const Frame& frame) {
+  constexpr double kMost = 1e6;
+  constexpr double kRounding = 1e-9;
+  const double cells = turning_radius / frame.resolution * (1 - kRounding);
+  return static_cast<std::int64_t>(std::clamp(std::ceil(cells), 1.0, kMost));
+}
 
 PlannerInfo car_planner() {
   return {

@@ -1,16 +1,14 @@
-// Where and why a query fails, in words.
+// Where and why a car's query fails, in words.
 
 #include <algorithm>
 
 #include "wend/base/parse.hpp"
 #include "wend/geometry/compass.hpp"
-#include "wend/planner/lattice/car_planner.hpp"
+#include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/space/lattice/car_space.hpp"
 
 namespace wend {
 namespace {
-
-constexpr double kRounding = 1e-9;  // cells
 
 std::string text_of(Cell cell) {
   return '(' + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ')';
@@ -26,7 +24,7 @@ struct End {
 };
 
 End end_of(const CarLattice& lattice, const std::string& name, const Pose& pose, bool any_heading) {
-  const auto place = place_on(lattice, pose);
+  const auto place = lattice.place_on(pose);
   return {name, pose.point(), place.value_or(CornerPose{}), place.has_value(), any_heading};
 }
 
@@ -48,14 +46,14 @@ End goal_of(const CarLattice& lattice, const Query& query) {
 End searched_goal_of(const CarLattice& lattice, const Query& query) {
   for (const Goal& goal : query.goals) {
     End end = end_at(lattice, goal);
-    if (end.on_map && lattice.passable(end.place.corner)) return end;
+    if (end.on_map && lattice.passable(end.place.vertex)) return end;
   }
   return goal_of(lattice, query);
 }
 
 /// "start (3,4,E)", in grid coordinates.
 std::string name_of(const CarLattice& lattice, const End& end) {
-  const Cell corner{end.place.corner.x * lattice.unit(), end.place.corner.y * lattice.unit()};
+  const Cell corner{end.place.vertex.x * lattice.unit(), end.place.vertex.y * lattice.unit()};
   const Frame& frame = lattice.free_space().map().frame();
   return end.name + " (" + std::to_string(corner.x) + ',' + std::to_string(corner.y) + ',' +
          std::string(end.any_heading ? "any" : letter_of(end.place.heading, frame)) + ')';
@@ -72,7 +70,7 @@ std::string outside(const CarLattice& lattice, const End& end) {
 }
 
 std::string blocked(const CarLattice& lattice, const End& end) {
-  const auto fault = lattice.why_blocked(end.place.corner);
+  const auto fault = lattice.why_blocked(end.place.vertex);
   if (!fault) return {};
   const std::string text = "the " + name_of(lattice, end) + " is impassable: ";
   const std::string reason(describe(fault->reason));
@@ -106,7 +104,7 @@ bool is_boxed_in(const CarLattice& lattice, const CornerPose& place) {
 bool is_boxed_in(const CarLattice& lattice, const End& end) {
   if (!end.any_heading) return is_boxed_in(lattice, end.place);
   return std::all_of(kAllHeadings.begin(), kAllHeadings.end(), [&](Heading heading) {
-    return is_boxed_in(lattice, CornerPose{end.place.corner, heading});
+    return is_boxed_in(lattice, CornerPose{end.place.vertex, heading});
   });
 }
 
@@ -125,21 +123,7 @@ std::string unreachable(const CarLattice& lattice, const Query& query) {
 
 }  // namespace
 
-std::optional<CornerPose> place_on(const CarLattice& lattice, const Pose& pose) {
-  const auto on_map = [](double at, int length) {
-    return at >= -kRounding && at <= length + kRounding;
-  };
-  const FreeSpace& space = lattice.free_space();
-  if (!on_map(pose.x, space.width()) || !on_map(pose.y, space.height())) return std::nullopt;
-  auto place = lattice.nearest(pose);
-  if (place) {
-    place->corner.x = std::min(place->corner.x, lattice.columns() - 1);
-    place->corner.y = std::min(place->corner.y, lattice.rows() - 1);
-  }
-  return place;
-}
-
-std::string car_reason(const CarLattice& lattice, const Query& query, Status status) {
+std::string reason_on(const CarLattice& lattice, const Query& query, Status status) {
   switch (status) {
     case Status::start_outside:
       return outside(lattice, start_of(lattice, query));
@@ -151,9 +135,6 @@ std::string car_reason(const CarLattice& lattice, const Query& query, Status sta
       return blocked(lattice, goal_of(lattice, query));
     case Status::unreachable:
       return unreachable(lattice, query);
-    case Status::unsupported_query:
-      return query.goals.empty() ? "the query has no goal"
-                                 : "the headings of the start and the goal must be finite numbers";
     default:
       return {};
   }

@@ -24,14 +24,28 @@ Expected<MotionPrimitives, Error> primitives_for(const FreeSpace& space,
   return refused("turning_radius is too large for this resolution: " + made.error().message);
 }
 
+Expected<MotionLattice, Error> lattice_of(const FreeSpace& space, const LatticeOptions& options) {
+  auto primitives = primitives_for(space, options);
+  if (!primitives) return Unexpected<Error>(std::move(primitives.error()));
+  std::string why_none = MotionLattice::why_none(space.map(), *primitives);
+  if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
+  return MotionLattice(space, *primitives, options.costs);
+}
+
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   const auto options = parse_options<LatticeOptions>(values);
   if (!options) {
     return Unexpected<Error>(options.error());
   }
-  auto planner = std::make_unique<LatticePlanner>(
-      space, [flags = *options](const FreeSpace& other) { return primitives_for(other, flags); },
-      *options);
+  const auto lattice_for = [options = *options](const FreeSpace& other) {
+    return lattice_of(other, options);
+  };
+  const auto engine_on = [heuristic = options->heuristic,
+                          weight = options->weight](const MotionLattice& lattice) {
+    return make_engine(lattice, heuristic, weight);
+  };
+  auto planner = std::make_unique<LatticePlanner<MotionLattice>>(
+      space, LatticeParts<MotionLattice>{lattice_for, engine_on, "the robot", options->bound()});
   if (auto fault = planner->fault()) return Unexpected<Error>(*std::move(fault));
   return planner;
 }

@@ -6,10 +6,13 @@
 //   const auto robot = wend::make_planner(space, wend::LatticeOptions{.turning_radius = 0.4});
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "wend/base/choice.hpp"
+#include "wend/base/compiler.hpp"
 #include "wend/base/options.hpp"
+#include "wend/geometry/frame.hpp"
 #include "wend/space/lattice/driving_options.hpp"
 
 namespace wend {
@@ -69,6 +72,10 @@ struct CarOptions {
           self.weight, OptionRange{0, 1e6});
   }
 };
+
+/// The lattice resolution, in cells, for a turning radius in metres: rounded up, so that no turn is
+/// tighter, and at least 1.
+WEND_API std::int64_t unit_for(double turning_radius, const Frame& frame);
 
 /// The options of `lattice`.
 struct LatticeOptions {

@@ -1,65 +1,185 @@
 #pragma once
 
-// LatticePlanner: a planner that moves a robot by motion primitives: those of the FreeSpace's robot, or a
-// built-in set. It checks queries, runs a LatticeEngine, and makes a path of segments of what it found.
+// LatticePlanner: a planner for the poses of a lattice. It checks queries, runs a search on the lattice, and
+// says what the path that it found is worth. The planners `car` and `lattice` differ in their lattices and in the
+// functions of lattice_engine.hpp.
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "wend/planner/lattice/lattice_options.hpp"
-#include "wend/planner/lattice/lattice_priority.hpp"
+#include "wend/planner/lattice/lattice_engine.hpp"
+#include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/search_planner.hpp"
-#include "wend/space/lattice/motion_lattice.hpp"
+#include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
 
-using LatticeEngine = SearchEngine<LatticePose, LatticeGoal>;
+/// What makes a planner of a kind of lattice.
+template <class Lattice>
+struct LatticeParts {
+  /// The lattice for a space, or why there is none. Called again for another space.
+  std::function<Expected<Lattice, Error>(const FreeSpace&)> make_lattice;
+  /// A search on it; not allocated() without memory for its nodes.
+  std::function<std::unique_ptr<LatticeEngine<Lattice>>(const Lattice&)> make_engine;
+  std::string robot;    // whose poses they are, in errors: "the car"
+  double bound = 1;     // Plan::bound of every answer
+  int corner_unit = 0;  // Planner::corner_unit()
+};
 
-class LatticePlanner final : public SearchPlanner<LatticeEngine> {
+template <class Lattice>
+class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
  public:
-  /// The primitives for a space: they depend on its robot and resolution. Called again for another space.
-  using PrimitivesChooser = std::function<Expected<MotionPrimitives, Error>(const FreeSpace&)>;
-
-  LatticePlanner(FreeSpace space, PrimitivesChooser choose_primitives,
-                 const LatticeOptions& options);
+  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts)
+      : LatticePlanner(std::move(space), std::move(parts), std::nullopt) {
+    LatticePlanner::do_update({});
+  }
 
   /// Why it cannot plan in its space, if it cannot.
   const std::optional<Error>& fault() const { return fault_; }
 
  private:
-  LatticePlanner(const LatticePlanner& other, FreeSpace space);
+  using Place = typename Lattice::Place;
+  using PlaceGoal = LatticeGoal<Place>;
+  using SearchPlanner<LatticeEngine<Lattice>>::engine_;
 
-  std::optional<Status> do_check(const Query& query) override;
-  void begin_search(const Limits& limits, SearchObserver* observer) override;
-  void assess(Plan& out) override;
-  std::string do_reason(const Query& query, Status status) const override;
-  double do_heuristic(const Pose& pose) const override;
+  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts, std::optional<Lattice> lattice)
+      : SearchPlanner<LatticeEngine<Lattice>>(std::move(space)),
+        parts_(std::move(parts)),
+        lattice_(std::move(lattice)) {
+    if (lattice_) fault_ = make_engine();
+  }
+
+  std::unique_ptr<Planner> do_clone() const override {
+    auto clone =
+        std::unique_ptr<LatticePlanner>(new LatticePlanner(this->free_space(), parts_, lattice_));
+    if (!lattice_) clone->fault_ = fault_;
+    return clone;
+  }
+
+  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+    engine_.reset();  // its memory first
+    lattice_.reset();
+    auto lattice = parts_.make_lattice(this->free_space());
+    if (lattice) {
+      lattice_ = *std::move(lattice);
+      fault_ = make_engine();
+    } else {
+      fault_ = std::move(lattice.error());
+    }
+    return fault_;
+  }
+
+  std::optional<Error> make_engine() {
+    engine_ = parts_.make_engine(*lattice_);
+    return this->no_memory_for(parts_.robot);
+  }
+
+  std::optional<Status> do_check(const Query& query) override {
+    if (!lattice_) return Status::unsupported_map;
+    if (!std::isfinite(query.start.heading)) return Status::unsupported_query;
+    const auto start = lattice_->place_on(query.start);
+    if (!start) return Status::start_outside;
+    if (!lattice_->may_stand(*start)) return Status::start_blocked;
+    asked_start_ = query.start;
+    start_ = *start;
+    goals_.clear();
+    asked_goals_.clear();
+    return take_goals(query, [this](const Goal& goal) { return take_goal(goal); });
+  }
+
+  std::optional<Status> take_goal(const Goal& goal) {
+    if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
+    const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+    const auto place = lattice_->place_on(pose);
+    PlaceGoal taken{
+        GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices()), {}};
+    take_headings(goal, taken);
+    Status why = taken.vertices.empty() ? Status::goal_outside : Status::goal_blocked;
+    const bool reachable = taken.vertices.keep_if([&](Cell vertex) {
+      if (!lattice_->may_stand(vertex, taken.headings)) return false;
+      why = Status::unreachable;
+      return lattice_->connected(start_.vertex, vertex);
+    });
+    if (!reachable) return why;
+    goals_.push_back(taken);
+    asked_goals_.push_back(goal);
+    return std::nullopt;
+  }
+
+  PlaceGrid vertices() const {
+    return {.offset = Lattice::kVertexOffset,
+            .spacing = lattice_->cell_of({1, 0}).x,
+            .columns = lattice_->columns(),
+            .rows = lattice_->rows()};
+  }
+
+  void take_headings(const Goal& goal, PlaceGoal& taken) const {
+    const std::span<const double> headings = lattice_->headings();
+    for_each_heading(
+        goal, lattice_->nearest_heading(goal.heading.value_or(0)),
+        static_cast<int>(headings.size()),
+        [&](int heading) { return headings[static_cast<std::size_t>(heading)]; },
+        [&](int heading) { taken.headings.set(static_cast<std::size_t>(heading)); });
+    taken.any_heading = taken.headings.count() == headings.size();
+  }
+
+  void begin_search(const Limits& limits, SearchObserver* observer) override {
+    engine_->begin(start_, goals_, limits, observer);
+  }
+
+  void assess(Plan& out) override {
+    places_.clear();
+    for (const Pose& pose : out.path.driven_poses()) {
+      if (const auto place = lattice_->nearest(pose)) places_.push_back(*place);
+    }
+    write_drive(*lattice_, places_, out);
+    out.bound = parts_.bound;
+    const Place& last = places_.back();
+    const auto reached =
+        std::ranges::find_if(goals_, [&](const PlaceGoal& goal) { return goal.contains(last); });
+    const auto index = static_cast<std::size_t>(reached - goals_.begin());
+    out.start_snapping_error = snapping_error_between(asked_start_, lattice_->to_grid(start_));
+    out.goal_snapping_error = snapping_error_between(asked_goals_[index], lattice_->to_grid(last));
+  }
+
+  std::string do_reason(const Query& query, Status status) const override {
+    if (status == Status::unsupported_map) return fault_ ? fault_->message : std::string();
+    if (status == Status::unsupported_query) {
+      return query.goals.empty() ? "the query has no goal"
+                                 : "the headings of the start and the goal must be finite numbers";
+    }
+    return lattice_ ? reason_on(*lattice_, query, status) : std::string();
+  }
+
+  double do_heuristic(const Pose& pose) const override {
+    const auto place = lattice_ ? lattice_->place_on(pose) : std::nullopt;
+    return place ? engine_->heuristic(*place) : 0;
+  }
+
+  std::uint64_t do_state_count() const override {
+    return lattice_ ? lattice_->possible_poses() : 0;
+  }
   std::optional<GridMoves> do_grid_moves() const override { return std::nullopt; }
-  std::uint64_t do_state_count() const override;
-  std::unique_ptr<Planner> do_clone() const override;
-  std::optional<Error> do_update(std::span<const Cell> changed) override;
+  int do_corner_unit() const override { return parts_.corner_unit; }
 
-  std::optional<Error> prepare();
-  std::optional<Error> make_engine();
-
-  std::optional<Status> take_goal(const Goal& goal);
-  bool fits(const LatticePose& place) const;
-
-  PrimitivesChooser choose_primitives_;
-  LatticeOptions options_;
+  LatticeParts<Lattice> parts_;
   std::optional<Error> fault_;
-  // Null if the space has no primitives; engine_ is then null too.
-  std::shared_ptr<const MotionLattice> lattice_;  // clones share it
+  // Clones share it. None in a space that has none; then there is no engine either.
+  std::optional<Lattice> lattice_;
   // Of the query that was checked last.
   Pose asked_start_;
-  LatticePose start_;
-  std::vector<LatticeGoal> goals_;
+  Place start_;
+  std::vector<PlaceGoal> goals_;
   std::vector<Goal> asked_goals_;  // one for each of goals_
-  std::vector<Pose> states_;       // of the path
+  std::vector<Place> places_;      // of the path
 };
 
 }  // namespace wend

@@ -1,62 +1,57 @@
 #pragma once
 
-// LatticePriority: f = g + w h on a lattice of motion primitives; of equal f, the larger g. Heuristics:
+// LatticePriority: f = g + w h on a lattice; of equal f, the larger g. Keys of whole costs are whole numbers, for
+// which w is 1 or h is 0.
 //
-//   zero       0
-//   distance   the straight distance, times the least that a step costs for each cell it leads
-//   obstacles  the cheapest way around the obstacles for a robot that may take any heading at every vertex
-//              (GoalCosts in VertexSpace; searched anew for every query)
+// Estimates say what h is; all are consistent. They have the types Place, Cost and AroundObstacles (GoalCosts in
+// the space of the lattice's vertices), and these functions:
 //
-// All are consistent.
+//   costs_around_obstacles()     searches of the way around the obstacles; null if they do not need it
+//   operator()(place, goals, h)  the estimate for at least one goal; h(vertex) asks that search
+//   scale()                      a factor on all estimates
 
 #include <algorithm>
-#include <bitset>
-#include <cmath>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "wend/base/limits.hpp"
-#include "wend/planner/goal_region.hpp"
+#include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
-#include "wend/planner/lattice/lattice_options.hpp"
-#include "wend/robot/motion_primitives.hpp"
-#include "wend/search/frontiers.hpp"
-#include "wend/space/lattice/lattice_space.hpp"
+#include "wend/planner/lattice/lattice_engine.hpp"
+#include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
 
-/// Where a path may end.
-struct LatticeGoal {
-  GoalRegion vertices;
-  std::bitset<MotionPrimitives::kMostHeadings> headings;  // by index: those accepted
+template <class Cost>
+using LatticeKey = std::conditional_t<std::is_integral_v<Cost>, ExactKey<Cost>, RealKey<Cost>>;
 
-  bool contains(const LatticePose& place) const {
-    return headings[static_cast<std::size_t>(place.heading)] && vertices.contains(place.vertex);
-  }
-};
-
+/// h and f are for observers, in units.
+template <class Space, class Estimates>
 class LatticePriority {
  public:
-  using Key = RealKey<double>;
+  using Place = typename Space::Place;
+  using State = typename Space::State;
+  using Cost = typename Space::Cost;
+  using Goal = LatticeGoal<Place>;
+  using Key = LatticeKey<Cost>;
 
-  LatticePriority(const MotionLattice& lattice, LatticeHeuristic kind, double weight)
-      : lattice_(lattice), kind_(kind), weight_(weight) {
-    if (kind == LatticeHeuristic::obstacles) {
-      around_obstacles_ = std::make_unique<VertexCosts>(VertexSpace(lattice));
-    }
-  }
+  LatticePriority(Estimates estimates, double weight)
+      : estimates_(std::move(estimates)),
+        weight_(weight),
+        around_obstacles_(estimates_.costs_around_obstacles()) {}
 
   bool allocated() const { return around_obstacles_ == nullptr || around_obstacles_->allocated(); }
 
   /// At least one goal. Keeps its memory from query to query.
-  void begin(std::span<const LatticeGoal> goals, const Limits& limits) {
+  void begin(std::span<const Goal> goals, const Limits& limits) {
     goals_.assign(goals.begin(), goals.end());
     if (around_obstacles_ == nullptr) return;
     around_obstacles_->begin(limits);
-    for (const LatticeGoal& goal : goals) {
+    for (const Goal& goal : goals) {
       goal.vertices.for_each(
           [&](Cell vertex) { around_obstacles_->add(around_obstacles_->space().state(vertex)); });
     }
@@ -67,54 +62,51 @@ class LatticePriority {
     return around_obstacles_ == nullptr ? std::nullopt : around_obstacles_->stopped();
   }
 
-  Key key(const LatticeState& state, double g) const {
-    return {g + weight_ * kNotAbove * h(state.place), g};
+  Key key(const State& state, Cost g) const {
+    const Cost estimate = estimate_of(state.place);
+    if constexpr (std::is_integral_v<Cost>) {
+      return {static_cast<Cost>(g + estimate), g};
+    } else {
+      return {g + weight_ * estimates_.scale() * kNotAbove * estimate, g};
+    }
   }
 
-  bool is_goal(const LatticeState& state) const {
-    return std::ranges::any_of(goals_,
-                               [&](const LatticeGoal& goal) { return goal.contains(state.place); });
+  bool is_goal(const State& state) const {
+    return std::any_of(goals_.begin(), goals_.end(),
+                       [&](const Goal& goal) { return goal.contains(state.place); });
   }
 
   /// A search without valid estimates stops; the engine asks stopped() why.
-  bool near_overflow(const Key& /*key*/) const { return stopped().has_value(); }
+  bool near_overflow(const Key& key) const { return near_overflow_of(key) || stopped(); }
 
-  double h(const LatticePose& place) const {
+  double h(const Place& place) const {
     if (goals_.empty()) return 0;
-    switch (kind_) {
-      case LatticeHeuristic::zero:
-        break;
-      case LatticeHeuristic::distance:
-        return lattice_.least_cost_per_cell() * straight_distance(place.vertex);
-      case LatticeHeuristic::obstacles:
-        return (*around_obstacles_)(around_obstacles_->space().state(place.vertex));
-    }
-    return 0;
+    return estimates_.scale() * static_cast<double>(estimate_of(place)) / Space::kUnitsPerCell;
   }
-  double f(const LatticePose& place, double g) const { return g + weight_ * h(place); }
+  double f(const Place& place, double g) const { return g + weight_ * h(place); }
 
  private:
-  using VertexCosts = GoalCosts<VertexSpace, HeapFrontier<RealKey<double>>, ParentLinks>;
-
   // Sums are rounded: a hair less keeps an exact estimate from rounding above the true cost.
   static constexpr double kNotAbove = 1 - 1e-12;
 
-  double straight_distance(Cell vertex) const {
-    const Cell from = lattice_.cell_of(vertex);
-    const auto to = [&](const LatticeGoal& goal) {
-      const Cell cell = lattice_.cell_of(goal.vertices.nearest_in_box(vertex));
-      return std::hypot(cell.x - from.x, cell.y - from.y);
-    };
-    double least = to(goals_.front());
-    for (const LatticeGoal& goal : goals_) least = std::min(least, to(goal));
-    return least;
+  Cost estimate_of(const Place& place) const {
+    return estimates_(place, std::span<const Goal>(goals_), [this](Cell vertex) {
+      return (*around_obstacles_)(around_obstacles_->space().state(vertex));
+    });
   }
 
-  MotionLattice lattice_;
-  LatticeHeuristic kind_;
+  Estimates estimates_;
   double weight_;
-  std::vector<LatticeGoal> goals_;
-  std::unique_ptr<VertexCosts> around_obstacles_;
+  std::vector<Goal> goals_;
+  std::unique_ptr<typename Estimates::AroundObstacles> around_obstacles_;
 };
+
+/// The least estimate(goal) over all goals; there is at least one.
+template <class Goal, class Estimate>
+auto least_over(std::span<const Goal> goals, Estimate&& estimate) {
+  auto least = estimate(goals.front());
+  for (std::size_t i = 1; i < goals.size(); ++i) least = std::min(least, estimate(goals[i]));
+  return least;
+}
 
 }  // namespace wend

@@ -21,11 +21,11 @@ namespace wend {
 
 /// A goal in lattice coordinates; without a heading, any heading is accepted.
 struct CarGoal {
-  Cell corner;
+  Cell vertex;
   std::optional<Heading> heading{};
 
   bool contains(const CornerPose& place) const {
-    return place.corner == corner && (!heading || place.heading == *heading);
+    return place.vertex == vertex && (!heading || place.heading == *heading);
   }
 };
 
@@ -90,14 +90,14 @@ constexpr typename Costs::Cost cheapest(Cell way, Heading from, unsigned odd) {
 /// numbers without parities.
 template <class Costs>
 constexpr typename Costs::Cost headings_estimate(const CornerPose& from, const CarGoal& goal) {
-  const Cell way{goal.corner.x - from.corner.x, goal.corner.y - from.corner.y};
+  const Cell way{goal.vertex.x - from.vertex.x, goal.vertex.y - from.vertex.y};
   if (goal.heading) {
     return empty_yard::cheapest<Costs>(way, from.heading,
                                        empty_yard::odd_turns(from.heading, *goal.heading));
   }
   const bool across =
       is_along_x(from.heading) ? way.x == 0 && way.y != 0 : way.y == 0 && way.x != 0;
-  if (!across) return diagonal_estimate<Costs>(from.corner, goal.corner);
+  if (!across) return diagonal_estimate<Costs>(from.vertex, goal.vertex);
   auto least = empty_yard::cheapest<Costs>(way, from.heading, 0);
   for (unsigned odd = 1; odd < kHeadings; ++odd) {
     least = std::min(least, empty_yard::cheapest<Costs>(way, from.heading, odd));

@@ -59,7 +59,7 @@ Steps all_steps() {
     CarStep& step = steps[static_cast<std::size_t>(primitive.from) * kCarMoves +
                           static_cast<std::size_t>(primitive.number)];
     step = {.by = primitive.by,
-            .heading = static_cast<Heading>(primitive.to),
+            .to = static_cast<Heading>(primitive.to),
             .turns = is_turn(move),
             .reverses = is_reverse(move),
             .undone_by = inverse(move)};
@@ -146,6 +146,23 @@ bool has_room_for(const GridMap& map, const CarDriving& driving) {
   return driving.unit <= std::min(map.width(), map.height());
 }
 
+std::string why_no_lattice(const GridMap& map, const CarDriving& driving) {
+  const std::string size =
+      std::to_string(map.width()) + " x " + std::to_string(map.height()) + " cells";
+  if (!has_room_for(map, driving)) {
+    return "the map of " + size + " is too small for a lattice_resolution of " +
+           std::to_string(driving.unit);
+  }
+  const auto corners = [&](int length) {
+    return static_cast<std::uint64_t>(length) / static_cast<std::uint64_t>(driving.unit) + 1;
+  };
+  if (corners(map.width()) * corners(map.height()) * kHeadings >= UINT32_MAX) {
+    return "the map of " + size +
+           " has too many lattice vertices for the car planner: choose a larger lattice_resolution";
+  }
+  return {};
+}
+
 CarLattice::CarLattice(FreeSpace space, const CarDriving& driving) {
   assert(has_room_for(space.map(), driving));
   const auto unit = static_cast<int>(driving.unit);
@@ -183,11 +200,11 @@ std::optional<CornerFault> CarLattice::why_blocked(Cell corner) const {
 double CarLattice::ground(const CornerPose& from, CarMove move) const {
   const CarStep& way = step(from.heading, move);
   if (terrain().empty()) return 1;
-  if (way.turns) return terrain_at(from.corner, way.swept);
+  if (way.turns) return terrain_at(from.vertex, way.swept);
   if (driving().straight_terrain == StraightTerrain::none) return 1;
   const auto multiplier = [&](Cell offset, Cell instead) {
-    const Cell cell{from.corner.x + offset.x, from.corner.y + offset.y};
-    return terrain_at(from.corner, terrain().contains(cell) ? offset : instead);
+    const Cell cell{from.vertex.x + offset.x, from.vertex.y + offset.y};
+    return terrain_at(from.vertex, terrain().contains(cell) ? offset : instead);
   };
   const double a = multiplier(way.beside, way.other_beside);
   const double b = multiplier(way.other_beside, way.beside);
@@ -195,12 +212,27 @@ double CarLattice::ground(const CornerPose& from, CarMove move) const {
 }
 
 Pose CarLattice::to_grid(const CornerPose& place) const {
-  return corner_point(place.corner, unit(), radians_of(place.heading));
+  return corner_point(place.vertex, unit(), radians_of(place.heading));
 }
 
 std::optional<CornerPose> CarLattice::nearest(const Pose& pose) const {
   auto place = nearest_corner_pose(pose, unit());
-  if (place) place->corner = {place->corner.x / unit(), place->corner.y / unit()};
+  if (place) place->vertex = {place->vertex.x / unit(), place->vertex.y / unit()};
+  return place;
+}
+
+std::optional<CornerPose> CarLattice::place_on(const Pose& pose) const {
+  constexpr double kRounding = 1e-9;  // cells
+  const auto on_map = [](double at, int length) {
+    return at >= -kRounding && at <= length + kRounding;
+  };
+  const FreeSpace& space = data_->space;
+  if (!on_map(pose.x, space.width()) || !on_map(pose.y, space.height())) return std::nullopt;
+  auto place = nearest(pose);
+  if (place) {
+    place->vertex.x = std::min(place->vertex.x, columns() - 1);
+    place->vertex.y = std::min(place->vertex.y, rows() - 1);
+  }
   return place;
 }
 

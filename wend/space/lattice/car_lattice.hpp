@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/corner_pose.hpp"
@@ -28,13 +29,14 @@
 #include "wend/robot/car_primitives.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/space/lattice/driving_options.hpp"
+#include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
 
 /// A car's primitive from one heading, with what it touches on a lattice.
 struct CarStep {
   Cell by{};              // from corner to corner
-  Heading heading{};      // afterwards
+  Heading to{};           // afterwards
   bool turns = false;     // or is straight
   bool reverses = false;  // or leads ahead
   CarMove undone_by{};    // the move that leads back
@@ -54,6 +56,9 @@ struct CornerFault {
 
 class WEND_API CarLattice {
  public:
+  using Place = CornerPose;
+  static constexpr double kVertexOffset = 0;  // of vertex (0, 0) in grid coordinates
+
   CarLattice(FreeSpace space, const CarDriving& driving);
 
   const FreeSpace& free_space() const { return data_->space; }
@@ -106,9 +111,29 @@ class WEND_API CarLattice {
   /// Converts a pose from lattice coordinates to grid coordinates.
   Pose to_grid(const CornerPose& place) const;
 
+  /// The grid coordinates of a vertex.
+  Cell cell_of(Cell vertex) const { return {vertex.x * unit(), vertex.y * unit()}; }
+
   /// The lattice pose nearest to a pose in grid coordinates; it may lie outside the map. Nothing if the
   /// coordinates are too large.
   std::optional<CornerPose> nearest(const Pose& pose) const;
+
+  /// The pose of the lattice that a query's pose stands for: the nearest one, of those on the map.
+  /// Nothing for a pose outside the map.
+  std::optional<CornerPose> place_on(const Pose& pose) const;
+
+  /// May the car stand there? It does not depend on the heading.
+  bool may_stand(const CornerPose& place) const { return passable(place.vertex); }
+  bool may_stand(Cell vertex, const HeadingSet& /*accepted*/) const { return passable(vertex); }
+
+  /// The headings in radians, and the index of the one nearest to a finite angle.
+  static std::span<const double> headings() { return car_primitives().headings(); }
+  static int nearest_heading(double radians) {
+    return static_cast<int>(wend::nearest_heading(radians));
+  }
+
+  /// The number of poses where it may stand.
+  std::uint64_t possible_poses() const { return passable().count() * kHeadings; }
 
  private:
   struct Data {
@@ -127,6 +152,9 @@ class WEND_API CarLattice {
 
 /// Is there at least one lattice cell on the map?
 WEND_API bool has_room_for(const GridMap& map, const CarDriving& driving);
+
+/// Why a car cannot drive on a map at all; empty if it can.
+std::string why_no_lattice(const GridMap& map, const CarDriving& driving);
 
 // The cost of a path, recomputed from its poses alone, never from the sums of a search.
 

@@ -138,7 +138,7 @@ TEST(CarLattice, NamesPosesInGridCoordinates) {
     EXPECT_EQ(wide.to_grid(place).point(), (Point{6, 2}));
     EXPECT_EQ(wide.nearest(wide.to_grid(place)), place);
   }
-  EXPECT_EQ(wide.nearest({5.1, 0.9, 0.1})->corner, (Cell{3, 0}));
+  EXPECT_EQ(wide.nearest({5.1, 0.9, 0.1})->vertex, (Cell{3, 0}));
 }
 
 }  // namespace

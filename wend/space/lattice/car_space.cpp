@@ -30,11 +30,10 @@ WholeCarCosts<Unit>::WholeCarCosts(const CarLattice& lattice) {
 }
 
 template <class Costs>
-CarSpace<Costs>::CarSpace(CarLattice lattice)
+CarSteps<Costs>::CarSteps(CarLattice lattice)
     : lattice_(std::move(lattice)),
       passable_(&lattice_.passable()),
       costs_(lattice_),
-      columns_(static_cast<StateId>(lattice_.columns())),
       straight_pays_(!lattice_.terrain().empty() &&
                      lattice_.driving().straight_terrain != StraightTerrain::none) {
   for (const Heading heading : kAllHeadings) {
@@ -49,18 +48,10 @@ CarSpace<Costs>::CarSpace(CarLattice lattice)
   }
 }
 
-template <class Costs>
-bool CarSpace<Costs>::can_number(const GridMap& map, const CarDriving& driving) {
-  const auto corners = [&](int length) {
-    return static_cast<std::uint64_t>(length) / static_cast<std::uint64_t>(driving.unit) + 1;
-  };
-  return corners(map.width()) * corners(map.height()) * 4 < UINT32_MAX;
-}
-
 template class WholeCarCosts<std::uint32_t>;
 template class WholeCarCosts<std::uint64_t>;
-template class CarSpace<CompactCarCosts>;
-template class CarSpace<ExactCarCosts>;
-template class CarSpace<RealCarCosts>;
+template class CarSteps<CompactCarCosts>;
+template class CarSteps<ExactCarCosts>;
+template class CarSteps<RealCarCosts>;
 
 }  // namespace wend

@@ -1,8 +1,8 @@
 #pragma once
 
-// CarSpace: the car's lattice poses are states, its six motion primitives are steps.
+// CarSteps: the steps of a car on a CarLattice, for LatticeSpace. CornerSteps: those between its vertices.
 //
-// Successors come in the order of CarMove. Costs are counted in the integers of CarUnits if the terrain
+// Costs are counted in the integers of CarUnits if the terrain
 // allows it, which is exact; otherwise they are real numbers.
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/space/lattice/car_lattice.hpp"
+#include "wend/space/lattice/lattice_space.hpp"
 
 namespace wend {
 
@@ -30,11 +31,7 @@ struct CarUnits {
   static constexpr std::uint32_t kTurn = 2 * 52174;
 };
 
-/// A pose in lattice coordinates and its number, (y * columns + x) * 4 + heading.
-struct CarState {
-  StateId number = 0;
-  CornerPose place{};
-};
+using CarState = BasicLatticeState<CornerPose>;
 
 /// Can a lattice's costs be counted in CarUnits? Its multipliers are small whole numbers.
 bool has_whole_costs(const CarLattice& lattice);
@@ -86,66 +83,51 @@ class RealCarCosts {
   double reverse_factor_;
 };
 
-template <class Costs>
-class CarSpace {
+/// The legal moves from each pose, in the order of CarMove.
+template <class CarCosts>
+class CarSteps {
  public:
-  using State = CarState;
+  using Place = CornerPose;
+  using Costs = CarCosts;
   using Cost = typename Costs::Cost;
-  using CostsType = Costs;
   static constexpr double kUnitsPerCell = Costs::kUnitsPerCell;
+  static constexpr bool kUndone = true;
   static constexpr unsigned kAllMoves = (1U << kCarMoves) - 1;
   static constexpr unsigned kMovesAhead = 0b000111;
   static constexpr unsigned kStraightAhead = 0b000001;
 
-  /// State numbers must fit: see can_number().
-  explicit CarSpace(CarLattice lattice);
-
-  /// Do the poses of a lattice fit into state numbers?
-  static bool can_number(const GridMap& map, const CarDriving& driving);
+  CarSteps(CarLattice lattice);  // NOLINT(google-explicit-constructor): CarSpace(lattice)
 
   const CarLattice& lattice() const { return lattice_; }
-  StateId state_count() const { return columns_ * static_cast<StateId>(lattice_.rows()) * 4; }
+  static constexpr StateId headings() { return kHeadings; }
 
-  State state(const CornerPose& place) const {
-    const StateId corner =
-        static_cast<StateId>(place.corner.y) * columns_ + static_cast<StateId>(place.corner.x);
-    return {corner * 4 + static_cast<StateId>(place.heading), place};
+  static Place place_at(Cell vertex, StateId heading) {
+    return {vertex, static_cast<Heading>(heading)};
   }
-  State state(StateId id) const {
-    const StateId corner = id / 4;
-    const StateId y = corner / columns_;
-    return {id,
-            {{static_cast<int>(corner - y * columns_), static_cast<int>(y)},
-             static_cast<Heading>(id % 4)}};
+  static Place after(const Place& place, const CarStep& step) {
+    return {shifted(place.vertex, step.by), step.to};
   }
-  StateId id(const State& state) const { return state.number; }
-
-  State parent(const State& state, Move move) const {
-    const CarStep& way = step(state.place.heading, static_cast<CarMove>(move));
-    return after(state, step(state.place.heading, way.undone_by));
+  const CarStep& way_back(const Place& place, Move move) const {
+    return step(place.heading, step(place.heading, static_cast<CarMove>(move)).undone_by);
   }
-
-  StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
 
   template <class Sink>
-  void for_each_successor(const State& state, Move /*arrival*/, Sink&& sink) const {
-    for_each_move(state, kAllMoves, sink);
+  void for_each(const Place& place, Sink&& sink) const {
+    for_each_of(place, kAllMoves, sink);
   }
 
-  /// Generates only the moves of a set, bit m for CarMove m.
+  /// Only the moves of a set, bit m for CarMove m.
   template <class Sink>
-  void for_each_move(const State& state, unsigned moves, Sink&& sink) const {
-    const Cell corner = state.place.corner;
-    moves &=
-        open_[static_cast<std::size_t>(state.place.heading) * kBlocks + passable_->block(corner)];
+  void for_each_of(const Place& place, unsigned moves, Sink&& sink) const {
+    const Cell corner = place.vertex;
+    moves &= open_[static_cast<std::size_t>(place.heading) * kBlocks + passable_->block(corner)];
     for (; moves != 0; moves &= moves - 1) {
       const auto move = static_cast<CarMove>(std::countr_zero(moves));
-      const CarStep& way = step(state.place.heading, move);
+      const CarStep& way = step(place.heading, move);
       if (!lattice_.fits(corner, way)) continue;
       const Cost along =
           way.turns ? costs_.turn(shifted(corner, way.swept)) : straight(corner, way);
-      sink(after(state, way), static_cast<Move>(move),
-           way.reverses ? costs_.reversed(along) : along);
+      sink(way, static_cast<Move>(move), way.reverses ? costs_.reversed(along) : along);
     }
   }
 
@@ -155,14 +137,6 @@ class CarSpace {
   static Cell shifted(Cell cell, Cell by) { return {cell.x + by.x, cell.y + by.y}; }
 
   const CarStep& step(Heading heading, CarMove move) const { return lattice_.step(heading, move); }
-
-  State after(const State& state, const CarStep& way) const {
-    const Cell corner = shifted(state.place.corner, way.by);
-    return {state.number +
-                (static_cast<StateId>(way.by.y) * columns_ + static_cast<StateId>(way.by.x)) * 4 +
-                static_cast<StateId>(way.heading) - static_cast<StateId>(state.place.heading),
-            {corner, way.heading}};
-  }
 
   Cost straight(Cell corner, const CarStep& way) const {
     if (!straight_pays_) return Costs::kStraight;
@@ -178,7 +152,6 @@ class CarSpace {
   CarLattice lattice_;
   const BitGrid* passable_;  // of the lattice
   Costs costs_;
-  StateId columns_;
   bool straight_pays_;
   std::array<std::uint8_t, kHeadings * kBlocks> open_{};  // moves by heading and passable block
 };
@@ -186,59 +159,56 @@ class CarSpace {
 using CompactCarCosts = WholeCarCosts<std::uint32_t>;
 using ExactCarCosts = WholeCarCosts<std::uint64_t>;
 
-extern template class CarSpace<CompactCarCosts>;
-extern template class CarSpace<ExactCarCosts>;
-extern template class CarSpace<RealCarCosts>;
-
-// CornerSpace: the vertices of the car's lattice are states, as if the car could turn in place: it
-// drives forwards, straight to four neighbours and along arcs to four others. If reversing costs at
-// least as much as driving ahead, its costs never exceed those of the car.
-
-struct CornerState {
-  StateId number = 0;
-  Cell corner{};
-};
+extern template class CarSteps<CompactCarCosts>;
+extern template class CarSteps<ExactCarCosts>;
+extern template class CarSteps<RealCarCosts>;
 
 template <class Costs>
-class CornerSpace {
+using CarSpace = LatticeSpace<CarSteps<Costs>>;
+
+/// The steps between vertices, as if the car could turn in place: it drives forwards, straight to four
+/// neighbours and along arcs to four others. If reversing costs at least as much as driving ahead, their costs
+/// never exceed those of the car. A move is a Direction.
+template <class Costs>
+class CornerSteps {
  public:
-  using Car = CarSpace<Costs>;
-  using State = CornerState;
+  using Car = CarSteps<Costs>;
+  using Place = VertexPlace;
   using Cost = typename Costs::Cost;
+  static constexpr double kUnitsPerCell = Costs::kUnitsPerCell;
+  static constexpr bool kUndone = true;
 
-  explicit CornerSpace(Car car) : car_(std::move(car)) {}
+  CornerSteps(Car car)  // NOLINT(google-explicit-constructor): CornerSpace(car)
+      : car_(std::move(car)) {}
 
-  StateId state_count() const { return car_.state_count() / kHeadings; }
+  const CarLattice& lattice() const { return car_.lattice(); }
+  static constexpr StateId headings() { return 1; }
 
-  State state(Cell corner) const {
-    return {car_.state({corner, Heading::minus_y}).number / kHeadings, corner};
+  static Place place_at(Cell vertex, StateId /*heading*/) { return vertex; }
+  static Place after(const Place& place, const auto& step) {
+    return moved(place, VertexStep{step.by});
   }
-  State state(StateId id) const { return state(car_.state(id * kHeadings).place.corner); }
-  StateId id(const State& state) const { return state.number; }
-
-  State parent(const State& state, Move move) const {
-    return this->state(step(state.corner, opposite(static_cast<Direction>(move))));
+  static VertexStep way_back(const Place& /*place*/, Move move) {
+    return {step({0, 0}, opposite(static_cast<Direction>(move)))};
   }
-
-  StateId ahead(const State& from, const State& to) const { return 2 * to.number - from.number; }
 
   template <class Sink>
-  void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
+  void for_each(const Place& from, Sink&& sink) const {
     for (const Heading heading : kAllHeadings) {
-      const CarState start = car_.state({from.corner, heading});
       // A car that faces along y turns to the same corners, on the other side of the cell.
-      const bool all = car_.lattice().sweeps() || is_along_x(heading);
-      const unsigned moves = all ? Car::kMovesAhead : Car::kStraightAhead;
-      car_.for_each_move(start, moves, [&](const CarState& to, Move, Cost cost) {
-        const Cell by{to.place.corner.x - from.corner.x, to.place.corner.y - from.corner.y};
-        sink(State{to.number / kHeadings, to.place.corner}, static_cast<Move>(direction_of(by)),
-             cost);
-      });
+      const bool all = lattice().sweeps() || is_along_x(heading);
+      car_.for_each_of({from.vertex, heading}, all ? Car::kMovesAhead : Car::kStraightAhead,
+                       [&](const CarStep& way, Move, Cost cost) {
+                         sink(way, static_cast<Move>(direction_of(way.by)), cost);
+                       });
     }
   }
 
  private:
   Car car_;
 };
+
+template <class Costs>
+using CornerSpace = LatticeSpace<CornerSteps<Costs>>;
 
 }  // namespace wend

@@ -80,7 +80,7 @@ TEST(CarSpace, UndoesItsMovesAndCountsWhatTheyCost) {
     const CarSpace<CompactCarCosts> compact(lattice);
     for (StateId id = 0; id < real.state_count(); ++id) {
       const CornerPose from = real.state(id).place;
-      if (!lattice.passable(from.corner)) continue;
+      if (!lattice.passable(from.vertex)) continue;
       const std::vector<CarSuccessor> expected = successors(real, from);
       const std::vector<CarSuccessor> found = successors(compact, from);
       ASSERT_EQ(found.size(), expected.size());

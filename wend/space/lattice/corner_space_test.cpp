@@ -10,18 +10,18 @@
 namespace wend {
 namespace {
 
-using Car = CarSpace<RealCarCosts>;
+using Car = CarSteps<RealCarCosts>;
 using Corners = CornerSpace<RealCarCosts>;
 
 /// The cheapest step to each neighbour.
 std::map<Cell, double> steps_from(const Corners& corners, Cell from) {
   std::map<Cell, double> steps;
   corners.for_each_successor(
-      corners.state(from), kNoMove, [&](const CornerState& to, Move move, double cost) {
-        EXPECT_EQ(to.number, corners.state(to.corner).number);
-        EXPECT_EQ(corners.parent(to, move).corner, from);
+      corners.state(from), kNoMove, [&](const Corners::State& to, Move move, double cost) {
+        EXPECT_EQ(to.number, corners.state(to.place).number);
+        EXPECT_EQ(corners.parent(to, move).place.vertex, from);
         EXPECT_EQ(corners.parent(to, move).number, corners.state(from).number);
-        const auto [entry, is_new] = steps.try_emplace(to.corner, cost);
+        const auto [entry, is_new] = steps.try_emplace(to.place.vertex, cost);
         if (!is_new) entry->second = std::min(entry->second, cost);
       });
   return steps;
@@ -31,11 +31,11 @@ std::map<Cell, double> steps_from(const Corners& corners, Cell from) {
 std::map<Cell, double> drives_from(const Car& car, Cell from) {
   std::map<Cell, double> drives;
   for (const Heading heading : kAllHeadings) {
-    car.for_each_move(car.state({from, heading}), Car::kMovesAhead,
-                      [&](const CarState& to, Move, double cost) {
-                        const auto [entry, is_new] = drives.try_emplace(to.place.corner, cost);
-                        if (!is_new) entry->second = std::min(entry->second, cost);
-                      });
+    car.for_each_of({from, heading}, Car::kMovesAhead, [&](const CarStep& step, Move, double cost) {
+      const Cell to = Car::after({from, heading}, step).vertex;
+      const auto [entry, is_new] = drives.try_emplace(to, cost);
+      if (!is_new) entry->second = std::min(entry->second, cost);
+    });
   }
   return drives;
 }
@@ -47,7 +47,7 @@ TEST(CornerSpace, NumbersCorners) {
   EXPECT_EQ(corners.state_count(), 5U * 3U);
   for (StateId id = 0; id < corners.state_count(); ++id) {
     EXPECT_EQ(corners.id(corners.state(id)), id);
-    EXPECT_EQ(corners.state(corners.state(id).corner).number, id);
+    EXPECT_EQ(corners.state(corners.state(id).place).number, id);
   }
 }
 
@@ -64,7 +64,7 @@ TEST(CornerSpace, HasTheStepsOfACarThatTurnsOnTheSpot) {
     const Car car(lattice);
     const Corners corners(car);
     for (StateId id = 0; id < corners.state_count(); ++id) {
-      const Cell from = corners.state(id).corner;
+      const Cell from = corners.state(id).place.vertex;
       if (!lattice.passable(from)) continue;
       const std::map<Cell, double> steps = steps_from(corners, from);
       EXPECT_EQ(steps, drives_from(car, from));

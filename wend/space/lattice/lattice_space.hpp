@@ -1,120 +1,92 @@
 #pragma once
 
-// LatticeSpace: the poses of a robot on a MotionLattice as states of a search. VertexSpace: its vertices,
-// backwards, as if the robot could take any heading at each of them. Costs are those of MotionLattice::cost().
+// LatticeSpace: the poses of a lattice as states of a search, numbered vertex by vertex. Steps say which steps
+// are legal from a pose, in which order, and what they cost: CarSteps (car_space.hpp) or MotionSteps
+// (motion_steps.hpp). Each has a companion for the smaller space of its vertices alone, for heuristics that go
+// around obstacles.
 //
-// Both keep parents (ParentLinks): there are more steps than a move can number.
+// Steps have the types Place and Cost, kUnitsPerCell, and these functions:
+//
+//   lattice()                  with its columns() and rows()
+//   headings()                 how many states a vertex has
+//   place_at(vertex, heading)  the place, from the index of its heading
+//   after(place, step)         the place to which a step leads
+//   for_each(place, sink)      calls sink(step, move, cost) for every legal step
+//
+// Where kUndone is set, a step has a number below 16 and can be undone: way_back(place, move) is the step from
+// `place` that undoes the move that led there. Otherwise searches keep parents (ParentLinks).
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "wend/base/state_id.hpp"
-#include "wend/space/lattice/motion_lattice.hpp"
+#include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
 
-struct LatticeState {
-  StateId number = 0;
-  LatticePose place{};
-};
-
+template <class StepsType>
 class LatticeSpace {
  public:
-  using State = LatticeState;
-  using Cost = double;
-  static constexpr double kUnitsPerCell = 1;
+  using Steps = StepsType;
+  using Place = typename Steps::Place;
+  using State = BasicLatticeState<Place>;
+  using Cost = typename Steps::Cost;
+  static constexpr double kUnitsPerCell = Steps::kUnitsPerCell;
 
-  explicit LatticeSpace(MotionLattice lattice)
-      : lattice_(std::move(lattice)),
-        columns_(static_cast<StateId>(lattice_.columns())),
-        headings_(static_cast<StateId>(lattice_.headings().size())) {}
+  /// State numbers must fit.
+  explicit LatticeSpace(Steps steps)
+      : steps_(std::move(steps)), columns_(static_cast<StateId>(steps_.lattice().columns())) {}
 
-  const MotionLattice& lattice() const { return lattice_; }
+  const Steps& steps() const { return steps_; }
+  const auto& lattice() const { return steps_.lattice(); }
 
   StateId state_count() const {
-    return columns_ * static_cast<StateId>(lattice_.rows()) * headings_;
+    return columns_ * static_cast<StateId>(steps_.lattice().rows()) * steps_.headings();
   }
-  State state(const LatticePose& place) const {
+  State state(const Place& place) const {
     const auto [x, y] = place.vertex;
     const StateId vertex = static_cast<StateId>(y) * columns_ + static_cast<StateId>(x);
-    return {vertex * headings_ + static_cast<StateId>(place.heading), place};
+    return {vertex * steps_.headings() + static_cast<StateId>(place.heading), place};
   }
   State state(StateId id) const {
-    const StateId vertex = id / headings_;
-    return {id,
-            {{static_cast<int>(vertex % columns_), static_cast<int>(vertex / columns_)},
-             static_cast<int>(id % headings_)}};
+    const StateId vertex = id / steps_.headings();
+    const StateId y = vertex / columns_;
+    const Cell cell{static_cast<int>(vertex - y * columns_), static_cast<int>(y)};
+    return {id, steps_.place_at(cell, id % steps_.headings())};
   }
   StateId id(const State& state) const { return state.number; }
 
-  template <class Sink>
-  void for_each_successor(const State& from, Move /*arrival*/, Sink&& sink) const {
-    const Cell vertex = from.place.vertex;
-    for (const LatticeStep& step : lattice_.leaving(from.place.heading)) {
-      if (!lattice_.fits(vertex, step)) continue;
-      const LatticePose to{{vertex.x + step.by.x, vertex.y + step.by.y}, step.to};
-      sink(state(to), kNoMove, lattice_.cost(vertex, step));
-    }
+  State parent(const State& state, Move move) const
+    requires Steps::kUndone
+  {
+    return after(state, steps_.way_back(state.place, move));
   }
 
- private:
-  MotionLattice lattice_;
-  StateId columns_;
-  StateId headings_;
-};
+  /// What a search probably expands next.
+  StateId ahead(const State& from, const State& to) const
+    requires Steps::kUndone
+  {
+    return 2 * to.number - from.number;
+  }
 
-struct VertexState {
-  StateId number = 0;
-  Cell vertex{};
-};
-
-/// A successor is a vertex from which a step, with any heading, leads here. Costs never exceed those of
-/// the robot, so distances in this space are consistent estimates.
-class VertexSpace {
- public:
-  using State = VertexState;
-  using Cost = double;
-
-  explicit VertexSpace(MotionLattice lattice)
-      : lattice_(std::move(lattice)), columns_(static_cast<StateId>(lattice_.columns())) {
-    for (const LatticeStep& step : lattice_.steps()) {
-      if (!(step.by == Cell{0, 0})) steps_.push_back(&step);
-    }
-    // Steps that lead equally far, the cheapest first.
-    std::ranges::sort(steps_, [](const LatticeStep* a, const LatticeStep* b) {
-      if (a->by.x != b->by.x) return a->by.x < b->by.x;
-      if (a->by.y != b->by.y) return a->by.y < b->by.y;
-      return a->cost < b->cost;
+  template <class Sink>
+  void for_each_successor(const State& state, Move /*arrival*/, Sink&& sink) const {
+    steps_.for_each(state.place, [&](const auto& step, Move move, Cost cost) {
+      sink(after(state, step), move, cost);
     });
   }
 
-  StateId state_count() const { return columns_ * static_cast<StateId>(lattice_.rows()); }
-  State state(Cell vertex) const {
-    return {static_cast<StateId>(vertex.y) * columns_ + static_cast<StateId>(vertex.x), vertex};
-  }
-  State state(StateId id) const {
-    return {id, {static_cast<int>(id % columns_), static_cast<int>(id / columns_)}};
-  }
-  StateId id(const State& state) const { return state.number; }
-
-  template <class Sink>
-  void for_each_successor(const State& to, Move /*arrival*/, Sink&& sink) const {
-    const bool uniform = lattice_.free_space().uniform_terrain();
-    const LatticeStep* fitted = nullptr;  // the last step that fits
-    for (const LatticeStep* const step : steps_) {
-      if (uniform && fitted != nullptr && fitted->by == step->by) continue;
-      const Cell from{to.vertex.x - step->by.x, to.vertex.y - step->by.y};
-      if (!lattice_.contains(from) || !lattice_.fits(from, *step)) continue;
-      fitted = step;
-      sink(state(from), kNoMove, lattice_.cost(from, *step));
-    }
-  }
-
  private:
-  MotionLattice lattice_;  // owns the steps
+  template <class Step>
+  State after(const State& state, const Step& step) const {
+    const Place to = Steps::after(state.place, step);
+    const StateId by = static_cast<StateId>(step.by.y) * columns_ + static_cast<StateId>(step.by.x);
+    return {state.number + by * steps_.headings() + static_cast<StateId>(to.heading) -
+                static_cast<StateId>(state.place.heading),
+            to};
+  }
+
+  Steps steps_;
   StateId columns_;
-  std::vector<const LatticeStep*> steps_;
 };
 
 }  // namespace wend

@@ -132,13 +132,21 @@ Pose MotionLattice::to_grid(const LatticePose& place) const {
 }
 
 std::optional<LatticePose> MotionLattice::nearest(const Pose& pose) const {
-  if (!cell_under(data_->space, pose.point())) return std::nullopt;
+  const bool finite = std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+  if (!finite || !cell_under(data_->space, pose.point())) return std::nullopt;
   const auto vertex_along = [&](double at, int vertices) {
     const int nearest = static_cast<int>(std::round((at - 0.5) / data_->unit));
     return std::clamp(nearest, 0, vertices - 1);
   };
   return LatticePose{{vertex_along(pose.x, columns()), vertex_along(pose.y, rows())},
                      data_->primitives.nearest_heading(pose.heading)};
+}
+
+bool MotionLattice::may_stand(Cell vertex, const HeadingSet& accepted) const {
+  for (std::size_t heading = 0; heading < headings().size(); ++heading) {
+    if (accepted[heading] && may_stand({vertex, static_cast<int>(heading)})) return true;
+  }
+  return false;
 }
 
 const LatticeStep* MotionLattice::step_between(const LatticePose& from,

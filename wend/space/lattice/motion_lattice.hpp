@@ -13,6 +13,7 @@
 //
 // Immutable, cheap to copy, shared between threads. Built in O(swept cells of all primitives).
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,18 +26,11 @@
 #include "wend/robot/motion_primitives.hpp"
 #include "wend/robot/swept_cells.hpp"
 #include "wend/space/lattice/driving_options.hpp"
+#include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
 
 inline constexpr int kTerrainSamples = 16;
-
-/// A vertex, and an index in the headings of the primitives.
-struct LatticePose {
-  Cell vertex;
-  int heading = 0;
-
-  friend bool operator==(const LatticePose&, const LatticePose&) = default;
-};
 
 /// Which share of a way lies in a cell, seen from its first cell.
 struct CellShare {
@@ -56,6 +50,9 @@ struct LatticeStep {
 
 class MotionLattice {
  public:
+  using Place = LatticePose;
+  static constexpr double kVertexOffset = 0.5;  // of vertex (0, 0) in grid coordinates
+
   /// why_none() is empty.
   MotionLattice(const FreeSpace& space, const MotionPrimitives& primitives,
                 const LatticeCosts& costs);
@@ -95,12 +92,27 @@ class MotionLattice {
   /// No step leads farther, in cells, than its cost divided by this.
   double least_cost_per_cell() const { return data_->least_cost_per_cell; }
 
-  /// The pose in grid coordinates, and the lattice's pose nearest to one; nothing outside the map. A
-  /// pose is finite.
+  /// The pose in grid coordinates, and the lattice's pose nearest to one; nothing outside the map, and for a
+  /// pose that is not finite.
   Pose to_grid(const LatticePose& place) const;
   std::optional<LatticePose> nearest(const Pose& pose) const;
   /// The heading nearest to a finite angle.
   int nearest_heading(double radians) const { return data_->primitives.nearest_heading(radians); }
+
+  /// The pose that the pose of a query stands for.
+  std::optional<LatticePose> place_on(const Pose& pose) const { return nearest(pose); }
+
+  /// Does the robot fit there? At a vertex: with one of these headings?
+  bool may_stand(const LatticePose& place) const { return data_->space.fits(to_grid(place)); }
+  bool may_stand(Cell vertex, const HeadingSet& accepted) const;
+
+  /// Could there be a way? Only a search knows.
+  bool connected(Cell /*a*/, Cell /*b*/) const { return true; }
+
+  /// An upper bound on the poses where the robot fits.
+  std::uint64_t possible_poses() const {
+    return data_->space.possible().count() * headings().size();
+  }
 
   /// The cheapest step that leads from one pose to another and fits; null if there is none.
   const LatticeStep* step_between(const LatticePose& from, const LatticePose& to) const;

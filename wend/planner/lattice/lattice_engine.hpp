@@ -1,0 +1,70 @@
+#pragma once
+
+// LatticeEngine: a search on a kind of lattice, and how its states are told to observers and written into paths.
+// For each kind there are three functions: which engine, what a drive costs, and why there is none.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "wend/planner/goal_region.hpp"
+#include "wend/planner/lattice/lattice_options.hpp"
+#include "wend/planner/plan.hpp"
+#include "wend/planner/search_engine.hpp"
+#include "wend/space/lattice/car_lattice.hpp"
+#include "wend/space/lattice/motion_lattice.hpp"
+
+namespace wend {
+
+/// Where a path may end.
+template <class PlaceType>
+struct LatticeGoal {
+  using Place = PlaceType;
+
+  GoalRegion vertices;
+  HeadingSet headings;       // those accepted
+  bool any_heading = false;  // are these all?
+
+  bool contains(const Place& place) const {
+    return headings[static_cast<std::size_t>(place.heading)] && vertices.contains(place.vertex);
+  }
+};
+
+/// Places and goals are in lattice coordinates.
+template <class Lattice>
+using LatticeEngine = SearchEngine<typename Lattice::Place, LatticeGoal<typename Lattice::Place>>;
+
+struct LatticeNames {
+  static auto place(const auto& state) { return state.place; }
+
+  static void tell_place(SearchEvent& event, const auto& space, const auto& place) {
+    event.cell = space.lattice().cell_of(place.vertex);
+    event.heading = space.lattice().to_grid(place).heading;
+  }
+  static void tell_parent(SearchEvent& event, const auto& space, const auto& place) {
+    event.parent = space.lattice().cell_of(place.vertex);
+    event.parent_heading = space.lattice().to_grid(place).heading;
+  }
+  static void append(Path& path, const auto& space, const auto& place) {
+    path.drive_to(space.lattice().to_grid(place));
+  }
+};
+
+/// Without memory for its nodes it is not allocated().
+std::unique_ptr<LatticeEngine<CarLattice>> make_engine(const CarLattice& lattice,
+                                                       CarHeuristic heuristic, double weight);
+std::unique_ptr<LatticeEngine<MotionLattice>> make_engine(const MotionLattice& lattice,
+                                                          LatticeHeuristic heuristic,
+                                                          double weight);
+
+/// Sets the cost of a path through these places and the names of its moves. The path has a pose for each place,
+/// and may get more between them.
+void write_drive(const CarLattice& lattice, std::span<const CornerPose> places, Plan& out);
+void write_drive(const MotionLattice& lattice, std::span<const LatticePose> places, Plan& out);
+
+/// Where and why a query fails, in words; empty where there is no more to say than what the status does.
+std::string reason_on(const CarLattice& lattice, const Query& query, Status status);
+std::string reason_on(const MotionLattice& lattice, const Query& query, Status status);
+
+}  // namespace wend
