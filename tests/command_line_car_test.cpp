@@ -280,7 +280,6 @@ TEST_F(BadCarInput, PlansNothingForWhatItDoesNotUnderstand) {
       {{"--start", "x,0,E", "--goal", "3,3"}, "--start: 'x,0' is not X,Y"},
       {{"--start", "0,0,E", "--goal", "nan,3"}, "--goal: 'nan,3' is not X,Y"},
       {{"--start", "0,0,E"}, "--goal is required"},
-      {{"--start", "0,0,E", "--goal", "3,3", "--nearest"}, "--nearest"},
       {{"--start", "0,0,E", "--goal", "3,3", "--reverse-factor", "-1"}, "--reverse-factor: '-1'"},
       {{"--start", "0,0,E", "--goal", "3,3", "--unit", "0"}, "'unit': '0'"},
       {{"--start", "0,0,E", "--goal", "3,3", "--weight", "-1"}, "--weight: '-1'"},

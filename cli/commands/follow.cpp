@@ -127,7 +127,8 @@ void add_path(Parser& app, FollowArguments& arguments) {
       .type_name("X,Y[,HEADING]");
   app.add_flag("--nearest", arguments.nearest,
                wrapped("If the start or a goal is blocked, margin included, use the nearest free "
-                       "cell that is connected to the other end (not for the car planner)"));
+                       "cell that is connected to the other end; for planners with headings, the "
+                       "nearest free pose with that heading"));
   app.add_option("--planner", arguments.planner,
                  wrapped("Planner (default astar); options may follow, as in astar:weight=2"))
       .type_name(kPlannerType);

@@ -91,7 +91,7 @@ std::optional<Path> FollowRun::plan() {
   refinement_.adjacency = moves.adjacency();
   const Explainer explainer = explainer_for(planning_space_, coordinates_, moves);
   if (arguments_.nearest) {
-    for (const auto& note : asked->move_to_nearest(explainer)) complain(note);
+    for (const auto& note : asked->move_to_nearest(explainer, **planner)) complain(note);
   }
   ProgressBar progress("planning", (*planner)->state_count());
   Query query = asked->query();

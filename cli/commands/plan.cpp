@@ -196,7 +196,8 @@ Command add_plan(Parser& app) {
       "Number of threads that answer --queries, each with its own planner (default: all cores)");
   plan.add_flag("--nearest", arguments->nearest,
                 wrapped("If the start or a goal is blocked, use the nearest free cell that is "
-                        "connected to the other end (not for the car planner)"));
+                        "connected to the other end; for planners with headings, the nearest "
+                        "free pose with that heading"));
   plan.add_option("--planner", arguments->planner,
                   wrapped("Planner (default astar); `wend planners` lists all. Options may follow, "
                           "as in astar:weight=2"))

@@ -70,7 +70,8 @@ class QueryWorker {
     const auto asked = typed_query(spec_, space_, coordinates_,
                                    {answer.start, {answer.goal}, arguments_.ends.tolerance});
     if (arguments_.nearest)
-      answer.reason = fmt::format("{}", fmt::join(asked->move_to_nearest(explainer_), "; "));
+      answer.reason =
+          fmt::format("{}", fmt::join(asked->move_to_nearest(explainer_, *planner_), "; "));
     Query query = asked->query();
     query.limits.expansions = arguments_.limits.expansions;
     if (arguments_.limits.seconds) query.limits.seconds = *arguments_.limits.seconds;

@@ -81,7 +81,7 @@ void PlanRun::plan() {
   if (arguments_.nearest) {
     const auto coordinates = arguments_.map.coordinates(space_.map());
     const Explainer explainer = explainer_for(space_, coordinates, moves_);
-    for (const auto& note : asked_->move_to_nearest(explainer)) complain(note);
+    for (const auto& note : asked_->move_to_nearest(explainer, **planner_)) complain(note);
   }
   search();
 }

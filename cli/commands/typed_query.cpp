@@ -82,7 +82,8 @@ Query CellQuery::query() const {
 
 Ends CellQuery::ends() const { return {start_, goals_}; }
 
-std::vector<std::string> CellQuery::move_to_nearest(const Explainer& explainer) {
+std::vector<std::string> CellQuery::move_to_nearest(const Explainer& explainer,
+                                                    const Planner& /*planner*/) {
   Ends moved = ends();
   auto notes = explainer.move_to_nearest(moved);
   start_ = moved.start;
@@ -165,8 +166,18 @@ Ends PoseQuery::ends() const {
   return ends;
 }
 
-std::vector<std::string> PoseQuery::move_to_nearest(const Explainer& /*explainer*/) {
-  throw InputError("--nearest supports grid planners only");
+std::vector<std::string> PoseQuery::move_to_nearest(const Explainer& explainer,
+                                                    const Planner& planner) {
+  Query moved = query();
+  auto notes = explainer.move_to_nearest(moved, planner);
+  const auto take = [&](TypedPose& end, Point point) {
+    if (point == end.point) return;
+    end.point = point;
+    end.text = coordinates_.text(point);
+  };
+  take(start_, moved.start.point());
+  for (std::size_t i = 0; i < goals_.size(); ++i) take(goals_[i], moved.goals[i].point);
+  return notes;
 }
 
 Scene PoseQuery::scene() const {

@@ -51,8 +51,8 @@ class TypedQuery {
   virtual Ends ends() const = 0;
 
   /// --nearest: moves the ends to where the robot can stand. Returns a line for each end moved.
-  /// Throws InputError if that is impossible.
-  virtual std::vector<std::string> move_to_nearest(const Explainer& explainer) = 0;
+  virtual std::vector<std::string> move_to_nearest(const Explainer& explainer,
+                                                   const Planner& planner) = 0;
 
   /// The map with start and goals.
   virtual Scene scene() const = 0;
@@ -88,7 +88,8 @@ class CellQuery final : public TypedQuery {
   void check(const ShownLayers& /*layers*/) const override {}
   Query query() const override;
   Ends ends() const override;
-  std::vector<std::string> move_to_nearest(const Explainer& explainer) override;
+  std::vector<std::string> move_to_nearest(const Explainer& explainer,
+                                           const Planner& planner) override;
   Scene scene() const override;
   Scene scene_of_failure(Status status, GridMoves moves) const override;
   std::optional<CostToGo> cost_to_go(GridMoves moves, const Limits& limits) const override;
@@ -118,7 +119,8 @@ class PoseQuery final : public TypedQuery {
   void check(const ShownLayers& layers) const override;
   Query query() const override;
   Ends ends() const override;
-  std::vector<std::string> move_to_nearest(const Explainer& explainer) override;
+  std::vector<std::string> move_to_nearest(const Explainer& explainer,
+                                           const Planner& planner) override;
   Scene scene() const override;
   /// Components and the widest path apply to discs only.
   Scene scene_of_failure(Status /*status*/, GridMoves /*moves*/) const override { return scene(); }

@@ -10,6 +10,7 @@
 // Places are numbered like cells. A PlaceGrid says which points they are.
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,11 @@ struct PlaceGrid {
   int rows = 0;
 
   Point point(Cell place) const { return {offset + spacing * place.x, offset + spacing * place.y}; }
+  /// The place whose point is nearest, on the grid or not. The point is_near_a_map().
+  Cell nearest(Point point) const {
+    return {static_cast<int>(std::round((point.x - offset) / spacing)),
+            static_cast<int>(std::round((point.y - offset) / spacing))};
+  }
 };
 
 /// The centres of cells.
@@ -113,6 +119,13 @@ class GoalRegion {
   Goal goal_;
   PlaceGrid grid_;
 };
+
+/// Is it finite, and so near to a map that a Cell can hold it?
+inline bool is_near_a_map(const Goal& goal) {
+  constexpr double kMost = 1e9;
+  return std::abs(goal.point.x) < kMost && std::abs(goal.point.y) < kMost &&
+         std::isfinite(goal.heading.value_or(0));
+}
 
 /// Is a place in one of the regions? O(regions).
 inline bool any_contains(std::span<const GoalRegion> regions, Cell place) {

@@ -74,6 +74,12 @@ class WEND_API Planner {
   /// How it steps from cell to cell; nothing if its states have headings.
   std::optional<GridMoves> grid_moves() const { return do_grid_moves(); }
 
+  /// For a planner with headings: the point of a goal, or of a start, if the planner has a free place there or
+  /// within the tolerance; else the nearest point, in grid coordinates, at which it has one with the goal's
+  /// heading. Nothing if there is none, or if the goal is not finite; nothing for a planner on cells, for which
+  /// nearest_ends() finds places. O(places examined).
+  std::optional<Point> nearest_free(const Goal& goal) const { return do_nearest_free(goal); }
+
   /// Spacing of the car's lattice in cells; 0 for grid planners.
   int corner_unit() const { return do_corner_unit(); }
 
@@ -108,6 +114,7 @@ class WEND_API Planner {
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
   virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
   virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }
+  virtual std::optional<Point> do_nearest_free(const Goal& /*goal*/) const { return std::nullopt; }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.

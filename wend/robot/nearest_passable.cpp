@@ -43,21 +43,20 @@ std::int64_t outside_by(int coordinate, int size) {
 
 }  // namespace
 
-std::optional<Cell> nearest_cell(const FreeSpace& space, Cell from,
-                                 const std::function<bool(Cell)>& accepts) {
+std::optional<Cell> nearest_accepted(int width, int height, Cell from,
+                                     const std::function<bool(Cell)>& accepts) {
   Nearest nearest(from, accepts);
-  const std::int64_t first =
-      std::max(outside_by(from.x, space.width()), outside_by(from.y, space.height()));
+  const std::int64_t first = std::max(outside_by(from.x, width), outside_by(from.y, height));
   const std::int64_t last =
-      std::max({std::abs(std::int64_t{from.x}), std::abs(std::int64_t{space.width()} - from.x),
-                std::abs(std::int64_t{from.y}), std::abs(std::int64_t{space.height()} - from.y)});
+      std::max({std::abs(std::int64_t{from.x}), std::abs(std::int64_t{width} - from.x),
+                std::abs(std::int64_t{from.y}), std::abs(std::int64_t{height} - from.y)});
   for (std::int64_t ring = first; ring <= last && nearest.open(ring); ++ring) {
     // The part of the square ring that lies on the map: whole rows above and below, and between them
     // the first and the last column.
     const std::int64_t left = from.x - ring;
     const std::int64_t x_begin = std::max<std::int64_t>(left, 0);
-    const std::int64_t x_end = std::min<std::int64_t>(from.x + ring, space.width() - 1);
-    const std::int64_t y_end = std::min<std::int64_t>(from.y + ring, space.height() - 1);
+    const std::int64_t x_end = std::min<std::int64_t>(from.x + ring, width - 1);
+    const std::int64_t y_end = std::min<std::int64_t>(from.y + ring, height - 1);
     for (std::int64_t y = std::max<std::int64_t>(from.y - ring, 0); y <= y_end; ++y) {
       const bool whole_row = std::abs(y - from.y) == ring;
       for (std::int64_t x = whole_row ? x_begin : left; x <= x_end; x += whole_row ? 1 : 2 * ring) {
@@ -70,7 +69,7 @@ std::optional<Cell> nearest_cell(const FreeSpace& space, Cell from,
 
 std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
                                      std::optional<Cell> connected_to, Adjacency adjacency) {
-  return nearest_cell(space, from, [&](Cell cell) {
+  return nearest_accepted(space.width(), space.height(), from, [&](Cell cell) {
     return space.passable(cell) &&
            (!connected_to || space.components().connected(cell, *connected_to, adjacency));
   });

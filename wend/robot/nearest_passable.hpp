@@ -18,8 +18,8 @@ WEND_API std::optional<Cell> nearest_passable(const FreeSpace& space, Cell from,
                                               std::optional<Cell> connected_to = std::nullopt,
                                               Adjacency adjacency = Adjacency::edges);
 
-/// The same among the cells that `accepts` accepts; it is asked only about cells of the map.
-WEND_API std::optional<Cell> nearest_cell(const FreeSpace& space, Cell from,
-                                          const std::function<bool(Cell)>& accepts);
+/// The same among the cells of a grid that `accepts` accepts; it is asked only about cells of the grid.
+WEND_API std::optional<Cell> nearest_accepted(int width, int height, Cell from,
+                                              const std::function<bool(Cell)>& accepts);
 
 }  // namespace wend

@@ -168,6 +168,26 @@ std::vector<std::string> Explainer::move_to_nearest(Ends& ends) const {
   return notes;
 }
 
+std::vector<std::string> Explainer::move_to_nearest(Query& query, const Planner& planner) const {
+  std::vector<std::string> notes;
+  const auto moved = [&](const Goal& end, const Query& asked, bool is_start) {
+    const Point point = planner.nearest_free(end).value_or(end.point);
+    if (point == end.point) return point;
+    const bool on_map = cell_under(space_, end.point).has_value();
+    const Status why = is_start ? (on_map ? Status::start_blocked : Status::start_outside)
+                                : (on_map ? Status::goal_blocked : Status::goal_outside);
+    notes.push_back(planner.reason(asked, why) + "; planning " + (is_start ? "from " : "to ") +
+                    units_.text(point) + ", " + units_.length(distance(point, end.point)) +
+                    " away");
+    return point;
+  };
+  const Point start = moved(Goal(query.start), query, true);
+  for (Goal& goal : query.goals) goal.point = moved(goal, {query.start, {goal}}, false);
+  query.start.x = start.x;
+  query.start.y = start.y;
+  return notes;
+}
+
 std::string Explainer::move(Place& place, Cell cell, std::string_view preposition) const {
   const double away = distance(centre_of(cell), centre_of(place.cell));
   std::string note = blocked(place) + "; planning " + std::string(preposition) + ' ' +

@@ -71,6 +71,8 @@ class WEND_API Explainer {
   /// Moves start and goals to free cells by nearest_ends(): the start with the first goal. A sentence for each
   /// that moved: "the start (3,4) is blocked: ...; planning from (3,5), 1 cell away".
   std::vector<std::string> move_to_nearest(Ends& ends) const;
+  /// The same for a planner with headings, by Planner::nearest_free(). An end stays if there is no free place.
+  std::vector<std::string> move_to_nearest(Query& query, const Planner& planner) const;
 
   /// Why a search was stopped: "stopped after 1000 expansions"; for other statuses, what they mean.
   std::string stopped(Status status, const Limits& limits, const SearchMetrics& metrics) const;

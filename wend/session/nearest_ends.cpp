@@ -68,7 +68,7 @@ std::optional<Pose> nearest_pose(const FreeSpace& space, const Pose& pose) {
   }
   if (space.fits(pose)) return pose;
   const auto fits = [&](Cell cell) { return space.fits(pose_at(cell, pose.heading)); };
-  const auto cell = nearest_cell(space, cell_at(pose.point()), fits);
+  const auto cell = nearest_accepted(space.width(), space.height(), cell_at(pose.point()), fits);
   if (!cell) return std::nullopt;
   return pose_at(*cell, pose.heading);
 }

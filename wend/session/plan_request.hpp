@@ -39,8 +39,8 @@ struct PlanRequest {
   PlannerSpec planner{"astar"};        // and its options
   Limits limits = {};                  // of the search
   SearchObserver* observer = nullptr;  // of the search; not owned
-  bool nearest = false;                // moves blocked ends, see nearest_ends()
-  bool explain = true;                 // why there is no path, at length; else in a short sentence
+  bool nearest = false;  // moves blocked ends, see nearest_ends() and Planner::nearest_free()
+  bool explain = true;   // why there is no path, at length; else in a short sentence
   /// Answers from the costs to the goals from everywhere, which are kept for the next request with the
   /// same goals. For planners that step from cell to cell.
   bool from_field = false;

@@ -30,13 +30,9 @@ bool steps_from_cell_to_cell(const PlannerSpec& spec) {
 }
 
 /// Moves blocked ends. Returns a sentence for each.
-Expected<std::vector<std::string>, Error> move_ends(Query& query, const Planner& planner,
-                                                    const Explainer& explainer,
-                                                    const Units& units) {
-  if (!planner.grid_moves()) {
-    return failure(Status::unsupported_query, "the nearest free cell is for planners on cells",
-                   "nearest");
-  }
+std::vector<std::string> move_ends(Query& query, const Planner& planner, const Explainer& explainer,
+                                   const Units& units) {
+  if (!planner.grid_moves()) return explainer.move_to_nearest(query, planner);
   Ends ends = ends_of(query, units);
   const Ends before = ends;
   auto notes = explainer.move_to_nearest(ends);
@@ -174,11 +170,7 @@ Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Pl
                          "from_field"});
   }
   PlanAnswer answer{.space = view.space, .plan = {}, .moves = moves};
-  if (request.nearest) {
-    auto notes = move_ends(query, planner, explainer, units);
-    if (!notes) return no_plan(std::move(notes.error()));
-    answer.notes = *std::move(notes);
-  }
+  if (request.nearest) answer.notes = move_ends(query, planner, explainer, units);
   const Ends ends = ends_of(query, units);
   const double begin = now();
   const Status status = request.from_field

@@ -308,6 +308,18 @@ TEST(Session, AnswersFromAFieldWithTheSameCost) {
   }
 }
 
+TEST(Session, MovesTheEndsOfPlannersWithHeadings) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.planner.name = "lattice";
+  request.start.x = 3.05;
+  EXPECT_EQ(session.plan(request).error().status, Status::start_blocked);
+  request.nearest = true;
+  const auto answer = session.plan(request);
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(answer->notes.size(), 1U);
+}
+
 TEST(Session, MovesTheEndsOfABatchToo) {
   Session session(walled_room());
   PlanRequest request = across();

@@ -18,6 +18,7 @@
 #include "wend/planner/lattice/lattice_engine.hpp"
 #include "wend/planner/lattice/query_ends.hpp"
 #include "wend/planner/search_planner.hpp"
+#include "wend/robot/nearest_passable.hpp"
 #include "wend/space/lattice/lattice_pose.hpp"
 
 namespace wend {
@@ -129,6 +130,22 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
         [&](int heading) { return headings[static_cast<std::size_t>(heading)]; },
         [&](int heading) { taken.headings.set(static_cast<std::size_t>(heading)); });
     taken.any_heading = taken.headings.count() == headings.size();
+  }
+
+  std::optional<Point> do_nearest_free(const Goal& goal) const override {
+    if (!lattice_ || !is_near_a_map(goal)) return std::nullopt;
+    const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+    const auto place = lattice_->place_on(pose);
+    PlaceGoal taken{
+        GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices()), {}};
+    take_headings(goal, taken);
+    const auto is_free = [&](Cell vertex) { return lattice_->may_stand(vertex, taken.headings); };
+    if (taken.vertices.keep_if(is_free)) return goal.point;
+    const PlaceGrid grid = vertices();
+    const auto vertex =
+        nearest_accepted(grid.columns, grid.rows, grid.nearest(goal.point), is_free);
+    if (!vertex) return std::nullopt;
+    return grid.point(*vertex);
   }
 
   void begin_search(const Limits& limits, SearchObserver* observer) override {
