@@ -53,6 +53,13 @@ auto cells_of(const Planned& plan) {
   return owned_array<std::int32_t, 2>(std::move(numbers), {rows, 2});
 }
 
+auto points_of(const Planned& plan) {
+  std::vector<double> numbers;
+  for (const Point point : plan.path().points()) numbers.insert(numbers.end(), {point.x, point.y});
+  const std::size_t rows = numbers.size() / 2;
+  return owned_array<double, 2>(std::move(numbers), {rows, 2});
+}
+
 nb::dict quality_of(const Planned& plan) {
   const double metre = plan.answer.space.map().frame().resolution;
   const PathMetrics metrics = measure(plan.path(), plan.answer.space);
@@ -167,6 +174,7 @@ void bind_plan(nb::module_& module) {
   nb::class_<Planned>(module, "Plan", "A path, and what found it.")
       .def("path", &path_of)
       .def("cells", &cells_of)
+      .def("points", &points_of)
       .def_prop_ro("cost", [](const Planned& plan) { return plan.answer.plan.cost; })
       .def_prop_ro("bound", [](const Planned& plan) { return plan.answer.plan.bound; })
       .def_prop_ro("length",

@@ -88,12 +88,25 @@ Space space_of(const GridMap& map, nb::handle footprint, const std::string& unkn
   return {std::move(session), std::move(view)};
 }
 
+double not_negative(double value, const std::string& name) {
+  if (!(value >= 0)) {
+    throw_failure(Status::invalid_option, name + " must be at least 0", name);
+  }
+  return value;
+}
+
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
-             std::optional<std::uint64_t> expansions, bool nearest, Recording* observer) {
-  PlanRequest request = request_of(
-      start, goals, settings_of(std::move(planner), options, time_limit, expansions, nearest));
-  request.observer = observer;
+             std::optional<std::uint64_t> expansions, bool nearest, double tolerance,
+             double heading_tolerance, Recording* recording) {
+  PlanRequest request =
+      request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions));
+  request.nearest = nearest;
+  for (MapGoal& goal : request.goals) {
+    goal.tolerance = not_negative(tolerance, "tolerance");
+    goal.heading_tolerance = not_negative(heading_tolerance, "heading_tolerance");
+  }
+  request.observer = recording;
   Interrupts interrupts;
   interrupts.watch(request.limits);
   auto answer = [&] {
@@ -108,8 +121,7 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
 nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& goals,
                    std::string planner, const nb::dict& options, std::optional<double> time_limit,
                    std::optional<std::uint64_t> expansions, unsigned threads) {
-  const SearchSettings settings =
-      settings_of(std::move(planner), options, time_limit, expansions, false);
+  const SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
   Interrupts interrupts;
   std::vector<PlanRequest> requests;
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -252,13 +264,10 @@ auto clearance(const Space& space) {
 
 SearchSettings settings_of(std::string planner, const nb::dict& options,
                            std::optional<double> time_limit,
-                           std::optional<std::uint64_t> expansions, bool nearest) {
-  SearchSettings settings{{std::move(planner), options_of(options)}, {}, nearest};
+                           std::optional<std::uint64_t> expansions) {
+  SearchSettings settings{{std::move(planner), options_of(options)}};
   if (time_limit) {
-    if (!(*time_limit >= 0)) {
-      throw_failure(Status::invalid_option, "time_limit must be at least 0 s", "time_limit");
-    }
-    settings.limits.seconds = *time_limit;
+    settings.limits.seconds = not_negative(*time_limit, "time_limit");
   }
   if (expansions) settings.limits.expansions = *expansions;
   return settings;
@@ -266,7 +275,6 @@ SearchSettings settings_of(std::string planner, const nb::dict& options,
 
 PlanRequest request_of(nb::handle start, const nb::list& goals, const SearchSettings& settings) {
   PlanRequest request{coordinates_of(start, "start").pose(), {}, settings.planner, settings.limits};
-  request.nearest = settings.nearest;
   for (const nb::handle goal : goals) {
     const Coordinates at = coordinates_of(goal, "goal");
     MapGoal& added = request.goals.emplace_back();
@@ -280,7 +288,8 @@ void bind_space(nb::module_& module) {
   nb::class_<Space>(module, "Space", "A map with a robot.")
       .def("plan", &plan, nb::arg("start").none(), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
-           nb::arg("nearest"), nb::arg("recording").none())
+           nb::arg("nearest"), nb::arg("tolerance"), nb::arg("heading_tolerance"),
+           nb::arg("recording").none())
       .def("plan_many", &plan_many, nb::arg("starts"), nb::arg("goals"), nb::arg("planner"),
            nb::arg("options"), nb::arg("time_limit").none(), nb::arg("expansions").none(),
            nb::arg("threads"))

@@ -142,7 +142,11 @@ def test_headings_and_goals() -> None:
         (lambda space: space.plan((0.5, 0.5), (1, 1), weight=[1]), "weight"),
         (lambda space: space.plan((0.5, 0.5), (1, 1), no_such_option=1), "no_such_option"),
         (lambda space: space.plan((0.5, 0.5), (1, 1), time_limit=-1), "time_limit"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), time_limit=float("nan")), "time_limit"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), tolerance=float("nan")), "tolerance"),
+        (lambda space: space.plan((0.5, 0.5), (1, 1), heading_tolerance=-1), "heading_tolerance"),
         (lambda space: space.plan_many([(0, 0)], []), "goals"),
+        (lambda space: space.plan_many([], [], threads=-1), "threads"),
         (lambda space: space.cost_to_go((99, 99)), "goal"),
         (lambda space: space.cost_to_go((1, 1), corner_rule="maybe"), "corner_rule"),
         (lambda space: space.fits((1, float("nan"))), "pose"),
@@ -177,6 +181,8 @@ def test_no_path_says_why() -> None:
     with pytest.raises(wend.NoPath) as caught:
         room().plan((0.55, 0.55), (2.85, 1.55), time_limit=0)
     assert caught.value.status == "time_limit"
+    near = room().plan((0.5, 0.5), (1.05, 0.5), tolerance=0.25)
+    assert math.dist(near.path[-1], (1.05, 0.5)) <= 0.25
     plan = room().plan((1.05, 0.5), (0.55, 0.55), nearest=True)
     assert plan.notes and "start" in plan.notes[0]
 

@@ -14,6 +14,9 @@ Pose = Union[Sequence[float], npt.NDArray[Any]]
 """(x, y) or (x, y, heading): metres and radians in the frame of the map."""
 
 
+MOST_THREADS = 256
+
+
 def numbers_of(array: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
     """The array itself if C++ can read it, which is the case for bool, int, uint, float32 and float64 of any strides.
 
@@ -56,3 +59,10 @@ def goals_of(goal: Pose | Iterable[Pose]) -> list[Any]:
         return [goal]
     goals = list(goal)
     return goals if goals and not np.isscalar(goals[0]) else [goals]
+
+
+def checked_threads(threads: int) -> int:
+    """A number of threads; 0 is as many as the machine runs at once."""
+    if not 0 <= threads <= MOST_THREADS:
+        raise InvalidArgument(f"threads must be from 0 to {MOST_THREADS}", "invalid_option", "threads")
+    return threads

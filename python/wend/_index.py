@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from . import _core
-from ._errors import InvalidArgument
+from ._arrays import checked_threads
 from ._space import FreeSpace
 
 __all__ = ["Index"]
@@ -37,9 +37,7 @@ class Index:
         :param threads: 0: as many as the machine runs at once.
         :raises ValueError: the planner is unknown, or has no index.
         """
-        if threads < 0:
-            raise InvalidArgument("threads must be at least 0", "invalid_option", "threads")
-        return cls(_core.build_index(space._inner, planner, threads))
+        return cls(_core.build_index(space._inner, planner, checked_threads(threads)))
 
     @classmethod
     def open(cls, file: str | os.PathLike[str]) -> Index:

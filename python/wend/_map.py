@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Pose, numbers_of
 from ._errors import InvalidArgument
+from ._pictures import colours_of, drawn, png_of
 from ._space import FreeSpace
 
 __all__ = ["Map"]
@@ -176,6 +177,10 @@ class Map:
             shape = float(footprint) if isinstance(footprint, np.generic) else list(footprint)
         core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
         return FreeSpace(self, core)
+
+    def _repr_png_(self) -> bytes:
+        """The map as a notebook shows it, a pixel a cell."""
+        return png_of(drawn(self, colours_of(self.array)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Map):

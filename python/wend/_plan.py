@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,10 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
+from ._pictures import colours_of, svg_of
+
+if TYPE_CHECKING:
+    from ._map import Map
 
 __all__ = ["Drive", "Plan", "Quality", "Trajectory", "follow"]
 
@@ -39,13 +43,16 @@ class Plan:
     <wend.Plan of 2 points, 2.83 m>
     """
 
-    __slots__ = ("_cells", "_inner", "_path")
+    __slots__ = ("_cells", "_inner", "_path", "map")
 
+    map: Map
+    """The map that it was planned on."""
     _inner: _core.Plan
     _path: npt.NDArray[np.float64] | None
     _cells: npt.NDArray[np.int32] | None
 
-    def __init__(self, core: _core.Plan) -> None:
+    def __init__(self, map: Map, core: _core.Plan) -> None:
+        self.map = map
         self._inner = core
         self._path = None
         self._cells = None
@@ -130,7 +137,7 @@ class Plan:
         >>> plan.smooth(None, simplify="sight").path.tolist()
         [[0.5, 0.5], [8.5, 4.5]]
         """
-        return Plan(self._inner.smooth(smoother, simplify, spacing, text_of(options)))
+        return Plan(self.map, self._inner.smooth(smoother, simplify, spacing, text_of(options)))
 
     def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:
         """The fastest trajectory along the path, from rest to rest.
@@ -145,6 +152,10 @@ class Plan:
         9.0
         """
         return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding))
+
+    def _repr_svg_(self) -> str:
+        """The path on its map, as a notebook shows it."""
+        return svg_of(self.map, colours_of(self.map.array), self._inner.points())
 
     def __len__(self) -> int:
         return len(self.path)

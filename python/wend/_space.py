@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Pose, goals_of, text_of
+from ._arrays import Pose, checked_threads, goals_of, text_of
 from ._errors import Error, InvalidArgument, NoPath
 from ._plan import Plan
 from ._trace import Trace
@@ -85,6 +85,8 @@ class FreeSpace:
         time_limit: float | None = None,
         expansions: int | None = None,
         nearest: bool = False,
+        tolerance: float = 0,
+        heading_tolerance: float = 0,
         **options: object,
     ) -> Plan:
         """Plans a path. Ctrl-C stops it; the space stays usable.
@@ -95,6 +97,8 @@ class FreeSpace:
         :param time_limit: seconds.
         :param expansions: the most states to expand.
         :param nearest: if an end is blocked, plan from or to the nearest free cell; ``Plan.notes`` says so.
+        :param tolerance: metres: a path may end this far from the goal; 0: in its cell.
+        :param heading_tolerance: radians: the same for the goal's heading.
         :raises wend.NoPath: there is no path, an end is blocked or outside of the map, or a limit was reached.
         :raises ValueError: an unknown planner or option, a value out of range, NaN.
 
@@ -109,6 +113,7 @@ class FreeSpace:
         wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
         """
         return Plan(
+            self.map,
             self._inner.plan(
                 start,
                 goals_of(goal),
@@ -117,8 +122,10 @@ class FreeSpace:
                 time_limit,
                 expansions,
                 nearest,
+                tolerance,
+                heading_tolerance,
                 None,
-            )
+            ),
         )
 
     def plan_many(
@@ -147,12 +154,16 @@ class FreeSpace:
         """
         if len(starts) != len(goals):
             raise InvalidArgument(f"there are {len(starts)} starts and {len(goals)} goals", "invalid_option", "goals")
-        if threads < 0:
-            raise InvalidArgument("threads must be at least 0", "invalid_option", "threads")
         answers = self._inner.plan_many(
-            list(starts), [[goal] for goal in goals], planner, text_of(options), time_limit, expansions, threads
+            list(starts),
+            [[goal] for goal in goals],
+            planner,
+            text_of(options),
+            time_limit,
+            expansions,
+            checked_threads(threads),
         )
-        return [answer if isinstance(answer, NoPath) else Plan(_planned(answer)) for answer in answers]
+        return [answer if isinstance(answer, NoPath) else Plan(self.map, _planned(answer)) for answer in answers]
 
     def trace(
         self,
@@ -178,13 +189,14 @@ class FreeSpace:
         failure: NoPath | None = None
         try:
             plan = Plan(
+                self.map,
                 self._inner.plan(
-                    start, goals, planner, text_of(options), time_limit, expansions, False, recording
-                )
+                    start, goals, planner, text_of(options), time_limit, expansions, False, 0, 0, recording
+                ),
             )
         except NoPath as no_path:
             failure = no_path
-        return Trace(recording, (self.map.height, self.map.width), plan, failure)
+        return Trace(self.map, recording, plan, failure)
 
     def cost_to_go(
         self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal, NamedTuple, cast
+from typing import TYPE_CHECKING, Literal, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._errors import NoPath
+from ._pictures import EXPANDED, FRONTIER, colours_of, svg_of
 from ._plan import Plan
+
+if TYPE_CHECKING:
+    from ._map import Map
 
 __all__ = ["Event", "Trace"]
 
@@ -49,16 +53,17 @@ class Trace:
     [('generate', (0, 0)), ('expand', (0, 0))]
     """
 
-    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_parents", "_shape", "failure", "plan")
+    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_parents", "_shape", "failure", "map", "plan")
 
+    map: Map
+    """The map of the search."""
     plan: Plan | None
     """The plan; None if the search found no path."""
     failure: NoPath | None
     """Why there is none; None if there is a path."""
 
-    def __init__(
-        self, recording: _core.Recording, shape: tuple[int, int], plan: Plan | None, failure: NoPath | None
-    ) -> None:
+    def __init__(self, map: Map, recording: _core.Recording, plan: Plan | None, failure: NoPath | None) -> None:
+        self.map = map
         self.plan = plan
         self.failure = failure
         self._kinds = recording.kinds()
@@ -68,7 +73,7 @@ class Trace:
         self._headings = recording.headings()
         # The vertices of a car: one more than cells.
         largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
-        self._shape = (max(shape[0], int(largest[1]) + 1), max(shape[1], int(largest[0]) + 1))
+        self._shape = (max(map.height, int(largest[1]) + 1), max(map.width, int(largest[0]) + 1))
 
     def __len__(self) -> int:
         """The number of events."""
@@ -125,6 +130,14 @@ class Trace:
             yield Event(
                 _KINDS[kind], (x, y), None if parent == (-1, -1) else parent, g, h, f, None if heading != heading else heading
             )
+
+    def _repr_svg_(self) -> str:
+        """The cells that were expanded, the frontier and the path, as a notebook shows them."""
+        colours = colours_of(self.map.array)
+        shown = np.s_[: self.map.height, : self.map.width]
+        colours[(self.generation > 0)[shown]] = FRONTIER
+        colours[(self.expansion > 0)[shown]] = EXPANDED
+        return svg_of(self.map, colours, None if self.plan is None else self.plan._inner.points())
 
     def _first(self, kind: int) -> npt.NDArray[np.uint32]:
         at = self._cells[self._kinds == kind]
