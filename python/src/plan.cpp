@@ -126,11 +126,7 @@ auto rows_of(const Drive& drive, const Frame& frame) {
 nb::dict follow(const Planned& plan, const std::string& controller, const nb::dict& options,
                 const nb::dict& model_options, const nb::dict& simulation_options,
                 const nb::dict& follower_options) {
-  const ControllerInfo* const info = controllers().find(controller);
-  if (info == nullptr) {
-    throw_failure(Status::invalid_option, controllers().unknown("controller", controller),
-                  "controller");
-  }
+  const ControllerInfo* const info = value_or_throw(controllers().named("controller", controller));
   const auto made = value_or_throw(info->make(options_of(options)));
   const auto model = value_or_throw(parse_options<MotionModel>(options_of(model_options)));
   const auto simulation =

@@ -112,10 +112,7 @@ struct Index {
 };
 
 Index built_index(const Space& space, const std::string& planner, unsigned threads) {
-  const PlannerInfo* const info = planners().find(planner);
-  if (info == nullptr) {
-    throw_failure(Status::invalid_option, planners().unknown("planner", planner), "planner");
-  }
+  const PlannerInfo* const info = value_or_throw(planners().named("planner", planner));
   if (!info->index_support) {
     throw_failure(Status::invalid_option, planner + " does not use an index", "planner");
   }
@@ -138,11 +135,12 @@ Index built_index(const Space& space, const std::string& planner, unsigned threa
 Index opened_index(const std::filesystem::path& file) {
   const nb::gil_scoped_release unlocked;
   IndexBytes bytes = value_or_throw(open_index(file));
-  const auto header = read_index_header(bytes.bytes());
+  auto header = read_index_header(bytes.bytes());
   if (!header) {
-    throw_failure(Status::index_mismatch, file.string() + ": " + header.error(), file.string());
+    header.error().message = file.string() + ": " + header.error().message;
+    header.error().where = file.string();
   }
-  return {std::string(header->planner_name()), std::move(bytes)};
+  return {std::string(value_or_throw(std::move(header)).planner_name()), std::move(bytes)};
 }
 
 }  // namespace

@@ -81,10 +81,7 @@ bool means_no_path(Status status) {
 /// "random" is the random walk, which has no diagonal steps.
 PlannerSpec spec_of(const std::string& name, int connectivity, const nb::dict& options) {
   PlannerSpec spec{name == "random" ? "random_walk" : name, options_of(options)};
-  const PlannerInfo* const planner = planners().find(spec.name);
-  if (planner == nullptr) {
-    throw_failure(Status::invalid_option, planners().unknown("planner", name), "planner");
-  }
+  const PlannerInfo* const planner = value_or_throw(planners().named("planner", spec.name));
   if (!steps_from_cell_to_cell(*planner)) {
     throw_failure(Status::invalid_option, name + " does not step from cell to cell", "planner");
   }
