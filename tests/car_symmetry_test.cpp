@@ -56,9 +56,10 @@ struct Symmetry {
 
   Query of(const Query& query, const GridMap& map) const {
     Query other{of(query.start, map), {}};
-    for (const Goal& goal : query.goals) {
-      other.goals.emplace_back(of(goal.point, map));
-      if (goal.heading) other.goals.back().heading = of(*goal.heading);
+    for (Goal goal : query.goals) {
+      goal.point = of(goal.point, map);
+      if (goal.heading) goal.heading = of(*goal.heading);
+      other.goals.push_back(goal);
     }
     return other;
   }

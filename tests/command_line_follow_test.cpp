@@ -96,11 +96,12 @@ TEST_F(FollowCommand, DrivesAPathFromAFile) {
 }
 
 TEST_F(FollowCommand, RejectsStepsToTheSide) {
-  const std::string aside =
-      folder_.write("aside.csv", "x,y,heading\n0.5,0.5,E\n1.5,0.5,E\n1.5,1.5,E\n");
+  const std::string aside = folder_.write("aside.csv",
+                                          "x,y,heading,x_m,y_m,yaw\n0.5,0.5,E,0.5,0.5,0\n"
+                                          "1.5,0.5,E,1.5,0.5,0\n1.5,1.5,E,1.5,1.5,0\n");
   const Outcome outcome = follow_path(aside);
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("the path steps to a side of the robot at (1.5,0.5)"));
+  EXPECT_THAT(outcome.err, HasSubstr("the path steps to a side of the robot at cell (1,0)"));
 }
 
 TEST_F(FollowCommand, DrivesALap) {

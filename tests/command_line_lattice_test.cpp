@@ -134,16 +134,16 @@ TEST_F(LatticeCommand, WritesAPathThatCheckFindsFree) {
 }
 
 TEST_F(LatticeCommand, MovesAStartWhereTheRobotDoesNotFit) {
-  const std::vector<std::string> ends{"--planner", "lattice", "--footprint", "disc:0.9",
-                                      "--start",   "0,0,E",   "--goal",      "2,1,any"};
+  const std::vector<std::string> ends{"--planner", "lattice", "--start",
+                                      "5,2,E",     "--goal",  "2,1,any"};
   const Outcome blocked = plan(ends);
   EXPECT_EQ(blocked.code, 1);
   std::vector<std::string> nearest = ends;
   nearest.emplace_back("--nearest");
   const Outcome moved = plan(nearest);
   EXPECT_EQ(moved.code, 0) << moved.err;
-  EXPECT_THAT(moved.err, HasSubstr("the robot does not fit at the start (0.5,0.5,0deg)"));
-  EXPECT_THAT(moved.err, HasSubstr("; planning from "));
+  EXPECT_THAT(moved.err, HasSubstr("the robot does not fit at the start (5.5,2.5,0deg)"));
+  EXPECT_THAT(moved.err, HasSubstr("; planning from cell (5,1), 1 cell away"));
 }
 
 TEST_F(LatticeCommand, TracesAndStepsThroughItsSearch) {

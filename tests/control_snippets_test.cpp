@@ -106,7 +106,7 @@ TEST(Snippets, OfControllerRouteAndFollower) {
 
   const wend::Path& path = plan->path;
   const wend::Frame& frame = space.map().frame();
-  const auto controller = info->make({}).value();
+  const auto controller = wend::make_controller("pure_pursuit").value();
   const wend::MapPose pose = route.start();
   WheeledRobot robot;
   wend::Follower follower(*controller);  // the controller outlives it

@@ -36,7 +36,7 @@ TEST_P(NearestFree, IsTheNearestPlaceWhereAQueryCanStart) {
   const PlannerInfo& info = *planners().find(GetParam());
   const bool corners = info.capabilities.vertices == Vertices::corners;
   int moved = 0;
-  for (std::uint64_t seed = 1; seed <= share_of(200U) && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= share_of(400U) && !HasFailure(); ++seed) {
     const Trial trial = random_pose_trial(seed, info);
     SCOPED_TRACE(text_of(trial, seed));
     const auto planner =

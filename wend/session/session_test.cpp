@@ -131,8 +131,6 @@ TEST(Session, MovesBlockedEndsIfAsked) {
   ASSERT_EQ(answer->notes.size(), 1U);
   EXPECT_NE(answer->notes.front().find("planning from"), std::string::npos);
   EXPECT_NEAR(answer->poses().front().x, 2.95, 1e-9);
-  request.planner.name = "lattice";
-  EXPECT_EQ(session.plan(request).error().status, Status::unsupported_query);
 }
 
 TEST(Session, MovesEachOfSeveralBlockedGoals) {
