@@ -19,6 +19,14 @@ constexpr const char* kStates = ": use 0 (free), 1 (obstacle) or -1 (unknown)";
   throw_failure(Status::invalid_map, indexed(name, row, column, value) + kStates, name);
 }
 
+[[noreturn]] void refuse_length(const std::string& name, Py_ssize_t row, Py_ssize_t length,
+                                Py_ssize_t first) {
+  throw_failure(Status::invalid_map,
+                name + "[" + std::to_string(row) + "] has " + std::to_string(length) + " values, " +
+                    name + "[0] has " + std::to_string(first),
+                name);
+}
+
 void check_size(const std::string& name, Py_ssize_t rows, Py_ssize_t columns) {
   const auto most = static_cast<Py_ssize_t>(GridMap::kMaxCells);
   if (rows > most || columns > most || rows * columns > most) {
@@ -104,12 +112,7 @@ bool read_rows(nb::handle rows, const std::string& name, Planes& planes) {
   for (Py_ssize_t y = 0; y < height; ++y) {
     PyObject* const row = PyList_GetItem(rows.ptr(), y);
     if (!PyList_Check(row)) return false;
-    if (PyList_Size(row) != width) {
-      throw_failure(Status::invalid_map,
-                    name + "[" + std::to_string(y) + "] has " + std::to_string(PyList_Size(row)) +
-                        " values, " + name + "[0] has " + std::to_string(width),
-                    name);
-    }
+    if (PyList_Size(row) != width) refuse_length(name, y, PyList_Size(row), width);
     const auto occupied = planes.occupied.row_words(static_cast<int>(y));
     const auto unknown = planes.unknown.row_words(static_cast<int>(y));
     for (Py_ssize_t x = 0; x < width; ++x) {

@@ -5,7 +5,7 @@
 #include "python/src/errors.hpp"
 #include "wend/version.hpp"
 
-NB_MODULE(_core, module) {
+NB_MODULE(_core, module) {  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): of nanobind
   module.doc() = "The C++ side of wend.";
   module.attr("version") = WEND_VERSION;
   wend::python::translate_errors();

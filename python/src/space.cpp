@@ -97,7 +97,7 @@ double not_negative(double value, const std::string& name) {
 
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
-             std::optional<std::uint64_t> expansions, bool nearest, double tolerance,
+             std::optional<std::int64_t> expansions, bool nearest, double tolerance,
              double heading_tolerance, Recording* recording) {
   PlanRequest request =
       request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions));
@@ -120,7 +120,7 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
 /// A list of Plan, or of exceptions where there is none.
 nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& goals,
                    std::string planner, const nb::dict& options, std::optional<double> time_limit,
-                   std::optional<std::uint64_t> expansions, unsigned threads) {
+                   std::optional<std::int64_t> expansions, unsigned threads) {
   const SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
   Interrupts interrupts;
   std::vector<PlanRequest> requests;
@@ -264,12 +264,15 @@ auto clearance(const Space& space) {
 
 SearchSettings settings_of(std::string planner, const nb::dict& options,
                            std::optional<double> time_limit,
-                           std::optional<std::uint64_t> expansions) {
+                           std::optional<std::int64_t> expansions) {
   SearchSettings settings{{std::move(planner), options_of(options)}};
   if (time_limit) {
     settings.limits.seconds = not_negative(*time_limit, "time_limit");
   }
-  if (expansions) settings.limits.expansions = *expansions;
+  if (expansions && *expansions < 0) {
+    throw_failure(Status::invalid_option, "expansions must be at least 0", "expansions");
+  }
+  if (expansions) settings.limits.expansions = static_cast<std::uint64_t>(*expansions);
   return settings;
 }
 

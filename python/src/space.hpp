@@ -30,7 +30,7 @@ struct SearchSettings {
 /// Reads them. `time_limit` in seconds. Throws Failed.
 SearchSettings settings_of(std::string planner, const nanobind::dict& options,
                            std::optional<double> time_limit,
-                           std::optional<std::uint64_t> expansions);
+                           std::optional<std::int64_t> expansions);
 
 /// The request for a start and a list of goals. Throws Failed.
 PlanRequest request_of(nanobind::handle start, const nanobind::list& goals,

@@ -57,7 +57,11 @@ def goals_of(goal: Pose | Iterable[Pose]) -> list[Any]:
     """A list of goals from one or more."""
     if isinstance(goal, tuple) and goal and isinstance(goal[0], (int, float)):
         return [goal]
-    goals = list(goal)
+    try:
+        goals = list(goal)
+    except TypeError as error:
+        message = "goal must be (x, y), (x, y, heading) or a list of them"
+        raise InvalidArgument(message, "invalid_option", "goal") from error
     return goals if goals and not np.isscalar(goals[0]) else [goals]
 
 

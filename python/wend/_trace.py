@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal, NamedTuple, cast
 
@@ -128,7 +129,13 @@ class Trace:
             g, h, f = self._costs[i].tolist()
             heading = float(self._headings[i])
             yield Event(
-                _KINDS[kind], (x, y), None if parent == (-1, -1) else parent, g, h, f, None if heading != heading else heading
+                _KINDS[kind],
+                (x, y),
+                None if parent == (-1, -1) else parent,
+                g,
+                h,
+                f,
+                None if math.isnan(heading) else heading,
             )
 
     def _repr_svg_(self) -> str:
