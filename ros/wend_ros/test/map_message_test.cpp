@@ -34,7 +34,7 @@ TEST(MapMessage, ComesBackAsTheSameMap) {
     const auto map = wend::make_map(kind, 220, 160, 3);
     ASSERT_TRUE(map);
     const auto back = map_from(to_message(*map, "map"), {});
-    ASSERT_TRUE(back) << back.error();
+    ASSERT_TRUE(back) << back.error().message;
     EXPECT_EQ(back->frame(), map->frame()) << "resolution too: 0.1 is no float";
     for (int y = 0; y < map->height(); ++y) {
       for (int x = 0; x < map->width(); ++x) ASSERT_EQ(back->state({x, y}), map->state({x, y}));
