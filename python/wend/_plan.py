@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
-from ._pictures import colours_of, svg_of
+from ._pictures import colours_of, plot, svg_of
 
 if TYPE_CHECKING:
     from ._map import Map
@@ -152,6 +152,11 @@ class Plan:
         9.0
         """
         return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding))
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the path on its map with matplotlib, in cells, and returns the axes; None: on new ones. Needs
+        matplotlib."""
+        return plot(self.map, colours_of(self.map.array), self._inner.points(), ax)
 
     def _repr_svg_(self) -> str:
         """The path on its map, as a notebook shows it."""
