@@ -60,16 +60,18 @@ class Plan:
     @property
     def path(self) -> npt.NDArray[np.float64]:
         """The path in metres: shape (n, 2), or (n, 3) with headings if the planner's states have them. From the start
-        to the goal, both included; for planners on cells, the centres of cells."""
+        to the goal, both included; for planners on cells, the centres of cells. Read-only."""
         if self._path is None:
             self._path = self._inner.path()
+            self._path.flags.writeable = False
         return self._path
 
     @property
     def cells(self) -> npt.NDArray[np.int32]:
-        """The cells (x, y) in which these points lie: shape (n, 2), int32."""
+        """The cells (x, y) in which these points lie: shape (n, 2), int32, read-only."""
         if self._cells is None:
             self._cells = self._inner.cells()
+            self._cells.flags.writeable = False
         return self._cells
 
     @property
