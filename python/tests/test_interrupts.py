@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import pathlib
+import resource
 import signal
 import sys
 import threading
@@ -13,6 +15,13 @@ from types import FrameType
 import numpy as np
 import pytest
 import wend
+
+
+STATM = pathlib.Path("/proc/self/statm")
+
+
+def resident_bytes() -> int:
+    return int(STATM.read_text().split()[1]) * resource.getpagesize()
 
 
 class Alarm(Exception):
@@ -109,6 +118,26 @@ def test_many_calls_leak_nothing() -> None:
     assert sys.getrefcount(world) == references[0]
     assert abs(sys.getrefcount(None) - references[1]) < 100
     assert sys.getallocatedblocks() - blocks < 200
+
+
+@pytest.mark.skipif(not STATM.exists(), reason="the size of the process is not in /proc")
+def test_memory_does_not_grow_over_100_000_calls() -> None:
+    world = [[0] * 20 for _ in range(20)]
+    space = wend.Map(world).free_space()
+
+    def calls(count: int) -> None:
+        for _ in range(count):
+            wend.search(world, (0, 0), (19, 19))
+            assert space.plan((0.5, 0.5), (19.5, 19.5)).path.shape == (20, 2)
+            with contextlib.suppress(wend.NoPath):
+                space.plan((0.5, 0.5), (99, 1))
+
+    calls(2_000)
+    gc.collect()
+    before = resident_bytes()
+    calls(100_000)
+    gc.collect()
+    assert resident_bytes() - before < 2**20
 
 
 def test_arrays_outlive_what_made_them() -> None:

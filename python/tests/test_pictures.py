@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import base64
 import pathlib
+import sys
+import types
 import xml.etree.ElementTree as ET
+from typing import Any
 
 import numpy as np
 import pytest
@@ -52,3 +55,39 @@ def test_a_picture_of_a_trace_shows_the_search() -> None:
     assert "<polyline" in found._repr_svg_()
     assert "<polyline" not in failed._repr_svg_()
     assert space.trace((0.5, 0.5), (4.5, 0.5), "bfs")._repr_svg_() != found._repr_svg_()
+
+
+class Axes:
+    """Stands for matplotlib's: remembers what is drawn."""
+
+    def __init__(self) -> None:
+        self.images: list[Any] = []
+        self.lines: list[Any] = []
+
+    def imshow(self, colours: Any, *, origin: str, extent: tuple[int, int, int, int]) -> None:
+        self.images.append((colours, origin, extent))
+
+    def plot(self, x: Any, y: Any, *style: str, color: str) -> None:
+        self.lines.append((np.atleast_1d(x).tolist(), np.atleast_1d(y).tolist()))
+
+
+@pytest.mark.parametrize("y_up", [False, True])
+def test_plots_in_cells(y_up: bool) -> None:
+    plan = wend.Map(CELLS, resolution=0.1, y_up=y_up).free_space().plan((0.05, 0.05), (0.45, 0.05))
+    axes = Axes()
+    assert plan.plot(axes) is axes
+    colours, origin, extent = axes.images[0]
+    assert (origin, extent) == (("lower", (0, 5, 0, 3)) if y_up else ("upper", (0, 5, 3, 0)))
+    assert (colours[0, 1] == (0x2B, 0x2D, 0x33)).all()  # the obstacle in row 0, whichever way up
+    assert axes.lines[0] == ((plan.cells[:, 0] + 0.5).tolist(), (plan.cells[:, 1] + 0.5).tolist())
+    assert axes.lines[1:] == [([0.5], [0.5]), ([4.5], [0.5])]
+    plan.map.plot(axes)
+    assert len(axes.images) == 2 and len(axes.lines) == 3
+
+
+def test_plots_on_new_axes(monkeypatch: pytest.MonkeyPatch) -> None:
+    axes = Axes()
+    pyplot = types.SimpleNamespace(figure=lambda: types.SimpleNamespace(add_subplot=lambda: axes))
+    monkeypatch.setitem(sys.modules, "matplotlib", types.SimpleNamespace(pyplot=pyplot))
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", pyplot)
+    assert wend.Map(CELLS).plot() is axes

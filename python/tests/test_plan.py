@@ -97,6 +97,7 @@ def check_path(plan: wend.Plan, cells: npt.NDArray[Any], start: tuple[int, int],
     assert plan.cells.dtype == np.int32
     assert plan.path.dtype == np.float64
     assert np.array_equal(plan.path, plan.cells + 0.5)
+    assert not plan.path.flags.writeable and not plan.cells.flags.writeable
     assert tuple(plan.cells[0]) == start
     assert tuple(plan.cells[-1]) == goal
     assert not cells[plan.cells[:, 1], plan.cells[:, 0]].any()

@@ -71,6 +71,7 @@ def test_start_is_goal_and_blocked_ends() -> None:
     assert wend.search(WORLD, (0, 0), (0, 0)) == [(0, 0)]
     assert wend.search(WORLD, (0, 1), (0, 0)) is None
     assert wend.search(WORLD, (0, 0), (0, 1)) is None
+    assert wend.search([[0, -1, 0]], (0, 0), (2, 0)) is None
     assert wend.search(WORLD, np.array([0, 0]), [np.int64(0), np.int8(2)]) is not None
 
 

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import Pose, numbers_of
 from ._errors import InvalidArgument
-from ._pictures import colours_of, drawn, png_of
+from ._pictures import colours_of, drawn, plot, png_of
 from ._space import FreeSpace
 
 __all__ = ["Map"]
@@ -177,6 +177,11 @@ class Map:
             shape = float(footprint) if isinstance(footprint, np.generic) else list(footprint)
         core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
         return FreeSpace(self, core)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the map with matplotlib, in cells, and returns the axes; None: on new ones. The cell (x, y) covers x to
+        x + 1 and y to y + 1. Needs matplotlib."""
+        return plot(self, colours_of(self.array), None, ax)
 
     def _repr_png_(self) -> bytes:
         """The map as a notebook shows it, a pixel a cell."""

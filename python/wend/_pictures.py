@@ -14,7 +14,7 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from ._map import Map
 
-__all__ = ["colours_of", "png_of", "svg_of"]
+__all__ = ["colours_of", "plot", "png_of", "svg_of"]
 
 _FREE = (0xFF, 0xFF, 0xFF)
 _OCCUPIED = (0x2B, 0x2D, 0x33)
@@ -57,6 +57,24 @@ def png_of(colours: Colours) -> bytes:
 def drawn(map: Map, layer: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """A layer with its rows from the top down, as the map is drawn."""
     return layer[::-1] if map.y_up else layer
+
+
+def plot(map: Map, colours: Colours, points: npt.NDArray[np.float64] | None, ax: Any) -> Any:
+    """Draws the cells and a path through points, in grid coordinates, on matplotlib's axes; None: on new ones."""
+    if ax is None:
+        import matplotlib.pyplot
+
+        ax = matplotlib.pyplot.figure().add_subplot()
+    width, height = map.width, map.height
+    if map.y_up:
+        ax.imshow(colours, origin="lower", extent=(0, width, 0, height))
+    else:
+        ax.imshow(colours, origin="upper", extent=(0, width, height, 0))
+    if points is not None:
+        ax.plot(points[:, 0], points[:, 1], color=_PATH)
+        for point, colour in ((points[0], _START), (points[-1], _GOAL)):
+            ax.plot(*point, "o", color=colour)
+    return ax
 
 
 def svg_of(map: Map, colours: Colours, points: npt.NDArray[np.float64] | None) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
-from ._pictures import colours_of, svg_of
+from ._pictures import colours_of, plot, svg_of
 
 if TYPE_CHECKING:
     from ._map import Map
@@ -60,16 +60,18 @@ class Plan:
     @property
     def path(self) -> npt.NDArray[np.float64]:
         """The path in metres: shape (n, 2), or (n, 3) with headings if the planner's states have them. From the start
-        to the goal, both included; for planners on cells, the centres of cells."""
+        to the goal, both included; for planners on cells, the centres of cells. Read-only."""
         if self._path is None:
             self._path = self._inner.path()
+            self._path.flags.writeable = False
         return self._path
 
     @property
     def cells(self) -> npt.NDArray[np.int32]:
-        """The cells (x, y) in which these points lie: shape (n, 2), int32."""
+        """The cells (x, y) in which these points lie: shape (n, 2), int32, read-only."""
         if self._cells is None:
             self._cells = self._inner.cells()
+            self._cells.flags.writeable = False
         return self._cells
 
     @property
@@ -152,6 +154,11 @@ class Plan:
         9.0
         """
         return Trajectory(self._inner.trajectory(text_of(limits), corner_rounding))
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the path on its map with matplotlib, in cells, and returns the axes; None: on new ones. Needs
+        matplotlib."""
+        return plot(self.map, colours_of(self.map.array), self._inner.points(), ax)
 
     def _repr_svg_(self) -> str:
         """The path on its map, as a notebook shows it."""

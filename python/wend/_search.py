@@ -32,7 +32,8 @@ def search(
 ) -> PathOrNone:
     """A path from a robot to a goal through a world of 0 (free) and 1 (obstacle), or None.
 
-    :param world_state: any array-like of two dimensions; row 0 is y = 0. It is not changed.
+    :param world_state: any array-like of two dimensions; row 0 is y = 0. It is not changed. -1, unknown, is an
+            obstacle too.
     :param robot_pose: (x, y): x is the column, y the row; the cell is ``world_state[y][x]``.
     :param goal_pose: the same.
     :param planner: "random", a walk whose memory is floor(sqrt(max_steps)) steps; a planner on cells from
@@ -41,7 +42,7 @@ def search(
     :param connectivity: 4: orthogonal steps; 8: diagonal ones too, where they cut no corner.
     :returns: the cells from robot to goal, both included; None if there is no path, if an end is an obstacle, or if
         the walk has used up its steps.
-    :raises ValueError: a pose outside of the world, a value that is not 0 or 1, an unknown planner or option.
+    :raises ValueError: a pose outside of the world, a value that is not 0, 1 or -1, an unknown planner or option.
 
     >>> import wend
     >>> world = [[0, 0, 0],
