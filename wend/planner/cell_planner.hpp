@@ -90,14 +90,16 @@ class WEND_API CellSearch {
   SearchOutcome outcome_ = SearchOutcome::exhausted;  // unless a limit ended it
 };
 
-/// The base class. It needs 24 bytes per cell. Its planners cannot be stepped: PlannerInfo::can_step is
-/// false.
+/// The base class. It needs 24 bytes per cell. Its planners cannot be stepped:
+/// Capabilities::can_step is false.
 class WEND_API CellPlanner : public Planner {
+ public:
+  ~CellPlanner() override;
+
  protected:
   /// `moves` are the steps of its paths. `bound` is Plan::bound of every answer: 1 if the planner is
   /// optimal.
   CellPlanner(FreeSpace space, GridMoves moves, double bound = Plan::kNoBound);
-  ~CellPlanner() override;
 
  private:
   /// Searches from the start, which is in the tree. Returns the goal that it reached: the path leads there

@@ -39,7 +39,7 @@ template <class Lattice>
 class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
  public:
   LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts)
-      : LatticePlanner(std::move(space), std::move(parts), std::nullopt) {
+      : LatticePlanner(std::move(space), std::move(parts), nullptr) {
     LatticePlanner::do_update({});
   }
 
@@ -51,7 +51,8 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
   using PlaceGoal = LatticeGoal<Place>;
   using SearchPlanner<LatticeEngine<Lattice>>::engine_;
 
-  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts, std::optional<Lattice> lattice)
+  LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts,
+                 std::shared_ptr<const Lattice> lattice)
       : SearchPlanner<LatticeEngine<Lattice>>(std::move(space)),
         parts_(std::move(parts)),
         lattice_(std::move(lattice)) {
@@ -70,7 +71,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     lattice_.reset();
     auto lattice = parts_.make_lattice(this->free_space());
     if (lattice) {
-      lattice_ = *std::move(lattice);
+      lattice_ = std::make_shared<const Lattice>(*std::move(lattice));
       fault_ = make_engine();
     } else {
       fault_ = std::move(lattice.error());
@@ -98,11 +99,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
 
   std::optional<Status> take_goal(const Goal& goal) {
     if (goal.heading && !std::isfinite(*goal.heading)) return Status::unsupported_query;
-    const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-    const auto place = lattice_->place_on(pose);
-    PlaceGoal taken{
-        GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices()), {}};
-    take_headings(goal, taken);
+    PlaceGoal taken = places_of(goal);
     Status why = taken.vertices.empty() ? Status::goal_outside : Status::goal_blocked;
     const bool reachable = taken.vertices.keep_if([&](Cell vertex) {
       if (!lattice_->may_stand(vertex, taken.headings)) return false;
@@ -113,6 +110,16 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     goals_.push_back(taken);
     asked_goals_.push_back(goal);
     return std::nullopt;
+  }
+
+  /// The places of a goal, free or not.
+  PlaceGoal places_of(const Goal& goal) const {
+    const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
+    const auto place = lattice_->place_on(pose);
+    PlaceGoal places{
+        GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices()), {}};
+    take_headings(goal, places);
+    return places;
   }
 
   PlaceGrid vertices() const {
@@ -134,11 +141,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
 
   std::optional<Point> do_nearest_free(const Goal& goal) const override {
     if (!lattice_ || !is_near_a_map(goal)) return std::nullopt;
-    const Pose pose{goal.point.x, goal.point.y, goal.heading.value_or(0)};
-    const auto place = lattice_->place_on(pose);
-    PlaceGoal taken{
-        GoalRegion(goal, place ? std::optional(place->vertex) : std::nullopt, vertices()), {}};
-    take_headings(goal, taken);
+    PlaceGoal taken = places_of(goal);
     const auto is_free = [&](Cell vertex) { return lattice_->may_stand(vertex, taken.headings); };
     if (taken.vertices.keep_if(is_free)) return goal.point;
     const PlaceGrid grid = vertices();
@@ -189,8 +192,8 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
 
   LatticeParts<Lattice> parts_;
   std::optional<Error> fault_;
-  // Clones share it. None in a space that has none; then there is no engine either.
-  std::optional<Lattice> lattice_;
+  // Clones share it. Null in a space that has none; then there is no engine either.
+  std::shared_ptr<const Lattice> lattice_;
   // Of the query that was checked last.
   Pose asked_start_;
   Place start_;

@@ -132,17 +132,17 @@ Moves computed_moves(std::size_t kind) {
   return moves;
 }
 
-template <std::size_t Kind>
+template <std::size_t kKind>
 const Moves& moves_of_kind() {
-  static const Moves moves = computed_moves(Kind);
+  static const Moves moves = computed_moves(kKind);
   return moves;
 }
 
 /// Computed once for each kind: on a small map that takes longer than a search.
-template <std::size_t... Kinds>
-const Moves& kept_moves(std::size_t kind, std::index_sequence<Kinds...>) {
-  constexpr std::array kept{&moves_of_kind<Kinds>...};
-  return kept[kind]();
+template <std::size_t... kNumbers>
+const Moves& kept_moves(std::size_t kind, std::index_sequence<kNumbers...>) {
+  constexpr std::array kKept{&moves_of_kind<kNumbers>...};
+  return kKept[kind]();
 }
 
 }  // namespace

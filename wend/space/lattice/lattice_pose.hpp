@@ -21,6 +21,7 @@ struct LatticePose {
 /// A vertex alone, where headings do not matter.
 struct VertexPlace {
   Cell vertex{};
+  // NOLINTNEXTLINE(readability-identifier-naming): the name that places with headings have for it
   static constexpr int heading = 0;
 
   constexpr VertexPlace() = default;
