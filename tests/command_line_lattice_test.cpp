@@ -146,6 +146,13 @@ TEST_F(LatticeCommand, MovesAStartWhereTheRobotDoesNotFit) {
   EXPECT_THAT(moved.err, HasSubstr("; planning from cell (5,1), 1 cell away"));
 }
 
+TEST_F(LatticeCommand, RefusesARobotThatIsLargerThanTheMap) {
+  const Outcome outcome = plan(
+      {"--planner", "lattice", "--footprint", "disc:1e9", "--start", "0,0,E", "--goal", "2,1,any"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("is larger than the map of 8 x 5 cells"));
+}
+
 TEST_F(LatticeCommand, TracesAndStepsThroughItsSearch) {
   const std::string trace = (folder_ / "search.trace.json").string();
   const Outcome traced = plan(

@@ -76,6 +76,9 @@ class IndexPlanner final : public Planner {
 
   /// With one goal there is nothing to look up.
   Cell nearest_goal(Cell start, SearchMetrics& metrics) {
+    if (cells_.goals.size() == 1 && cells_.goals.front().is_one_place()) {
+      return cells_.goals.front().any();
+    }
     goals_.clear();
     const auto open = [&](Cell cell) {
       return free_space().contains(cell) &&

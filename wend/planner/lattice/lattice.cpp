@@ -27,7 +27,7 @@ Expected<MotionPrimitives, Error> primitives_for(const FreeSpace& space,
 Expected<MotionLattice, Error> lattice_of(const FreeSpace& space, const LatticeOptions& options) {
   auto primitives = primitives_for(space, options);
   if (!primitives) return Unexpected<Error>(std::move(primitives.error()));
-  std::string why_none = MotionLattice::why_none(space.map(), *primitives);
+  std::string why_none = MotionLattice::why_none(space, *primitives);
   if (!why_none.empty()) return failure(Status::unsupported_map, std::move(why_none));
   return MotionLattice(space, *primitives, options.costs);
 }

@@ -71,7 +71,14 @@ LatticeStep step_of(const FreeSpace& space, const MotionPrimitive& primitive, in
 
 }  // namespace
 
-std::string MotionLattice::why_none(const GridMap& map, const MotionPrimitives& primitives) {
+std::string MotionLattice::why_none(const FreeSpace& space, const MotionPrimitives& primitives) {
+  const GridMap& map = space.map();
+  // Such a robot would sweep the whole map with each step, and more cells than can be listed.
+  if (space.radius_in_cells() > std::hypot(map.width(), map.height())) {
+    return "the robot, with a radius of " + format_number(space.radius_in_cells()) +
+           " cells, is larger than the map of " + std::to_string(map.width()) + " x " +
+           std::to_string(map.height()) + " cells";
+  }
   constexpr double kRounding = 1e-6;
   const double unit = cells_per_cell(map, primitives);
   if (unit < 1 - kRounding || std::abs(unit - std::round(unit)) > kRounding * unit || unit > 1e6) {

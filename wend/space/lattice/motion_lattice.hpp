@@ -57,8 +57,8 @@ class MotionLattice {
   MotionLattice(const FreeSpace& space, const MotionPrimitives& primitives,
                 const LatticeCosts& costs);
 
-  /// Why these primitives make no lattice on a map; empty if they do.
-  static std::string why_none(const GridMap& map, const MotionPrimitives& primitives);
+  /// Why these primitives make no lattice for a robot on a map; empty if they do.
+  static std::string why_none(const FreeSpace& space, const MotionPrimitives& primitives);
 
   const FreeSpace& free_space() const { return data_->space; }
   std::span<const double> headings() const { return data_->primitives.headings(); }
