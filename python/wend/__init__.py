@@ -9,6 +9,7 @@ The common interface: ``wend.search(world_state, robot_pose, goal_pose, planner)
 4.0
 """
 
+from ._animation import Animation
 from ._core import version as __version__
 from ._errors import Error, InvalidArgument, Metrics, NoPath
 from ._index import Index
@@ -20,6 +21,7 @@ from ._space import Explanation, FreeSpace, Way
 from ._trace import Event, Trace
 
 __all__ = [
+    "Animation",
     "Comparison",
     "ControllerInfo",
     "Drive",

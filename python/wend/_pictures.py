@@ -14,7 +14,7 @@ import numpy.typing as npt
 if TYPE_CHECKING:
     from ._map import Map
 
-__all__ = ["colours_of", "plot", "png_of", "svg_of"]
+__all__ = ["PALETTE", "colours_of", "heat_colours", "plot", "png_of", "svg_of"]
 
 _FREE = (0xFF, 0xFF, 0xFF)
 _OCCUPIED = (0x2B, 0x2D, 0x33)
@@ -22,6 +22,11 @@ _UNKNOWN = (0xC6, 0xC9, 0xCE)
 _PATH = "#0072B2"
 _START = "#009E73"
 _GOAL = "#D55E00"
+
+PALETTE = (_FREE, _OCCUPIED, _UNKNOWN, (0xD0, 0x3A, 0x86), (0x00, 0x72, 0xB2), (0x00, 0x9E, 0x73), (0xD5, 0x5E, 0x00))
+"""Free, occupied, unknown, being expanded, path, start, goal."""
+
+_HEAT = ((0xFF, 0xF3, 0xBF), (0xFC, 0xCE, 0x8C), (0xF2, 0xA0, 0x7C), (0xDB, 0x74, 0x86), (0xB0, 0x55, 0x9A))
 
 EXPANDED = (0x9B, 0xD0, 0xF2)
 FRONTIER = (0x4F, 0x8F, 0xE0)
@@ -34,6 +39,14 @@ Colours = npt.NDArray[np.uint8]
 def colours_of(cells: npt.NDArray[np.int8]) -> Colours:
     """The colours of 0, 1 and -1: shape (height, width, 3)."""
     return np.array([_FREE, _OCCUPIED, _UNKNOWN], dtype=np.uint8)[cells]
+
+
+def heat_colours(count: int) -> list[list[int]]:
+    """Colours from the least to the greatest number."""
+    places = np.linspace(0, len(_HEAT) - 1, count)
+    channels = [np.interp(places, np.arange(len(_HEAT)), channel) for channel in zip(*_HEAT)]
+    colours: list[list[int]] = np.stack(channels, axis=1).round().astype(int).tolist()
+    return colours
 
 
 def png_of(colours: Colours) -> bytes:

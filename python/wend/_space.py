@@ -196,7 +196,7 @@ class FreeSpace:
             )
         except NoPath as no_path:
             failure = no_path
-        return Trace(self.map, recording, plan, failure)
+        return Trace(self.map, recording, plan, failure, on_vertices=planner == "car")
 
     def cost_to_go(
         self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"

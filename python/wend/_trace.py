@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal, NamedTuple, cast
 
@@ -10,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._animation import Animation, Layer
 from ._errors import NoPath
 from ._pictures import EXPANDED, FRONTIER, colours_of, svg_of
 from ._plan import Plan
@@ -54,7 +56,7 @@ class Trace:
     [('generate', (0, 0)), ('expand', (0, 0))]
     """
 
-    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_parents", "_shape", "failure", "map", "plan")
+    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_on_vertices", "_parents", "_shape", "failure", "map", "plan")
 
     map: Map
     """The map of the search."""
@@ -63,7 +65,9 @@ class Trace:
     failure: NoPath | None
     """Why there is none; None if there is a path."""
 
-    def __init__(self, map: Map, recording: _core.Recording, plan: Plan | None, failure: NoPath | None) -> None:
+    def __init__(
+        self, map: Map, recording: _core.Recording, plan: Plan | None, failure: NoPath | None, on_vertices: bool
+    ) -> None:
         self.map = map
         self.plan = plan
         self.failure = failure
@@ -72,6 +76,7 @@ class Trace:
         self._parents = recording.parents()
         self._costs = recording.costs()
         self._headings = recording.headings()
+        self._on_vertices = on_vertices
         # The vertices of a car: one more than cells.
         largest = self._cells.max(axis=0) if len(self._cells) > 0 else np.zeros(2, dtype=np.int32)
         self._shape = (max(map.height, int(largest[1]) + 1), max(map.width, int(largest[0]) + 1))
@@ -137,6 +142,25 @@ class Trace:
                 f,
                 None if math.isnan(heading) else heading,
             )
+
+    def animate(
+        self, path: str | os.PathLike[str] | None = None, *, layer: Layer = "search", step: int = 0
+    ) -> Animation:
+        """The search step by step, for a notebook or a browser: one slider, and the frontier, g, h or f as colours.
+
+        :param path: also writes it there: a page (``.html``), or a GIF (``.gif``), which needs Pillow.
+        :param layer: what the colours show first: the frontier and what was expanded, or the values of g, h or f.
+        :param step: the expansion that the page shows first; -1: the last.
+        :raises ValueError: another layer, or another kind of file.
+
+        >>> import wend
+        >>> wend.Map([[0, 0, 0]]).free_space().trace((0, 0), (2, 0)).animate()
+        <wend.Animation of 3 steps>
+        """
+        animation = Animation(self, layer, step)
+        if path is not None:
+            animation.save(path)
+        return animation
 
     def _repr_svg_(self) -> str:
         """The cells that were expanded, the frontier and the path, as a notebook shows them."""
