@@ -46,9 +46,7 @@ def gif_of(trace: Trace, layer: str) -> bytes:
     _draw_path(trace, images[-1], scale)
     durations = [max(20, 1000 * _SECONDS // len(images))] * (len(images) - 1) + [_STILL]
     file = io.BytesIO()
-    images[0].save(
-        file, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0, optimize=False
-    )
+    images[0].save(file, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0, optimize=False)
     return file.getvalue()
 
 

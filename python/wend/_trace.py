@@ -56,7 +56,18 @@ class Trace:
     [('generate', (0, 0)), ('expand', (0, 0))]
     """
 
-    __slots__ = ("_cells", "_costs", "_headings", "_kinds", "_on_vertices", "_parents", "_shape", "failure", "map", "plan")
+    __slots__ = (
+        "_cells",
+        "_costs",
+        "_headings",
+        "_kinds",
+        "_on_vertices",
+        "_parents",
+        "_shape",
+        "failure",
+        "map",
+        "plan",
+    )
 
     map: Map
     """The map of the search."""
