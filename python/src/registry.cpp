@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "python/src/bindings.hpp"
@@ -111,11 +112,31 @@ struct Index {
   IndexBytes bytes;
 };
 
-Index built_index(const Space& space, const std::string& planner, unsigned threads) {
+constexpr double kLeastProgress = 0.005;  // between two calls of Python
+
+/// Passes the share of an index that is built on to a function of Python, or to None. It may be called on any thread
+/// without the interpreter lock.
+std::function<void(double)> teller_of(nb::handle tell) {
+  if (tell.is_none()) return {};
+  return [tell, told = -1.0](double share) mutable {
+    if (share < told + kLeastProgress && share < 1) return;
+    told = share;
+    const nb::gil_scoped_acquire locked;
+    try {
+      tell(share);
+    } catch (nb::python_error& error) {
+      error.discard_as_unraisable(tell);
+    }
+  };
+}
+
+Index built_index(const Space& space, const std::string& planner, unsigned threads,
+                  nb::handle tell) {
   const PlannerInfo* const info = value_or_throw(planners().named("planner", planner));
   if (!info->index_support) {
     throw_failure(Status::invalid_option, planner + " does not use an index", "planner");
   }
+  const std::function<void(double)> progress = teller_of(tell);
   Interrupts interrupts;
   Expected<IndexBytes, Error> bytes;
   {
@@ -125,6 +146,7 @@ Index built_index(const Space& space, const std::string& planner, unsigned threa
       IndexBuilding building;
       building.workers = &workers;
       building.cancel = &interrupts.cancelled();
+      building.progress = progress;
       bytes = info->index_support->build(space.free(), building);
     });
   }
@@ -170,7 +192,8 @@ void bind_registry(nb::module_& module) {
       .def("give_to", [](const Index& index, const Space& space) {
         space.session->set_index(index.planner, index.bytes);
       });
-  module.def("build_index", &built_index, nb::arg("space"), nb::arg("planner"), nb::arg("threads"));
+  module.def("build_index", &built_index, nb::arg("space"), nb::arg("planner"), nb::arg("threads"),
+             nb::arg("tell").none());
   module.def("open_index", &opened_index, nb::arg("file"));
 }
 

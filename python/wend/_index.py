@@ -6,6 +6,7 @@ import os
 
 from . import _core
 from ._arrays import checked_threads
+from ._progress import progress_bar
 from ._space import FreeSpace
 
 __all__ = ["Index"]
@@ -30,14 +31,18 @@ class Index:
         self._inner = core
 
     @classmethod
-    def build(cls, space: FreeSpace, planner: str = "hub_labels", *, threads: int = 0) -> Index:
+    def build(
+        cls, space: FreeSpace, planner: str = "hub_labels", *, threads: int = 0, progress: bool = False
+    ) -> Index:
         """Computes an index. It can take minutes for a large map. Ctrl-C stops it, on a large map after some seconds.
 
         :param planner: a planner with an index, see ``wend.planners()``.
         :param threads: 0: as many as the machine runs at once.
+        :param progress: show a progress bar of tqdm, where that is installed.
         :raises ValueError: the planner is unknown, or has no index.
         """
-        return cls(_core.build_index(space._inner, planner, checked_threads(threads)))
+        with progress_bar(progress, 100, "%") as tell:
+            return cls(_core.build_index(space._inner, planner, checked_threads(threads), tell))
 
     @classmethod
     def open(cls, file: str | os.PathLike[str]) -> Index:

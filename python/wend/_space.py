@@ -12,6 +12,7 @@ from . import _core
 from ._arrays import Pose, checked_threads, goals_of, text_of
 from ._errors import Error, InvalidArgument, NoPath
 from ._plan import Plan
+from ._progress import progress_bar
 from ._trace import Trace
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ __all__ = ["Explanation", "FreeSpace", "Way"]
 
 Connectivity = Literal[4, 8]
 CornerRule = Literal["none", "one", "both"]
+
+_LEAST_PART = 50  # queries that plan_many() plans between two looks at its progress
 
 
 class Way(NamedTuple):
@@ -137,12 +140,14 @@ class FreeSpace:
         threads: int = 0,
         time_limit: float | None = None,
         expansions: int | None = None,
+        progress: bool = False,
         **options: object,
     ) -> list[Plan | NoPath]:
         """Plans from each start to the goal at the same place in `goals`, with threads that share what the planner
         prepares.
 
         :param threads: 0: as many as the machine runs at once.
+        :param progress: show a progress bar of tqdm, where that is installed.
         :returns: a ``Plan``, or the ``NoPath`` that ``plan()`` would raise, for each.
         :raises ValueError: as ``plan()``, and if there are more starts than goals or the other way round.
 
@@ -154,15 +159,18 @@ class FreeSpace:
         """
         if len(starts) != len(goals):
             raise InvalidArgument(f"there are {len(starts)} starts and {len(goals)} goals", "invalid_option", "goals")
-        answers = self._inner.plan_many(
-            list(starts),
-            [[goal] for goal in goals],
-            planner,
-            text_of(options),
-            time_limit,
-            expansions,
-            checked_threads(threads),
-        )
+        all_starts, all_goals = list(starts), [[goal] for goal in goals]
+        settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads))
+        answers: list[Any] = []
+        with progress_bar(progress, len(starts), " queries") as tell:
+            # In parts, to say how far it is; the planners are kept from one to the next.
+            count = max(1, len(starts))
+            part = count if tell is None else max(_LEAST_PART, count // 100)
+            for begin in range(0, count, part):
+                some = slice(begin, begin + part)
+                answers += self._inner.plan_many(all_starts[some], all_goals[some], *settings)
+                if tell is not None:
+                    tell(len(answers) / count)
         return [answer if isinstance(answer, NoPath) else Plan(self.map, _planned(answer)) for answer in answers]
 
     def trace(
