@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "conformance/random_map.hpp"
 #include "tests/testing/drawn_map.hpp"
@@ -113,10 +117,12 @@ TEST(PathCollision, IsWhereTheFirstSampleCollides) {
   EXPECT_GT(kinds[3], 10) << "squeezed";
 }
 
-/// Samples of the poses of a polygon on a path, and how far along it they are.
+/// Samples of the poses of a polygon on a path, and how far along it they are. Half a turn goes the way on
+/// which no pose is `blocked`, if there is one.
 class PosesOnPath {
  public:
-  explicit PosesOnPath(const Path& path) {
+  PosesOnPath(const Path& path, std::function<bool(const Pose&)> blocked)
+      : blocked_(std::move(blocked)) {
     if (path.driven()) {
       poses_.push_back({path.poses().front(), 0});
       for (const Arc& arc : path.arcs()) drive(arc);
@@ -154,16 +160,32 @@ class PosesOnPath {
   void turn(double heading) {
     const Pose from = poses_.back().pose;
     const double angle = normalized_angle(heading - from.heading);
-    const int steps = 1 + static_cast<int>(2 * std::abs(angle) / kStep);
-    for (int i = 0; i <= steps; ++i) {
-      poses_.push_back({{from.x, from.y, from.heading + angle * i / steps}, along_});
+    constexpr double kRounding = 1e-9;
+    const bool is_half = std::abs(angle) > kPi - kRounding;
+    const bool other_way = is_half && is_blocked(from, angle) && !is_blocked(from, -angle);
+    for (const Pose& pose : turned(from, other_way ? -angle : angle)) {
+      poses_.push_back({pose, along_});
     }
+  }
+
+  static std::vector<Pose> turned(const Pose& from, double angle) {
+    const int steps = 1 + static_cast<int>(2 * std::abs(angle) / kStep);
+    std::vector<Pose> poses;
+    for (int i = 0; i <= steps; ++i) {
+      poses.push_back({from.x, from.y, from.heading + angle * i / steps});
+    }
+    return poses;
+  }
+
+  bool is_blocked(const Pose& from, double angle) const {
+    return std::ranges::any_of(turned(from, angle), blocked_);
   }
 
   void turn_around(Point point) {
     for (int i = 0; i < 420; ++i) poses_.push_back({{point.x, point.y, 2 * kPi * i / 420}, 0});
   }
 
+  std::function<bool(const Pose&)> blocked_;
   std::vector<Sample> poses_;
   double along_ = 0;
 };
@@ -182,12 +204,14 @@ RC_GTEST_PROP(PathCollision, OfAPolygonIsNotAfterTheFirstSampleThatOverlaps, ())
     const auto collision = first_collision(path, space);
     double first = test::kInfinite;
     bool near = false;
-    const PosesOnPath samples(path);
+    constexpr double kRounding = 1e-7;
+    const auto overlaps = [&](const Pose& pose) {
+      return test::worst_overlap(space, blocked, pose) > kRounding;
+    };
+    const PosesOnPath samples(path, overlaps);
     for (const auto& [pose, along] : samples.poses()) {
-      constexpr double kRounding = 1e-7;
       const double inside = std::min({pose.x, pose.y, map.width() - pose.x, map.height() - pose.y});
-      const double overlap = test::worst_overlap(space, blocked, pose);
-      if (first == test::kInfinite && (inside < -kRounding || overlap > kRounding)) first = along;
+      if (first == test::kInfinite && (inside < -kRounding || overlaps(pose))) first = along;
       const double margin = PosesOnPath::kStep + 0.03;
       near = near || inside < margin || test::worst_overlap(space, blocked, pose, margin) > 0;
     }
