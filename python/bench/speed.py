@@ -69,7 +69,7 @@ def with_networkx(map: wend.Map) -> Search:
 
 
 def queries_of(scenario: pathlib.Path, count: int) -> list[tuple[Cell, Cell]]:
-    """So many queries of a .scen file, evenly spread over it."""
+    """The given number of queries of a .scen file, evenly spread over it."""
     rows = [line.split() for line in scenario.read_text().splitlines()[1:] if line.strip()]
     chosen = [rows[i * len(rows) // count] for i in range(count)]
     return [((int(row[4]), int(row[5])), (int(row[6]), int(row[7]))) for row in chosen]

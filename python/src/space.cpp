@@ -48,18 +48,13 @@ Enum choice_of(const std::string& text, const std::string& name) {
   return value;
 }
 
-UnknownPolicy unknown_policy_of(const std::string& text) {
-  if (text == "blocked") return UnknownPolicy::blocked;
-  if (text == "free") return UnknownPolicy::free;
+/// UnknownPolicy or OutsidePolicy, by the name of its argument.
+template <class Policy>
+Policy policy_of(const std::string& text, const std::string& name) {
+  if (text == "blocked") return Policy::blocked;
+  if (text == "free") return Policy::free;
   throw Failed(
-      option_text::option_error("unknown", option_text::unknown_choice(text, {"blocked", "free"})));
-}
-
-OutsidePolicy outside_policy_of(const std::string& text) {
-  if (text == "blocked") return OutsidePolicy::blocked;
-  if (text == "free") return OutsidePolicy::free;
-  throw Failed(
-      option_text::option_error("outside", option_text::unknown_choice(text, {"blocked", "free"})));
+      option_text::option_error(name, option_text::unknown_choice(text, {"blocked", "free"})));
 }
 
 Hints hints() {
@@ -78,10 +73,10 @@ Space space_of(const GridMap& map, nb::handle footprint, const std::string& unkn
                const std::optional<std::string>& outside, double clearance_distance,
                double clearance_cost, std::size_t idle_planners) {
   FreeSpaceOptions robot{.footprint = footprint_of(footprint),
-                         .unknown = unknown_policy_of(unknown),
+                         .unknown = policy_of<UnknownPolicy>(unknown, "unknown"),
                          .clearance_distance = clearance_distance,
                          .clearance_cost = clearance_cost};
-  if (outside) robot.outside = outside_policy_of(*outside);
+  if (outside) robot.outside = policy_of<OutsidePolicy>(*outside, "outside");
   const nb::gil_scoped_release unlocked;
   auto session = std::make_unique<Session>(
       map, std::move(robot), SessionOptions{.idle_planners = idle_planners, .hints = hints()});
