@@ -50,9 +50,9 @@ class FaultyPlanner final : public Planner {
     return std::make_unique<FaultyPlanner>(good_->clone(),
                                            fault_.of_clones ? *fault_.of_clones : fault_);
   }
-  std::optional<Error> do_update(std::span<const Cell> changed) override {
+  std::optional<Error> do_update(const SpaceChange& change) override {
     if (fault_.ignores_updates) return std::nullopt;
-    auto updated = good_->update(free_space(), changed);
+    auto updated = good_->update(free_space(), change);
     if (updated) return std::nullopt;
     return updated.error();
   }

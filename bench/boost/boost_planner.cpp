@@ -60,7 +60,7 @@ class BoostPlanner final : public Planner {
   std::unique_ptr<Planner> do_clone() const override {
     return std::make_unique<BoostPlanner>(free_space());
   }
-  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+  std::optional<Error> do_update(const SpaceChange& /*change*/) override {
     astar_ = BoostAStar(free_space());
     return refused_terrain("boost-astar", free_space());
   }

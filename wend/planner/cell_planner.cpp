@@ -109,7 +109,7 @@ std::string CellPlanner::do_reason(const Query& query, Status status) const {
   return reason_in_cells(free_space(), query, status);
 }
 
-std::optional<Error> CellPlanner::do_update(std::span<const Cell> /*changed*/) {
+std::optional<Error> CellPlanner::do_update(const SpaceChange& /*change*/) {
   return std::nullopt;
 }
 

@@ -111,7 +111,7 @@ class WEND_API CellPlanner : public Planner {
   std::string do_reason(const Query& query, Status status) const final;
   std::optional<GridMoves> do_grid_moves() const final { return moves_; }
   /// Nothing is prepared for a map. Override it if search() keeps something of the map.
-  std::optional<Error> do_update(std::span<const Cell> changed) override;
+  std::optional<Error> do_update(const SpaceChange& change) override;
 
   bool allocate();
 

@@ -40,9 +40,9 @@ std::optional<Status> Planner::begin(const Query& query, Plan& out) {
   return do_begin(query, out);
 }
 
-Expected<void, Error> Planner::update(FreeSpace free_space, std::span<const Cell> changed) {
+Expected<void, Error> Planner::update(FreeSpace free_space, const SpaceChange& change) {
   free_space_ = std::move(free_space);
-  if (auto failed = do_update(changed)) return Unexpected<Error>(*std::move(failed));
+  if (auto failed = do_update(change)) return Unexpected<Error>(*std::move(failed));
   return {};
 }
 

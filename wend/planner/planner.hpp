@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "wend/base/compiler.hpp"
@@ -25,6 +24,7 @@
 #include "wend/planner/plan.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/space_change.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
@@ -89,11 +89,12 @@ class WEND_API Planner {
   /// uses this planner.
   std::unique_ptr<Planner> clone() const { return do_clone(); }
 
-  /// Replaces the FreeSpace. `changed` lists the cells that may differ, for planners that keep data
-  /// of the others. If the size changes, `changed` must be empty. Fails with unsupported_map or
-  /// memory_limit, as making the planner on this space would; then every query fails until an update
-  /// succeeds.
-  Expected<void, Error> update(FreeSpace free_space, std::span<const Cell> changed = {});
+  /// Replaces the FreeSpace. `change` says what may differ from the last one, for planners that keep what
+  /// they have prepared of the rest; answers do not depend on it. Fails with unsupported_map,
+  /// memory_limit or index_mismatch, as making the planner on this space would; then every query fails until
+  /// an update succeeds.
+  Expected<void, Error> update(FreeSpace free_space,
+                               const SpaceChange& change = SpaceChange::of_everything());
 
  protected:
   /// For derived classes.
@@ -118,7 +119,7 @@ class WEND_API Planner {
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.
-  virtual std::optional<Error> do_update(std::span<const Cell> changed) = 0;
+  virtual std::optional<Error> do_update(const SpaceChange& change) = 0;
 
   std::optional<Status> check(const Query& query, Plan& out);
 

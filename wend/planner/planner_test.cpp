@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -217,7 +216,7 @@ TEST_P(EveryPlanner, TellsAnObserverEverything) {
 TEST_P(EveryPlanner, PlansOnTheFreeSpaceThatItWasUpdatedTo) {
   const auto planner = make(test::drawn_space(kFourRooms));
   EXPECT_EQ(status_of(*planner, Query::between({0, 0}, {7, 0})), "unreachable");
-  const std::array<Cell, 1> changed{Cell{4, 1}};
+  const SpaceChange changed{false, {CellBox{{4, 1}, {5, 2}}}};
   ASSERT_TRUE(planner->update(test::drawn_space(R"(
 ....#...
 ........

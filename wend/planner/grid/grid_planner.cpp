@@ -122,7 +122,7 @@ std::unique_ptr<Planner> GridPlanner::do_clone() const {
   return std::unique_ptr<Planner>(new GridPlanner(free_space(), choose_parts_, std::move(parts)));
 }
 
-std::optional<Error> GridPlanner::do_update(std::span<const Cell> /*changed*/) {
+std::optional<Error> GridPlanner::do_update(const SpaceChange& /*change*/) {
   engine_.reset();  // its memory first
   another_engine_ = {};
   take(choose_parts_(free_space()));

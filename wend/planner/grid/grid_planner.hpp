@@ -73,7 +73,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   double do_heuristic(const Pose& pose) const override;
   std::optional<GridMoves> do_grid_moves() const override { return moves_; }
   std::unique_ptr<Planner> do_clone() const override;
-  std::optional<Error> do_update(std::span<const Cell> changed) override;
+  std::optional<Error> do_update(const SpaceChange& change) override;
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts);
   void take(Parts parts);

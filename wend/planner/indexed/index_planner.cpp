@@ -111,7 +111,7 @@ class IndexPlanner final : public Planner {
     return planner;
   }
 
-  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+  std::optional<Error> do_update(const SpaceChange& /*change*/) override {
     engine_.reset();  // frees its memory first
     index_ = {};
     auto built = build_(free_space());

@@ -40,7 +40,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
  public:
   LatticePlanner(FreeSpace space, LatticeParts<Lattice> parts)
       : LatticePlanner(std::move(space), std::move(parts), nullptr) {
-    LatticePlanner::do_update({});
+    LatticePlanner::do_update(SpaceChange::of_everything());
   }
 
   /// Why it cannot plan in its space, if it cannot.
@@ -66,7 +66,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
     return clone;
   }
 
-  std::optional<Error> do_update(std::span<const Cell> /*changed*/) override {
+  std::optional<Error> do_update(const SpaceChange& /*change*/) override {
     engine_.reset();  // its memory first
     lattice_.reset();
     auto lattice = parts_.make_lattice(this->free_space());
