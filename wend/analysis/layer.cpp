@@ -3,6 +3,8 @@
 #include <cassert>
 #include <limits>
 
+#include "wend/map/distance_field.hpp"
+
 namespace wend {
 namespace {
 
@@ -119,7 +121,8 @@ Layer map_layer(LayerKind kind, const FreeSpace& space) {
   }
   const auto number = [&](Cell cell) {
     if (kind == LayerKind::terrain) return unless_blocked(space, cell, space.terrain(cell));
-    return space.obstacles().blocked()[cell] ? kNothing : space.clearance(cell);
+    if (space.obstacles().blocked()[cell]) return kNothing;
+    return distance_in_cells(space.squared_half_cell_clearance()[cell]);
   };
   return {kind, grid_of(space, number), {}};
 }

@@ -7,9 +7,10 @@
 
 namespace wend {
 
+/// A lock that does nothing.
 struct Mutex {
-  void lock() {}
-  void unlock() {}
+  void lock() {}    // returns at once
+  void unlock() {}  // does nothing
 };
 
 }  // namespace wend
@@ -20,6 +21,7 @@ struct Mutex {
 
 namespace wend {
 
+/// A lock for one thread at a time.
 using Mutex = std::mutex;
 
 }  // namespace wend
@@ -31,7 +33,9 @@ namespace wend {
 /// Holds a mutex until the end of the block.
 class MutexLock {
  public:
+  /// Waits until no other thread holds the mutex.
   explicit MutexLock(Mutex& mutex) : mutex_(mutex) { mutex_.lock(); }
+  /// Lets go of the mutex.
   ~MutexLock() { mutex_.unlock(); }
   MutexLock(const MutexLock&) = delete;
   MutexLock& operator=(const MutexLock&) = delete;

@@ -74,6 +74,9 @@ class WEND_API BitGrid {
     return {words_.data() + row_begin(y), words_per_row_};
   }
 
+  /// The cells of the map whose bit is not set. O(cells / 64).
+  BitGrid complement() const;
+
   /// Appends a row of zeros and returns its words. O(width) amortized.
   std::span<std::uint64_t> append_row();
 

@@ -100,5 +100,18 @@ TEST(BitGrid, WithoutCellsContainsNothing) {
   EXPECT_FALSE(none.contains({0, 0}));
 }
 
+TEST(BitGrid, HasAComplementInsideItsBorder) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const BitGrid bits = test::random_odd_bits(random);
+    BitGrid expected(bits.width(), bits.height());
+    for (const Cell cell : test::all_cells(bits.width(), bits.height())) {
+      expected.set(cell, !bits[cell]);
+    }
+    ASSERT_TRUE(bits.complement() == expected);
+  }
+}
+
 }  // namespace
 }  // namespace wend

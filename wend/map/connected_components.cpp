@@ -1,187 +1,162 @@
 #include "wend/map/connected_components.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <functional>
-#include <numeric>
+
+#include "wend/map/disjoint_sets.hpp"
 
 namespace wend {
 namespace {
 
-/// Union-find with path halving. The smaller root wins, so that sets are numbered in the order in which
-/// they were added. Almost O(1) for each call.
-class DisjointSets {
- public:
-  /// `count` sets of one element each.
-  explicit DisjointSets(std::uint32_t count = 0) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
+constexpr std::size_t kSize = ComponentTile::kSize;
+
+/// The words of a tile; rows beyond the map have no set cells.
+ComponentTile::Words words_of(const BitGrid& cells, std::size_t column, std::size_t row) {
+  ComponentTile::Words words{};
+  const std::size_t first = row * kSize;
+  const std::size_t count = std::min(kSize, static_cast<std::size_t>(cells.height()) - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    words[i] = cells.row_words(static_cast<int>(first + i))[column];
   }
+  return words;
+}
 
-  std::uint32_t add() {
-    parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
-    return parents_.back();
-  }
+/// The cells beside the set ones of two rows of which only one is set in each: they touch at corners.
+struct CornerPairs {
+  std::uint64_t rising;   // bit b of the lower row and b + 1 of the upper one
+  std::uint64_t falling;  // bit b + 1 of the lower row and b of the upper one
 
-  std::uint32_t root(std::uint32_t set) {
-    while (parents_[set] != set) {
-      parents_[set] = parents_[parents_[set]];
-      set = parents_[set];
-    }
-    return set;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::size_t size() const { return parents_.size(); }
-
-  /// A number for every set: 0, 1, 2, ... in the order of their roots.
-  std::vector<std::uint32_t> numbered() {
-    std::vector<std::uint32_t> numbers(size());
-    std::uint32_t next = 0;
-    for (std::uint32_t set = 0; set < size(); ++set) {
-      const std::uint32_t its_root = root(set);
-      numbers[set] = its_root == set ? next++ : numbers[its_root];
-    }
-    return numbers;
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
+  /// `lower` and `upper` are words of the rows, the others the same words one bit farther on.
+  CornerPairs(std::uint64_t lower, std::uint64_t lower_on, std::uint64_t upper,
+              std::uint64_t upper_on)
+      : rising(lower & upper_on & ~lower_on & ~upper),
+        falling(lower_on & upper & ~lower & ~upper_on) {}
 };
-
-/// The runs of all rows, one row after the other.
-struct Runs {
-  std::vector<RowRun> runs;
-  std::vector<std::size_t> row_begins{0};
-
-  std::span<RowRun> row(int y) {
-    const auto row = static_cast<std::size_t>(y);
-    return std::span(runs).subspan(row_begins[row], row_begins[row + 1] - row_begins[row]);
-  }
-};
-
-Runs runs_of(const BitGrid& cells) {
-  const int width = cells.width();
-  Runs all;
-  for (int y = 0; y < cells.height(); ++y) {
-    for_each_run(cells.row_words(y), width, [&](RowRun run) { all.runs.push_back(run); });
-    all.row_begins.push_back(all.runs.size());
-  }
-  return all;
-}
-
-/// Calls join(upper, lower) for every pair of runs in two rows that overlap once they are extended by
-/// `slack` cells in total.
-template <class Join>
-void for_touching(std::span<const RowRun> upper, std::span<RowRun> lower, int slack, Join&& join) {
-  std::size_t i = 0;
-  for (RowRun& run : lower) {  // NOLINT(misc-const-correctness): join() may change it
-    while (i < upper.size() && upper[i].end + slack <= run.begin) ++i;
-    for (std::size_t j = i; j < upper.size() && upper[j].begin < run.end + slack; ++j) {
-      join(upper[j], run);
-    }
-  }
-}
-
-/// Puts every run of a row into its 4-connected set. The runs of the row above already are in theirs.
-void link(std::span<const RowRun> above, std::span<RowRun> row, DisjointSets& sets) {
-  for_touching(above, row, 0, [&](const RowRun& upper, RowRun& run) {
-    if (run.component == RowRun::kNoComponent) {
-      run.component = upper.component;
-    } else {
-      sets.join(run.component, upper.component);
-    }
-  });
-  for (RowRun& run : row) {
-    if (run.component == RowRun::kNoComponent) run.component = sets.add();
-  }
-}
 
 }  // namespace
 
 ConnectedComponents::ConnectedComponents(const BitGrid& cells)
-    : labels_(cells.width(), cells.height()) {
-  const int height = cells.height();
-  Runs runs = runs_of(cells);
-  DisjointSets run_sets;
-  for (int y = 0; y < height; ++y) {
-    link(y > 0 ? runs.row(y - 1) : std::span<RowRun>(), runs.row(y), run_sets);
+    : columns_(cells.row_words(0).size()),
+      rows_((static_cast<std::size_t>(cells.height()) + kSize - 1) / kSize),
+      tiles_(columns_ * rows_) {
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+    tiles_[tile].label_cells(words_of(cells, tile % columns_, tile / columns_));
   }
-  const std::vector<std::uint32_t> numbers = run_sets.numbered();
-
-  for (int y = 0; y < height; ++y) {
-    const auto labels = labels_.row(y);
-    for (RowRun& run : runs.row(y)) {
-      run.component = numbers[run.component] + 1;  // 0 is for cells that are not set
-      if (run.component >= sizes_.size()) sizes_.resize(run.component + std::size_t{1});
-      sizes_[run.component] += static_cast<std::size_t>(run.end - run.begin);
-      std::fill(labels.begin() + run.begin, labels.begin() + run.end, run.component);
-    }
-  }
-
-  DisjointSets label_sets(static_cast<std::uint32_t>(sizes_.size()));
-  for (int y = 1; y < height; ++y) {
-    for_touching(runs.row(y - 1), runs.row(y), 1, [&](const RowRun& a, const RowRun& b) {
-      label_sets.join(a.component, b.component);
-    });
-  }
-  merged_ = label_sets.numbered();
-  merged_sizes_.assign(merged_.size(), 0);
-  for (std::size_t label = 0; label < sizes_.size(); ++label) {
-    merged_sizes_[merged_[label]] += sizes_[label];
-  }
-  merged_sizes_.resize(*std::max_element(merged_.begin(), merged_.end()) + std::size_t{1});
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) link_to_next(tile);
+  count_labels();
 }
 
-std::size_t ConnectedComponents::count(Adjacency adjacency) const {
-  return (adjacency == Adjacency::edges ? sizes_ : merged_sizes_).size() - 1;
+void ConnectedComponents::repair(const BitGrid& cells, const CellBox& box) {
+  if (box.empty()) return;
+  const std::size_t first = tile_of(box.begin);
+  const std::size_t last = tile_of({box.end.x - 1, box.end.y - 1});
+  bool changed = false;
+  for (std::size_t row = first / columns_; row <= last / columns_; ++row) {
+    for (std::size_t column = first % columns_; column <= last % columns_; ++column) {
+      const std::size_t tile = row * columns_ + column;
+      const auto words = words_of(cells, column, row);
+      if (words == tiles_[tile].words()) continue;
+      tiles_[tile].label_cells(words);
+      changed = true;
+    }
+  }
+  if (!changed) return;
+  const std::size_t first_row = first / columns_ - (first / columns_ > 0 ? 1 : 0);
+  const std::size_t first_column = first % columns_ - (first % columns_ > 0 ? 1 : 0);
+  for (std::size_t row = first_row; row <= last / columns_; ++row) {
+    for (std::size_t column = first_column; column <= last % columns_; ++column) {
+      link_to_next(row * columns_ + column);
+    }
+  }
+  count_labels();
+  joined_.reset();
+  merged_.reset();
+}
+
+void ConnectedComponents::link_to_next(std::size_t tile) {
+  const bool last_column = tile % columns_ + 1 == columns_;
+  const bool last_row = tile / columns_ + 1 == rows_;
+  tiles_[tile].link(last_column ? nullptr : &tiles_[tile + 1],
+                    last_row ? nullptr : &tiles_[tile + columns_]);
+}
+
+void ConnectedComponents::count_labels() {
+  labels_ = 0;
+  for (ComponentTile& tile : tiles_) {
+    tile.set_first_label(labels_ - 1);  // modulo 2^32: labels begin at 1
+    labels_ += tile.label_count();
+  }
+}
+
+ConnectedComponents::Numbers ConnectedComponents::joined_over_edges() const {
+  DisjointSets sets(labels_);
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    const ComponentTile& tile = tiles_[i];
+    const auto join = [&](const ComponentTile::Links& links, std::size_t next) {
+      for (const auto& [from, to] : links) {
+        sets.join(tile.first_label() + from, tiles_[next].first_label() + to);
+      }
+    };
+    join(tile.right(), i + 1);
+    join(tile.above(), i + columns_);
+  }
+  Numbers numbers;
+  numbers.of_label = sets.numbered();
+  for (std::uint32_t& number : numbers.of_label) ++number;
+  for (const ComponentTile& tile : tiles_) {
+    std::uint32_t label = tile.first_label();
+    for (const std::uint16_t size : tile.sizes()) {
+      const std::uint32_t number = numbers.of_label[++label];
+      if (number >= numbers.sizes.size()) numbers.sizes.resize(number + std::size_t{1});
+      numbers.sizes[number] += size;
+    }
+  }
+  return numbers;
+}
+
+ConnectedComponents::Numbers ConnectedComponents::joined_over_corners() const {
+  const Numbers& edges = numbers(Adjacency::edges);
+  DisjointSets sets(static_cast<std::uint32_t>(edges.sizes.size()));
+  // A cell by the tile of a word and a bit counted from there, which may be the next tile's first.
+  const auto component = [&](std::size_t column, std::size_t y, unsigned bit) {
+    const ComponentTile& tile = tiles_[y / kSize * columns_ + column + bit / kSize];
+    const std::uint32_t label = tile.label_at(y % kSize, bit % kSize);
+    return edges.of_label[tile.first_label() + label];
+  };
+  for (std::size_t y = 0; y + 1 < rows_ * kSize; ++y) {
+    const auto word = [&](std::size_t column, std::size_t row) {
+      return column < columns_ ? tiles_[row / kSize * columns_ + column].words()[row % kSize] : 0;
+    };
+    for (std::size_t column = 0; column < columns_; ++column) {
+      const auto one_on = [&](std::size_t row) {
+        return word(column, row) >> 1U | word(column + 1, row) << (kSize - 1);
+      };
+      const CornerPairs pairs(word(column, y), one_on(y), word(column, y + 1), one_on(y + 1));
+      for (std::uint64_t bits = pairs.rising; bits != 0; bits &= bits - 1) {
+        const auto bit = static_cast<unsigned>(std::countr_zero(bits));
+        sets.join(component(column, y, bit), component(column, y + 1, bit + 1));
+      }
+      for (std::uint64_t bits = pairs.falling; bits != 0; bits &= bits - 1) {
+        const auto bit = static_cast<unsigned>(std::countr_zero(bits));
+        sets.join(component(column, y, bit + 1), component(column, y + 1, bit));
+      }
+    }
+  }
+  const std::vector<std::uint32_t> merged = sets.numbered();
+  Numbers numbers;
+  numbers.of_label = edges.of_label;
+  for (std::uint32_t& number : numbers.of_label) number = merged[number];
+  numbers.sizes.assign(*std::ranges::max_element(merged) + std::size_t{1}, 0);
+  for (std::size_t i = 0; i < merged.size(); ++i) numbers.sizes[merged[i]] += edges.sizes[i];
+  return numbers;
 }
 
 std::vector<std::size_t> ConnectedComponents::sizes(Adjacency adjacency) const {
-  std::vector<std::size_t> sizes = adjacency == Adjacency::edges ? sizes_ : merged_sizes_;
+  std::vector<std::size_t> sizes = numbers(adjacency).sizes;
   sizes.erase(sizes.begin());
   std::sort(sizes.begin(), sizes.end(), std::greater<>());
   return sizes;
-}
-
-void ComponentCounter::add_row(std::span<const std::uint64_t> words) {
-  std::vector<RowRun> row;
-  for_each_run(words, width_, [&](RowRun run) { row.push_back(run); });
-  DisjointSets components(static_cast<std::uint32_t>(open_.size()));
-  link(above_, row, components);
-  std::vector<std::size_t> sizes = open_;
-  sizes.resize(components.size());
-  for (const RowRun& run : row) {
-    sizes[run.component] += static_cast<std::size_t>(run.end - run.begin);
-  }
-
-  std::vector<std::size_t> whole(components.size());  // by root
-  for (std::uint32_t i = 0; i < components.size(); ++i) whole[components.root(i)] += sizes[i];
-  constexpr std::uint32_t kClosed = UINT32_MAX;
-  std::vector<std::uint32_t> numbers(components.size(), kClosed);  // in the new open_, by root
-  open_.clear();
-  for (RowRun& run : row) {
-    const std::uint32_t root = components.root(run.component);
-    if (numbers[root] == kClosed) {
-      numbers[root] = static_cast<std::uint32_t>(open_.size());
-      open_.push_back(whole[root]);
-    }
-    run.component = numbers[root];
-  }
-  for (std::uint32_t i = 0; i < components.size(); ++i) {
-    if (components.root(i) != i || numbers[i] != kClosed) continue;
-    ++closed_;
-    largest_closed_ = std::max(largest_closed_, whole[i]);
-  }
-  above_ = std::move(row);
-}
-
-std::size_t ComponentCounter::largest() const {
-  std::size_t largest = largest_closed_;
-  for (const std::size_t size : open_) largest = std::max(largest, size);
-  return largest;
 }
 
 }  // namespace wend

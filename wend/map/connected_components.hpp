@@ -3,19 +3,22 @@
 // Connected components: which cells can reach each other, known before any search.
 //
 // Without corner cutting (and if one corner may be cut) two cells are connected if they are
-// 4-connected; if both corners may be cut, if they are 8-connected. One label for each cell serves
-// both: 8-connected components are unions of 4-connected ones.
+// 4-connected; if both corners may be cut, if they are 8-connected. One label for each run of cells
+// serves both: 8-connected components are unions of 4-connected ones.
+//
+// The map is cut into tiles of 64 x 64 cells. Each knows the components of its own cells, and which of
+// them touch those of the next tiles; the components of the map are joined from these when somebody first
+// asks. So after an edit only the tiles in which a cell has changed are labelled again.
 
-#include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/lazy.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/grid.hpp"
+#include "wend/map/component_tile.hpp"
 
 namespace wend {
 
@@ -25,23 +28,29 @@ enum class Adjacency {
   edges_and_corners,  // or a corner (8-connected)
 };
 
-/// The connected components of a set of cells: a label and a size for each. 4 bytes for each cell.
+/// The connected components of a set of cells: a number and a size for each. Takes a quarter of a byte for
+/// each cell, and 6 bytes for each run of cells in a row of a tile. All threads may ask.
 class WEND_API ConnectedComponents {
  public:
   /// No cells and no components.
   ConnectedComponents() = default;
 
-  /// The components of the set cells. O(cells).
+  /// The components of the set cells. O(cells / 64 + runs).
   explicit ConnectedComponents(const BitGrid& cells);
 
-  /// The component of a cell: 0 for a cell that is not set, else from 1 on. Do not mix labels of the
-  /// two adjacencies.
+  /// The same for `cells`, which differ only in a box of the map. O(rows of its tiles + runs there).
+  void repair(const BitGrid& cells, const CellBox& box);
+
+  /// The component of a cell: 0 for a cell that is not set, else from 1 on. Do not mix numbers of the
+  /// two adjacencies. O(1); the first question, also after a repair, takes O(components of all tiles),
+  /// for edges_and_corners O(cells / 64) too.
   std::uint32_t component(Cell cell, Adjacency adjacency) const {
-    const std::uint32_t label = labels_[cell];
-    return adjacency == Adjacency::edges ? label : merged_[label];
+    const ComponentTile& tile = tiles_[tile_of(cell)];
+    const std::uint32_t label = tile.label(cell);
+    return label == 0 ? 0 : numbers(adjacency).of_label[tile.first_label() + label];
   }
 
-  /// Are both cells set and in the same component? O(1).
+  /// Are both cells set and in the same component? O(1), as component().
   bool connected(Cell a, Cell b, Adjacency adjacency) const {
     const std::uint32_t component_of_a = component(a, adjacency);
     return component_of_a != 0 && component_of_a == component(b, adjacency);
@@ -49,77 +58,42 @@ class WEND_API ConnectedComponents {
 
   /// How many cells the component of a cell has; 0 if the cell is not set.
   std::size_t size_of_component(Cell cell, Adjacency adjacency) const {
-    const std::uint32_t label = component(cell, adjacency);
-    return adjacency == Adjacency::edges ? sizes_[label] : merged_sizes_[label];
+    return numbers(adjacency).sizes[component(cell, adjacency)];
   }
 
   /// The number of components.
-  std::size_t count(Adjacency adjacency) const;
+  std::size_t count(Adjacency adjacency) const { return numbers(adjacency).sizes.size() - 1; }
 
   /// The sizes of all components, largest first.
   std::vector<std::size_t> sizes(Adjacency adjacency) const;
 
  private:
-  Grid<std::uint32_t> labels_;            // 4-connected
-  std::vector<std::uint32_t> merged_{0};  // by label: the 8-connected component
-  std::vector<std::size_t> sizes_{0};     // by label
-  std::vector<std::size_t> merged_sizes_{0};
-};
+  /// The components of the map.
+  struct Numbers {
+    std::vector<std::uint32_t> of_label;  // by label, counted on over all tiles
+    std::vector<std::size_t> sizes{0};    // by component; 0 for the cells that are not set
+  };
 
-/// Set cells [begin, end) of one row.
-struct RowRun {
-  static constexpr std::uint32_t kNoComponent = UINT32_MAX;  // not yet numbered
-
-  int begin;                               // the column of the first cell
-  int end;                                 // the column behind the last cell
-  std::uint32_t component = kNoComponent;  // numbered by the code that labels runs
-};
-
-/// The first cell from x on whose bit is `value`, or width. In `words`, the words of a row, cell x is
-/// bit x+1.
-inline int next_cell(std::span<const std::uint64_t> words, int x, int width, bool value) {
-  const auto first = static_cast<std::size_t>(x) + 1;
-  std::size_t word = first / 64;
-  std::uint64_t bits = (value ? words[word] : ~words[word]) & (~std::uint64_t{0} << (first % 64));
-  while (bits == 0) {
-    if (++word == words.size()) return width;
-    bits = value ? words[word] : ~words[word];
+  std::size_t tile_of(Cell cell) const {
+    return static_cast<std::size_t>(cell.y) / 64 * columns_ +
+           (static_cast<std::size_t>(cell.x) + 1) / 64;
   }
-  const auto found = static_cast<int>(word * 64) + std::countr_zero(bits) - 1;
-  return std::min(found, width);
-}
-
-/// Calls take(run) for every run of a row, from left to right.
-template <class Take>
-void for_each_run(std::span<const std::uint64_t> words, int width, Take&& take) {
-  for (int x = next_cell(words, 0, width, true); x < width;) {
-    const int end = next_cell(words, x, width, false);
-    take(RowRun{x, end});
-    x = end < width ? next_cell(words, end, width, true) : width;
+  const Numbers& numbers(Adjacency adjacency) const {
+    if (adjacency == Adjacency::edges) return joined_.get([this] { return joined_over_edges(); });
+    return merged_.get([this] { return joined_over_corners(); });
   }
-}
 
-/// Counts the 4-connected components of the set cells of a grid and finds the size of the largest. Takes
-/// the grid row by row, in the memory of two rows.
-class WEND_API ComponentCounter {
- public:
-  /// For rows of `width` cells.
-  explicit ComponentCounter(int width) : width_(width) {}
+  void link_to_next(std::size_t tile);
+  void count_labels();
+  Numbers joined_over_edges() const;
+  Numbers joined_over_corners() const;
 
-  /// The words of the next row, as BitGrid::row_words() has them. O(width).
-  void add_row(std::span<const std::uint64_t> words);
-
-  /// The components of all rows so far.
-  std::size_t count() const { return closed_ + open_.size(); }
-  /// The number of cells of the largest component so far; 0 without any.
-  std::size_t largest() const;
-
- private:
-  int width_;
-  std::vector<RowRun> above_;      // of the last row; their components are indices into open_
-  std::vector<std::size_t> open_;  // sizes of the components that reach this row
-  std::size_t closed_ = 0;         // how many end above it
-  std::size_t largest_closed_ = 0;
+  std::size_t columns_ = 0;  // of tiles: the words of a row
+  std::size_t rows_ = 0;
+  std::vector<ComponentTile> tiles_;  // row by row
+  std::uint32_t labels_ = 0;          // of all tiles
+  Lazy<Numbers> joined_;              // 4-connected
+  Lazy<Numbers> merged_;              // 8-connected
 };
 
 }  // namespace wend

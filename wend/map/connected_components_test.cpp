@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 
+#include "tests/testing/share.hpp"
+#include "wend/map/grid.hpp"
 #include "wend/map/random_bits_test.hpp"
 
 namespace wend {
@@ -94,6 +96,50 @@ TEST(ConnectedComponents, ConnectCellsOfOneRegionOnly) {
   }
 }
 
+TEST(ConnectedComponents, AreRepairedToWhatTheyWouldBe) {
+  for (std::uint64_t seed = 0; seed < test::share_of(150U); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const int width = random.between(1, 200);
+    const int height = random.between(1, 150);
+    const double density = random.uniform();
+    BitGrid bits = test::random_bits(random, width, height, density);
+    ConnectedComponents repaired(bits);
+    for (int edit = 0; edit < 4; ++edit) {
+      const Cell from{random.between(0, width - 1), random.between(0, height - 1)};
+      const Cell to{random.between(from.x + 1, width), random.between(from.y + 1, height)};
+      const CellBox box{from, to};
+      const double share = random.uniform();
+      for (int y = box.begin.y; y < box.end.y; ++y) {
+        for (int x = box.begin.x; x < box.end.x; ++x) bits.set({x, y}, random.chance(share));
+      }
+      repaired.repair(bits, box);
+      if (random.chance(0.3)) continue;  // nobody asks between two edits
+      const ConnectedComponents fresh(bits);
+      for (const Adjacency adjacency : kAdjacencies) {
+        ASSERT_EQ(repaired.sizes(adjacency), fresh.sizes(adjacency));
+        for (const Cell cell : test::all_cells(width, height)) {
+          ASSERT_EQ(repaired.component(cell, adjacency), fresh.component(cell, adjacency));
+          ASSERT_EQ(repaired.size_of_component(cell, adjacency),
+                    fresh.size_of_component(cell, adjacency));
+        }
+      }
+    }
+  }
+}
+
+TEST(ConnectedComponents, AreThoseOfWholeMapsOverManyTiles) {
+  for (std::uint64_t seed = 0; seed < test::share_of(12U); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const int width = random.between(120, 200);
+    const int height = random.between(120, 200);
+    const BitGrid bits = test::random_bits(random, width, height, random.chance(0.5) ? 0.5 : 0.6);
+    for (const Adjacency adjacency : kAdjacencies) expect_same_components(bits, adjacency);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(ConnectedComponents, JoinCornersOnlyWhereAsked) {
   BitGrid bits(4, 2);
   bits.set({0, 0}, true);
@@ -114,46 +160,6 @@ TEST(ConnectedComponents, AreNoneWhereNothingIsSet) {
     EXPECT_TRUE(components.sizes(adjacency).empty());
     EXPECT_FALSE(components.connected({1, 1}, {1, 1}, adjacency));
   }
-}
-
-ComponentCounter counted(const BitGrid& cells) {
-  ComponentCounter counter(cells.width());
-  for (int y = 0; y < cells.height(); ++y) counter.add_row(cells.row_words(y));
-  return counter;
-}
-
-BitGrid drawn(const std::vector<std::string>& rows) {
-  BitGrid cells(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-  for (int y = 0; y < cells.height(); ++y) {
-    for (int x = 0; x < cells.width(); ++x) {
-      const auto letter = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-      cells.set({x, y}, letter == '.');
-    }
-  }
-  return cells;
-}
-
-TEST(ComponentCounter, JoinsRegionsThatMeetLater) {
-  const ComponentCounter counter = counted(drawn({".#.#.", ".#.##", "...#.", "##.#."}));
-  EXPECT_EQ(counter.count(), 3U);
-  EXPECT_EQ(counter.largest(), 8U);
-}
-
-TEST(ComponentCounter, KnowsNoRegionsWhereThereIsNoCell) {
-  EXPECT_EQ(counted(BitGrid(5, 3)).count(), 0U);
-  EXPECT_EQ(counted(BitGrid(5, 3)).largest(), 0U);
-}
-
-RC_GTEST_PROP(ComponentCounter, CountsWhatConnectedComponentsLabels, ()) {
-  BitGrid cells(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 30));
-  const int share = *rc::gen::inRange(1, 10);
-  for (int y = 0; y < cells.height(); ++y) {
-    for (int x = 0; x < cells.width(); ++x) cells.set({x, y}, *rc::gen::inRange(0, 10) < share);
-  }
-  const auto sizes = ConnectedComponents(cells).sizes(Adjacency::edges);
-  const ComponentCounter counter = counted(cells);
-  RC_ASSERT(counter.count() == sizes.size());
-  RC_ASSERT(counter.largest() == (sizes.empty() ? 0 : sizes.front()));
 }
 
 }  // namespace

@@ -6,12 +6,15 @@
 #include <limits>
 #include <ranges>
 
+#include "wend/map/row_runs.hpp"
+
 namespace wend {
 namespace {
 
 // Distances within a column, in cells.
 using CellCount = std::uint16_t;
 constexpr CellCount kFar = UINT16_MAX;
+constexpr double kMostColumns = 1 << 30;  // more than a map has
 
 CellCount one_cell_farther(CellCount distance) {
   return static_cast<CellCount>(std::min<int>(distance, kFar - 1) + 1);
@@ -110,6 +113,18 @@ void nearest_columns(std::span<const CellCount> in_column, std::vector<Column>& 
   }
 }
 
+/// The number of columns from `x` to the nearest set cell of a row that is at most `most` columns away, else
+/// more than `most`.
+int columns_to_set_cell(std::span<const std::uint64_t> row, int x, int most, int width) {
+  const int end = x + std::min(most, width - 1 - x) + 1;
+  const auto words_to_end = (static_cast<std::size_t>(end) + 64) / 64;
+  const int right = next_cell(row.first(words_to_end), x, end, true);
+  most = right < end ? right - x : most + 1;
+  const int begin = std::max(x - most, 0);
+  const int left = previous_cell(row, x, begin);
+  return left < begin ? most : std::min(most, x - left);
+}
+
 }  // namespace
 
 double distance_in_cells(std::uint32_t squared_half_cells) {
@@ -135,6 +150,29 @@ Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked) {
     }
   }
   return squared;
+}
+
+std::uint32_t squared_half_cell_distance(const BitGrid& blocked, Cell from, std::uint32_t most,
+                                         std::size_t& words) {
+  std::int64_t least = most;
+  for (int rows = 0; squared_axis_distance(rows) < least; ++rows) {
+    const bool below = from.y - rows >= 0;
+    const bool above = rows > 0 && from.y + rows < blocked.height();
+    if (!below && from.y + rows >= blocked.height()) break;
+    const std::int64_t in_column = squared_axis_distance(rows);
+    const auto look = [&](int y) {
+      // No column farther away is nearer: (2 k - 1)^2 + in_column < least.
+      const double half_cells = std::sqrt(static_cast<double>(least - in_column));
+      const int reach = static_cast<int>(std::min(half_cells / 2 + 1, kMostColumns));
+      const int columns = columns_to_set_cell(blocked.row_words(y), from.x, reach, blocked.width());
+      words += 2 + static_cast<std::size_t>(std::min(columns, blocked.width())) / 32;
+      if (columns > reach) return;
+      least = std::min(least, squared_axis_distance(columns) + in_column);
+    };
+    if (below) look(from.y - rows);
+    if (above && in_column < least) look(from.y + rows);
+  }
+  return static_cast<std::uint32_t>(least);
 }
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 // lies max(0, 2k-1) and max(0, 2l-1) half-cells from the centre. So they can be compared exactly. A
 // field of distances between cell centres would be wrong by up to 0.7 cells.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "wend/map/bit_grid.hpp"
@@ -25,5 +26,10 @@ double distance_in_cells(std::uint32_t squared_half_cells);
 /// O(cells): two passes, columns and then rows, as in A. Meijster, J. Roerdink and W. Hesselink, "A
 /// General Algorithm for Computing Distance Transforms in Linear Time", 2000.
 Grid<std::uint32_t> squared_half_cell_distances(const BitGrid& blocked);
+
+/// The same for one cell, at most `most`. Adds the number of words that it reads to `words`. O(rows that are
+/// nearer than the result, times their words).
+std::uint32_t squared_half_cell_distance(const BitGrid& blocked, Cell from, std::uint32_t most,
+                                         std::size_t& words);
 
 }  // namespace wend

@@ -28,8 +28,15 @@ void expect_exact(const BitGrid& bits) {
   ASSERT_EQ(field.width(), bits.width());
   ASSERT_EQ(field.height(), bits.height());
   for (const Cell cell : test::all_cells(bits.width(), bits.height())) {
-    ASSERT_EQ(field[cell], nearest_square(blocked, cell))
+    const std::uint32_t expected = nearest_square(blocked, cell);
+    ASSERT_EQ(field[cell], expected)
         << "at " << cell.x << "," << cell.y << " of " << bits.width() << " x " << bits.height();
+    std::size_t words = 0;
+    ASSERT_EQ(squared_half_cell_distance(bits, cell, kNoObstacle, words), expected)
+        << "at " << cell.x << "," << cell.y << " of " << bits.width() << " x " << bits.height();
+    for (const std::uint32_t most : {0U, 1U, 30U, 5000U}) {
+      ASSERT_EQ(squared_half_cell_distance(bits, cell, most, words), std::min(expected, most));
+    }
   }
 }
 
@@ -103,7 +110,12 @@ TEST(DistanceField, EndsBeyond32768Cells) {
       const auto half_cells = static_cast<std::uint32_t>(2 * cells - 1);
       EXPECT_EQ(at(cells), half_cells * half_cells) << cells;
     }
-    for (const int cells : {32769, 33000, kLength - 1}) EXPECT_EQ(at(cells), kNoObstacle) << cells;
+    for (const int cells : {32769, 33000, kLength - 1}) {
+      EXPECT_EQ(at(cells), kNoObstacle) << cells;
+      std::size_t words = 0;
+      const Cell from = upright ? Cell{0, cells} : Cell{cells, 0};
+      EXPECT_EQ(squared_half_cell_distance(bits, from, kNoObstacle, words), kNoObstacle) << cells;
+    }
   }
 }
 

@@ -25,17 +25,6 @@ std::uint32_t squared_half_cells_to_edge(const BitGrid& map, Cell cell) {
   return static_cast<std::uint32_t>((2 * cells + 1) * (2 * cells + 1));
 }
 
-/// The clearance of each cell's centre: to the nearest blocked cell or, if it counts, the map's edge.
-Grid<std::uint32_t> clearance_of(const BitGrid& blocked, OutsidePolicy outside) {
-  Grid<std::uint32_t> clearance = squared_half_cell_distances(blocked);
-  if (outside == OutsidePolicy::free) return clearance;
-  for (const Cell cell : every_cell(clearance)) {
-    std::uint32_t& here = clearance[cell];
-    here = std::min(here, squared_half_cells_to_edge(blocked, cell));
-  }
-  return clearance;
-}
-
 }  // namespace
 
 OutsidePolicy default_outside_policy(const Frame& frame) {
@@ -45,16 +34,43 @@ OutsidePolicy default_outside_policy(const Frame& frame) {
 Obstacles::Obstacles(GridMap map, ObstacleOptions options) {
   const OutsidePolicy outside = options.outside.value_or(default_outside_policy(map.frame()));
   BitGrid blocked = blocked_cells(map, options.unknown);
-  Grid<std::uint32_t> clearance = clearance_of(blocked, outside);
-  data_ = std::make_shared<const Data>(
-      Data{std::move(map), options.unknown, outside, std::move(blocked), std::move(clearance)});
+  data_ =
+      std::make_shared<const Data>(std::move(map), options.unknown, outside, std::move(blocked));
 }
 
-double Obstacles::clearance(Cell cell) const { return distance_in_cells(data_->clearance[cell]); }
+const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {
+  return data_->clearance.get([this] {
+    Grid<std::uint32_t> clearance = squared_half_cell_distances(blocked());
+    if (outside() == OutsidePolicy::free) return clearance;
+    for (const Cell cell : every_cell(clearance)) {
+      std::uint32_t& here = clearance[cell];
+      here = std::min(here, squared_half_cells_to_edge(blocked(), cell));
+    }
+    return clearance;
+  });
+}
+
+std::uint32_t Obstacles::squared_half_cell_clearance(Cell cell, std::uint32_t most) const {
+  if (!data_->clearance.made()) {
+    if (outside() == OutsidePolicy::blocked) {
+      most = std::min(most, squared_half_cells_to_edge(blocked(), cell));
+    }
+    std::size_t words = 0;
+    const std::uint32_t found = squared_half_cell_distance(blocked(), cell, most, words);
+    data_->words_read.fetch_add(words, std::memory_order_relaxed);
+    if (data_->words_read.load(std::memory_order_relaxed) < 2 * map().size()) return found;
+  }
+  return std::min(squared_half_cell_clearance()[cell], most);
+}
+
+double Obstacles::clearance(Cell cell) const {
+  return distance_in_cells(squared_half_cell_clearance(cell, kNoObstacle));
+}
 
 bool Obstacles::edge_is_nearest(Cell cell) const {
-  return outside() == OutsidePolicy::blocked &&
-         data_->clearance[cell] == squared_half_cells_to_edge(data_->blocked, cell);
+  if (outside() == OutsidePolicy::free) return false;
+  const std::uint32_t to_edge = squared_half_cells_to_edge(data_->blocked, cell);
+  return squared_half_cell_clearance(cell, to_edge) == to_edge;
 }
 
 }  // namespace wend

@@ -4,17 +4,22 @@
 // the map if the policies block them), and the exact distance from each cell to it.
 //
 // Immutable and cheap to copy: copies share everything, also between threads, so that the free spaces
-// of several robots on a map share one distance field. Built in O(cells); takes 4.1 bytes for each cell.
+// of several robots on a map share one distance field. Built in O(cells / 64); takes 1 bit for each cell, and
+// 4 bytes more once somebody asks for the distances of all cells.
 //
 //   const wend::Obstacles obstacles(map, {.unknown = wend::UnknownPolicy::free});
 //   const auto small = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.2)});
 //   const auto large = wend::make_free_space(obstacles, {.footprint = wend::Footprint::disc(0.5)});
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/lazy.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
@@ -47,7 +52,7 @@ struct ObstacleOptions {
 
 class WEND_API Obstacles {
  public:
-  /// Computes the distances to the nearest obstacles. O(cells).
+  /// The obstacles of a map. O(cells / 64).
   explicit Obstacles(GridMap map, ObstacleOptions options = {});
 
   /// The map that they were made from.
@@ -61,11 +66,18 @@ class WEND_API Obstacles {
   const BitGrid& blocked() const { return data_->blocked; }
 
   /// The distance from a cell's centre to the nearest blocked square, or to the map's edge if the
-  /// outside is blocked, in cells; infinite if there is neither (or none within 32768 cells).
+  /// outside is blocked, in cells; infinite if there is neither (or none within 32768 cells). Looks for
+  /// it: O(its square / 64). The distances of all cells are made, and looked up from then on, once the
+  /// questions have read more than that costs.
   double clearance(Cell cell) const;
 
-  /// The same for all cells, squared and in half-cells, exact (see distance_field.hpp).
-  const Grid<std::uint32_t>& squared_half_cell_clearance() const { return data_->clearance; }
+  /// The same squared and in half-cells, exact (see distance_field.hpp), but at most `most`: it does not
+  /// look farther.
+  std::uint32_t squared_half_cell_clearance(Cell cell, std::uint32_t most) const;
+
+  /// The same for all cells. Made when it is first asked for, in O(cells), once for all threads; takes 4 bytes
+  /// for each cell.
+  const Grid<std::uint32_t>& squared_half_cell_clearance() const;
 
   /// Is the map's edge at least as near to the centre of a cell as every blocked square?
   bool edge_is_nearest(Cell cell) const;
@@ -76,7 +88,14 @@ class WEND_API Obstacles {
     UnknownPolicy unknown;
     OutsidePolicy outside;
     BitGrid blocked;
-    Grid<std::uint32_t> clearance;
+    Lazy<Grid<std::uint32_t>> clearance = {};
+    mutable std::atomic<std::size_t> words_read = 0;  // to find clearances of single cells
+
+    Data(GridMap its_map, UnknownPolicy its_unknown, OutsidePolicy its_outside, BitGrid its_blocked)
+        : map(std::move(its_map)),
+          unknown(its_unknown),
+          outside(its_outside),
+          blocked(std::move(its_blocked)) {}
   };
 
   std::shared_ptr<const Data> data_;

@@ -20,15 +20,25 @@ namespace {
 // Metres divided by a resolution are rarely exact.
 constexpr double kRelativeRounding = 1e-9;
 
-/// The cells whose clearance is large enough.
-BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
-  BitGrid passable(clearance.width(), clearance.height());
-  const auto threshold = static_cast<std::uint32_t>(std::ceil(least));
+/// The least squared distance in half-cells, rounded up, that is at least `least`.
+std::uint32_t threshold_of(double least) { return static_cast<std::uint32_t>(std::ceil(least)); }
+
+/// The cells whose clearance is large enough. Every cell that is not blocked has a clearance of 1.
+BitGrid cells_with_clearance(const Obstacles& obstacles, const CappedDistances& distances,
+                             double least) {
+  const std::uint32_t threshold = threshold_of(least);
+  if (threshold <= 1) return obstacles.blocked().complement();
+  BitGrid cells(obstacles.map().width(), obstacles.map().height());
+  if (!distances.empty()) {
+    distances.select(threshold, CellBox::of(cells), cells);
+    return cells;
+  }
+  const auto& clearance = obstacles.squared_half_cell_clearance();
   for (int y = 0; y < clearance.height(); ++y) {
-    set_row(passable.row_words(y), clearance.row(y),
+    set_row(cells.row_words(y), clearance.row(y),
             [threshold](std::uint32_t here) { return here >= threshold; });
   }
-  return passable;
+  return cells;
 }
 
 /// The robot's radius as a squared distance in half-cells. A point must still not be in a square, and
@@ -62,15 +72,34 @@ class ClearanceCost {
   double cost_;
 };
 
+/// The distances to obstacles as far as the robot's radius and its clearance cost need them, and a bit
+/// farther, so that they decide about most lines. None for a robot that needs none. None either for one
+/// that needs more than there are: it uses those of the Obstacles.
+CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot) {
+  constexpr double kBeyond = 2;  // cells
+  const double resolution = obstacles.map().frame().resolution;
+  const double radius = robot.footprint.circumscribed_radius() / resolution;
+  const bool costs = ClearanceCost(robot, resolution).needed();
+  if (!costs && threshold_of(least_squared_half_cells(radius)) <= 1) return {};
+  const double band = costs ? robot.clearance_distance / resolution : 0;
+  const double cap = std::ceil(radius + std::max(band, kBeyond));
+  if (cap > CappedDistances::kLargestCap) return {};
+  return {obstacles.blocked(), obstacles.outside() == OutsidePolicy::blocked,
+          static_cast<int>(cap)};
+}
+
 /// The map's terrain times the clearance cost; empty if that is the map's terrain.
-Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles, const BitGrid& passable,
+Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles,
+                                         const CappedDistances& distances, const BitGrid& passable,
                                          const ClearanceCost& cost) {
   const GridMap& map = obstacles.map();
   Grid<double> terrain;
   if (!cost.needed()) return terrain;
+  const auto clearance = [&](Cell cell) {
+    return distances.empty() ? obstacles.squared_half_cell_clearance()[cell] : distances[cell];
+  };
   for (const Cell cell : every_cell(map)) {
-    const double factor =
-        passable[cell] ? cost.factor(obstacles.squared_half_cell_clearance()[cell]) : 1;
+    const double factor = passable[cell] ? cost.factor(clearance(cell)) : 1;
     if (factor == 1) continue;
     if (terrain.empty()) {
       terrain = map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
@@ -112,8 +141,9 @@ std::string_view describe(BlockReason reason) {
 
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
   const double bits = (options.footprint.outline() ? 3.0 : 2.0) / 8;  // blocked, passable, possible
-  constexpr double kClearance = sizeof(std::uint32_t);
-  constexpr double kComponents = sizeof(std::uint32_t);
+  constexpr double kClearance = sizeof(std::int16_t);
+  // A quarter of a byte, and 2 bytes for each run of cells: one in 8 cells, which is much.
+  constexpr double kComponents = 0.5;
   const bool own_terrain = ClearanceCost(options.robot(), map.frame().resolution).needed();
   return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
 }
@@ -132,22 +162,21 @@ Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
 FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
   const Footprint& footprint = robot.footprint;
   const double resolution = obstacles.map().frame().resolution;
-  const auto& clearance = obstacles.squared_half_cell_clearance();
+  CappedDistances distances = distances_for(obstacles, robot);
   const double least = least_squared_half_cells(footprint.circumscribed_radius() / resolution);
-  BitGrid passable = cells_with_clearance(clearance, least);
+  BitGrid passable = cells_with_clearance(obstacles, distances, least);
   BitGrid possible;
   std::optional<Polygon> outline;
   if (footprint.outline()) {
     outline = footprint.outline()->scaled(1 / resolution);
     possible = cells_with_clearance(
-        clearance, least_squared_half_cells(footprint.inscribed_radius() / resolution));
+        obstacles, distances, least_squared_half_cells(footprint.inscribed_radius() / resolution));
   }
-  ConnectedComponents components(passable);
   Grid<double> terrain =
-      terrain_away_from_obstacles(obstacles, passable, ClearanceCost(robot, resolution));
+      terrain_away_from_obstacles(obstacles, distances, passable, ClearanceCost(robot, resolution));
   data_ = std::make_shared<const Data>(
       Data{std::move(obstacles), std::move(robot), std::move(outline), least, std::move(passable),
-           std::move(possible), std::move(components), std::move(terrain)});
+           std::move(possible), std::move(distances), std::move(terrain)});
 }
 
 FreeSpaceOptions FreeSpace::options() const {
@@ -156,6 +185,12 @@ FreeSpaceOptions FreeSpace::options() const {
           .outside = outside(),
           .clearance_distance = robot().clearance_distance,
           .clearance_cost = robot().clearance_cost};
+}
+
+double FreeSpace::clearance(Cell cell, double most) const {
+  const double squared = std::ceil(4 * most * most);
+  return distance_in_cells(squared_half_cell_clearance(
+      cell, squared < kNoObstacle ? static_cast<std::uint32_t>(squared) : kNoObstacle));
 }
 
 std::optional<BlockReason> FreeSpace::why_blocked(Cell cell) const {

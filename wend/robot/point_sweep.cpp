@@ -167,7 +167,9 @@ class CutLine {
 /// Does the clearance of the cell at its middle show that the piece touches no obstacle?
 bool clearly_free(const FreeSpace& space, const SweptPiece& piece) {
   const Cell cell = nearest_cell(space, piece.middle);
-  return space.clearance(cell) > piece.farthest_from(centre_of(cell));
+  const double farthest = piece.farthest_from(centre_of(cell));
+  constexpr double kEnough = 0.1;  // cells, to be on the safe side of rounding
+  return space.clearance(cell, farthest + kEnough) > farthest;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "wend/map/connected_components.hpp"
+#include "wend/map/component_counter.hpp"
 
 namespace wend {
 namespace {

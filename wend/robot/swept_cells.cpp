@@ -156,7 +156,7 @@ SweptCells::SweptCells(const FreeSpace& space, std::span<const Pose> poses) {
 
 bool fits(const FreeSpace& space, const SweptCells& swept, Cell from) {
   if (!on_map(space, from, swept.way_low(), swept.way_high())) return false;
-  if (space.squared_half_cell_clearance()[from] >= swept.reach()) return true;
+  if (space.is_known_clear(from, swept.reach())) return true;
   const BitGrid& blocked = space.obstacles().blocked();
   if (on_map(space, from, swept.low(), swept.high())) {
     return std::ranges::all_of(

@@ -61,7 +61,8 @@ double swept_clearance(const FreeSpace& space, const Line& line, double reach, d
   const Point centre = centre_of(cell);
   const double from_centre =
       std::sqrt(std::max(squared_distance(centre, line.from), squared_distance(centre, line.to)));
-  const double at_least = space.clearance(cell) - from_centre;
+  constexpr double kEnough = 0.1;  // cells, to be on the safe side of rounding
+  const double at_least = space.clearance(cell, reach + from_centre + kEnough) - from_centre;
   if (at_least >= enough) return std::min(at_least, reach);
   // Lines between neighbouring cells are shorter. A longer one is halved, so that the box around it
   // does not grow with the square of its length.
@@ -117,8 +118,8 @@ double arc_clearance(const FreeSpace& space, const Arc& arc) {
 
 std::uint32_t squared_half_cell_way_clearance(const FreeSpace& space, Cell from, Cell to) {
   assert(std::abs(from.x - to.x) <= 1 && std::abs(from.y - to.y) <= 1);
-  const auto& clearance = space.squared_half_cell_clearance();
-  const std::uint32_t at_ends = std::min(clearance[from], clearance[to]);
+  const std::uint32_t at_ends = std::min(space.squared_half_cell_clearance(from, kNoObstacle),
+                                         space.squared_half_cell_clearance(to, kNoObstacle));
   if (from.x == to.x || from.y == to.y || at_ends == 0 || at_ends == kNoObstacle) return at_ends;
   const int k = cells_from_middle(at_ends);
   const auto in_the_middle = static_cast<std::uint32_t>(8 * k * k);

@@ -1,0 +1,60 @@
+#pragma once
+
+// Lazy: a value that is made when it is first asked for, once for all threads.
+//
+//   const Grid<double>& costs = costs_.get([&] { return costs_of(map); });
+
+#include <atomic>
+#include <optional>
+#include <utility>
+
+#include "wend/base/mutex.hpp"
+
+namespace wend {
+
+template <class T>
+class Lazy {
+ public:
+  /// Not yet made.
+  Lazy() = default;
+  /// Copies the value if it has been made.
+  Lazy(const Lazy& other) {
+    const MutexLock lock(other.mutex_);
+    if (other.value_) value_.emplace(*other.value_);
+    made_.store(value_.has_value(), std::memory_order_relaxed);
+  }
+  Lazy& operator=(const Lazy&) = delete;
+  ~Lazy() = default;
+
+  /// The value; make() makes it, if nobody has. A thread that asks while another one makes it waits.
+  template <class Make>
+  const T& get(Make&& make) const {
+    if (!made()) {
+      const MutexLock lock(mutex_);
+      if (!value_) {
+        value_.emplace(std::forward<Make>(make)());
+        made_.store(true, std::memory_order_release);
+      }
+    }
+    return *value_;
+  }
+
+  /// Has the value been made?
+  bool made() const { return made_.load(std::memory_order_acquire); }
+
+  /// The value if it has been made, else null; for whoever shares the object with no other thread.
+  T* changeable() { return value_ ? &*value_ : nullptr; }
+
+  /// Forgets the value; for whoever shares the object with no other thread.
+  void reset() {
+    made_.store(false, std::memory_order_relaxed);
+    value_.reset();
+  }
+
+ private:
+  mutable Mutex mutex_;  // guards the making
+  mutable std::optional<T> value_;
+  mutable std::atomic<bool> made_{false};
+};
+
+}  // namespace wend
