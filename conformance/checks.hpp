@@ -24,6 +24,7 @@ void examine_pose_answers(Examination& examination, std::uint64_t seed);
 // repetition_checks.cpp: the same answer in another way.
 void examine_reused(Examination& examination, std::uint64_t seed);
 void examine_updated(Examination& examination, std::uint64_t seed);
+void examine_edited(Examination& examination, std::uint64_t seed);
 void examine_cloned(Examination& examination, std::uint64_t seed);
 void examine_stepped(Examination& examination, std::uint64_t seed);
 

@@ -4,6 +4,7 @@
 
 #include "conformance/answer.hpp"
 #include "conformance/checks.hpp"
+#include "conformance/random_edit.hpp"
 #include "wend/base/random.hpp"
 
 namespace wend::test {
@@ -61,6 +62,43 @@ void examine_updated(Examination& examination, std::uint64_t seed) {
       const Query query = random_query(random, trial.map, examination.info());
       examination.ask(query);
       expect_same(examination, answer_of(*fresh, query), answer_of(*updated, query), "updated");
+    }
+  }
+}
+
+/// One planner over a row of edits of one map, with and without copies of the space it lets go of.
+void examine_edited(Examination& examination, std::uint64_t seed) {
+  constexpr int kEdits = 6;
+  const PlannerInfo& info = examination.info();
+  Trial trial = examination.random_trial(seed);
+  examination.on(trial, seed);
+  const auto edited = examination.planner_for(trial);
+  if (edited == nullptr) return;
+  Random random(seed);
+  FreeSpace space = edited->free_space();
+  for (int i = 0; i < kEdits; ++i) {
+    const bool with_terrain = info.capabilities.terrain && random.chance(0.3);
+    const MapEdit edit = random_edit(random, space.map(), with_terrain);
+    if (random.chance(0.5)) edited->release();
+    const auto change = space.edit(edit);
+    if (!change) return examination.violate("a map with the edit", change.error().message);
+    trial.map = space.map();
+    examination.on(trial, seed);
+    const auto updated = edited->update(space, *change);
+    // An index is not built again.
+    if (!updated && updated.error().status == Status::index_mismatch) continue;
+    const auto fresh = examination.planner_for(trial);
+    if (fresh == nullptr) {
+      if (updated) examination.violate("no update, as none can be made on this map", "one");
+      continue;
+    }
+    if (!updated)
+      return examination.violate("an update, as one can be made on this map",
+                                 updated.error().message);
+    for (int n = 0; n < 3; ++n) {
+      const Query query = random_query(random, trial.map, info);
+      examination.ask(query);
+      expect_same(examination, answer_of(*fresh, query), answer_of(*edited, query), "edited");
     }
   }
 }

@@ -1,8 +1,6 @@
 #include "wend/map/bit_grid.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <functional>
 
 namespace wend {
 
@@ -18,14 +16,24 @@ BitGrid::BitGrid(int width, int height)
 
 BitGrid BitGrid::complement() const {
   BitGrid other(width_, height_);
-  const std::size_t end = bit_index(width_);  // of the bits of the map, which begin at 1
-  for (int y = 0; y < height_; ++y) {
-    const auto words = other.row_words(y);
-    std::ranges::transform(row_words(y), words.begin(), std::bit_not<>());
-    words.front() &= ~std::uint64_t{1};
-    words[end / 64] &= (std::uint64_t{1} << (end % 64)) - 1;
-  }
+  other.assign_complement(*this, CellBox::of(*this));
   return other;
+}
+
+void BitGrid::assign_complement(const BitGrid& other, const CellBox& box) {
+  if (box.empty()) return;
+  const std::size_t end = bit_index(width_);  // of the bits of the map, which begin at 1
+  const std::size_t first = bit_index(box.begin.x) / 64;
+  const std::size_t last = bit_index(box.end.x - 1) / 64;
+  for (int y = box.begin.y; y < box.end.y; ++y) {
+    const auto words = row_words(y);
+    const auto others = other.row_words(y);
+    for (std::size_t i = first; i <= last; ++i) {
+      std::uint64_t map = i == 0 ? ~std::uint64_t{1} : ~std::uint64_t{0};
+      if (i == end / 64) map &= (std::uint64_t{1} << (end % 64)) - 1;
+      words[i] = ~others[i] & map;
+    }
+  }
 }
 
 std::span<std::uint64_t> BitGrid::append_row() {

@@ -3,15 +3,20 @@
 // BitGrid: one bit for every cell of a map, inside a border of zeros, so that hot loops read the
 // neighbours of any cell without checking for the map's edge.
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 
 namespace wend {
 
@@ -77,6 +82,10 @@ class WEND_API BitGrid {
   /// The cells of the map whose bit is not set. O(cells / 64).
   BitGrid complement() const;
 
+  /// Sets the bits in the words that a box of the map touches to the complement of another grid of this
+  /// size. O(words).
+  void assign_complement(const BitGrid& other, const CellBox& box);
+
   /// Appends a row of zeros and returns its words. O(width) amortized.
   std::span<std::uint64_t> append_row();
 
@@ -98,13 +107,42 @@ class WEND_API BitGrid {
   std::vector<std::uint64_t> words_;
 };
 
-/// Sets the bits of the cells that satisfy the predicate in a row (BitGrid::row_words(), all false), 64
-/// at a time.
+/// Sets the bits of cells x, x + 1, ... of a row (BitGrid::row_words()) to what the predicate says of their
+/// values, 64 at a time. Returns how many cells lie before the first bit that changed and behind the last
+/// one: if none did, all lie before.
+template <class T, class Predicate>
+std::pair<std::size_t, std::size_t> assign_row(std::span<std::uint64_t> words, int x,
+                                               std::span<const T> values, Predicate&& is_set) {
+  std::size_t before = values.size();
+  std::size_t behind = 0;
+  for (std::size_t i = 0; i < values.size();) {
+    const std::size_t bit = static_cast<std::size_t>(x) + 1 + i;
+    const std::size_t count = std::min(64 - bit % 64, values.size() - i);
+    std::array<unsigned char, 64> flags{};
+    for (std::size_t k = 0; k < count; ++k) flags[k] = is_set(values[i + k]) ? 1 : 0;
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < 64; k += 8) {
+      std::uint64_t bytes = 0;  // of 0 or 1; the product gathers them in its highest byte
+      std::memcpy(&bytes, flags.data() + k, sizeof bytes);
+      bits |= (bytes * 0x0102040810204080U >> 56U) << k;
+    }
+    const std::uint64_t mask = (~std::uint64_t{0} >> (64 - count)) << (bit % 64);
+    std::uint64_t& word = words[bit / 64];
+    const std::uint64_t changed = ((word ^ bits << (bit % 64)) & mask) >> (bit % 64);
+    word ^= changed << (bit % 64);
+    if (changed != 0) {
+      before = std::min(before, i + static_cast<std::size_t>(std::countr_zero(changed)));
+      behind = values.size() - (i + 64 - static_cast<std::size_t>(std::countl_zero(changed)));
+    }
+    i += count;
+  }
+  return {before, behind};
+}
+
+/// Sets the bits of a row that is all false.
 template <class T, class Predicate>
 void set_row(std::span<std::uint64_t> words, std::span<const T> values, Predicate&& is_set) {
-  for (std::size_t x = 0; x < values.size(); ++x) {
-    words[(x + 1) / 64] |= std::uint64_t{is_set(values[x])} << ((x + 1) % 64);
-  }
+  assign_row(words, 0, values, is_set);
 }
 
 }  // namespace wend

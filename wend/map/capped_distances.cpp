@@ -26,13 +26,6 @@ constexpr std::array<std::uint64_t, 256> kFreeBytes = [] {
   return bytes;
 }();
 
-/// Eight bytes that are 0 or 1 as eight bits.
-std::uint64_t packed(const Count* flags) {
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, flags, sizeof bytes);
-  return bytes * 0x0102040810204080U >> 56U;
-}
-
 int floor_to_bits(int x) { return x >= 0 ? x / 8 * 8 : -((-x + 7) / 8 * 8); }
 
 }  // namespace
@@ -201,25 +194,10 @@ void CappedDistances::select(std::uint32_t least, const CellBox& box, BitGrid& c
   assert(least <= far());
   const auto threshold = static_cast<Squared>(least);
   for (int y = box.begin.y; y < box.end.y; ++y) {
-    const auto squared = squared_.row(y);
-    const auto words = cells.row_words(y);
-    const int end_bit = box.end.x + 1;
-    for (int bit = box.begin.x + 1; bit < end_bit;) {
-      const int word = bit / 64;
-      const int count = std::min(64 * (word + 1), end_bit) - bit;
-      std::array<Count, 64> flags{};
-      const Squared* const values = squared.data() + (bit - 1);
-      for (int i = 0; i < count; ++i) {
-        flags[static_cast<std::size_t>(i)] = values[i] >= threshold ? 1 : 0;
-      }
-      std::uint64_t selected = 0;
-      for (std::size_t i = 0; i < 64; i += kBits) selected |= packed(flags.data() + i) << i;
-      const auto shift = static_cast<unsigned>(bit % 64);
-      const std::uint64_t mask = (~std::uint64_t{0} >> static_cast<unsigned>(64 - count)) << shift;
-      std::uint64_t& into = words[static_cast<std::size_t>(word)];
-      into = (into & ~mask) | (selected << shift & mask);
-      bit += count;
-    }
+    const auto values = squared_.row(y).subspan(static_cast<std::size_t>(box.begin.x),
+                                                static_cast<std::size_t>(box.width()));
+    assign_row(cells.row_words(y), box.begin.x, values,
+               [threshold](Squared squared) { return squared >= threshold; });
   }
 }
 

@@ -102,9 +102,10 @@ Expected<GridMap, Error> make_grid_map(BitGrid occupied, BitGrid unknown, const 
   fault = terrain_fault(terrain, occupied.width(), occupied.height());
   if (!fault.empty()) return invalid_map(std::move(fault), "terrain");
   const auto values = terrain.values();
-  if (std::ranges::all_of(values, [](double value) { return value == 1; })) terrain = {};
-  return GridMap(std::make_shared<const GridMap::Data>(
-      GridMap::Data{std::move(occupied), std::move(unknown), std::move(terrain), frame}));
+  const auto dear = std::ranges::count_if(values, [](double value) { return value != 1; });
+  if (dear == 0) terrain = {};
+  return GridMap(GridMap::Data{std::move(occupied), std::move(unknown), std::move(terrain), frame,
+                               static_cast<std::size_t>(dear)});
 }
 
 GridMapBuilder::GridMapBuilder(int width)

@@ -3,8 +3,8 @@
 // GridMap: the content of a map file. Each cell is free, occupied or unknown and has a terrain
 // multiplier; the frame is the grid's position and resolution in the world. FreeSpace adds a robot.
 //
-// Immutable and cheap to copy: copies share the cells, also between threads. A cell takes two bits, and
-// eight more bytes if the map has terrain.
+// Cheap to copy: copies share the cells, also between threads. An edit changes one copy only. A cell takes two
+// bits, and eight more bytes if the map has terrain.
 //
 //   wend::Grid<wend::CellState> cells(20, 10, wend::CellState::free);
 //   cells[{3, 4}] = wend::CellState::occupied;
@@ -12,18 +12,19 @@
 //   if (!map) return report(map.error().message);
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/copy_on_write.hpp"
 #include "wend/base/error.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/frame.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
+#include "wend/map/map_edit.hpp"
 
 namespace wend {
 
@@ -72,19 +73,30 @@ class GridMap {
   /// The multipliers, or an empty grid on uniform terrain.
   const Grid<double>& terrain() const { return data_->terrain; }
 
+  /// Changes cells; other copies keep what they were. Returns boxes that contain the cells that differ from
+  /// before, few and small; none if there are none. Fails as fault_of() does, and changes nothing then.
+  /// O(cells of the edit) if no other copy shares the cells, else O(cells) once; the first terrain on a
+  /// uniform map takes O(cells) too.
+  WEND_API Expected<std::vector<CellBox>, Error> edit(const MapEdit& edit);
+
  private:
   friend Expected<GridMap, Error> make_grid_map(BitGrid, BitGrid, const Frame&, Grid<double>);
 
   struct Data {
     BitGrid occupied;
     BitGrid unknown;
-    Grid<double> terrain;
+    Grid<double> terrain;  // empty if no cell costs more than 1
     Frame frame;
+    std::size_t dear_cells;  // that cost more than 1
   };
 
-  explicit GridMap(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  explicit GridMap(Data data) : data_(std::in_place, std::move(data)) {}
 
-  std::shared_ptr<const Data> data_;
+  static void set_terrain(Data& data, Cell cell, double multiplier);
+  static CellBox edit_box(Data& data, const MapEdit& edit);
+  static std::vector<Cell> edit_cells(Data& data, const std::vector<CellEdit>& cells);
+
+  CopyOnWrite<Data> data_;
 };
 
 /// Makes a map of one cell or more. `terrain` is empty for uniform cost, else as large as `cells`, with

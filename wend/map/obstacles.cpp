@@ -7,15 +7,19 @@
 namespace wend {
 namespace {
 
-BitGrid blocked_cells(const GridMap& map, UnknownPolicy unknown) {
-  BitGrid blocked = map.occupied();
-  if (unknown == UnknownPolicy::free) return blocked;
-  for (int y = 0; y < map.height(); ++y) {
+/// Sets what is blocked in the words that a box touches.
+void block_cells(const GridMap& map, UnknownPolicy unknown, const CellBox& box, BitGrid& blocked) {
+  const std::size_t first = (static_cast<std::size_t>(box.begin.x) + 1) / 64;
+  const std::size_t last = static_cast<std::size_t>(box.end.x) / 64;
+  for (int y = box.begin.y; y < box.end.y; ++y) {
     const auto words = blocked.row_words(y);
+    const auto occupied_words = map.occupied().row_words(y);
     const auto unknown_words = map.unknown().row_words(y);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= unknown_words[i];
+    for (std::size_t i = first; i <= last; ++i) {
+      words[i] = occupied_words[i];
+      if (unknown == UnknownPolicy::blocked) words[i] |= unknown_words[i];
+    }
   }
-  return blocked;
 }
 
 /// The squared distance from a cell's centre to the map's edge, in half-cells.
@@ -31,11 +35,33 @@ OutsidePolicy default_outside_policy(const Frame& frame) {
   return frame.metric ? OutsidePolicy::blocked : OutsidePolicy::free;
 }
 
-Obstacles::Obstacles(GridMap map, ObstacleOptions options) {
-  const OutsidePolicy outside = options.outside.value_or(default_outside_policy(map.frame()));
-  BitGrid blocked = blocked_cells(map, options.unknown);
-  data_ =
-      std::make_shared<const Data>(std::move(map), options.unknown, outside, std::move(blocked));
+Obstacles::Data::Data(GridMap its_map, const ObstacleOptions& options)
+    : map(std::move(its_map)),
+      unknown(options.unknown),
+      outside(options.outside.value_or(default_outside_policy(map.frame()))),
+      blocked(map.width(), map.height()) {
+  block_cells(map, unknown, CellBox::of(map), blocked);
+}
+
+Obstacles::Data::Data(const Data& other)
+    : map(other.map),
+      unknown(other.unknown),
+      outside(other.outside),
+      blocked(other.blocked),
+      clearance(other.clearance),
+      words_read(other.words_read.load(std::memory_order_relaxed)) {}
+
+Obstacles::Obstacles(GridMap map, ObstacleOptions options)
+    : data_(std::in_place, std::move(map), options) {}
+
+Expected<std::vector<CellBox>, Error> Obstacles::edit(const MapEdit& edit) {
+  if (auto fault = fault_of(edit, map())) return Unexpected<Error>(*std::move(fault));
+  Data& data = data_.change();
+  auto boxes = data.map.edit(edit);
+  for (const CellBox& box : *boxes) block_cells(data.map, data.unknown, box, data.blocked);
+  data.clearance.reset();
+  data.words_read.store(0, std::memory_order_relaxed);
+  return boxes;
 }
 
 const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {

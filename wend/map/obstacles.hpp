@@ -3,7 +3,7 @@
 // Obstacles: what is blocked on a map for every robot (occupied cells, unknown cells and the outside of
 // the map if the policies block them), and the exact distance from each cell to it.
 //
-// Immutable and cheap to copy: copies share everything, also between threads, so that the free spaces
+// Cheap to copy: copies share everything, also between threads; an edit changes one copy only. So the free spaces
 // of several robots on a map share one distance field. Built in O(cells / 64); takes 1 bit for each cell, and
 // 4 bytes more once somebody asks for the distances of all cells.
 //
@@ -14,11 +14,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/copy_on_write.hpp"
+#include "wend/base/error.hpp"
 #include "wend/base/lazy.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/grid.hpp"
@@ -79,6 +81,10 @@ class WEND_API Obstacles {
   /// for each cell.
   const Grid<std::uint32_t>& squared_half_cell_clearance() const;
 
+  /// Changes cells of the map; other copies keep what they were. Fails as GridMap::edit() does and returns
+  /// what it returns. In O(cells of the edit) too; distances of all cells are forgotten.
+  Expected<std::vector<CellBox>, Error> edit(const MapEdit& edit);
+
   /// Is the map's edge at least as near to the centre of a cell as every blocked square?
   bool edge_is_nearest(Cell cell) const;
 
@@ -91,14 +97,13 @@ class WEND_API Obstacles {
     Lazy<Grid<std::uint32_t>> clearance = {};
     mutable std::atomic<std::size_t> words_read = 0;  // to find clearances of single cells
 
-    Data(GridMap its_map, UnknownPolicy its_unknown, OutsidePolicy its_outside, BitGrid its_blocked)
-        : map(std::move(its_map)),
-          unknown(its_unknown),
-          outside(its_outside),
-          blocked(std::move(its_blocked)) {}
+    Data(GridMap its_map, const ObstacleOptions& options);
+    Data(const Data& other);  // with the distances if they have been made
+    Data& operator=(const Data&) = delete;
+    ~Data() = default;
   };
 
-  std::shared_ptr<const Data> data_;
+  CopyOnWrite<Data> data_;
 };
 
 }  // namespace wend

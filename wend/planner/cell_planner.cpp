@@ -109,8 +109,6 @@ std::string CellPlanner::do_reason(const Query& query, Status status) const {
   return reason_in_cells(free_space(), query, status);
 }
 
-std::optional<Error> CellPlanner::do_update(const SpaceChange& /*change*/) {
-  return std::nullopt;
-}
+std::optional<Error> CellPlanner::do_update(const SpaceChange& /*change*/) { return std::nullopt; }
 
 }  // namespace wend

@@ -41,9 +41,14 @@ std::optional<Status> Planner::begin(const Query& query, Plan& out) {
 }
 
 Expected<void, Error> Planner::update(FreeSpace free_space, const SpaceChange& change) {
-  free_space_ = std::move(free_space);
+  free_space_.emplace(std::move(free_space));
   if (auto failed = do_update(change)) return Unexpected<Error>(*std::move(failed));
   return {};
+}
+
+void Planner::release() {
+  do_release();
+  free_space_.reset();
 }
 
 std::string Planner::reason(const Query& query, Status status) const {

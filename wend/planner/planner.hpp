@@ -36,7 +36,7 @@ class WEND_API Planner {
   Planner& operator=(const Planner&) = delete;
 
   /// The space that the planner plans in.
-  const FreeSpace& free_space() const { return free_space_; }
+  const FreeSpace& free_space() const { return *free_space_; }
 
   /// Answers a query.
   Expected<Plan, PlanFailure> plan(const Query& query);
@@ -96,6 +96,10 @@ class WEND_API Planner {
   Expected<void, Error> update(FreeSpace free_space,
                                const SpaceChange& change = SpaceChange::of_everything());
 
+  /// Lets go of the FreeSpace, so that FreeSpace::edit() need not copy it. Nothing else than update() may
+  /// be called next.
+  void release();
+
  protected:
   /// For derived classes.
   explicit Planner(FreeSpace free_space) : free_space_(std::move(free_space)) {}
@@ -113,17 +117,19 @@ class WEND_API Planner {
   /// Where and why; empty if the status says it all.
   virtual std::string do_reason(const Query& /*query*/, Status /*status*/) const { return {}; }
   virtual double do_heuristic(const Pose& /*pose*/) const { return 0; }
-  virtual std::uint64_t do_state_count() const { return free_space_.passable().count(); }
+  virtual std::uint64_t do_state_count() const { return free_space().passable().count(); }
   virtual std::optional<GridMoves> do_grid_moves() const { return GridMoves{}; }
   virtual std::optional<Point> do_nearest_free(const Goal& /*goal*/) const { return std::nullopt; }
   virtual int do_corner_unit() const { return 0; }
   virtual std::unique_ptr<Planner> do_clone() const = 0;
   /// Why the planner cannot plan on the new free_space(), if it cannot.
   virtual std::optional<Error> do_update(const SpaceChange& change) = 0;
+  /// Deletes what holds the FreeSpace or points into it.
+  virtual void do_release() {}
 
   std::optional<Status> check(const Query& query, Plan& out);
 
-  FreeSpace free_space_;
+  std::optional<FreeSpace> free_space_;  // nothing between release() and update()
 };
 
 }  // namespace wend

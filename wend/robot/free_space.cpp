@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "wend/base/choice.hpp"
 #include "wend/base/parse.hpp"
@@ -23,30 +24,50 @@ constexpr double kRelativeRounding = 1e-9;
 /// The least squared distance in half-cells, rounded up, that is at least `least`.
 std::uint32_t threshold_of(double least) { return static_cast<std::uint32_t>(std::ceil(least)); }
 
-/// The cells whose clearance is large enough. Every cell that is not blocked has a clearance of 1.
-BitGrid cells_with_clearance(const Obstacles& obstacles, const CappedDistances& distances,
-                             double least) {
-  const std::uint32_t threshold = threshold_of(least);
-  if (threshold <= 1) return obstacles.blocked().complement();
-  BitGrid cells(obstacles.map().width(), obstacles.map().height());
-  if (!distances.empty()) {
-    distances.select(threshold, CellBox::of(cells), cells);
-    return cells;
-  }
-  const auto& clearance = obstacles.squared_half_cell_clearance();
-  for (int y = 0; y < clearance.height(); ++y) {
-    set_row(cells.row_words(y), clearance.row(y),
-            [threshold](std::uint32_t here) { return here >= threshold; });
-  }
-  return cells;
-}
-
 /// The robot's radius as a squared distance in half-cells. A point must still not be in a square, and
 /// the largest robot may stand where there is no obstacle.
 double least_squared_half_cells(double radius_in_cells) {
   const double exact = 4 * radius_in_cells * radius_in_cells;
   return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
                             kNoObstacle);
+}
+
+double least_squared_half_cells_of(const Robot& robot, const Obstacles& obstacles) {
+  return least_squared_half_cells(robot.footprint.circumscribed_radius() /
+                                  obstacles.map().frame().resolution);
+}
+
+/// The same for cells that are possible.
+double least_to_be_possible(const Robot& robot, const Obstacles& obstacles) {
+  return least_squared_half_cells(robot.footprint.inscribed_radius() /
+                                  obstacles.map().frame().resolution);
+}
+
+/// Sets the bits in a box of the map: of the cells whose clearance is large enough. Every cell that is not
+/// blocked has a clearance of 1.
+void select_cells(const Obstacles& obstacles, const CappedDistances& distances, double least,
+                  const CellBox& box, BitGrid& cells) {
+  const std::uint32_t threshold = threshold_of(least);
+  if (threshold <= 1) {
+    cells.assign_complement(obstacles.blocked(), box);
+  } else if (!distances.empty()) {
+    distances.select(threshold, box, cells);
+  } else {
+    const auto& clearance = obstacles.squared_half_cell_clearance();
+    const auto width = static_cast<std::size_t>(box.width());
+    for (int y = box.begin.y; y < box.end.y; ++y) {
+      const auto row = clearance.row(y).subspan(static_cast<std::size_t>(box.begin.x), width);
+      assign_row(cells.row_words(y), box.begin.x, row,
+                 [threshold](std::uint32_t here) { return here >= threshold; });
+    }
+  }
+}
+
+BitGrid cells_with_clearance(const Obstacles& obstacles, const CappedDistances& distances,
+                             double least) {
+  BitGrid cells(obstacles.map().width(), obstacles.map().height());
+  select_cells(obstacles, distances, least, CellBox::of(cells), cells);
+  return cells;
 }
 
 /// The factor on a cell's cost because of the obstacles near it.
@@ -72,41 +93,65 @@ class ClearanceCost {
   double cost_;
 };
 
-/// The distances to obstacles as far as the robot's radius and its clearance cost need them, and a bit
-/// farther, so that they decide about most lines. None for a robot that needs none. None either for one
-/// that needs more than there are: it uses those of the Obstacles.
-CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot) {
+/// How far the robot's radius and its clearance cost need distances, and a bit farther, so that they decide
+/// about most lines, in cells; 0 if it needs none.
+double reach_of(const Obstacles& obstacles, const Robot& robot) {
   constexpr double kBeyond = 2;  // cells
   const double resolution = obstacles.map().frame().resolution;
-  const double radius = robot.footprint.circumscribed_radius() / resolution;
   const bool costs = ClearanceCost(robot, resolution).needed();
-  if (!costs && threshold_of(least_squared_half_cells(radius)) <= 1) return {};
+  if (!costs && threshold_of(least_squared_half_cells_of(robot, obstacles)) <= 1) return 0;
   const double band = costs ? robot.clearance_distance / resolution : 0;
-  const double cap = std::ceil(radius + std::max(band, kBeyond));
-  if (cap > CappedDistances::kLargestCap) return {};
-  return {obstacles.blocked(), obstacles.outside() == OutsidePolicy::blocked,
-          static_cast<int>(cap)};
+  return std::ceil(robot.footprint.circumscribed_radius() / resolution + std::max(band, kBeyond));
 }
 
-/// The map's terrain times the clearance cost; empty if that is the map's terrain.
-Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles,
-                                         const CappedDistances& distances, const BitGrid& passable,
-                                         const ClearanceCost& cost) {
-  const GridMap& map = obstacles.map();
-  Grid<double> terrain;
-  if (!cost.needed()) return terrain;
-  const auto clearance = [&](Cell cell) {
-    return distances.empty() ? obstacles.squared_half_cell_clearance()[cell] : distances[cell];
-  };
-  for (const Cell cell : every_cell(map)) {
-    const double factor = passable[cell] ? cost.factor(clearance(cell)) : 1;
-    if (factor == 1) continue;
-    if (terrain.empty()) {
-      terrain = map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
-    }
-    terrain[cell] *= factor;
+/// Does the robot need the distances of the Obstacles, because it needs them farther than
+/// CappedDistances have them?
+bool needs_all_distances(const Obstacles& obstacles, const Robot& robot) {
+  return reach_of(obstacles, robot) > CappedDistances::kLargestCap;
+}
+
+CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot) {
+  const double reach = reach_of(obstacles, robot);
+  if (reach == 0 || needs_all_distances(obstacles, robot)) return {};
+  return {obstacles.blocked(), obstacles.outside() == OutsidePolicy::blocked,
+          static_cast<int>(reach)};
+}
+
+/// The factor on the terrain of each cell of a space.
+class ClearanceFactors {
+ public:
+  ClearanceFactors(const Obstacles& obstacles, const CappedDistances& distances,
+                   const BitGrid& passable, const ClearanceCost& cost)
+      : obstacles_(obstacles), distances_(distances), passable_(passable), cost_(cost) {}
+
+  double operator[](Cell cell) const {
+    if (!passable_[cell]) return 1;
+    return cost_.factor(distances_.empty() ? obstacles_.squared_half_cell_clearance()[cell]
+                                           : distances_[cell]);
   }
-  return terrain;
+
+ private:
+  const Obstacles& obstacles_;
+  const CappedDistances& distances_;
+  const BitGrid& passable_;
+  const ClearanceCost& cost_;
+};
+
+/// Sets the terrain in a box: the map's times the clearance cost. An empty terrain stays empty if that is the
+/// map's in the whole box.
+void set_terrain(const GridMap& map, const ClearanceFactors& factors, const CellBox& box,
+                 Grid<double>& terrain) {
+  for (int y = box.begin.y; y < box.end.y; ++y) {
+    for (int x = box.begin.x; x < box.end.x; ++x) {
+      const double factor = factors[{x, y}];
+      if (terrain.empty()) {
+        if (factor == 1) continue;
+        terrain =
+            map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
+      }
+      terrain[{x, y}] = map.terrain({x, y}) * factor;
+    }
+  }
 }
 
 std::optional<Error> fault_of(const Robot& robot) {
@@ -159,24 +204,63 @@ Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
   return FreeSpace(std::move(obstacles), std::move(robot));
 }
 
-FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
-  const Footprint& footprint = robot.footprint;
+FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
+    : obstacles(std::move(its_obstacles)),
+      robot(std::move(its_robot)),
+      least_squared_half_cells(least_squared_half_cells_of(robot, obstacles)),
+      distances(distances_for(obstacles, robot)),
+      passable(cells_with_clearance(obstacles, distances, least_squared_half_cells)) {
   const double resolution = obstacles.map().frame().resolution;
-  CappedDistances distances = distances_for(obstacles, robot);
-  const double least = least_squared_half_cells(footprint.circumscribed_radius() / resolution);
-  BitGrid passable = cells_with_clearance(obstacles, distances, least);
-  BitGrid possible;
-  std::optional<Polygon> outline;
-  if (footprint.outline()) {
-    outline = footprint.outline()->scaled(1 / resolution);
-    possible = cells_with_clearance(
-        obstacles, distances, least_squared_half_cells(footprint.inscribed_radius() / resolution));
+  if (robot.footprint.outline()) {
+    outline = robot.footprint.outline()->scaled(1 / resolution);
+    possible = cells_with_clearance(obstacles, distances, least_to_be_possible(robot, obstacles));
   }
-  Grid<double> terrain =
-      terrain_away_from_obstacles(obstacles, distances, passable, ClearanceCost(robot, resolution));
-  data_ = std::make_shared<const Data>(
-      Data{std::move(obstacles), std::move(robot), std::move(outline), least, std::move(passable),
-           std::move(possible), std::move(distances), std::move(terrain)});
+  repair_terrain({CellBox::of(passable)});
+}
+
+void FreeSpace::Data::repair_terrain(const std::vector<CellBox>& boxes) {
+  const GridMap& map = obstacles.map();
+  const ClearanceCost cost(robot, map.frame().resolution);
+  if (!cost.needed()) return;
+  const ClearanceFactors factors(obstacles, distances, passable, cost);
+  for (const CellBox& box : boxes) set_terrain(map, factors, box, terrain);
+  if (terrain.empty()) return;
+  bool raised = false;  // mostly one of the first cells is, near the map's edge or an obstacle
+  for (const Cell cell : every_cell(map)) {
+    if (raised = factors[cell] != 1; raised) break;
+  }
+  if (!raised) terrain = {};
+}
+
+CellBox FreeSpace::Data::repair(const CellBox& edited) {
+  CellBox changed = edited;
+  if (!distances.empty()) {
+    changed = changed.joined_with(distances.repair(obstacles.blocked(), edited));
+  }
+  select_cells(obstacles, distances, least_squared_half_cells, changed, passable);
+  if (outline) {
+    select_cells(obstacles, distances, least_to_be_possible(robot, obstacles), changed, possible);
+  }
+  return changed;
+}
+
+Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
+  if (auto fault = fault_of(edit, map())) return Unexpected<Error>(*std::move(fault));
+  Data& data = data_.change();
+  SpaceChange change;
+  change.boxes = *data.obstacles.edit(edit);
+  if (change.none()) return change;
+  if (needs_all_distances(data.obstacles, data.robot)) {
+    data_ = CopyOnWrite<Data>(std::in_place, data.obstacles, data.robot);
+    change.boxes = {CellBox::of(map())};
+    return change;
+  }
+  for (CellBox& box : change.boxes) box = data.repair(box);
+  data.repair_terrain(change.boxes);
+  if (ConnectedComponents* components = data.components.changeable()) {
+    for (const CellBox& box : change.boxes) components->repair(data.passable, box);
+  }
+  return change;
 }
 
 FreeSpaceOptions FreeSpace::options() const {

@@ -21,8 +21,8 @@
 // The result is at least the map's, so admissible heuristics stay admissible, and it reaches the map's
 // with slope 0. Clearance is that of the cell's centre.
 //
-// Immutable and cheap to copy: copies share everything, also between threads; free spaces of several
-// robots share the Obstacles that they are made of. Built in O(cells), for a point in O(cells / 64); takes
+// Cheap to copy: copies share everything, also between threads; free spaces of several robots share the
+// Obstacles that they are made of. An edit changes one copy only. Built in O(cells), for a point in O(cells / 64); takes
 // half a byte for each cell, up to 6 more for each run of passable cells in a row, two bytes for a robot
 // with a radius or a clearance cost, and eight more if the clearance cost makes any cell cost more.
 //
@@ -33,11 +33,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "wend/base/compiler.hpp"
+#include "wend/base/copy_on_write.hpp"
 #include "wend/base/error.hpp"
 #include "wend/base/lazy.hpp"
 #include "wend/geometry/pose.hpp"
@@ -50,6 +52,7 @@
 #include "wend/map/obstacles.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend/robot/space_change.hpp"
 
 namespace wend {
 
@@ -209,10 +212,20 @@ class WEND_API FreeSpace {
     return data_->components.get([this] { return ConnectedComponents(passable()); });
   }
 
+  /// Changes cells of the map, and what follows from them as far as they reach; other copies keep what
+  /// they were. The result is the same as if the space were made of the edited map. Fails as
+  /// GridMap::edit() does, and changes nothing then.
+  ///
+  /// O(cells of the edit and around it, as far as the robot needs distances) if no other copy, nor another
+  /// copy of the Obstacles or the map, shares the data; else what is shared is copied first, in O(cells). A
+  /// robot that needs distances of more than 63 cells is made anew, in O(cells).
+  Expected<SpaceChange, Error> edit(const MapEdit& edit);
+
  private:
   friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot);
 
-  FreeSpace(Obstacles obstacles, Robot robot);
+  FreeSpace(Obstacles obstacles, Robot robot)
+      : data_(std::in_place, std::move(obstacles), std::move(robot)) {}
 
   BlockReason reason_in(Cell blocked) const;
 
@@ -221,14 +234,20 @@ class WEND_API FreeSpace {
     Robot robot;
     std::optional<Polygon> outline;  // in cells
     double least_squared_half_cells;
-    BitGrid passable;
-    BitGrid possible;           // empty if it is the same
     CappedDistances distances;  // as far as the robot needs them; empty if it needs none, or more
-    Grid<double> terrain;       // empty if it is the map's
+    BitGrid passable;
+    BitGrid possible;      // empty if it is the same
+    Grid<double> terrain;  // empty if it is the map's
     Lazy<ConnectedComponents> components = {};
+
+    Data(Obstacles its_obstacles, Robot its_robot);
+    /// Computes what follows from a box of cells in which the map has changed. Returns the box in which
+    /// anything may have changed.
+    CellBox repair(const CellBox& edited);
+    void repair_terrain(const std::vector<CellBox>& boxes);
   };
 
-  std::shared_ptr<const Data> data_;
+  CopyOnWrite<Data> data_;
 };
 
 /// Makes the free space of a robot. Fails with invalid_option if the radius of the footprint, or one of

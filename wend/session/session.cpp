@@ -82,6 +82,11 @@ struct Session::State {
   ObstacleOptions obstacle_options;
   std::optional<Expected<View, Error>> kept_view;
 
+  void forget_field() {
+    const MutexLock lock(field_mutex);
+    kept_field.reset();
+  }
+
   Mutex field_mutex;  // guards the field, whose making does not stop planners
   std::optional<KeptField> kept_field;
 };
@@ -119,6 +124,26 @@ void Session::set_map(GridMap map, std::string frame_id) {
   state_->obstacles.reset();
   state_->kept_view.reset();
   ++state_->version;
+}
+
+Expected<SpaceChange, Error> Session::edit(const MapEdit& edit) {
+  const MutexLock lock(state_->mutex);
+  State& state = *state_;
+  if (const auto seen = state.make_view(); !seen) return Unexpected<Error>(seen.error());
+  View& view = **state.kept_view;
+  if (auto fault = fault_of(edit, view.space.map())) return Unexpected<Error>(*std::move(fault));
+  // Whatever shares the space would make the edit copy it.
+  state.map.reset();
+  state.obstacles.reset();
+  state.forget_field();
+  auto planners = state.planners.release(state.version);
+  auto change = view.space.edit(edit);
+  state.map = view.space.map();
+  state.obstacles = view.space.obstacles();
+  if (change) view.version = ++state.version;
+  state.planners.keep(std::move(planners), view.space, change ? *change : SpaceChange{},
+                      state.version);
+  return change;
 }
 
 void Session::clear_map(std::string why) {

@@ -28,6 +28,7 @@
 #include "wend/base/workers.hpp"
 #include "wend/index/index_building.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/map_edit.hpp"
 #include "wend/robot/free_space.hpp"
 #include "wend/session/explainer.hpp"
 #include "wend/session/plan_request.hpp"
@@ -48,7 +49,7 @@ class WEND_API Session {
   struct View {
     FreeSpace space;        // the map with the robot
     std::string frame_id;   // as set with the map
-    std::uint64_t version;  // grows with every map and robot
+    std::uint64_t version;  // grows with every map, edit and robot
   };
 
   /// A field of costs, and the work of this call.
@@ -67,6 +68,13 @@ class WEND_API Session {
 
   /// `frame_id` is a name for the map's frame; the session only keeps it.
   void set_map(GridMap map, std::string frame_id = "map");
+
+  /// Changes cells of the map. The free space is repaired around them, in place unless a view or a planner
+  /// that is in use shares it, and planners that are kept are updated, not made again. Returns what may have
+  /// changed. A planner with an index that no longer matches fails with index_mismatch from then on, until
+  /// build_index() or set_index(). Fails with invalid_map if there is no map or the edit does not fit it (see
+  /// fault_of()), and as view() does; nothing changes then.
+  Expected<SpaceChange, Error> edit(const MapEdit& edit);
 
   /// There is no map, for this reason.
   void clear_map(std::string why);

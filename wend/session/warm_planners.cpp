@@ -34,10 +34,7 @@ struct WarmPlanner::Shelf {
   std::unique_ptr<Planner> take(std::uint64_t wanted, const std::string& key) {
     const MutexLock lock(mutex);
     if (idle.capacity() < most_idle) idle.reserve(idle.capacity() + 1);
-    if (wanted > version) {
-      idle.clear();
-      version = wanted;
-    }
+    forget_before(wanted);
     if (wanted != version) return nullptr;
     for (auto each = idle.begin(); each != idle.end(); ++each) {
       if (each->key != key) continue;
@@ -46,6 +43,21 @@ struct WarmPlanner::Shelf {
       return planner;
     }
     return nullptr;
+  }
+
+  std::vector<std::pair<std::string, std::unique_ptr<Planner>>> take_all(std::uint64_t wanted) {
+    const MutexLock lock(mutex);
+    std::vector<std::pair<std::string, std::unique_ptr<Planner>>> taken;
+    if (wanted != version) return taken;
+    for (Idle& each : idle) taken.emplace_back(std::move(each.key), std::move(each.planner));
+    idle.clear();
+    return taken;
+  }
+
+  /// Planners of earlier versions that come back are dropped.
+  void go_on_to(std::uint64_t wanted) {
+    const MutexLock lock(mutex);
+    forget_before(wanted);
   }
 
   /// The oldest makes room.
@@ -69,6 +81,13 @@ struct WarmPlanner::Shelf {
     idle.clear();
     std::erase_if(indexes, [&](const Index& index) { return index.planner == planner; });
     indexes.push_back({std::string(planner), std::move(bytes)});
+  }
+
+  /// Called with the lock.
+  void forget_before(std::uint64_t wanted) {
+    if (wanted <= version) return;
+    idle.clear();
+    version = wanted;
   }
 
   const std::size_t most_idle;
@@ -138,6 +157,23 @@ Expected<std::vector<WarmPlanner>, Error> WarmPlanners::take(const FreeSpace& sp
     planners.push_back(WarmPlanner(shelf_, version, key, std::move(planner)));
   }
   return planners;
+}
+
+WarmPlanners::Released WarmPlanners::release(std::uint64_t version) {
+  Released released;
+  released.planners_ = shelf_->take_all(version);
+  for (const auto& [key, planner] : released.planners_) planner->release();
+  return released;
+}
+
+void WarmPlanners::keep(Released released, const FreeSpace& space, const SpaceChange& change,
+                        std::uint64_t version) {
+  shelf_->go_on_to(version);
+  for (auto& [key, planner] : released.planners_) {
+    const auto updated = planner->update(space, change);
+    if (!updated && updated.error().status != Status::index_mismatch) continue;
+    shelf_->put(version, std::move(key), std::move(planner));
+  }
 }
 
 void WarmPlanners::set_index(std::string_view planner, IndexBytes index) {

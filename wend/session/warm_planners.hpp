@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "wend/base/compiler.hpp"
@@ -71,6 +72,17 @@ class WEND_API WarmPlanners {
   Expected<std::vector<WarmPlanner>, Error> take(const FreeSpace& space, std::uint64_t version,
                                                  const PlannerSpec& spec, std::size_t count);
 
+  /// Planners that nobody uses, while the space that they were made for changes.
+  class Released;
+
+  /// Takes the planners of this version that nobody uses, and makes them let go of their space.
+  Released release(std::uint64_t version);
+
+  /// Keeps them for another space, which is a new version: `change` says what differs. A planner that
+  /// cannot plan on it is dropped; one with an index that does not match stays, and says so.
+  void keep(Released released, const FreeSpace& space, const SpaceChange& change,
+            std::uint64_t version);
+
   /// The index that planners of this name plan on from now on.
   void set_index(std::string_view planner, IndexBytes index);
 
@@ -78,6 +90,14 @@ class WEND_API WarmPlanners {
   PlannerResult make(const FreeSpace& space, const PlannerSpec& spec) const;
 
   std::shared_ptr<WarmPlanner::Shelf> shelf_;
+};
+
+/// Planners without a space, by what they are asked for.
+class WarmPlanners::Released {
+ private:
+  friend class WarmPlanners;
+
+  std::vector<std::pair<std::string, std::unique_ptr<Planner>>> planners_;
 };
 
 }  // namespace wend

@@ -116,17 +116,26 @@ double GridPlanner::do_heuristic(const Pose& pose) const {
 }
 
 std::unique_ptr<Planner> GridPlanner::do_clone() const {
-  Parts parts = another_engine_
-                    ? Parts{moves_, another_engine_(), bound_, any_angle_, another_engine_}
-                    : choose_parts_(free_space());
+  Parts parts = another_engine_ ? Parts{moves_,     another_engine_(), bound_,
+                                        any_angle_, another_engine_,   repaired_parts_}
+                                : choose_parts_(free_space());
   return std::unique_ptr<Planner>(new GridPlanner(free_space(), choose_parts_, std::move(parts)));
 }
 
-std::optional<Error> GridPlanner::do_update(const SpaceChange& /*change*/) {
-  engine_.reset();  // its memory first
-  another_engine_ = {};
-  take(choose_parts_(free_space()));
+std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
+  do_release();
+  if (repaired_parts_ && !change.everything) {
+    take(repaired_parts_(free_space(), change));
+  } else {
+    repaired_parts_ = {};  // its memory first
+    take(choose_parts_(free_space()));
+  }
   return fault("this planner");
+}
+
+void GridPlanner::do_release() {
+  engine_.reset();
+  another_engine_ = {};
 }
 
 void GridPlanner::take(Parts parts) {
@@ -135,6 +144,7 @@ void GridPlanner::take(Parts parts) {
   bound_ = parts.bound;
   any_angle_ = parts.any_angle;
   another_engine_ = std::move(parts.another);
+  repaired_parts_ = std::move(parts.repaired);
 }
 
 }  // namespace wend

@@ -55,6 +55,9 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     bool any_angle = false;              // its paths are lines on uniform terrain, not steps
     /// Makes another engine from what was prepared for this one; null if nothing was.
     std::function<std::unique_ptr<GridEngine>()> another = {};
+    /// Makes the parts for the same space after a change from what was prepared for this one, which does
+    /// not hold the FreeSpace; null: they are made as for any other space.
+    std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired = {};
   };
 
   /// Called again for another FreeSpace.
@@ -74,6 +77,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::optional<GridMoves> do_grid_moves() const override { return moves_; }
   std::unique_ptr<Planner> do_clone() const override;
   std::optional<Error> do_update(const SpaceChange& change) override;
+  void do_release() override;
 
   GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts);
   void take(Parts parts);
@@ -83,6 +87,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   double bound_ = Plan::kNoBound;
   bool any_angle_ = false;
   std::function<std::unique_ptr<GridEngine>()> another_engine_;
+  std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired_parts_;
   GridQuery cells_;
 };
 

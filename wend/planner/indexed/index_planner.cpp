@@ -106,14 +106,16 @@ class IndexPlanner final : public Planner {
     if (engine_ == nullptr) {
       planner->why_none_ = why_none_;
     } else {
-      planner->use(index_);
+      planner->use(*index_);
     }
     return planner;
   }
 
-  std::optional<Error> do_update(const SpaceChange& /*change*/) override {
+  /// An edit does not build the index again: that may take minutes. The index is used as long as it matches.
+  std::optional<Error> do_update(const SpaceChange& change) override {
     engine_.reset();  // frees its memory first
-    index_ = {};
+    if (!change.everything && index_) return use(*index_);
+    index_.reset();
     auto built = build_(free_space());
     if (!built) return why_none_ = built.error();
     return use(*std::move(built));
@@ -121,7 +123,7 @@ class IndexPlanner final : public Planner {
 
   IndexBuilder build_;
   EngineOpener open_;
-  IndexBytes index_;  // clones share it
+  std::optional<IndexBytes> index_;  // the last one that could be used; clones share it
   std::unique_ptr<IndexEngine> engine_;
   std::size_t most_cells_ = 0;
   Error why_none_{Status::found, {}};  // if there is no engine

@@ -67,8 +67,7 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
   }
 
   std::optional<Error> do_update(const SpaceChange& /*change*/) override {
-    engine_.reset();  // its memory first
-    lattice_.reset();
+    LatticePlanner::do_release();  // its memory first
     auto lattice = parts_.make_lattice(this->free_space());
     if (lattice) {
       lattice_ = std::make_shared<const Lattice>(*std::move(lattice));
@@ -77,6 +76,11 @@ class LatticePlanner final : public SearchPlanner<LatticeEngine<Lattice>> {
       fault_ = std::move(lattice.error());
     }
     return fault_;
+  }
+
+  void do_release() override {
+    engine_.reset();
+    lattice_.reset();
   }
 
   std::optional<Error> make_engine() {

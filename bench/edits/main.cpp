@@ -1,0 +1,167 @@
+// wend-edits: what an edit of a map costs, beside making the free space again, in CPU time.
+//
+// The robot is a disc with a clearance cost. Edits are made in place, at random places of a generated map: each
+// time the free space is repaired, and asked whether two cells are connected, as a query does.
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/measure/measuring.hpp"
+#include "wend/base/random.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend::bench {
+namespace {
+
+struct Setting {
+  std::string_view kind;  // the generator
+  int side;               // of the map, in cells
+  double radius;          // of the robot, in cells
+  double band;            // of its clearance cost, in cells
+  double target_scratch;  // seconds
+};
+
+constexpr std::array kSettings{Setting{"office", 2048, 4, 7, 40e-3},
+                               Setting{"warehouse", 2048, 4, 7, 40e-3},
+                               Setting{"office", 4096, 20, 20, 160e-3}};
+
+struct Kind {
+  std::string_view name;
+  int side;       // of the box, in cells
+  double share;   // of its cells that change
+  double target;  // seconds, with distances of 11 cells at 2048 x 2048; twice that with others
+};
+
+constexpr std::array kKinds{Kind{"one cell", 1, 1, 100e-6},
+                            Kind{"a box of 10 x 10, filled or cleared", 10, -1, 250e-6},
+                            Kind{"a box of 50 x 50, filled or cleared", 50, -1, 250e-6},
+                            Kind{"a sweep over 200 x 200, one cell in 20", 200, 0.05, 1.5e-3}};
+
+[[noreturn]] void fail(std::string_view what) {
+  fmt::print(stderr, "wend-edits: {}\n", what);
+  std::exit(1);
+}
+
+std::size_t allocated_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+bool ask(const FreeSpace& space) {
+  const Cell far{space.width() - 11, space.height() - 11};
+  return space.components().connected({10, 10}, far, Adjacency::edges);
+}
+
+/// An edit of this kind somewhere on the map.
+MapEdit random_edit(Random& random, const GridMap& map, const Kind& kind) {
+  const int x = random.between(0, map.width() - kind.side);
+  const int y = random.between(0, map.height() - kind.side);
+  MapEdit edit{.corner = {x, y}, .states = Grid<CellState>(kind.side, kind.side)};
+  const bool filled = random.chance(0.5);
+  for (const Cell cell : every_cell(edit.states)) {
+    const Cell on_map{x + cell.x, y + cell.y};
+    const bool was_free = map.state(on_map) == CellState::free;
+    const bool changes = kind.share < 0 ? was_free == filled : random.chance(kind.share);
+    edit.states[cell] = was_free != changes ? CellState::free : CellState::occupied;
+  }
+  return edit;
+}
+
+struct EditTimes {
+  double repair = 0;    // seconds, mean
+  double question = 0;  // the first one afterwards
+};
+
+EditTimes time_edits(FreeSpace& space, const Kind& kind, int count, Random& random) {
+  EditTimes times;
+  for (int i = 0; i < count; ++i) {
+    const MapEdit edit = random_edit(random, space.map(), kind);
+    const double begin = thread_cpu_seconds();
+    if (!space.edit(edit)) fail("an edit was refused");
+    const double repaired = thread_cpu_seconds();
+    ask(space);
+    times.repair += (repaired - begin) / count;
+    times.question += (thread_cpu_seconds() - repaired) / count;
+  }
+  return times;
+}
+
+FreeSpaceOptions robot_of(const Setting& setting, double resolution) {
+  return {.footprint = Footprint::disc(setting.radius * resolution),
+          .clearance_distance = setting.band * resolution};
+}
+
+/// The edited space must be the one that is made of the edited map.
+void check(const FreeSpace& space) {
+  const FreeSpace fresh = *make_free_space(space.map(), space.options());
+  const bool equal =
+      space.passable() == fresh.passable() &&
+      space.components().sizes(Adjacency::edges) == fresh.components().sizes(Adjacency::edges);
+  if (!equal) fail("the edited free space is not that of the edited map");
+  for (const Cell cell : every_cell(space)) {
+    if (space.terrain(cell) != fresh.terrain(cell)) fail("an edited cost is wrong");
+  }
+}
+
+void run(const Setting& setting, int count, std::uint64_t seed) {
+  const auto map = make_map(setting.kind, setting.side, setting.side, seed);
+  if (!map) fail(map.error().message);
+  const FreeSpaceOptions robot = robot_of(setting, map->frame().resolution);
+  const Clock clock = thread_cpu_seconds;
+  const double scratch = least_seconds(clock, [&] { ask(*make_free_space(*map, robot)); });
+  const std::size_t before = allocated_bytes();
+  FreeSpace space = *make_free_space(*map, robot);
+  ask(space);
+  const double bytes =
+      static_cast<double>(allocated_bytes() - before) / static_cast<double>(map->size());
+  fmt::print(
+      "{} {} x {}, distances of {:g} cells: from scratch {:.1f} ms (target {:.0f}), {:.2f} bytes a "
+      "cell\n",
+      setting.kind, setting.side, setting.side, setting.radius + setting.band, 1e3 * scratch,
+      1e3 * setting.target_scratch, bytes);
+  fmt::print("  {:<42} {:>9} {:>11} {:>9} {:>9} {:>8}\n", "", "repair us", "question us", "both us",
+             "target us", "faster");
+  Random random(seed);
+  const bool small = setting.side <= 2048;
+  time_edits(space, kKinds.front(), 1, random);  // takes the map for itself
+  for (const Kind& kind : kKinds) {
+    const EditTimes times = time_edits(space, kind, count, random);
+    const double both = times.repair + times.question;
+    fmt::print("  {:<42} {:>9.1f} {:>11.1f} {:>9.1f} {:>9.0f} {:>8.0f}\n", kind.name,
+               1e6 * times.repair, 1e6 * times.question, 1e6 * both,
+               1e6 * kind.target * (small ? 1 : 2), scratch / both);
+  }
+  check(space);
+}
+
+}  // namespace
+}  // namespace wend::bench
+
+int main(int argc, char** argv) {
+  int count = 200;
+  std::uint64_t seed = 7;
+  CLI::App app(
+      "Times edits of maps beside making the free space again, in CPU time of the thread.");
+  app.add_option("--count", count, "edits of each kind; their mean is shown")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--seed", seed, "of the maps and the edits")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  wend::bench::stay_on_one_core();
+  for (const auto& setting : wend::bench::kSettings) wend::bench::run(setting, count, seed);
+  return 0;
+}
