@@ -74,6 +74,15 @@ def test_a_signal_stops_search() -> None:
         wend.search(WALLED, (0, 0), (1450, 0), "random", max_steps=STEPS)
 
 
+@pytest.mark.parametrize("planner", ["hub_labels", "corner_hierarchy"])
+def test_a_signal_stops_the_building_of_an_index(planner: str) -> None:
+    cells = np.random.default_rng(1).random((700, 700)) < 0.3  # takes seconds
+    space = wend.Map(cells.astype(np.int8)).free_space()
+    with pytest.raises(Alarm), alarm():
+        wend.Index.build(space, planner, threads=2)
+    assert wend.Index.build(wend.Map(np.zeros((9, 9))).free_space(), planner).size > 0
+
+
 def test_plan_does_not_hold_the_interpreter_lock() -> None:
     space = wend.Map(WALLED).free_space()
     began = threading.Event()

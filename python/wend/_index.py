@@ -34,7 +34,7 @@ class Index:
     def build(
         cls, space: FreeSpace, planner: str = "hub_labels", *, threads: int = 0, progress: bool = False
     ) -> Index:
-        """Computes an index. It can take minutes for a large map. Ctrl-C stops it, on a large map after some seconds.
+        """Computes an index. It can take minutes for a large map. Ctrl-C stops it.
 
         :param planner: a planner with an index, see ``wend.planners()``.
         :param threads: 0: as many as the machine runs at once.

@@ -79,10 +79,12 @@ class EdgeScan {
 
 }  // namespace
 
-CornerGraph::CornerGraph(Corners corners) : corners_(std::move(corners)), begins_{0} {
+CornerGraph::CornerGraph(Corners corners, const IndexBuilding& building)
+    : corners_(std::move(corners)), begins_{0} {
   begins_.reserve(size() + 1);
   EdgeScan scan(corners_);
   for (std::uint32_t corner = 0; corner < size(); ++corner) {
+    if (building.cancelled()) return;
     scan.append_neighbours(corners_.cell(corner), edges_);
     begins_.push_back(edges_.size());
   }

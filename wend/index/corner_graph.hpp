@@ -16,6 +16,7 @@
 
 #include "wend/index/corner_cost.hpp"
 #include "wend/index/corners.hpp"
+#include "wend/index/index_building.hpp"
 #include "wend/search/min_heap.hpp"
 
 namespace wend {
@@ -30,7 +31,7 @@ struct CornerEdge {
 class CornerGraph {
  public:
   /// O(corners * the cells on their diagonals); 8 bytes an edge.
-  explicit CornerGraph(Corners corners);
+  explicit CornerGraph(Corners corners, const IndexBuilding& building = {});
 
   const Corners& corners() const { return corners_; }
   std::size_t size() const { return corners_.size(); }

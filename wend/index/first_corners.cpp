@@ -54,7 +54,7 @@ struct SameList {
 
 }  // namespace
 
-AllFirstCorners::AllFirstCorners(const Corners& corners)
+AllFirstCorners::AllFirstCorners(const Corners& corners, const IndexBuilding& building)
     : width_(corners.passable().width()),
       begins_(static_cast<std::size_t>(width_) *
                   static_cast<std::size_t>(corners.passable().height()) +
@@ -62,6 +62,7 @@ AllFirstCorners::AllFirstCorners(const Corners& corners)
   const BitGrid& passable = corners.passable();
   const auto count = static_cast<std::uint32_t>(corners.size());
   for (std::uint32_t corner = 0; corner < count; ++corner) {
+    if (building.cancelled()) return;
     visit_cells_before(passable, corners.cell(corner),
                        [&](Cell cell) { ++begins_[number_of(cell)]; });
   }
@@ -69,12 +70,14 @@ AllFirstCorners::AllFirstCorners(const Corners& corners)
   for (std::size_t& begin : begins_) begin = end += begin;
   corners_.resize(end);
   for (std::uint32_t corner = count; corner-- > 0;) {
+    if (building.cancelled()) return;
     visit_cells_before(passable, corners.cell(corner),
                        [&](Cell cell) { corners_[--begins_[number_of(cell)]] = corner; });
   }
 }
 
-CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& first) {
+CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& first,
+                               const IndexBuilding& building) {
   struct Member {
     Cell cell;
     std::size_t component;
@@ -84,6 +87,7 @@ CellComponents::CellComponents(const Corners& corners, const AllFirstCorners& fi
   const BitGrid& passable = corners.passable();
   for (const Cell cell : every_cell(passable)) {
     if (!passable[cell] || corners.contains(cell)) continue;
+    if (building.cancelled()) return;
     const std::size_t component =
         components.try_emplace(first.of(cell), components.size()).first->second;
     members.push_back({cell, component});

@@ -25,13 +25,14 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/index/corners.hpp"
+#include "wend/index/index_building.hpp"
 
 namespace wend {
 
 /// The first corners of all cells, computed backwards from the corners. O(cells + the lists).
 class AllFirstCorners {
  public:
-  explicit AllFirstCorners(const Corners& corners);
+  explicit AllFirstCorners(const Corners& corners, const IndexBuilding& building = {});
 
   /// In ascending order; empty for a blocked cell.
   std::span<const std::uint32_t> of(Cell cell) const {
@@ -56,7 +57,8 @@ class AllFirstCorners {
 class CellComponents {
  public:
   /// O(the lists of all cells). Components are numbered by their first cell, row by row.
-  CellComponents(const Corners& corners, const AllFirstCorners& first);
+  CellComponents(const Corners& corners, const AllFirstCorners& first,
+                 const IndexBuilding& building = {});
 
   std::size_t size() const { return begins_.size() - 1; }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 // IndexBuilding: the workers, progress callback and cancel flag of an index build.
+//
+// Parts of an index whose constructor takes an IndexBuilding look at the cancel flag while they are made. If it is set,
+// they end early and are incomplete: whoever makes them asks cancelled() afterwards and throws them away.
 
 #include <atomic>
 #include <functional>

@@ -26,9 +26,9 @@ enum Section : std::size_t {
   section_count,
 };
 
-std::vector<GraphArc> arcs_of(const Turns& turns) {
+std::vector<GraphArc> arcs_of(const Turns& turns, const IndexBuilding& building) {
   std::vector<GraphArc> arcs;
-  for (std::uint32_t turn = 0; turn < turns.size(); ++turn) {
+  for (std::uint32_t turn = 0; turn < turns.size() && !building.cancelled(); ++turn) {
     turns.for_each_next(
         turn, [&](std::uint32_t next, CornerCost cost) { arcs.push_back({turn, next, cost}); });
   }
@@ -265,7 +265,7 @@ Expected<IndexBytes, Error> build_corner_hierarchy(const BitGrid& passable,
                                                    const IndexBuilding& building,
                                                    const ContractionEffort& effort) {
   const Turns turns(passable);
-  const std::vector<GraphArc> arcs = arcs_of(turns);
+  const std::vector<GraphArc> arcs = arcs_of(turns, building);
   if (paths_may_be_too_long(turns, arcs)) {
     return failure(Status::unsupported_map,
                    "paths on this map may cost more than the index can store");

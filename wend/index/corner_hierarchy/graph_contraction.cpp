@@ -114,18 +114,21 @@ struct Candidate {
 
 class Contraction {
  public:
-  Contraction(std::uint32_t nodes, std::span<const GraphArc> arcs, const ContractionEffort& effort)
+  Contraction(std::uint32_t nodes, std::span<const GraphArc> arcs, const ContractionEffort& effort,
+              const IndexBuilding& building)
       : effort_(effort),
+        building_(building),
         most_work_(effort.work_per_node * nodes),
-        graph_(nodes, arcs),
+        graph_(nodes, arcs, building),
         witnesses_(nodes),
         depths_(nodes),
         is_out_(nodes) {}
 
-  bool run(const IndexBuilding& building) {
+  /// False if the building was cancelled.
+  bool run() {
     rank_all();
     while (!queue_.empty() && witnesses_.work() < most_work_) {
-      if (building.cancelled()) return false;
+      if (building_.cancelled()) return false;
       const Candidate candidate = min_heap::pop(queue_);
       const std::int64_t priority = priority_of(candidate.node);
       if (!queue_.empty() && priority > queue_.front().priority) {
@@ -133,9 +136,9 @@ class Contraction {
         continue;
       }
       take_out(candidate.node);
-      if (taken_out_.size() % kNodesBetweenTelling == 0) building.tell(share_done());
+      if (taken_out_.size() % kNodesBetweenTelling == 0) building_.tell(share_done());
     }
-    return !building.cancelled();
+    return !building_.cancelled();
   }
 
   ContractedGraph finish() {
@@ -155,6 +158,7 @@ class Contraction {
 
   void rank_all() {
     for (std::uint32_t node = 0; node < is_out_.size(); ++node) {
+      if (building_.cancelled()) return;
       if (witnesses_.work() >= most_work_) return;  // no node will be removed
       queue_.push_back({priority_of(node), node});
     }
@@ -187,6 +191,7 @@ class Contraction {
   }
 
   ContractionEffort effort_;
+  const IndexBuilding& building_;
   std::uint64_t most_work_;
   ShrinkingGraph graph_;
   WitnessSearch witnesses_;
@@ -202,8 +207,8 @@ class Contraction {
 Expected<ContractedGraph, Error> contract(std::uint32_t nodes, std::span<const GraphArc> arcs,
                                           const ContractionEffort& effort,
                                           const IndexBuilding& building) {
-  Contraction contraction(nodes, arcs, effort);
-  if (!contraction.run(building)) {
+  Contraction contraction(nodes, arcs, effort, building);
+  if (!contraction.run()) {
     return failure(Status::cancelled, "the index was not finished");
   }
   return contraction.finish();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wend/index/corner_hierarchy/graph_contraction.hpp"
+#include "wend/index/index_building.hpp"
 
 namespace wend {
 
@@ -20,9 +21,13 @@ class ShrinkingGraph {
     std::uint32_t middle;  // the removed node that a shortcut replaces, else kNoMiddle
   };
 
-  ShrinkingGraph(std::uint32_t nodes, std::span<const GraphArc> arcs)
+  ShrinkingGraph(std::uint32_t nodes, std::span<const GraphArc> arcs,
+                 const IndexBuilding& building = {})
       : leaving_(nodes), entering_(nodes) {
-    for (const GraphArc& arc : arcs) add(arc, kNoMiddle);
+    for (const GraphArc& arc : arcs) {
+      if (building.cancelled()) return;
+      add(arc, kNoMiddle);
+    }
   }
 
   /// The arcs of a node to and from remaining nodes; for a removed node, the arcs that it had at its

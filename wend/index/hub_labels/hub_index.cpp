@@ -17,10 +17,10 @@ namespace {
 
 using Failure = Unexpected<Error>;
 
-constexpr int kMostRows = 65536;                 // a cell is stored in two times 16 bits
-constexpr std::size_t kMostCounted = 65535;      // hubs and corners of a record
-constexpr double kLabelsShare = 0.9;             // of the work, approximately
-constexpr std::uint32_t kHubsBetweenLooks = 64;  // between checks whether to stop
+constexpr int kMostRows = 65536;             // a cell is stored in two times 16 bits
+constexpr std::size_t kMostCounted = 65535;  // hubs and corners of a record
+constexpr double kLabelsShare = 0.9;         // of the work, approximately
+constexpr std::uint32_t kHubsBetweenTelling = 64;
 constexpr std::size_t kComponentsATask = 256;
 
 Failure unsupported(std::string what) {
@@ -32,10 +32,10 @@ Failure cancelled() { return Failure({Status::cancelled, "the index was not fini
 /// Labels all corners. False if it was cancelled.
 bool label_corners(const CornerGraph& graph, const AllFirstCorners& first, HubLabelling& labelling,
                    const IndexBuilding& building) {
-  LabelOrder order(graph, first, labelling);
+  LabelOrder order(graph, first, labelling, building);
   for (std::uint32_t hub = 0; hub < graph.size(); ++hub) {
-    if (hub % kHubsBetweenLooks == 0) {
-      if (building.cancelled()) return false;
+    if (building.cancelled()) return false;
+    if (hub % kHubsBetweenTelling == 0) {
       building.tell(kLabelsShare * hub / static_cast<double>(graph.size()));
     }
     labelling.add_hub(order.next());
@@ -58,9 +58,10 @@ class RecordWriter {
   const std::vector<std::uint32_t>& words() const { return words_; }
   std::span<const std::uint32_t> record_of_cell() const { return record_of_cell_.values(); }
 
-  void add_corners(const HeavyPaths& paths) {
+  void add_corners(const HeavyPaths& paths, const IndexBuilding& building) {
     std::vector<typename HubRecord<Hub>::Part> parts(1);
     for (std::uint32_t corner = 0; corner < corners_.size(); ++corner) {
+      if (building.cancelled()) return;
       fill(parts[0], corner, labelling_.label(corner));
       record_of_cell_[corners_.cell(corner)] = static_cast<std::uint32_t>(words_.size());
       HubRecord<Hub>::append(words_, parts, paths.places(corner), true);
@@ -78,12 +79,13 @@ class RecordWriter {
       if (building.cancelled()) return;
       const std::size_t begin = task * kComponentsATask;
       const std::size_t end = std::min(begin + kComponentsATask, components.size());
-      for (std::size_t component = begin; component < end; ++component) {
+      for (std::size_t component = begin; component < end && !building.cancelled(); ++component) {
         write_component(components.cells(component), hubs[worker], written[task]);
       }
     });
+    if (building.cancelled()) return false;
     for (std::size_t task = 0; task < tasks; ++task) append(written[task], components, task);
-    return !building.cancelled();
+    return true;
   }
 
  private:
@@ -132,10 +134,12 @@ template <class Hub>
 Expected<IndexBytes, Error> write_index(const CornerGraph& graph, const AllFirstCorners& first,
                                         const HubLabelling& labelling,
                                         const IndexBuilding& building) {
-  const HeavyPaths paths(graph.corners(), labelling);
-  const CellComponents components(graph.corners(), first);
+  const HeavyPaths paths(graph.corners(), labelling, building);
+  if (building.cancelled()) return cancelled();
+  const CellComponents components(graph.corners(), first, building);
+  if (building.cancelled()) return cancelled();
   RecordWriter<Hub> records(graph.corners(), first, labelling);
-  records.add_corners(paths);
+  records.add_corners(paths, building);
   if (!records.add_components(components, building)) return cancelled();
   if (records.words().size() >= HubSections::kNoRecord || paths.words().size() >= run_word::kHub) {
     return unsupported("the map has too many corners for a label index");
@@ -173,9 +177,10 @@ Expected<IndexBytes, Error> build_hub_index(const BitGrid& passable,
     return unsupported("a label index is for maps of fewer than 32768 rows and columns");
   }
   building.tell(0);
-  const CornerGraph graph{Corners(passable)};
-  const AllFirstCorners first(graph.corners());
-  HubLabelling labelling(graph);
+  const CornerGraph graph(Corners(passable), building);
+  const AllFirstCorners first(graph.corners(), building);
+  if (building.cancelled()) return cancelled();
+  HubLabelling labelling(graph, building);
   if (!label_corners(graph, first, labelling, building)) return cancelled();
   if (const auto fault = fault_of(graph, labelling)) return unsupported(*fault);
   return labelling.hubs() <= HubSections::kMostShortHubs

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "wend/index/all_pairs_test.hpp"
+#include "wend/index/corner_graph.hpp"
 #include "wend/index/file/index_bytes.hpp"
+#include "wend/index/first_corners.hpp"
 
 namespace wend {
 namespace {
@@ -111,6 +113,17 @@ TEST(HubIndex, StopsBuildingWhenToldTo) {
     ASSERT_FALSE(index);
     EXPECT_EQ(index.error().status, Status::cancelled);
   }
+}
+
+TEST(HubIndex, MakesNoPartOnceItIsToldToStop) {
+  const BitGrid bits = random_board(9, 60, 60, 0.7);
+  const std::atomic<bool> cancel = true;
+  const IndexBuilding building{.cancel = &cancel};
+  const CornerGraph graph(Corners(bits), building);
+  EXPECT_GT(graph.size(), 0U);
+  EXPECT_EQ(graph.edge_count(), 0U);
+  const AllFirstCorners first(graph.corners(), building);
+  for (const Cell cell : every_cell(bits)) EXPECT_TRUE(first.of(cell).empty());
 }
 
 TEST(HubIndex, RefusesBoardsThatAreTooWide) {

@@ -2,8 +2,9 @@
 
 namespace wend {
 
-HubLabelling::HubLabelling(const CornerGraph& graph)
+HubLabelling::HubLabelling(const CornerGraph& graph, const IndexBuilding& building)
     : graph_(graph),
+      building_(building),
       is_hub_(graph.size()),
       labels_(graph.size()),
       from_root_(graph.size(), kUnreachedCost),
@@ -25,7 +26,7 @@ void HubLabelling::add_hub(std::uint32_t corner) {
 void HubLabelling::spread(std::uint32_t hub, std::uint32_t root) {
   const std::size_t tree = nodes_.size();
   reach({0, root, HubTreeNode::kRoot});
-  while (!frontier_.empty()) {
+  while (!frontier_.empty() && !building_.cancelled()) {
     const CornerFrontier::Entry next = frontier_.pop();
     if (frontier_.is_outdated(next)) continue;
     if (covers(labels_[next.corner], from_root_, next.cost)) continue;

@@ -16,6 +16,7 @@
 
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/corners.hpp"
+#include "wend/index/index_building.hpp"
 
 namespace wend {
 
@@ -43,8 +44,8 @@ struct HubTreeNode {
 
 class HubLabelling {
  public:
-  /// A labelling without hubs. `graph` must outlive it.
-  explicit HubLabelling(const CornerGraph& graph);
+  /// A labelling without hubs. Both must outlive it.
+  HubLabelling(const CornerGraph& graph, const IndexBuilding& building);
 
   std::size_t hubs() const { return hub_corners_.size(); }
   bool is_hub(std::uint32_t corner) const { return is_hub_[corner] != 0; }
@@ -68,6 +69,7 @@ class HubLabelling {
   void reach(const CornerFrontier::Entry& entry);
 
   const CornerGraph& graph_;
+  const IndexBuilding& building_;
   std::vector<std::uint32_t> hub_corners_;
   std::vector<std::uint8_t> is_hub_;           // by corner
   std::vector<std::vector<HubEntry>> labels_;  // by corner

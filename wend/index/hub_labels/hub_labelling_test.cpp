@@ -20,11 +20,12 @@ using test::text_of;
 /// The labelling of a board, with the graph and first corners that it needs.
 struct Labelled {
   explicit Labelled(const BitGrid& bits)
-      : graph(Corners(bits)), first(graph.corners()), labelling(graph) {
-    LabelOrder order(graph, first, labelling);
+      : graph(Corners(bits)), first(graph.corners()), labelling(graph, building) {
+    LabelOrder order(graph, first, labelling, building);
     for (std::size_t i = 0; i < graph.size(); ++i) labelling.add_hub(order.next());
   }
 
+  IndexBuilding building;
   CornerGraph graph;
   AllFirstCorners first;
   HubLabelling labelling;

@@ -121,14 +121,18 @@ Expected<HubSections, Error> HubSections::of(const IndexReader& reader, const Bi
   return sections;
 }
 
-HeavyPaths::HeavyPaths(const Corners& corners, const HubLabelling& labelling)
+HeavyPaths::HeavyPaths(const Corners& corners, const HubLabelling& labelling,
+                       const IndexBuilding& building)
     : corners_(corners), begins_{0} {
   for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
     begins_.push_back(begins_.back() + labelling.label(corner).size());
   }
   places_.resize(begins_.back());
   next_ = begins_;
-  for (std::uint32_t hub = 0; hub < labelling.hubs(); ++hub) add_tree(labelling.tree(hub));
+  for (std::uint32_t hub = 0; hub < labelling.hubs(); ++hub) {
+    if (building.cancelled()) return;
+    add_tree(labelling.tree(hub));
+  }
   add_joint(0);  // the end
 }
 

@@ -160,7 +160,8 @@ constexpr Direction direction(RunWord word) { return static_cast<Direction>(word
 class HeavyPaths {
  public:
   /// Needs a complete labelling. O(its entries).
-  HeavyPaths(const Corners& corners, const HubLabelling& labelling);
+  HeavyPaths(const Corners& corners, const HubLabelling& labelling,
+             const IndexBuilding& building = {});
 
   std::span<const RunWord> words() const { return words_; }
 

@@ -28,10 +28,11 @@ class SampledTrees {
  public:
   /// Has no trees yet. All three must outlive it.
   SampledTrees(const CornerGraph& graph, const AllFirstCorners& first,
-               const HubLabelling& labelling)
+               const HubLabelling& labelling, const IndexBuilding& building)
       : graph_(graph),
         first_(first),
         labelling_(labelling),
+        building_(building),
         cell_counts_(graph.size(), 1),
         first_nodes_(graph.size(), kNone),
         totals_(graph.size()),
@@ -123,7 +124,7 @@ class SampledTrees {
   }
 
   void spread() {
-    while (!frontier_.empty()) {
+    while (!frontier_.empty() && !building_.cancelled()) {
       const CornerFrontier::Entry next = frontier_.pop();
       if (frontier_.is_outdated(next)) continue;
       if (covers(labelling_.label(next.corner), from_root_, next.cost)) continue;
@@ -177,6 +178,7 @@ class SampledTrees {
   const CornerGraph& graph_;
   const AllFirstCorners& first_;
   const HubLabelling& labelling_;
+  const IndexBuilding& building_;
   Random random_{1};
   std::vector<Cell> cells_;                 // roots to choose from
   std::vector<std::uint32_t> cell_counts_;  // by corner: cells that may turn first there, and 1
@@ -193,9 +195,10 @@ class SampledTrees {
 };
 
 LabelOrder::LabelOrder(const CornerGraph& graph, const AllFirstCorners& first,
-                       const HubLabelling& labelling)
+                       const HubLabelling& labelling, const IndexBuilding& building)
     : labelling_(labelling),
-      trees_(std::make_unique<SampledTrees>(graph, first, labelling)),
+      building_(building),
+      trees_(std::make_unique<SampledTrees>(graph, first, labelling, building)),
       wanted_nodes_(kNodesPerCorner * graph.size()),
       nodes_of_late_(static_cast<double>(graph.size())),
       queued_(graph.size()) {}
@@ -220,7 +223,8 @@ std::uint32_t LabelOrder::next() {
 }
 
 void LabelOrder::grow_trees() {
-  while (!all_told_ && (grown_ < kFirstTrees || trees_->size() < wanted_nodes_)) {
+  while (!building_.cancelled() && !all_told_ &&
+         (grown_ < kFirstTrees || trees_->size() < wanted_nodes_)) {
     const std::size_t nodes = trees_->grow([&](std::uint32_t corner) {
       const std::uint64_t total = trees_->total(corner);
       // Leaves room to grow, so that not every tree queues the corner again.

@@ -15,6 +15,7 @@
 #include "wend/index/corner_graph.hpp"
 #include "wend/index/first_corners.hpp"
 #include "wend/index/hub_labels/hub_labelling.hpp"
+#include "wend/index/index_building.hpp"
 
 namespace wend {
 
@@ -22,11 +23,13 @@ class SampledTrees;
 
 class LabelOrder {
  public:
-  /// All three must outlive it.
-  LabelOrder(const CornerGraph& graph, const AllFirstCorners& first, const HubLabelling& labelling);
+  /// All four must outlive it.
+  LabelOrder(const CornerGraph& graph, const AllFirstCorners& first, const HubLabelling& labelling,
+             const IndexBuilding& building);
   ~LabelOrder();
 
-  /// A corner that is not a hub yet; there must be one. Make it a hub before the next call.
+  /// A corner that is not a hub yet; there must be one. Make it a hub before the next call. Any such corner if the
+  /// building was cancelled.
   std::uint32_t next();
 
  private:
@@ -43,6 +46,7 @@ class LabelOrder {
   void push(std::uint32_t corner, std::uint64_t total);
 
   const HubLabelling& labelling_;
+  const IndexBuilding& building_;
   std::unique_ptr<SampledTrees> trees_;
   std::size_t wanted_nodes_;
   std::size_t grown_ = 0;
