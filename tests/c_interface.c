@@ -97,6 +97,7 @@ static void check_field(wend_session* session, const wend_request* request) {
 static void check_session(void) {
   const wend_pose start = {0.25, 0.25, 0};
   const wend_pose goal = {2.25, 1.25, NAN};
+  const uint8_t occupied = 1;
   wend_map* map = make_map();
   wend_robot* robot = make_robot();
   wend_session* session = NULL;
@@ -106,6 +107,7 @@ static void check_session(void) {
   options.outside = WEND_POLICY_FREE;
   CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
+  CHECK(wend_session_edit(session, 2, 0, 1, 1, &occupied, 1, NULL) == WEND_OK);
   CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
   wend_robot_free(robot);
   wend_map_free(map);

@@ -61,5 +61,44 @@ TEST(SessionThreads, AnswerOnOneMapOrTheOther) {
   EXPECT_GT(of_wide, 0);
 }
 
+/// Edits are made while threads plan; every answer is one of the map that it names, and views that threads
+/// hold never change. The spaces are asked by all of them for what is made when first asked.
+TEST(SessionThreads, AnswerOnTheMapThatTheyNameWhileItIsEdited) {
+  Session session(room_with_a_wall(false), {.footprint = Footprint::disc(1)});
+  std::atomic<int> wrong = 0;
+  std::atomic<bool> begun = false;
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      const PlanRequest request = request_for(thread % 2 == 0 ? "astar" : "jps");
+      for (int i = 0; i < 60; ++i) {
+        const auto view = *session.view();
+        const std::size_t passable = view.space.passable().count();
+        const auto answer = session.plan(view, request);
+        begun = true;
+        if (!answer) {
+          ++wrong;
+          continue;
+        }
+        for (const Cell cell : answer->plan.path.cells())
+          wrong += view.space.passable(cell) ? 0 : 1;
+        view.space.clearance({1, 1});
+        view.space.squared_half_cell_clearance();
+        if (view.space.components().size_of_component({1, 1}, Adjacency::edges) == 0) ++wrong;
+        if (view.space.passable().count() != passable) ++wrong;
+      }
+    });
+  }
+  while (!begun) std::this_thread::yield();
+  for (int i = 0; i < 100; ++i) {
+    const CellState state = i % 2 == 0 ? CellState::occupied : CellState::free;
+    const auto change = session.edit({.corner = {20, 30}, .states = Grid<CellState>(1, 5, state)});
+    if (!change || change->none()) ++wrong;
+    session.plan(request_for("astar"));
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, 0);
+}
+
 }  // namespace
 }  // namespace wend

@@ -225,6 +225,20 @@ TEST(Snippets, OfLineAndPointSweep) {
   EXPECT_EQ(reported, "blocked");
 }
 
+TEST(Snippets, OfEdits) {
+  const wend::GridMap map =
+      *wend::make_grid_map(wend::Grid<wend::CellState>(20, 10, wend::CellState::free));
+  const wend::CellBox edited{{3, 4}, {5, 6}};  // four cells
+  const wend::CellBox reached = edited.grown_by(10).clipped_to(map);
+  EXPECT_EQ(reached, (wend::CellBox{{0, 0}, {15, 10}}));
+
+  wend::FreeSpace space = *wend::make_free_space(map);
+  wend::Grid<wend::CellState> door(3, 1, wend::CellState::occupied);
+  const auto change = space.edit({.corner = {12, 7}, .states = door});
+  if (!change) return report(change.error().message);
+  EXPECT_EQ(change->boxes, (std::vector<wend::CellBox>{{{12, 7}, {15, 8}}}));
+}
+
 TEST(Snippets, OfMapsRowByRow) {
   wend::GridMapBuilder rows(2);
   rows.append(std::array{wend::CellState::free, wend::CellState::occupied});

@@ -228,6 +228,15 @@ WEND_C_API wend_status wend_session_create(const wend_map* map, const wend_robot
 WEND_C_API wend_status wend_session_set_map(wend_session* session, const wend_map* map,
                                             wend_error* error);
 
+/// Changes a box of cells: `states` are `size` = `width` * `height` bytes as WEND_CELLS_STATE has them, row by
+/// row; the first is for cell (x, y). Repairs what depends on these cells, and planners keep the rest of what
+/// they have prepared; one with an index fails with WEND_INDEX_MISMATCH from then on. Calls that have begun
+/// end on the old map. Fails with WEND_INVALID_ARGUMENT, or with WEND_INVALID_MAP if the box reaches beyond
+/// the map, and changes nothing then. O(cells near the box), but O(cells) while another call uses the map.
+WEND_C_API wend_status wend_session_edit(wend_session* session, int32_t x, int32_t y, int32_t width,
+                                         int32_t height, const uint8_t* states, size_t size,
+                                         wend_error* error);
+
 /// Replaces the robot; null: a point. Calls that have begun end with the old one.
 WEND_C_API wend_status wend_session_set_robot(wend_session* session, const wend_robot* robot,
                                               wend_error* error);

@@ -2,7 +2,7 @@
 
 // Lazy: a value that is made when it is first asked for, once for all threads.
 //
-//   const Grid<double>& costs = costs_.get([&] { return costs_of(map); });
+//   const wend::Grid<double>& costs = costs_.get([&] { return ...; });
 
 #include <atomic>
 #include <optional>

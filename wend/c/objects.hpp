@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "wend/analysis/cost_to_go.hpp"
@@ -31,13 +32,16 @@ struct wend_session {
 
   void set_map(const wend::GridMap& next);
 
+  /// Edits the map in place: this object's copy lets go of it meanwhile.
+  wend::Expected<void, wend::Error> edit(const wend::MapEdit& edit);
+
   /// Planners that an exception stopped are of no use any more.
   void drop_planners();
 
   wend::ObstacleOptions obstacles;
   wend::Session session;
-  std::mutex mutex;  // guards `map`
-  wend::GridMap map;
+  std::mutex mutex;                  // guards `map`
+  std::optional<wend::GridMap> map;  // nothing if an exception stopped an edit
 };
 
 struct wend_plan {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "wend/base/parse.hpp"
@@ -28,9 +29,23 @@ void wend_session::set_map(const wend::GridMap& next) {
   session.set_map(next);
 }
 
+wend::Expected<void, wend::Error> wend_session::edit(const wend::MapEdit& edit) {
+  const std::scoped_lock lock(mutex);
+  map.reset();
+  const auto change = session.edit(edit);
+  const auto view = session.view();
+  if (view) map = view->space.map();
+  if (!change) return wend::Unexpected<wend::Error>(change.error());
+  return {};
+}
+
 void wend_session::drop_planners() {
   const std::scoped_lock lock(mutex);
-  session.set_map(map);
+  if (map) {
+    session.set_map(*map);
+  } else {
+    session.clear_map("an edit of the map was stopped: set the map again");
+  }
 }
 
 namespace wend::c {
@@ -85,6 +100,26 @@ Expected<ObstacleOptions, Failure> obstacles_of(const wend_session_options& opti
   if (options.outside == WEND_POLICY_FREE) obstacles.outside = OutsidePolicy::free;
   if (options.outside == WEND_POLICY_BLOCKED) obstacles.outside = OutsidePolicy::blocked;
   return obstacles;
+}
+
+Expected<MapEdit, Failure> edit_of(Cell corner, std::int32_t width, std::int32_t height,
+                                   std::span<const std::uint8_t> states) {
+  if (width < 1 || height < 1 || width > static_cast<std::int64_t>(GridMap::kMaxCells) / height ||
+      states.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    return refused("there are " + std::to_string(states.size()) + " bytes for a box of " +
+                   std::to_string(width) + " x " + std::to_string(height) + " cells");
+  }
+  MapEdit edit{.corner = corner, .states = Grid<CellState>(width, height)};
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] > static_cast<std::uint8_t>(CellState::unknown)) {
+      return refused("states[" + std::to_string(i) + "] is " + std::to_string(states[i]) +
+                     ": 0 free, 1 occupied or 2 unknown expected");
+    }
+    const auto column = static_cast<int>(i % static_cast<std::size_t>(width));
+    const auto row = static_cast<int>(i / static_cast<std::size_t>(width));
+    edit.states[{column, row}] = static_cast<CellState>(states[i]);
+  }
+  return edit;
 }
 
 /// The goals of a request; NaN is any heading.
@@ -249,6 +284,22 @@ wend_status wend_session_set_map(wend_session* session, const wend_map* map, wen
     if (map == nullptr) return refused("map is null");
     session->set_map(map->map);
     return {};
+  });
+}
+
+wend_status wend_session_edit(wend_session* session, int32_t x, int32_t y, int32_t width,
+                              int32_t height, const uint8_t* states, size_t size,
+                              wend_error* error) {
+  return guarded(error, [&]() -> Done {
+    if (session == nullptr) return refused("session is null");
+    if (states == nullptr) return refused("states is null");
+    const auto edit = edit_of({x, y}, width, height, std::span(states, size));
+    if (!edit) return wend::Unexpected<Failure>(edit.error());
+    return or_without_planners(*session, [&]() -> Done {
+      const auto done = session->edit(*edit);
+      if (!done) return failed(done.error());
+      return {};
+    });
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "conformance/random_edit.hpp"
 #include "conformance/random_map.hpp"
 #include "tests/testing/c_objects.hpp"
 #include "wend/c/boundary.hpp"
@@ -209,6 +210,59 @@ TEST(CSession, PlansOnTheMapAndForTheRobotOfNow) {
   EXPECT_EQ(fits(), 0);
   EXPECT_EQ(wend_session_set_robot(session.get(), nullptr, nullptr), WEND_OK);
   EXPECT_EQ(fits(), 1) << "a point";
+}
+
+TEST(CSession, EditsCellsLikeASession) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    BothSessions sessions(random);
+    for (int i = 0; i < 3; ++i) {
+      const GridMap map = sessions.cpp->view()->space.map();
+      const CellBox box = random_box_on(random, map, 8);
+      std::vector<std::uint8_t> states(static_cast<std::size_t>(box.size()));
+      MapEdit edit{.corner = box.begin, .states = Grid<CellState>(box.width(), box.height())};
+      std::size_t next = 0;
+      for (const Cell cell : every_cell(edit.states)) {
+        edit.states[cell] = random_state(random, 0.4);
+        states[next++] = static_cast<std::uint8_t>(edit.states[cell]);
+      }
+      ASSERT_TRUE(sessions.cpp->edit(edit));
+      ASSERT_EQ(wend_session_edit(sessions.c.get(), box.begin.x, box.begin.y, box.width(),
+                                  box.height(), states.data(), states.size(), nullptr),
+                WEND_OK);
+      for (int n = 0; n < 10; ++n) {
+        const wend_pose pose = sessions.pose();
+        std::int32_t fits = -1;
+        ASSERT_EQ(wend_session_fits(sessions.c.get(), &pose, &fits, nullptr), WEND_OK);
+        const FreeSpace space = sessions.cpp->view()->space;
+        ASSERT_EQ(fits != 0,
+                  space.fits(map.frame().to_grid(MapPose{pose.x, pose.y, pose.heading})));
+      }
+    }
+  }
+}
+
+TEST(CSession, RefusesEditsThatDoNotFit) {
+  const auto session = c_session(open_c_map(5, 4).get(), nullptr, nullptr);
+  const std::array<std::uint8_t, 4> states{0, 1, 2, 0};
+  const std::array<std::uint8_t, 1> seven{7};
+  const auto message = [&](int x, int y, int width, int height, const std::uint8_t* bytes,
+                           std::size_t size) {
+    wend_error error;
+    EXPECT_NE(wend_session_edit(session.get(), x, y, width, height, bytes, size, &error), WEND_OK);
+    return std::string(error.message);
+  };
+  EXPECT_EQ(message(4, 0, 2, 2, states.data(), 4),
+            "cell (5,1) of the edit is not on the map of 5 x 4 cells");
+  EXPECT_EQ(message(0, 0, 3, 2, states.data(), 4), "there are 4 bytes for a box of 3 x 2 cells");
+  EXPECT_EQ(message(0, 0, 0, 2, states.data(), 0), "there are 0 bytes for a box of 0 x 2 cells");
+  EXPECT_EQ(message(0, 0, 1, 1, seven.data(), 1),
+            "states[0] is 7: 0 free, 1 occupied or 2 unknown expected");
+  EXPECT_EQ(message(0, 0, 1, 1, nullptr, 1), "states is null");
+  EXPECT_EQ(wend_session_edit(nullptr, 0, 0, 2, 2, states.data(), 4, nullptr),
+            WEND_INVALID_ARGUMENT);
+  EXPECT_EQ(wend_session_edit(session.get(), 0, 0, 2, 2, states.data(), 4, nullptr), WEND_OK);
 }
 
 /// Why a request is refused after this change to a good one.

@@ -9,7 +9,7 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/map/distance_field.hpp"
+#include "wend/robot/cell_costs.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/polygon_sweep.hpp"
@@ -18,19 +18,8 @@
 namespace wend {
 namespace {
 
-// Metres divided by a resolution are rarely exact.
-constexpr double kRelativeRounding = 1e-9;
-
 /// The least squared distance in half-cells, rounded up, that is at least `least`.
 std::uint32_t threshold_of(double least) { return static_cast<std::uint32_t>(std::ceil(least)); }
-
-/// The robot's radius as a squared distance in half-cells. A point must still not be in a square, and
-/// the largest robot may stand where there is no obstacle.
-double least_squared_half_cells(double radius_in_cells) {
-  const double exact = 4 * radius_in_cells * radius_in_cells;
-  return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
-                            kNoObstacle);
-}
 
 double least_squared_half_cells_of(const Robot& robot, const Obstacles& obstacles) {
   return least_squared_half_cells(robot.footprint.circumscribed_radius() /
@@ -70,88 +59,29 @@ BitGrid cells_with_clearance(const Obstacles& obstacles, const CappedDistances& 
   return cells;
 }
 
-/// The factor on a cell's cost because of the obstacles near it.
-class ClearanceCost {
- public:
-  ClearanceCost(const Robot& robot, double resolution)
-      : radius_(robot.footprint.circumscribed_radius() / resolution),
-        distance_(robot.clearance_distance / resolution),
-        cost_(robot.clearance_cost) {}
-
-  bool needed() const { return distance_ > 0 && cost_ > 0; }
-
-  double factor(std::uint32_t clearance) const {
-    const double from_edge = std::fmax(0, distance_in_cells(clearance) - radius_);
-    if (from_edge >= distance_) return 1;
-    const double inwards = 1 - from_edge / distance_;
-    return 1 + cost_ * inwards * inwards;
-  }
-
- private:
-  double radius_;    // cells
-  double distance_;  // cells
-  double cost_;
-};
-
 /// How far the robot's radius and its clearance cost need distances, and a bit farther, so that they decide
 /// about most lines, in cells; 0 if it needs none.
-double reach_of(const Obstacles& obstacles, const Robot& robot) {
-  constexpr double kBeyond = 2;  // cells
-  const double resolution = obstacles.map().frame().resolution;
-  const bool costs = ClearanceCost(robot, resolution).needed();
-  if (!costs && threshold_of(least_squared_half_cells_of(robot, obstacles)) <= 1) return 0;
+double reach_of(double resolution, const Robot& robot) {
+  // A polygon decides about motions of some cells.
+  const double beyond = robot.footprint.outline() ? 8 : 2;
+  const bool costs = CellCosts(robot, resolution).raise();
+  const double radius = robot.footprint.circumscribed_radius() / resolution;
+  if (!costs && threshold_of(least_squared_half_cells(radius)) <= 1) return 0;
   const double band = costs ? robot.clearance_distance / resolution : 0;
-  return std::ceil(robot.footprint.circumscribed_radius() / resolution + std::max(band, kBeyond));
+  return std::ceil(radius + std::max(band, beyond));
 }
 
 /// Does the robot need the distances of the Obstacles, because it needs them farther than
 /// CappedDistances have them?
 bool needs_all_distances(const Obstacles& obstacles, const Robot& robot) {
-  return reach_of(obstacles, robot) > CappedDistances::kLargestCap;
+  return reach_of(obstacles.map().frame().resolution, robot) > CappedDistances::kLargestCap;
 }
 
 CappedDistances distances_for(const Obstacles& obstacles, const Robot& robot) {
-  const double reach = reach_of(obstacles, robot);
+  const double reach = reach_of(obstacles.map().frame().resolution, robot);
   if (reach == 0 || needs_all_distances(obstacles, robot)) return {};
   return {obstacles.blocked(), obstacles.outside() == OutsidePolicy::blocked,
           static_cast<int>(reach)};
-}
-
-/// The factor on the terrain of each cell of a space.
-class ClearanceFactors {
- public:
-  ClearanceFactors(const Obstacles& obstacles, const CappedDistances& distances,
-                   const BitGrid& passable, const ClearanceCost& cost)
-      : obstacles_(obstacles), distances_(distances), passable_(passable), cost_(cost) {}
-
-  double operator[](Cell cell) const {
-    if (!passable_[cell]) return 1;
-    return cost_.factor(distances_.empty() ? obstacles_.squared_half_cell_clearance()[cell]
-                                           : distances_[cell]);
-  }
-
- private:
-  const Obstacles& obstacles_;
-  const CappedDistances& distances_;
-  const BitGrid& passable_;
-  const ClearanceCost& cost_;
-};
-
-/// Sets the terrain in a box: the map's times the clearance cost. An empty terrain stays empty if that is the
-/// map's in the whole box.
-void set_terrain(const GridMap& map, const ClearanceFactors& factors, const CellBox& box,
-                 Grid<double>& terrain) {
-  for (int y = box.begin.y; y < box.end.y; ++y) {
-    for (int x = box.begin.x; x < box.end.x; ++x) {
-      const double factor = factors[{x, y}];
-      if (terrain.empty()) {
-        if (factor == 1) continue;
-        terrain =
-            map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
-      }
-      terrain[{x, y}] = map.terrain({x, y}) * factor;
-    }
-  }
 }
 
 std::optional<Error> fault_of(const Robot& robot) {
@@ -186,11 +116,14 @@ std::string_view describe(BlockReason reason) {
 
 double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& options) {
   const double bits = (options.footprint.outline() ? 3.0 : 2.0) / 8;  // blocked, passable, possible
-  constexpr double kClearance = sizeof(std::int16_t);
+  const double reach = reach_of(map.frame().resolution, options.robot());
+  const bool all_distances = reach > CappedDistances::kLargestCap;
+  const double distances = all_distances ? sizeof(std::uint32_t) : sizeof(std::int16_t);
   // A quarter of a byte, and 2 bytes for each run of cells: one in 8 cells, which is much.
   constexpr double kComponents = 0.5;
-  const bool own_terrain = ClearanceCost(options.robot(), map.frame().resolution).needed();
-  return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
+  const bool raised = CellCosts(options.robot(), map.frame().resolution).raise();
+  const bool costs = raised || !map.uniform_terrain();
+  return bits + (reach > 0 ? distances : 0) + kComponents + (costs ? sizeof(std::uint16_t) : 0);
 }
 
 Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& options) {
@@ -201,13 +134,19 @@ Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& 
 
 Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
   if (auto fault = fault_of(robot)) return Unexpected<Error>(*std::move(fault));
-  return FreeSpace(std::move(obstacles), std::move(robot));
+  FreeSpace space(std::move(obstacles), std::move(robot));
+  FreeSpace::Data& data = space.data_.change();
+  auto costs = cell_costs(data.obstacles, data.distances, *data.cell_costs);
+  if (!costs) return Unexpected<Error>(std::move(costs).error());
+  data.costs = *std::move(costs);
+  return space;
 }
 
 FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
     : obstacles(std::move(its_obstacles)),
       robot(std::move(its_robot)),
       least_squared_half_cells(least_squared_half_cells_of(robot, obstacles)),
+      cell_costs(std::make_shared<const CellCosts>(robot, obstacles.map().frame().resolution)),
       distances(distances_for(obstacles, robot)),
       passable(cells_with_clearance(obstacles, distances, least_squared_half_cells)) {
   const double resolution = obstacles.map().frame().resolution;
@@ -215,21 +154,6 @@ FreeSpace::Data::Data(Obstacles its_obstacles, Robot its_robot)
     outline = robot.footprint.outline()->scaled(1 / resolution);
     possible = cells_with_clearance(obstacles, distances, least_to_be_possible(robot, obstacles));
   }
-  repair_terrain({CellBox::of(passable)});
-}
-
-void FreeSpace::Data::repair_terrain(const std::vector<CellBox>& boxes) {
-  const GridMap& map = obstacles.map();
-  const ClearanceCost cost(robot, map.frame().resolution);
-  if (!cost.needed()) return;
-  const ClearanceFactors factors(obstacles, distances, passable, cost);
-  for (const CellBox& box : boxes) set_terrain(map, factors, box, terrain);
-  if (terrain.empty()) return;
-  bool raised = false;  // mostly one of the first cells is, near the map's edge or an obstacle
-  for (const Cell cell : every_cell(map)) {
-    if (raised = factors[cell] != 1; raised) break;
-  }
-  if (!raised) terrain = {};
 }
 
 CellBox FreeSpace::Data::repair(const CellBox& edited) {
@@ -244,19 +168,31 @@ CellBox FreeSpace::Data::repair(const CellBox& edited) {
   return changed;
 }
 
+/// Can costs and distances be repaired? Else the space is made anew, which fails if a cell costs too much.
+bool FreeSpace::can_repair(const MapEdit& edit) const {
+  return !needs_all_distances(obstacles(), robot()) && costs().bytes_per_cell() <= 2 &&
+         data_->cell_costs->stay_in_range(greatest_terrain(edit));
+}
+
 Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
   if (auto fault = fault_of(edit, map())) return Unexpected<Error>(*std::move(fault));
-  Data& data = data_.change();
   SpaceChange change;
-  change.boxes = *data.obstacles.edit(edit);
-  if (change.none()) return change;
-  if (needs_all_distances(data.obstacles, data.robot)) {
-    data_ = CopyOnWrite<Data>(std::in_place, data.obstacles, data.robot);
+  if (!can_repair(edit)) {
+    Obstacles edited = obstacles();
+    change.boxes = *edited.edit(edit);
+    if (change.none()) return change;
+    auto made = make_free_space(std::move(edited), robot());
+    if (!made) return Unexpected<Error>(std::move(made.error()));
+    *this = *std::move(made);
     change.boxes = {CellBox::of(map())};
     return change;
   }
-  for (CellBox& box : change.boxes) box = data.repair(box);
-  data.repair_terrain(change.boxes);
+  Data& data = data_.change();
+  change.boxes = *data.obstacles.edit(edit);
+  for (CellBox& box : change.boxes) {
+    box = data.repair(box);
+    set_cell_costs(data.obstacles, data.distances, *data.cell_costs, box, data.costs);
+  }
   if (ConnectedComponents* components = data.components.changeable()) {
     for (const CellBox& box : change.boxes) components->repair(data.passable, box);
   }

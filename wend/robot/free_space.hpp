@@ -18,13 +18,13 @@
 //
 //   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
-// The result is at least the map's, so admissible heuristics stay admissible, and it reaches the map's
-// with slope 0. Clearance is that of the cell's centre.
+// rounded to 1/256 (see CostMap). The result is at least 1, so admissible heuristics stay admissible, and
+// it reaches the map's with slope 0. Clearance is that of the cell's centre.
 //
 // Cheap to copy: copies share everything, also between threads; free spaces of several robots share the
-// Obstacles that they are made of. An edit changes one copy only. Built in O(cells), for a point in O(cells / 64); takes
-// half a byte for each cell, up to 6 more for each run of passable cells in a row, two bytes for a robot
-// with a radius or a clearance cost, and eight more if the clearance cost makes any cell cost more.
+// Obstacles that they are made of. An edit changes one copy only. Built in O(cells), for a point in
+// O(cells / 64); takes half a byte for each cell, up to 6 more for each run of passable cells in a row, two
+// bytes for a robot with a radius or a clearance cost, and two more if any cell costs more than 1.
 //
 //   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
 //   const auto space = wend::make_free_space(map, {.footprint = *robot});
@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -46,6 +47,7 @@
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/capped_distances.hpp"
 #include "wend/map/connected_components.hpp"
+#include "wend/map/cost_map.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
@@ -55,6 +57,8 @@
 #include "wend/robot/space_change.hpp"
 
 namespace wend {
+
+class CellCosts;
 
 /// A robot as planners see it. Lengths are in metres (cells if the map's resolution is 1).
 struct Robot {
@@ -195,16 +199,12 @@ class WEND_API FreeSpace {
   }
 
   /// The cost of a unit of length in a cell, at least 1: the map's terrain, and more near obstacles
-  /// if there is a clearance cost.
-  double terrain(Cell cell) const { return uniform_terrain() ? 1 : terrain()[cell]; }
+  /// if there is a clearance cost, rounded to 1/256. All planners and path costs use it.
+  double terrain(Cell cell) const { return data_->costs.multiplier(cell); }
   /// Does a unit of length cost 1 in every cell?
-  bool uniform_terrain() const { return terrain().empty(); }
-
-  /// The multipliers, or an empty grid on uniform terrain. The map's own grid if the clearance cost
-  /// is off or changes no passable cell.
-  const Grid<double>& terrain() const {
-    return data_->terrain.empty() ? map().terrain() : data_->terrain;
-  }
+  bool uniform_terrain() const { return data_->costs.uniform(); }
+  /// The multipliers of all cells as integers.
+  const CostMap& costs() const { return data_->costs; }
 
   /// The connected components of the passable cells. Made when they are first asked for, in O(cells / 64
   /// + runs), once for all threads.
@@ -214,11 +214,12 @@ class WEND_API FreeSpace {
 
   /// Changes cells of the map, and what follows from them as far as they reach; other copies keep what
   /// they were. The result is the same as if the space were made of the edited map. Fails as
-  /// GridMap::edit() does, and changes nothing then.
+  /// GridMap::edit() and make_free_space() do, and changes nothing then.
   ///
   /// O(cells of the edit and around it, as far as the robot needs distances) if no other copy, nor another
-  /// copy of the Obstacles or the map, shares the data; else what is shared is copied first, in O(cells). A
-  /// robot that needs distances of more than 63 cells is made anew, in O(cells).
+  /// copy of the Obstacles or the map, shares the data; else what is shared is copied first, in O(cells).
+  /// The space is made anew, in O(cells), if the robot needs distances of more than 63 cells, or if a
+  /// cell costs 256 times its length or more.
   Expected<SpaceChange, Error> edit(const MapEdit& edit);
 
  private:
@@ -228,30 +229,32 @@ class WEND_API FreeSpace {
       : data_(std::in_place, std::move(obstacles), std::move(robot)) {}
 
   BlockReason reason_in(Cell blocked) const;
+  bool can_repair(const MapEdit& edit) const;
 
   struct Data {
     Obstacles obstacles;
     Robot robot;
     std::optional<Polygon> outline;  // in cells
     double least_squared_half_cells;
+    std::shared_ptr<const CellCosts> cell_costs;  // of the robot
     CappedDistances distances;  // as far as the robot needs them; empty if it needs none, or more
     BitGrid passable;
-    BitGrid possible;      // empty if it is the same
-    Grid<double> terrain;  // empty if it is the map's
+    BitGrid possible;  // empty if it is the same
+    CostMap costs;
     Lazy<ConnectedComponents> components = {};
 
     Data(Obstacles its_obstacles, Robot its_robot);
     /// Computes what follows from a box of cells in which the map has changed. Returns the box in which
     /// anything may have changed.
     CellBox repair(const CellBox& edited);
-    void repair_terrain(const std::vector<CellBox>& boxes);
   };
 
   CopyOnWrite<Data> data_;
 };
 
 /// Makes the free space of a robot. Fails with invalid_option if the radius of the footprint, or one of
-/// the clearance options, is NaN or out of range; Error::where names it.
+/// the clearance options, is NaN or out of range, and with unsupported_map if a cell costs more than
+/// CostMap::kLargest; Error::where names the part.
 WEND_API Expected<FreeSpace, Error> make_free_space(GridMap map,
                                                     const FreeSpaceOptions& options = {});
 

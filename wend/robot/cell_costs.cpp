@@ -1,0 +1,114 @@
+#include "wend/robot/cell_costs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "wend/base/parse.hpp"
+#include "wend/map/distance_field.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend {
+namespace {
+
+constexpr double kMostFactors = 1 << 16;
+
+// Metres divided by a resolution are rarely exact.
+constexpr double kRelativeRounding = 1e-9;
+
+Error too_dear(Cell cell, double multiplier) {
+  return {Status::unsupported_map,
+          "cell (" + std::to_string(cell.x) + ',' + std::to_string(cell.y) + ") costs " +
+              format_number(multiplier) + " times its length: the most is " +
+              format_number(CostMap::kLargest) + "; lower the terrain or the clearance cost",
+          "terrain"};
+}
+
+/// The clearance of each cell as far as costs depend on it; none if they do not.
+class Clearances {
+ public:
+  Clearances(const Obstacles& obstacles, const CappedDistances& distances, const CellCosts& costs)
+      : distances_(distances) {
+    if (costs.raise() && distances.empty()) all_ = &obstacles.squared_half_cell_clearance();
+  }
+
+  std::uint32_t operator[](Cell cell) const {
+    if (all_ != nullptr) return (*all_)[cell];
+    return distances_.empty() ? kNoObstacle : distances_[cell];
+  }
+
+ private:
+  const CappedDistances& distances_;
+  const Grid<std::uint32_t>* all_ = nullptr;
+};
+
+}  // namespace
+
+double least_squared_half_cells(double radius_in_cells) {
+  const double exact = 4 * radius_in_cells * radius_in_cells;
+  return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
+                            kNoObstacle);
+}
+
+CellCosts::CellCosts(const Robot& robot, double resolution)
+    : least_(least_squared_half_cells(robot.footprint.circumscribed_radius() / resolution)),
+      radius_(robot.footprint.circumscribed_radius() / resolution),
+      distance_(robot.clearance_distance / resolution),
+      cost_(robot.clearance_cost) {
+  if (!raise()) return;
+  const double reach = 2 * (radius_ + distance_) + 1;  // half-cells
+  const auto count = static_cast<std::uint32_t>(std::min(reach * reach, kMostFactors));
+  far_ = reach * reach < kMostFactors ? count : kNoObstacle;
+  factors_.reserve(count);
+  steps_.reserve(count);
+  for (std::uint32_t clearance = 0; clearance < count; ++clearance) {
+    factors_.push_back(computed_factor(clearance));
+    steps_.push_back(rounded(factors_.back()));
+  }
+}
+
+double CellCosts::computed_factor(std::uint32_t clearance) const {
+  if (!raise() || clearance < least_) return 1;
+  const double from_edge = std::fmax(0, distance_in_cells(clearance) - radius_);
+  if (from_edge >= distance_) return 1;
+  const double inwards = 1 - from_edge / distance_;
+  return 1 + cost_ * inwards * inwards;
+}
+
+Expected<CostMap, Error> cell_costs(const Obstacles& obstacles, const CappedDistances& distances,
+                                    const CellCosts& costs) {
+  const GridMap& map = obstacles.map();
+  if (map.uniform_terrain() && !costs.raise()) return CostMap(map.width(), map.height());
+  const Clearances clearance(obstacles, distances, costs);
+  std::optional<Cell> dear;
+  CostMap made(map.width(), map.height(), [&](Cell cell) {
+    const std::uint32_t steps = costs.steps(map.terrain(cell), clearance[cell]);
+    if (steps == CostMap::kMost && !dear) dear = cell;
+    return steps;
+  });
+  if (dear) {
+    return Unexpected<Error>(too_dear(*dear, map.terrain(*dear) * costs.factor(clearance[*dear])));
+  }
+  return made;
+}
+
+void set_cell_costs(const Obstacles& obstacles, const CappedDistances& distances,
+                    const CellCosts& costs, const CellBox& box, CostMap& map) {
+  const GridMap& terrain = obstacles.map();
+  if (terrain.uniform_terrain() && map.uniform() && !costs.raise()) return;
+  const Clearances clearance(obstacles, distances, costs);
+  for (int y = box.begin.y; y < box.end.y; ++y) {
+    for (int x = box.begin.x; x < box.end.x; ++x) {
+      map.set({x, y}, costs.steps(terrain.terrain({x, y}), clearance[{x, y}]));
+    }
+  }
+}
+
+double greatest_terrain(const MapEdit& edit) {
+  double greatest = 1;
+  for (const double terrain : edit.terrain.values()) greatest = std::max(greatest, terrain);
+  for (const CellEdit& each : edit.cells) greatest = std::max(greatest, each.terrain.value_or(1));
+  return greatest;
+}
+
+}  // namespace wend
