@@ -102,7 +102,7 @@ class Reference {
     return std::hypot(from.x - to.x, from.y - to.y) * (terrain(from) + terrain(to)) / 2;
   }
 
-  /// The map's multiplier, and more where the robot keeps away from an obstacle.
+  /// The map's multiplier, and more where the robot keeps away from an obstacle, as it is stored.
   double terrain(Cell cell) const { return terrain_[number(cell)]; }
 
   double cost_of(std::span<const Cell> path) const {
@@ -192,7 +192,12 @@ class Reference {
     return least_distance(around, robot_.radius, distance) >= robot_.radius - 1e-7;
   }
 
+  /// Rounded to 1/256, a half up.
   double terrain_of(Cell cell) const {
+    return std::max(1.0, std::floor(exact_terrain_of(cell) * 256 + 0.5) / 256);
+  }
+
+  double exact_terrain_of(Cell cell) const {
     if (robot_.clearance_distance == 0 || !passable(cell)) return map_.terrain(cell);
     const double clearance = least_distance(
         cell, robot_.radius + robot_.clearance_distance,

@@ -29,8 +29,9 @@ int run(const InfoArguments& arguments) {
   const LoadedMap loaded = arguments.map.load();
   const FreeSpaceOptions robot = arguments.map.options(loaded.map);
   arguments.map.check_memory(loaded.map, survey_bytes(loaded.map, robot));
-  const MapInfo info = map_info(stream_name(arguments.map.file), loaded, robot);
-  print(arguments.format == Format::json ? map_info_json(info) : map_info_text(info));
+  const auto info = map_info(stream_name(arguments.map.file), loaded, robot);
+  if (!info) throw InputError(info.error().message);
+  print(arguments.format == Format::json ? map_info_json(*info) : map_info_text(*info));
   return success;
 }
 

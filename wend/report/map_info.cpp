@@ -31,9 +31,11 @@ std::string size_text(const MapInfo& info) {
 std::string terrain_text(const MapInfo& info) {
   if (info.space.least_terrain == 1 && info.space.greatest_terrain == 1)
     return "costs the same everywhere";
-  return fmt::format("costs {:.4g} to {:.4g} times the length, {:.4g} on average",
-                     info.space.least_terrain, info.space.greatest_terrain,
-                     info.space.mean_terrain);
+  return fmt::format(
+      "costs {:.4g} to {:.4g} times the length, {:.4g} on average; "
+      "planners round to 1/{}",
+      info.space.least_terrain, info.space.greatest_terrain, info.space.mean_terrain,
+      CostMap::kOne);
 }
 
 std::string components_text(const MapInfo& info) {
@@ -55,7 +57,8 @@ std::string frame_text(const Frame& frame) {
 
 }  // namespace
 
-MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptions& robot) {
+Expected<MapInfo, Error> map_info(std::string file, const LoadedMap& loaded,
+                                  const FreeSpaceOptions& robot) {
   const GridMap& map = loaded.map;
   MapInfo info;
   info.file = std::move(file);
@@ -68,7 +71,9 @@ MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptio
   info.footprint = robot.footprint;
   info.outside = robot.outside.value_or(default_outside_policy(map.frame()));
   info.clearance_distance = robot.clearance_distance;
-  info.space = survey(map, robot);
+  auto space = survey(map, robot);
+  if (!space) return Unexpected<Error>(std::move(space).error());
+  info.space = *space;
   info.frame = map.frame();
   info.notes = loaded.notes;
   return info;
@@ -87,7 +92,8 @@ std::string map_info_json(const MapInfo& info) {
       {"terrain",
        {{"least", info.space.least_terrain},
         {"mean", info.space.mean_terrain},
-        {"greatest", info.space.greatest_terrain}}},
+        {"greatest", info.space.greatest_terrain},
+        {"step", 1.0 / CostMap::kOne}}},
       {"robot_radius", info.footprint.circumscribed_radius()},
       {"footprint", text_of(info.footprint)},
       {"outside", info.outside == OutsidePolicy::blocked ? "blocked" : "free"},

@@ -28,7 +28,8 @@ struct MapInfo {
 };
 
 /// Needs little more memory than the map itself.
-MapInfo map_info(std::string file, const LoadedMap& loaded, const FreeSpaceOptions& robot);
+Expected<MapInfo, Error> map_info(std::string file, const LoadedMap& loaded,
+                                  const FreeSpaceOptions& robot);
 
 /// One line with its line end.
 std::string map_info_json(const MapInfo& info);

@@ -41,7 +41,7 @@ void on_random_spaces(Check&& check) {
 TEST(ClearanceCost, NeverMakesACellCostLess) {
   on_random_spaces([](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
     for (const Cell cell : test::all_cells(map.width(), map.height())) {
-      ASSERT_GE(space.terrain(cell), map.terrain(cell));
+      ASSERT_GE(space.costs().steps(cell), CostMap::rounded(map.terrain(cell)));
       ASSERT_TRUE(std::isfinite(space.terrain(cell)));
     }
   });
@@ -49,16 +49,16 @@ TEST(ClearanceCost, NeverMakesACellCostLess) {
 
 TEST(ClearanceCost, CostsWhatItsFormulaSays) {
   int raised = 0;
-  on_random_spaces(
-      [&](const GridMap& map, const FreeSpaceOptions& options, const FreeSpace& space) {
-        const test::Reference reference(map, test::robot_in_cells(options, map.frame()), {});
-        for (const Cell cell : test::all_cells(map.width(), map.height())) {
-          if (!space.passable(cell)) continue;
-          const double expected = reference.terrain(cell);
-          raised += expected > map.terrain(cell) ? 1 : 0;
-          ASSERT_NEAR(space.terrain(cell), expected, 1e-6 * expected) << cell.x << "," << cell.y;
-        }
-      });
+  on_random_spaces([&](const GridMap& map, const FreeSpaceOptions& options,
+                       const FreeSpace& space) {
+    const test::Reference reference(map, test::robot_in_cells(options, map.frame()), {});
+    for (const Cell cell : test::all_cells(map.width(), map.height())) {
+      if (!space.passable(cell)) continue;
+      const double expected = reference.terrain(cell);
+      raised += expected > map.terrain(cell) ? 1 : 0;
+      ASSERT_NEAR(space.terrain(cell), expected, 0.5 / CostMap::kOne) << cell.x << "," << cell.y;
+    }
+  });
   EXPECT_GT(raised, test::share_of(5000));
 }
 
@@ -68,26 +68,33 @@ TEST(ClearanceCost, IsNothingWithoutADistanceOrACost) {
       options.clearance_distance = distance;
       options.clearance_cost = cost;
       const FreeSpace space = *make_free_space(map, options);
-      ASSERT_EQ(&space.terrain(), &space.map().terrain()) << "the map's own grid";
-      ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain());
+      ASSERT_EQ(space.costs(), make_free_space(map, {.unknown = options.unknown})->costs());
     }
   });
 }
 
-/// A grid of its own exists where a passable cell costs more, and only there.
-TEST(ClearanceCost, HasTerrainOfItsOwnOnlyWhereACellCostsMore) {
+/// Terrain is uniform where every stored cost is 1, and only there.
+TEST(ClearanceCost, IsUniformWhereEveryStoredCostIsOne) {
   std::array<int, 2> seen{};
   on_random_spaces([&](const GridMap& map, const FreeSpaceOptions&, const FreeSpace& space) {
     const auto cells = test::all_cells(map.width(), map.height());
-    const bool raises = std::any_of(cells.begin(), cells.end(), [&](Cell cell) {
-      return space.passable(cell) && space.terrain(cell) > map.terrain(cell);
-    });
-    ASSERT_EQ(&space.terrain() != &space.map().terrain(), raises);
-    ASSERT_EQ(space.uniform_terrain(), map.uniform_terrain() && !raises);
-    ++seen[raises ? 1 : 0];
+    const bool dear =
+        std::any_of(cells.begin(), cells.end(), [&](Cell cell) { return space.terrain(cell) > 1; });
+    ASSERT_EQ(space.uniform_terrain(), !dear);
+    ++seen[dear ? 1 : 0];
   });
-  EXPECT_GT(seen[0], test::share_of(100));
+  EXPECT_GT(seen[0], test::share_of(50));
   EXPECT_GT(seen[1], test::share_of(100));
+}
+
+TEST(ClearanceCost, RefusesWhatCannotBeStored) {
+  const GridMap map = test::drawn_map("#9.");
+  const auto space = make_free_space(map, {.clearance_distance = 1, .clearance_cost = 1e8});
+  ASSERT_FALSE(space);
+  EXPECT_EQ(space.error().status, Status::unsupported_map);
+  EXPECT_EQ(space.error().where, "terrain");
+  EXPECT_NE(space.error().message.find("the most is 16777"), std::string::npos)
+      << space.error().message;
 }
 
 TEST(ClearanceCost, IsMeasuredFromTheRobotsEdgeInMetres) {
@@ -115,12 +122,14 @@ TEST(ClearanceCost, FadesLessAndLess) {
   const FreeSpace space = *make_free_space(test::drawn_map("#" + std::string(200, '.')),
                                            {.clearance_distance = 100, .clearance_cost = 5});
   double before = space.terrain({1, 0});
+  // Each cost is rounded by at most half a step, so each fall by at most one.
+  constexpr double kRounding = 1.0 / CostMap::kOne;
   double slope = 0.2;
   for (int x = 2; x <= 200; ++x) {
     const double terrain = space.terrain({x, 0});
     const double fall = before - terrain;
     ASSERT_GE(fall, 0) << x;
-    ASSERT_LE(fall, slope + 1e-12) << "falls less and less, at " << x;
+    ASSERT_LE(fall, slope + 2 * kRounding) << "falls less and less, at " << x;
     before = terrain;
     slope = fall;
   }

@@ -8,7 +8,7 @@
 
 #include "wend/base/choice.hpp"
 #include "wend/base/parse.hpp"
-#include "wend/map/distance_field.hpp"
+#include "wend/robot/cell_costs.hpp"
 #include "wend/robot/fits_along.hpp"
 #include "wend/robot/point_sweep.hpp"
 #include "wend/robot/polygon_sweep.hpp"
@@ -16,9 +16,6 @@
 
 namespace wend {
 namespace {
-
-// Metres divided by a resolution are rarely exact.
-constexpr double kRelativeRounding = 1e-9;
 
 /// The cells whose clearance is large enough.
 BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least) {
@@ -29,55 +26,6 @@ BitGrid cells_with_clearance(const Grid<std::uint32_t>& clearance, double least)
             [threshold](std::uint32_t here) { return here >= threshold; });
   }
   return passable;
-}
-
-/// The robot's radius as a squared distance in half-cells. A point must still not be in a square, and
-/// the largest robot may stand where there is no obstacle.
-double least_squared_half_cells(double radius_in_cells) {
-  const double exact = 4 * radius_in_cells * radius_in_cells;
-  return std::clamp<double>(exact * (1 - kRelativeRounding), std::numeric_limits<double>::min(),
-                            kNoObstacle);
-}
-
-/// The factor on a cell's cost because of the obstacles near it.
-class ClearanceCost {
- public:
-  ClearanceCost(const Robot& robot, double resolution)
-      : radius_(robot.footprint.circumscribed_radius() / resolution),
-        distance_(robot.clearance_distance / resolution),
-        cost_(robot.clearance_cost) {}
-
-  bool needed() const { return distance_ > 0 && cost_ > 0; }
-
-  double factor(std::uint32_t clearance) const {
-    const double from_edge = std::fmax(0, distance_in_cells(clearance) - radius_);
-    if (from_edge >= distance_) return 1;
-    const double inwards = 1 - from_edge / distance_;
-    return 1 + cost_ * inwards * inwards;
-  }
-
- private:
-  double radius_;    // cells
-  double distance_;  // cells
-  double cost_;
-};
-
-/// The map's terrain times the clearance cost; empty if that is the map's terrain.
-Grid<double> terrain_away_from_obstacles(const Obstacles& obstacles, const BitGrid& passable,
-                                         const ClearanceCost& cost) {
-  const GridMap& map = obstacles.map();
-  Grid<double> terrain;
-  if (!cost.needed()) return terrain;
-  for (const Cell cell : every_cell(map)) {
-    const double factor =
-        passable[cell] ? cost.factor(obstacles.squared_half_cell_clearance()[cell]) : 1;
-    if (factor == 1) continue;
-    if (terrain.empty()) {
-      terrain = map.uniform_terrain() ? Grid<double>(map.width(), map.height(), 1) : map.terrain();
-    }
-    terrain[cell] *= factor;
-  }
-  return terrain;
 }
 
 std::optional<Error> fault_of(const Robot& robot) {
@@ -114,8 +62,9 @@ double free_space_bytes_per_cell(const GridMap& map, const FreeSpaceOptions& opt
   const double bits = (options.footprint.outline() ? 3.0 : 2.0) / 8;  // blocked, passable, possible
   constexpr double kClearance = sizeof(std::uint32_t);
   constexpr double kComponents = sizeof(std::uint32_t);
-  const bool own_terrain = ClearanceCost(options.robot(), map.frame().resolution).needed();
-  return bits + kClearance + kComponents + (own_terrain ? sizeof(double) : 0);
+  const bool raised = CellCosts(options.robot(), map.frame().resolution).raise();
+  const bool costs = raised || !map.uniform_terrain();
+  return bits + kClearance + kComponents + (costs ? sizeof(std::uint16_t) : 0);
 }
 
 Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& options) {
@@ -126,10 +75,12 @@ Expected<FreeSpace, Error> make_free_space(GridMap map, const FreeSpaceOptions& 
 
 Expected<FreeSpace, Error> make_free_space(Obstacles obstacles, Robot robot) {
   if (auto fault = fault_of(robot)) return Unexpected<Error>(*std::move(fault));
-  return FreeSpace(std::move(obstacles), std::move(robot));
+  auto costs = cell_costs(obstacles, CellCosts(robot, obstacles.map().frame().resolution));
+  if (!costs) return Unexpected<Error>(std::move(costs).error());
+  return FreeSpace(std::move(obstacles), std::move(robot), *std::move(costs));
 }
 
-FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
+FreeSpace::FreeSpace(Obstacles obstacles, Robot robot, CostMap costs) {
   const Footprint& footprint = robot.footprint;
   const double resolution = obstacles.map().frame().resolution;
   const auto& clearance = obstacles.squared_half_cell_clearance();
@@ -143,11 +94,9 @@ FreeSpace::FreeSpace(Obstacles obstacles, Robot robot) {
         clearance, least_squared_half_cells(footprint.inscribed_radius() / resolution));
   }
   ConnectedComponents components(passable);
-  Grid<double> terrain =
-      terrain_away_from_obstacles(obstacles, passable, ClearanceCost(robot, resolution));
   data_ = std::make_shared<const Data>(
       Data{std::move(obstacles), std::move(robot), std::move(outline), least, std::move(passable),
-           std::move(possible), std::move(components), std::move(terrain)});
+           std::move(possible), std::move(components), std::move(costs)});
 }
 
 FreeSpaceOptions FreeSpace::options() const {

@@ -18,12 +18,12 @@
 //
 //   1 + clearance_cost * (1 - d / clearance_distance)^2  where d < clearance_distance, else 1
 //
-// The result is at least the map's, so admissible heuristics stay admissible, and it reaches the map's
-// with slope 0. Clearance is that of the cell's centre.
+// rounded to 1/256 (see CostMap). The result is at least 1, so admissible heuristics stay admissible, and
+// it reaches the map's with slope 0. Clearance is that of the cell's centre.
 //
 // Immutable and cheap to copy: copies share everything, also between threads; free spaces of several
 // robots share the Obstacles that they are made of. Built in O(cells); takes 9 bytes for each cell, of
-// which 4.1 are the Obstacles', and eight more if the clearance cost makes any cell cost more.
+// which 4.1 are the Obstacles', and two more if any cell costs more than 1.
 //
 //   const auto robot = wend::parse_footprint("0.4,0.25; 0.4,-0.25; -0.3,-0.25; -0.3,0.25");
 //   const auto space = wend::make_free_space(map, {.footprint = *robot});
@@ -40,6 +40,7 @@
 #include "wend/geometry/pose.hpp"
 #include "wend/map/bit_grid.hpp"
 #include "wend/map/connected_components.hpp"
+#include "wend/map/cost_map.hpp"
 #include "wend/map/grid.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/map/obstacles.hpp"
@@ -166,16 +167,12 @@ class WEND_API FreeSpace {
   }
 
   /// The cost of a unit of length in a cell, at least 1: the map's terrain, and more near obstacles
-  /// if there is a clearance cost.
-  double terrain(Cell cell) const { return uniform_terrain() ? 1 : terrain()[cell]; }
+  /// if there is a clearance cost, rounded to 1/256. All planners and path costs use it.
+  double terrain(Cell cell) const { return data_->costs.multiplier(cell); }
   /// Does a unit of length cost 1 in every cell?
-  bool uniform_terrain() const { return terrain().empty(); }
-
-  /// The multipliers, or an empty grid on uniform terrain. The map's own grid if the clearance cost
-  /// is off or changes no passable cell.
-  const Grid<double>& terrain() const {
-    return data_->terrain.empty() ? map().terrain() : data_->terrain;
-  }
+  bool uniform_terrain() const { return data_->costs.uniform(); }
+  /// The multipliers of all cells as integers.
+  const CostMap& costs() const { return data_->costs; }
 
   /// The connected components of the passable cells.
   const ConnectedComponents& components() const { return data_->components; }
@@ -183,7 +180,7 @@ class WEND_API FreeSpace {
  private:
   friend Expected<FreeSpace, Error> make_free_space(Obstacles, Robot);
 
-  FreeSpace(Obstacles obstacles, Robot robot);
+  FreeSpace(Obstacles obstacles, Robot robot, CostMap costs);
 
   BlockReason reason_in(Cell blocked) const;
 
@@ -195,14 +192,15 @@ class WEND_API FreeSpace {
     BitGrid passable;
     BitGrid possible;  // empty if it is the same
     ConnectedComponents components;
-    Grid<double> terrain;  // empty if it is the map's
+    CostMap costs;
   };
 
   std::shared_ptr<const Data> data_;
 };
 
 /// Makes the free space of a robot. Fails with invalid_option if the radius of the footprint, or one of
-/// the clearance options, is NaN or out of range; Error::where names it.
+/// the clearance options, is NaN or out of range, and with unsupported_map if a cell costs more than
+/// CostMap::kLargest; Error::where names the part.
 WEND_API Expected<FreeSpace, Error> make_free_space(GridMap map,
                                                     const FreeSpaceOptions& options = {});
 

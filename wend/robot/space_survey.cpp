@@ -72,7 +72,7 @@ class Surveyor {
     add_row(y, band.passable().row_words(in_band));
     if (band.uniform_terrain()) return;
     for (int x = 0; x < map_.width(); ++x) {
-      const bool dearer = band.terrain({x, in_band}) > map_.terrain({x, y});
+      const bool dearer = band.costs().steps({x, in_band}) > CostMap::rounded(map_.terrain({x, y}));
       if (dearer && band.passable({x, in_band})) ++result_.near_obstacles;
     }
   }
@@ -111,7 +111,7 @@ class Surveyor {
 
 }  // namespace
 
-SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options) {
+Expected<SpaceSurvey, Error> survey(const GridMap& map, const FreeSpaceOptions& options) {
   return survey_in_bands(map, options, rows_of_band(map));
 }
 
@@ -124,7 +124,8 @@ double survey_bytes(const GridMap& map, const FreeSpaceOptions& options) {
   return rows * map.width() * (map_bytes + free_space_bytes_per_cell(map, options));
 }
 
-SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options, int rows) {
+Expected<SpaceSurvey, Error> survey_in_bands(const GridMap& map, const FreeSpaceOptions& options,
+                                             int rows) {
   Surveyor surveyor(map);
   if (is_point(options)) {
     for (int y = 0; y < map.height(); ++y) surveyor.add_row_of_point(y, options.unknown);
@@ -137,8 +138,9 @@ SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options,
     const int end = std::min(begin + rows, map.height());
     const int above = std::max(begin - reach, 0);
     const int below = std::min(reach, map.height() - end);
-    const FreeSpace band = *make_free_space(rows_of(map, above, end + below), options);
-    for (int y = begin; y < end; ++y) surveyor.add_row_of_band(y, band, y - above);
+    const auto band = make_free_space(rows_of(map, above, end + below), options);
+    if (!band) return Unexpected<Error>(band.error());
+    for (int y = begin; y < end; ++y) surveyor.add_row_of_band(y, *band, y - above);
   }
   return surveyor.finish();
 }

@@ -23,13 +23,15 @@ struct SpaceSurvey {
   friend bool operator==(const SpaceSurvey&, const SpaceSurvey&) = default;
 };
 
-/// The same numbers as from make_free_space(map, options). O(cells).
-WEND_API SpaceSurvey survey(const GridMap& map, const FreeSpaceOptions& options);
+/// The same numbers as from make_free_space(map, options), which must not fail for the robot; fails if a cell
+/// costs too much, as that does. O(cells).
+WEND_API Expected<SpaceSurvey, Error> survey(const GridMap& map, const FreeSpaceOptions& options);
 
 /// The memory that survey() needs in addition to the map, in bytes.
 WEND_API double survey_bytes(const GridMap& map, const FreeSpaceOptions& options);
 
 /// The same, computed in bands of at least `rows` rows and at least the robot's reach.
-SpaceSurvey survey_in_bands(const GridMap& map, const FreeSpaceOptions& options, int rows);
+Expected<SpaceSurvey, Error> survey_in_bands(const GridMap& map, const FreeSpaceOptions& options,
+                                             int rows);
 
 }  // namespace wend

@@ -62,9 +62,9 @@ TEST(SpaceSurvey, CountsWhatAFreeSpaceHasInBandsOfAnyHeight) {
     if (random.chance(0.5)) options.clearance_distance = 3 * random.uniform();
     if (random.chance(0.1)) options.footprint = Footprint::disc(1e6);
     const SpaceSurvey expected = counted(map, options);
-    EXPECT_EQ(survey(map, options), expected) << "seed " << seed;
+    EXPECT_EQ(*survey(map, options), expected) << "seed " << seed;
     for (const int rows : {1, 7}) {
-      EXPECT_EQ(survey_in_bands(map, options, rows), expected) << "seed " << seed;
+      EXPECT_EQ(*survey_in_bands(map, options, rows), expected) << "seed " << seed;
     }
   }
 }

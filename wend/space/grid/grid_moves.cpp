@@ -66,8 +66,9 @@ int length_rank(Offset first, Offset second) {
   return 3 * steps + diagonals;
 }
 
-/// Does a path from the parent around the middle cell make the move to `target` superfluous?
-bool superfluous(const Neighbours& block, Offset parent, Offset target) {
+/// Does a path from the parent around the middle cell make the move to `target` superfluous? `ties`: also
+/// if it is as long.
+bool superfluous(const Neighbours& block, Offset parent, Offset target, bool ties) {
   if (target == parent) return true;
   const Offset arrival = Offset{} - parent;
   const int length = length_rank(arrival, target);
@@ -81,7 +82,7 @@ bool superfluous(const Neighbours& block, Offset parent, Offset target) {
     const int other_length = length_rank(first, second);
     if (other_length < length) return true;
     const Connectivity connectivity = block.rule.connectivity;
-    if (other_length == length && comes_first(first, connectivity) &&
+    if (ties && other_length == length && comes_first(first, connectivity) &&
         !comes_first(arrival, connectivity)) {
       return true;
     }
@@ -89,14 +90,15 @@ bool superfluous(const Neighbours& block, Offset parent, Offset target) {
   return false;
 }
 
-DirectionSet moves_in(const Neighbours& block, Move arrival) {
+DirectionSet moves_in(const Neighbours& block, Move arrival, MoveTable::Pruning pruning) {
   unsigned moves = 0;
   for (int direction = 0; direction < kDirections; ++direction) {
     const Offset target = offset_of(direction);
     if (!block.legal({}, target)) continue;
-    if (arrival != kNoMove) {
+    if (arrival != kNoMove && pruning != MoveTable::Pruning::none) {
       const Offset parent = Offset{} - offset_of(arrival);
-      if (superfluous(block, parent, target)) continue;
+      const bool ties = pruning == MoveTable::Pruning::canonical;
+      if (superfluous(block, parent, target, ties)) continue;
     }
     moves |= 1U << static_cast<unsigned>(direction);
   }
@@ -107,26 +109,26 @@ constexpr std::size_t kBlockCount = 512;
 using Moves = std::array<DirectionSet, (kNoMove + 1) * kBlockCount>;
 
 constexpr std::size_t kCornerRules = choice_names(CornerRule{}).size();
-constexpr std::size_t kKinds = choice_names(Connectivity{}).size() * kCornerRules * 2;
+constexpr std::size_t kPrunings = 3;
+constexpr std::size_t kKinds = choice_names(Connectivity{}).size() * kCornerRules * kPrunings;
 
-std::size_t kind_of(GridMoves moves, bool canonical) {
+std::size_t kind_of(GridMoves moves, MoveTable::Pruning pruning) {
   return (static_cast<std::size_t>(moves.connectivity) * kCornerRules +
           static_cast<std::size_t>(moves.corner_rule)) *
-             2 +
-         std::size_t{canonical};
+             kPrunings +
+         static_cast<std::size_t>(pruning);
 }
 
 Moves computed_moves(std::size_t kind) {
-  const bool canonical = kind % 2 != 0;
-  const GridMoves rule{static_cast<Connectivity>(kind / 2 / kCornerRules),
-                       static_cast<CornerRule>(kind / 2 % kCornerRules)};
+  const auto pruning = static_cast<MoveTable::Pruning>(kind % kPrunings);
+  const GridMoves rule{static_cast<Connectivity>(kind / kPrunings / kCornerRules),
+                       static_cast<CornerRule>(kind / kPrunings % kCornerRules)};
   Moves moves{};
   for (unsigned block = 0; block < kBlockCount; ++block) {
     const Neighbours cells{block, rule};
-    const DirectionSet all = moves_in(cells, kNoMove);
-    moves[kNoMove * kBlockCount + block] = all;
+    moves[kNoMove * kBlockCount + block] = moves_in(cells, kNoMove, pruning);
     for (Move arrival = 0; arrival < kDirections; ++arrival) {
-      moves[arrival * kBlockCount + block] = canonical ? moves_in(cells, arrival) : all;
+      moves[arrival * kBlockCount + block] = moves_in(cells, arrival, pruning);
     }
   }
   return moves;
@@ -148,7 +150,6 @@ const Moves& kept_moves(std::size_t kind, std::index_sequence<kNumbers...>) {
 }  // namespace
 
 MoveTable::MoveTable(GridMoves moves, Pruning pruning)
-    : moves_(kept_moves(kind_of(moves, pruning == Pruning::canonical),
-                        std::make_index_sequence<kKinds>{})) {}
+    : moves_(kept_moves(kind_of(moves, pruning), std::make_index_sequence<kKinds>{})) {}
 
 }  // namespace wend

@@ -72,7 +72,8 @@ class WEND_API MoveTable {
   /// Which moves a table leaves out.
   enum class Pruning {
     none,      // only illegal moves
-    canonical  // also those that the parent makes superfluous
+    longer,    // also those to cells that the parent reaches by a shorter way
+    canonical  // also those to cells that it reaches by one as long, in the canonical order
   };
 
   /// Computes the moves for all blocks and arrivals.

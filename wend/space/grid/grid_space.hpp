@@ -43,14 +43,14 @@ struct TerrainSteps {
   using Cost = double;
   static constexpr double kUnitsPerCell = 1;
 
-  explicit TerrainSteps(const FreeSpace& space) : terrain(space.terrain().values().data()) {}
+  explicit TerrainSteps(const FreeSpace& space) : costs(&space.costs()) {}
 
   Cost cost(const GridState& from, const GridState& to, bool diagonal) const {
-    const double mean = (terrain[from.number] + terrain[to.number]) / 2;
+    const double mean = (costs->multiplier(from.cell) + costs->multiplier(to.cell)) / 2;
     return diagonal ? std::numbers::sqrt2 * mean : mean;
   }
 
-  const double* terrain;  // owned by the FreeSpace that the space holds
+  const CostMap* costs;  // owned by the FreeSpace that the space holds
 };
 
 template <class Steps>

@@ -83,10 +83,10 @@ BitGrid blocked_cells(const FreeSpace& space, int unit) {
 
 /// The mean over the map cells of each lattice cell; empty if it is 1 everywhere.
 Grid<double> mean_terrain(const FreeSpace& space, int unit) {
-  if (unit == 1 || space.uniform_terrain()) return space.terrain();
+  if (space.uniform_terrain()) return {};
   Grid<double> mean(cells_along(space.width(), unit), cells_along(space.height(), unit), 0);
   for (const Cell cell : every_cell(space)) {
-    mean[{cell.x / unit, cell.y / unit}] += space.terrain()[cell];
+    mean[{cell.x / unit, cell.y / unit}] += space.terrain(cell);
   }
   for (const Cell cell : every_cell(mean)) {
     const int width = std::min(unit, space.width() - cell.x * unit);

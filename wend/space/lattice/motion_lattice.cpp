@@ -125,11 +125,10 @@ MotionLattice::MotionLattice(const FreeSpace& space, const MotionPrimitives& pri
 }
 
 double MotionLattice::ground(Cell vertex, const LatticeStep& step) const {
-  const Grid<double>& terrain = data_->space.terrain();
   const Cell from = cell_of(vertex);
   double ground = 0;
   for (const CellShare& part : step.ground) {
-    ground += part.share * terrain[{from.x + part.offset.x, from.y + part.offset.y}];
+    ground += part.share * data_->space.terrain({from.x + part.offset.x, from.y + part.offset.y});
   }
   return ground;
 }

@@ -1,0 +1,105 @@
+#pragma once
+
+// CostMap: what a unit of length costs in each cell, as integers.
+//
+// A multiplier is stored in steps of 1/256: 256 steps are a multiplier of 1, which is the least. A real
+// multiplier is rounded to the nearest step, a half up, so a stored one is off by at most 1/512. All
+// planners, path costs and pictures read the stored multipliers, so they agree to the last digit.
+//
+// A cell takes two bytes; four if any multiplier is 256 or more. A map on which every cell costs 1 takes
+// none, unless a cell was set().
+//
+//   const auto steps = wend::CostMap::rounded(1.5);  // 384
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "wend/base/compiler.hpp"
+#include "wend/geometry/cell.hpp"
+#include "wend/map/grid.hpp"
+
+namespace wend {
+
+class WEND_API CostMap {
+ public:
+  /// The number of steps in a multiplier of 1, the least.
+  static constexpr std::uint32_t kOne = 256;
+  /// The most steps of a multiplier.
+  static constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  /// The largest multiplier, almost 2^24.
+  static constexpr double kLargest = static_cast<double>(kMost) / kOne;
+
+  /// The nearest number of steps to a multiplier, at least kOne; nothing above kLargest, and for NaN.
+  static std::optional<std::uint32_t> rounded(double multiplier);
+
+  /// Every cell costs 1.
+  CostMap() = default;
+
+  /// Takes `steps_of(cell)`, at least kOne, for each cell of a map. Calls it at most twice for a cell.
+  template <class StepsOf>
+  CostMap(int width, int height, StepsOf&& steps_of) : width_(width), height_(height) {
+    std::uint32_t most = kOne;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const std::uint32_t steps = steps_of(Cell{x, y});
+        most = steps > most ? steps : most;
+        dear_ += steps == kOne ? 0 : 1;
+      }
+    }
+    if (dear_ == 0) return;
+    if (most <= kMostNarrow) {
+      fill(narrow_ = Grid<std::uint16_t>(width, height), steps_of);
+    } else {
+      fill(wide_ = Grid<std::uint32_t>(width, height), steps_of);
+    }
+  }
+
+  /// Does every cell cost 1?
+  bool uniform() const { return dear_ == 0; }
+
+  /// The steps of a cell, which must be on the map. O(1).
+  std::uint32_t steps(Cell cell) const {
+    if (!narrow_.empty()) return narrow_[cell];
+    return wide_.empty() ? kOne : wide_[cell];
+  }
+
+  /// The multiplier of a cell, which must be on the map. O(1).
+  double multiplier(Cell cell) const { return static_cast<double>(steps(cell)) / kOne; }
+
+  /// Changes the steps of a cell, which must be on the map that the costs were made for. O(1), but for the
+  /// first cell that needs wider memory: O(cells).
+  void set(Cell cell, std::uint32_t steps);
+
+  /// No cell has more steps than this. O(cells) if a cell takes four bytes, else O(1), and not tight.
+  std::uint32_t most_steps() const;
+
+  /// The bytes that a cell takes: 0, 2 or 4.
+  std::size_t bytes_per_cell() const;
+
+  /// Do the cells of two maps of the same size cost the same? O(cells).
+  friend WEND_API bool operator==(const CostMap& a, const CostMap& b);
+
+ private:
+  static constexpr std::uint32_t kMostNarrow = std::numeric_limits<std::uint16_t>::max();
+
+  template <class Steps, class StepsOf>
+  static void fill(Grid<Steps>& grid, StepsOf& steps_of) {
+    for (int y = 0; y < grid.height(); ++y) {
+      const auto row = grid.row(y);
+      for (int x = 0; x < grid.width(); ++x) {
+        row[static_cast<std::size_t>(x)] = static_cast<Steps>(steps_of(Cell{x, y}));
+      }
+    }
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  // At most one of the two has cells.
+  Grid<std::uint16_t> narrow_;
+  Grid<std::uint32_t> wide_;
+  std::size_t dear_ = 0;  // the number of cells that cost more than 1
+};
+
+}  // namespace wend
