@@ -7,8 +7,8 @@
 // that stays in a corner of a large map touches the memory of that corner only.
 //
 //   wend::ColumnTiles columns(passable);
-//   columns.prepare(3, 5 / 64);  // before each read of a word
-//   const std::uint64_t word = columns.words(3, 5 / 64)[0];
+//   columns.prepare(3, (5 + 1) / 64);  // before a word is read
+//   const std::uint64_t word = *columns.word(3, (5 + 1) / 64);
 //
 // One thread. A bit per cell where it was read, and a byte per tile.
 

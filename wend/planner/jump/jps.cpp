@@ -207,7 +207,7 @@ PlannerInfo jps_planner() {
               "random noise it skips few cells. It refuses terrain and clearance costs.",
           .guarantee = Guarantee::optimal,
           .preprocessing = Preprocessing::none,
-          .capabilities = {.jumps = true, .can_step = true},
+          .capabilities = {.jumps = true, .can_step = true, .learns = true},
           .options = {},
           .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
             auto refused = refused_options(values);

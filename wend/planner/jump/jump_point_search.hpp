@@ -156,6 +156,7 @@ void JumpPointSearch<Jumps>::begin(Cell start, std::span<const GoalRegion> goals
   metrics_ = {.expanded = 0, .generated = 1, .max_frontier = 1};
   overflown_ = false;
   outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
+  seer_ = {};
   goals_.begin(goals, start, jumps_.ground());
   start_ = jumps_.begin(start, goals_.cells());
   queue_.begin(h(start), kWidthBits);
