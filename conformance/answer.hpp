@@ -30,6 +30,9 @@ std::string text_of(const Answer& answer);
 
 Answer answer_of(Planner& planner, const Query& query);
 
+/// Are they equal, with all metrics? Those of a planner that learns (Capabilities) may differ.
+bool same_answers(const PlannerInfo& info, const Answer& one, Answer other);
+
 /// Asks again, one expansion at a time and with an observer: what differs from `answer`, or an empty
 /// text. A planner that looks answers up in an index has nothing to show.
 std::string stepping_fault(Planner& planner, const PlannerInfo& info, Query query,

@@ -18,6 +18,8 @@
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/planner/jump/goal_sight.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/jump/known_jumps.hpp"
+#include "wend/planner/jump/scanned_jumps.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
 #include "wend/planner/lattice/goal_costs.hpp"
 #include "wend/robot/free_space.hpp"
@@ -129,6 +131,22 @@ TEST(SearchSnippets, OfJumpGraphs) {
   EXPECT_GT(reached, 0);
 }
 
+TEST(SearchSnippets, OfJumpScans) {
+  const wend::FreeSpace& space = walled_ground();
+  const Cell cell{0, 0};
+  int used = 0;
+  const auto use = [&](const wend::ScannedJump& /*jump*/) { return ++used > 0; };
+  wend::JumpScan scan(space.passable());
+  scan.visit_jumps(cell, 0xFF, [&](const wend::ScannedJump& jump) { return use(jump); });
+  EXPECT_GT(used, 0) << "the end of the wall is a jump point";
+
+  const wend::BitGrid& passable = space.passable();
+  wend::ColumnTiles columns(passable);
+  columns.prepare(3, (5 + 1) / 64);  // before a word is read
+  const std::uint64_t word = *columns.word(3, (5 + 1) / 64);
+  EXPECT_EQ((word >> (4 + 1) & 1U) != 0, (passable[Cell{3, 4}]));
+}
+
 TEST(SearchSnippets, OfCoarseBox) {
   const int width = 9;
   const int height = 5;
@@ -157,7 +175,8 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   const wend::Limits limits;
   {
     const std::array goals{wend::GoalRegion({8, 1})};
-    wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
+    const wend::FreeSpace& space = walled_ground();
+    wend::JumpPointSearch search(wend::ScannedJumps<std::uint32_t>(space.passable()));
     search.begin({1, 1}, goals, limits);
     if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
   }
@@ -166,7 +185,7 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   EXPECT_EQ(drawn.back(), (Cell{8, 1}));
 
   const wend::JumpBoards& boards = *shared;
-  wend::ShortcutGraph shortcuts(graph);
+  const wend::KnownJumps<std::uint32_t> jumps(graph, dead_ends);
   const Cell goal{8, 4};
   const Cell start{0, 0};
   const Cell cell{0, 4};
@@ -174,17 +193,14 @@ TEST(SearchSnippets, OfJumpPointSearchAndItsParts) {
   const wend::DirectionSet directions = boards.moves(cell);
   const std::uint32_t g = 0;
   wend::GoalSight<std::uint32_t> goals;
-  goals.begin(regions, start, boards, shortcuts.raster());
-  const auto view = goals.look(boards.sight(), cell, directions, g);
+  goals.begin(regions, start, boards);
+  const auto view = goals.look(jumps, cell, directions, g);
   EXPECT_TRUE(view.nearest) << "the bottom row is free";
 
-  std::vector<wend::Jump> jumps;
-  graph->append_jumps({0, 0}, boards.moves({0, 0}), jumps);
-  const wend::Jump first = jumps.front();
-  const std::uint32_t end = first.number();
+  const std::array jump_points{Cell{4, 4}};
   wend::JumpTrail trail;
   trail.begin(goal);
-  trail.append_shortcut(shortcuts, first, end);
+  trail.append_back(jump_points);
   trail.append(start);
   draw(trail.from_start());
   EXPECT_EQ(drawn.front(), start);

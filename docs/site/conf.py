@@ -7,14 +7,17 @@ project = "wend"
 author = "The wend developers"
 project_copyright = author
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
-extensions = ["myst_parser", "whole_furo"]
-source_suffix = {".md": "markdown"}
+here = pathlib.Path(__file__).parent
+sys.path[:0] = [str(here), str(here / "python")]
+extensions = ["myst_parser", "whole_furo", "fields"]
+source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 root_doc = "index"
 
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 highlight_language = "none"
+default_role = "literal"  # of docstrings
+add_module_names = False
 smartquotes = False  # or "--start" reads as a dash
 
 html_theme = "furo"

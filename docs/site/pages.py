@@ -4,8 +4,9 @@
 usage: pages.py FOLDER
 
 Copies README.md and the other pages, docs/ and its pictures into FOLDER, with the paths of the repository. It
-changes three kinds of links: to a source file (now to a page that shows the file), to a folder (now to the API
-reference), and links whose text is the name of a page (now the page's title).
+changes these links: to a source file (now to a page that shows the file), to a notebook (now to the page of it), to
+the folder of the Python package (now to its reference), to another folder (now to the API reference), and links whose
+text is the name of a page (now the page's title).
 """
 
 import os
@@ -46,8 +47,12 @@ class Pages:
             target = (source.parent / match[2]).resolve()
             if not target.is_relative_to(ROOT) or not target.exists():
                 return match[0]  # Sphinx complains
-            if target.is_dir():
+            if target == ROOT / "python/wend":
+                page = "python_reference/index.rst"
+            elif target.is_dir():
                 page = "api.md"
+            elif target.suffix == ".ipynb":
+                page = f"notebooks/{target.stem}.md"
             elif target.suffix == ".md":
                 page = target.relative_to(ROOT)
                 text = "" if text == match[2] else text  # Sphinx puts the page's title there
@@ -92,7 +97,7 @@ def main():
         pages.copy(source, source.name)
     pages.copy_folder(ROOT / "docs/images", "docs/images")
     pages.copy_folder(ROOT / "docs/site/static", "static")
-    pages.remove_others(("reference", "pictures"))
+    pages.remove_others(("reference", "pictures", "python_reference", "notebooks"))
 
 
 if __name__ == "__main__":

@@ -45,6 +45,14 @@ def test_a_notebook_is_kept_without_outputs(path: pathlib.Path) -> None:
     assert path.stat().st_size < 16_000
 
 
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_cells_that_show_times_have_a_tag(path: pathlib.Path) -> None:
+    """The site leaves their outputs out, because they differ from machine to machine."""
+    for cell in read(path).cells:
+        shows_times = cell.cell_type == "code" and ("perf_counter" in cell.source or ".seconds" in cell.source)
+        assert shows_times == ("times" in cell.metadata.get("tags", [])), cell.source
+
+
 @pytest.mark.parametrize("name", [path.stem for path in NOTEBOOKS])
 def test_a_notebook_runs_without_warnings(name: str, executed: dict[str, Any]) -> None:
     assert all_outputs(executed[name])

@@ -1,4 +1,4 @@
-"""Planning, against Dijkstra's algorithm of scipy."""
+"""Planning, smoothing, following and indexes; test_oracles.py compares costs."""
 
 from __future__ import annotations
 
@@ -6,103 +6,8 @@ import math
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 import wend
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import dijkstra
-
-OPTIMAL = ["astar", "dijkstra"]
-
-
-def distances(cells: npt.NDArray[np.int8], goal: tuple[int, int], connectivity: int) -> npt.NDArray[np.float64]:
-    """The cost of the cheapest path from every cell to the goal (x, y): scipy's answer on a graph that is made here."""
-    height, width = cells.shape
-    steps = [(1, 0, 1.0), (0, 1, 1.0)]
-    if connectivity == 8:
-        steps += [(1, 1, math.sqrt(2)), (-1, 1, math.sqrt(2))]
-    rows, columns, costs = [], [], []
-    for y in range(height):
-        for x in range(width):
-            for dx, dy, cost in steps:
-                there = (x + dx, y + dy)
-                block = [(x, y), there, (x + dx, y), (x, y + dy)]
-                if all(0 <= a < width and 0 <= b < height and cells[b, a] == 0 for a, b in block):
-                    rows.append(y * width + x)
-                    columns.append(there[1] * width + there[0])
-                    costs.append(cost)
-    graph = csr_matrix((costs, (rows, columns)), shape=(width * height, width * height))
-    found: npt.NDArray[np.float64] = dijkstra(graph, directed=False, indices=goal[1] * width + goal[0])
-    return found.reshape(height, width)
-
-
-@st.composite
-def queries(draw: st.DrawFn) -> tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]]:
-    height = draw(st.integers(1, 12))
-    width = draw(st.integers(1, 12))
-    numbers = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
-    cells = (numbers.random((height, width)) < draw(st.sampled_from([0, 0.2, 0.4]))).astype(np.int8)
-    ends = [(draw(st.integers(0, width - 1)), draw(st.integers(0, height - 1))) for _ in range(2)]
-    for x, y in ends:
-        cells[y, x] = 0
-    return cells, ends[0], ends[1]
-
-
-def centre(cell: tuple[int, int]) -> tuple[float, float]:
-    return cell[0] + 0.5, cell[1] + 0.5
-
-
-@settings(max_examples=60, deadline=None)
-@given(queries(), st.sampled_from([4, 8]))
-def test_costs_are_those_of_scipy(
-    query: tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]], connectivity: int
-) -> None:
-    cells, start, goal = query
-    expected = distances(cells, goal, connectivity)
-    space = wend.Map(cells).free_space()
-    for planner in OPTIMAL if connectivity == 4 else [*OPTIMAL, "jps"]:
-        options: dict[str, Any] = {} if planner == "jps" else {"connectivity": connectivity}
-        try:
-            plan = space.plan(centre(start), centre(goal), planner, **options)
-        except wend.NoPath as no_path:
-            assert no_path.status == "unreachable"
-            assert math.isinf(expected[start[1], start[0]])
-        else:
-            assert plan.cost == pytest.approx(expected[start[1], start[0]])
-            assert plan.bound == 1
-            check_path(plan, cells, start, goal)
-
-
-@settings(max_examples=40, deadline=None)
-@given(queries())
-def test_cost_to_go_and_policy(query: tuple[npt.NDArray[np.int8], tuple[int, int], tuple[int, int]]) -> None:
-    cells, start, goal = query
-    space = wend.Map(cells).free_space()
-    costs = space.cost_to_go(centre(goal))
-    assert costs == pytest.approx(distances(cells, goal, 8))
-    policy = space.policy(centre(goal))
-    x, y = start
-    for _ in range(cells.size):
-        dx, dy = policy[y, x].tolist()
-        if (dx, dy) == (0, 0):
-            break
-        assert costs[y + dy, x + dx] < costs[y, x]
-        x, y = x + dx, y + dy
-    assert (x, y) == (goal if math.isfinite(costs[start[1], start[0]]) else start)
-
-
-def check_path(plan: wend.Plan, cells: npt.NDArray[Any], start: tuple[int, int], goal: tuple[int, int]) -> None:
-    assert plan.cells.dtype == np.int32
-    assert plan.path.dtype == np.float64
-    assert np.array_equal(plan.path, plan.cells + 0.5)
-    assert not plan.path.flags.writeable and not plan.cells.flags.writeable
-    assert tuple(plan.cells[0]) == start
-    assert tuple(plan.cells[-1]) == goal
-    assert not cells[plan.cells[:, 1], plan.cells[:, 0]].any()
-    assert np.abs(np.diff(plan.cells, axis=0)).max(initial=0) <= 1
-
 
 ROOM = np.zeros((20, 30), dtype=np.int8)
 ROOM[:15, 10] = 1

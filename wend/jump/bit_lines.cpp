@@ -6,19 +6,6 @@ namespace wend {
 namespace {
 
 constexpr int kBlock = 64;
-using Block = std::array<std::uint64_t, kBlock>;
-
-/// Swaps ever smaller squares: 32 x 32, 16 x 16, ... 1 x 1. (H. Warren, "Hacker's Delight", 7-3.)
-void transpose(Block& block) {
-  std::uint64_t mask = 0x00000000FFFFFFFFU;
-  for (unsigned size = kBlock / 2; size > 0; size /= 2, mask ^= mask << size) {
-    for (unsigned row = 0; row < kBlock; row = ((row | size) + 1) & ~size) {
-      const std::uint64_t swapped = ((block[row] >> size) ^ block[row | size]) & mask;
-      block[row] ^= swapped << size;
-      block[row | size] ^= swapped;
-    }
-  }
-}
 
 /// 64 bits of a line from `at` on; zeros beyond its end, whatever the border contains.
 std::uint64_t bits_at(const BitLines& board, int line, int at) {
@@ -43,6 +30,17 @@ void put_bits(std::span<std::uint64_t> words, int at, std::uint64_t bits) {
 
 }  // namespace
 
+void transpose(BitBlock& block) {
+  std::uint64_t mask = 0x00000000FFFFFFFFU;
+  for (unsigned size = kBlock / 2; size > 0; size /= 2, mask ^= mask << size) {
+    for (unsigned row = 0; row < kBlock; row = ((row | size) + 1) & ~size) {
+      const std::uint64_t swapped = ((block[row] >> size) ^ block[row | size]) & mask;
+      block[row] ^= swapped << size;
+      block[row | size] ^= swapped;
+    }
+  }
+}
+
 BitLines::BitLines(int lines, int length)
     : lines_(lines),
       length_(length),
@@ -57,7 +55,7 @@ BitLines::BitLines(const BitGrid& bits) : BitLines(bits.height(), bits.width()) 
 
 BitLines BitLines::transposed() const {
   BitLines turned(length_, lines_);
-  Block block;
+  BitBlock block;
   for (int line = 0; line < lines_; line += kBlock) {
     for (int at = 0; at < length_; at += kBlock) {
       for (int i = 0; i < kBlock; ++i) {

@@ -7,6 +7,7 @@
 // the edge. A scan step reads eight bytes at once, wherever they begin, and counts zeros. (Blocks of
 // bits for jumping: D. Harabor and A. Grastien, "Improving Jump Point Search", 2014.)
 
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstddef>
@@ -20,6 +21,13 @@
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
+
+/// 64 words of 64 bits.
+using BitBlock = std::array<std::uint64_t, 64>;
+
+/// Swaps bit i of word j with bit j of word i: ever smaller squares, 32 x 32, 16 x 16, ... 1 x 1. (H. Warren,
+/// "Hacker's Delight", 7-3.)
+void transpose(BitBlock& block);
 
 class BitLines {
  public:

@@ -93,6 +93,8 @@ class CoarseBox {
 
 class Shortcut {
  public:
+  static constexpr int kMostSteps = (1 << 15) - 1;  // of each kind; a jump with more stores 0
+
   /// A single jump between two cells. It sees nothing on its way.
   Shortcut(Jump jump, Cell from, Cell to);
 
@@ -120,8 +122,6 @@ class Shortcut {
   friend class ShortcutList;
 
   bool lengthen(Cell from, Cell to);
-
-  static constexpr int kMostSteps = (1 << 15) - 1;  // of each kind; a jump with more stores 0
 
   Jump first_;
   Jump last_;
@@ -161,6 +161,8 @@ class ShortcutList {
 
 class ShortcutGraph {
  public:
+  static constexpr std::size_t kMostPassed = 32;  // jump points, by a shortcut
+
   explicit ShortcutGraph(std::shared_ptr<const JumpGraph> jumps);
 
   const JumpGraph& jumps() const { return *jumps_; }
@@ -198,8 +200,6 @@ class ShortcutGraph {
   static constexpr Link kUnknown = ~Link{0};
   static constexpr Link kNone = kUnknown - 1;
   static constexpr Link kSeveral = kUnknown - 2;
-
-  static constexpr std::size_t kMostPassed = 32;  // jump points, by a shortcut
 
   static bool is_list(Link link) { return link < kIsJump; }
   static bool is_jump(Link link) { return link >= kIsJump && link < kSeveral; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "wend/base/parse.hpp"
@@ -9,9 +10,32 @@
 namespace wend {
 namespace {
 
-/// Sets the cells of one state in a row of a bit plane that is all false.
+/// Eight states, one in each byte, as eight bits that say which of them are `state`. (occupied and unknown are
+/// different bits.)
+std::uint64_t bits_of(std::uint64_t states, CellState state) {
+  static_assert(static_cast<int>(CellState::occupied) == 1 &&
+                static_cast<int>(CellState::unknown) == 2);
+  constexpr std::uint64_t kLowest = 0x0101010101010101U;
+  // The product has bit 8 i of the factor at 56 + i, for each i.
+  constexpr std::uint64_t kGather = 0x0102040810204080U;
+  return ((states >> (state == CellState::occupied ? 0U : 1U)) & kLowest) * kGather >> 56U;
+}
+
+/// Sets the cells of one state, occupied or unknown, in a row of a bit plane that is all false.
 void set_state(std::span<std::uint64_t> words, std::span<const CellState> row, CellState state) {
-  set_row(words, row, [state](CellState here) { return here == state; });
+  std::size_t x = 0;
+  for (; x + 8 <= row.size(); x += 8) {
+    std::uint64_t states = 0;
+    std::memcpy(&states, row.data() + x, sizeof states);
+    if (states == 0) continue;
+    const std::uint64_t bits = bits_of(states, state);
+    const std::size_t bit = x + 1;
+    words[bit / 64] |= bits << (bit % 64);
+    if (bit % 64 > 56) words[bit / 64 + 1] |= bits >> (64 - bit % 64);
+  }
+  for (; x < row.size(); ++x) {
+    words[(x + 1) / 64] |= std::uint64_t{row[x] == state} << ((x + 1) % 64);
+  }
 }
 
 BitGrid plane(const Grid<CellState>& cells, CellState state) {

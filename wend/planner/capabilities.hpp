@@ -16,6 +16,7 @@ struct Capabilities {
   bool jumps = false;      // expands only some cells of its paths, if any
   bool terrain = false;    // takes terrain costs into account
   bool can_step = false;   // Planner::begin and step work
+  bool learns = false;     // later searches may expand fewer states; their paths are the same
 };
 
 /// Do two planners have states of the same kind, so that they answer the same queries?

@@ -55,6 +55,8 @@ class PnmDecoder {
     for (int y = 0; y < header->height; ++y) {
       if (header->bitmap && !header->text) {
         read_bits();
+      } else if (is_grey_in_bytes(*header) && read_bytes(*header)) {
+        // The usual row.
       } else if (std::string wrong = read_samples(*header); !wrong.empty()) {
         return failure(std::move(wrong));
       }
@@ -132,6 +134,24 @@ class PnmDecoder {
     if (rest_.starts_with('#')) rest_.remove_prefix(std::min(rest_.size(), rest_.find('\n')));
     const bool windows = rest_.starts_with("\r\n") && rest_.size() >= header.least_bytes() + 2;
     rest_.remove_prefix(std::min<std::size_t>(rest_.size(), windows ? 2 : 1));
+  }
+
+  static bool is_grey_in_bytes(const Header& header) {
+    return !header.text && header.channels == 1 && header.sample_bytes() == 1;
+  }
+
+  /// Reads a row of grey bytes; reads nothing and returns false if one is above the maximum.
+  bool read_bytes(const Header& header) {
+    const std::string_view bytes = rest_.substr(0, row_.size());
+    unsigned char largest = 0;
+    for (std::size_t x = 0; x < bytes.size(); ++x) {
+      const auto value = static_cast<unsigned char>(bytes[x]);
+      largest = std::max(largest, value);
+      row_[x] = value;
+    }
+    if (largest > header.maximum) return false;
+    rest_.remove_prefix(bytes.size());
+    return true;
   }
 
   /// Reads a row of grey or colour samples, or of a text bitmap. Returns an error, empty on success.

@@ -78,7 +78,10 @@ ImageMapRows::PixelMeaning ImageMapRows::meaning_of(int value, int maximum) cons
 }
 
 void ImageMapRows::begin(int width, int /*height*/, int maximum) {
-  for (int value = 0; value <= maximum; ++value) table_.push_back(meaning_of(value, maximum));
+  for (int value = 0; value <= maximum; ++value) {
+    table_.push_back(meaning_of(value, maximum));
+    state_table_.push_back(table_.back().state);
+  }
   rows_.emplace(width);
   states_.resize(static_cast<std::size_t>(width));
   if (meaning_.mode != ImageMode::trinary) terrain_.resize(states_.size());
@@ -86,7 +89,9 @@ void ImageMapRows::begin(int width, int /*height*/, int maximum) {
 
 void ImageMapRows::add(std::span<const std::uint16_t> values,
                        std::span<const unsigned char> transparent) {
-  for (std::size_t x = 0; x < values.size(); ++x) states_[x] = table_[values[x]].state;
+  const std::span<CellState> states = states_;
+  const std::span<const CellState> state_of = state_table_;
+  for (std::size_t x = 0; x < values.size(); ++x) states[x] = state_of[values[x]];
   for (std::size_t x = 0; x < terrain_.size(); ++x) terrain_[x] = table_[values[x]].terrain;
   if (meaning_.mode != ImageMode::raw) {
     for (std::size_t x = 0; x < transparent.size(); ++x) {

@@ -66,7 +66,8 @@ class ImageMapRows final : public ImageRows {
   PixelMeaning meaning_of(int value, int maximum) const;
 
   ImageMeaning meaning_;
-  std::vector<PixelMeaning> table_;  // by value
+  std::vector<PixelMeaning> table_;     // by value
+  std::vector<CellState> state_table_;  // the same states, closer together
   std::optional<GridMapBuilder> rows_;
   std::vector<CellState> states_;  // of the current row
   std::vector<double> terrain_;

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 
 #include "wend/base/parse.hpp"
 #include "wend/io/map/map_format.hpp"
@@ -25,24 +27,45 @@
 namespace wend {
 namespace {
 
-struct Letter {
-  bool known = false;
-  CellState state = CellState::free;
-};
+// What a letter says: a CellState, or kUnknownLetter, and whether it gets a note.
+using LetterMeaning = unsigned char;
+constexpr LetterMeaning kStateMask = 3;
+constexpr LetterMeaning kUnknownLetter = 4;
+constexpr LetterMeaning kEmitter = 8;
+constexpr LetterMeaning kLowerCase = 16;
 
 constexpr std::size_t index_of(char letter) { return static_cast<unsigned char>(letter); }
 
-constexpr std::array<Letter, 256> make_letters() {
-  std::array<Letter, 256> letters{};
+constexpr std::array<LetterMeaning, 256> make_letters() {
+  std::array<LetterMeaning, 256> letters{};
+  letters.fill(kUnknownLetter);
   for (const char letter : std::string_view(".GSE@OTW")) {
     const bool free = std::string_view(".GSE").find(letter) != std::string_view::npos;
-    const Letter meaning{true, free ? CellState::free : CellState::occupied};
-    letters[index_of(letter)] = letters[index_of(lower_case(letter))] = meaning;
+    const CellState state = free ? CellState::free : CellState::occupied;
+    LetterMeaning meaning = static_cast<LetterMeaning>(state);
+    if (letter == 'E') meaning |= kEmitter;
+    letters[index_of(letter)] = meaning;
+    if (lower_case(letter) == letter) continue;
+    letters[index_of(lower_case(letter))] = static_cast<LetterMeaning>(meaning | kLowerCase);
   }
   return letters;
 }
 
-constexpr std::array<Letter, 256> kLetters = make_letters();
+constexpr std::array<LetterMeaning, 256> kLetters = make_letters();
+
+/// The states of eight letters, if all are '.', '@' or 'T', as nearly all are. In their bytes the bits from
+/// 0x40 up say which are not '.'; the others tell the letters apart.
+bool read_usual_letters(const char* letters, CellState* states) {
+  constexpr std::uint64_t kEach = 0x0101010101010101U;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, letters, sizeof bytes);
+  const std::uint64_t occupied = bytes >> 6U & kEach;
+  const std::uint64_t trees = bytes >> 4U & occupied;
+  const std::uint64_t usual = (kEach - occupied) * '.' + (occupied - trees) * '@' + trees * 'T';
+  if (bytes != usual) return false;
+  std::memcpy(states, &occupied, sizeof occupied);
+  return true;
+}
 
 class MovingAiReader {
  public:
@@ -139,24 +162,29 @@ class MovingAiReader {
       return fmt::format("row {} has {} columns, the header declares {}", y, letters.size(),
                          states.size());
     }
-    for (std::size_t x = 0; x < letters.size(); ++x) {
-      const Letter letter = kLetters[index_of(letters[x])];
-      if (!letter.known) {
+    for (std::size_t x = 0; x < letters.size();) {
+      if (x + 8 <= letters.size() && read_usual_letters(letters.data() + x, states.data() + x)) {
+        x += 8;
+        continue;
+      }
+      const LetterMeaning meaning = kLetters[index_of(letters[x])];
+      if ((meaning & kUnknownLetter) != 0) {
         return fmt::format("unknown terrain letter {} at row {} column {}", quote(letters[x]), y,
                            x);
       }
-      states[x] = letter.state;
-      seen_[index_of(letters[x])] = true;
+      states[x] = static_cast<CellState>(meaning & kStateMask);
+      seen_ |= meaning;
+      ++x;
     }
     return {};
   }
 
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
-    if (seen_[index_of('E')] || seen_[index_of('e')]) {
+    if ((seen_ & kEmitter) != 0) {
       notes.emplace_back("terrain E (emitter) is read as free");
     }
-    if (std::any_of(seen_.begin() + 'a', seen_.begin() + 'z' + 1, [](bool seen) { return seen; })) {
+    if ((seen_ & kLowerCase) != 0) {
       notes.emplace_back("lower-case letters are read as upper-case ones");
     }
     return notes;
@@ -167,7 +195,7 @@ class MovingAiReader {
   int height_ = 0;  // 0: not read yet
   int width_ = 0;
   std::optional<GridMapBuilder> rows_;
-  std::array<bool, 256> seen_{};  // letters
+  LetterMeaning seen_ = 0;  // in the letters so far
 };
 
 /// Takes linear time and the memory of the map.

@@ -2,8 +2,8 @@
 
 // GoalSight: the goals of a jump point search, and the cheapest path to one of them found so far.
 //
-//   goals.begin(regions, start, boards, shortcuts.raster());
-//   const auto view = goals.look(boards.sight(), cell, directions, g);
+//   goals.begin(regions, start, boards);
+//   const auto view = goals.look(jumps, cell, directions, g);
 //   if (view.nearest) ...  // no need to go on from there
 //
 // Costs are in OctileUnits<Cost>.
@@ -16,8 +16,6 @@
 
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/jump/jump_boards.hpp"
-#include "wend/jump/shortcut_graph.hpp"
 #include "wend/planner/goal_cells.hpp"
 #include "wend/space/grid/octile.hpp"
 
@@ -53,14 +51,11 @@ class GoalSight {
     bool nearest = false;  // the nearest goal: no path from here is shorter
   };
 
-  /// Starts a search from a cell for these goals, at least one. Shortcuts use the raster.
-  void begin(std::span<const GoalRegion> regions, Cell start, const JumpBoards& boards,
-             const CoarseRaster& raster) {
+  /// Starts a search from a cell for these goals, at least one, on ground that tells passable() cells.
+  void begin(std::span<const GoalRegion> regions, Cell start, const auto& ground) {
     goals_.assign(regions);
     cells_.clear();
-    append_entrances(regions, start, [&](Cell cell) { return boards.passable(cell); }, cells_);
-    places_.clear();
-    for (const Cell goal : cells_) places_.push_back(raster.place(goal));
+    append_entrances(regions, start, [&](Cell cell) { return ground.passable(cell); }, cells_);
     best_ = kInfinite;
     overflown_ = false;
   }
@@ -80,17 +75,10 @@ class GoalSight {
   /// Did the cost of a path exceed the range of the type?
   bool overflown() const { return overflown_; }
 
-  /// May a goal be in sight from a jump point that a shortcut passes?
-  bool may_be_seen(const Shortcut& shortcut) const {
-    bool may = shortcut.may_see(places_.front());
-    for (std::size_t i = 1; i < places_.size(); ++i) may |= shortcut.may_see(places_[i]);
-    return may;
-  }
-
   /// Finds the goals in sight of a cell that is reached at cost g. If the nearest goal is in sight, no
   /// path from there is shorter than the direct one to it. Goals outside `directions` are reached as
-  /// cheaply by other paths.
-  View look(const Sight& sight, Cell from, DirectionSet directions, Cost g) {
+  /// cheaply by other paths. `sight` answers sees(from, to).
+  View look(auto&& sight, Cell from, DirectionSet directions, Cost g) {
     View view;
     for (const Cell goal : cells_) {
       const bool ahead = (directions & first_direction(from, goal)) != 0 || goal == from;
@@ -111,8 +99,7 @@ class GoalSight {
 
  private:
   GoalCells goals_;
-  std::vector<Cell> cells_;          // where a path enters them
-  std::vector<CoarsePlace> places_;  // of these cells
+  std::vector<Cell> cells_;  // where a path enters them
   Cost best_ = kInfinite;
   Cell goal_{};
   bool overflown_ = false;

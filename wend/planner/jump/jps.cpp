@@ -4,6 +4,9 @@
 #include "wend/index/run_writer.hpp"
 #include "wend/planner/grid/grid_planner.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/jump/known_jumps.hpp"
+#include "wend/planner/jump/prepared_jumps.hpp"
+#include "wend/planner/jump/scanned_jumps.hpp"
 #include "wend/planner/planner_info.hpp"
 #include "wend/planner/widening_engine.hpp"
 
@@ -11,11 +14,14 @@ namespace wend {
 namespace {
 
 /// JumpPointSearch as a GridEngine: writes every cell of the paths.
-template <class Cost>
+template <class Jumps>
 class JumpEngine final : public GridEngine {
  public:
-  JumpEngine(std::shared_ptr<const JumpGraph> graph, std::shared_ptr<const DeadEnds> dead_ends)
-      : search_(std::move(graph), std::move(dead_ends)) {}
+  using Cost = typename Jumps::Cost;
+
+  explicit JumpEngine(Jumps jumps) : search_(std::move(jumps)) {}
+
+  const Jumps& jumps() const { return search_.jumps(); }
 
   bool allocated() const override { return true; }
 
@@ -115,22 +121,67 @@ class JumpEngine final : public GridEngine {
     }
   }
 
-  mutable JumpPointSearch<Cost> search_;
+  mutable JumpPointSearch<Jumps> search_;
   bool has_goals_ = false;
   SearchObserver* observer_ = nullptr;
 };
 
+/// Scans the cells of the map at first, and prepares the map once that would have been worth it. Both give the
+/// same paths.
+template <class Cost>
+class LearningEngine final : public GridEngine {
+ public:
+  explicit LearningEngine(std::shared_ptr<PreparedJumps> prepared)
+      : prepared_(std::move(prepared)), scanning_(make_scanning()), engine_(scanning_.get()) {}
+
+  bool allocated() const override { return true; }
+
+  void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    if (scanning_ != nullptr && time_to_prepare()) prepare();
+    engine_->begin(start, goals, limits, observer);
+  }
+
+  SearchOutcome step() override { return engine_->step(); }
+  SearchOutcome run() override { return engine_->run(); }
+  const SearchMetrics& metrics() const override { return engine_->metrics(); }
+  OpenList open_list(std::size_t most) const override { return engine_->open_list(most); }
+  double heuristic(const Cell& cell) const override { return engine_->heuristic(cell); }
+  void write_path(Path& path) const override { engine_->write_path(path); }
+
+ private:
+  using Scanning = JumpEngine<ScannedJumps<Cost>>;
+
+  std::unique_ptr<Scanning> make_scanning() const {
+    return std::make_unique<Scanning>(ScannedJumps<Cost>(prepared_->space().passable()));
+  }
+
+  /// Preparing a cell takes about as long as this many scans.
+  bool time_to_prepare() const {
+    constexpr std::uint64_t kScansPerCell = 2;
+    return scanning_->jumps().ground().scans() > kScansPerCell * prepared_->space().map().size();
+  }
+
+  void prepare() {
+    const auto [graph, dead_ends] = prepared_->parts();
+    scanning_.reset();  // its memory first
+    known_ = std::make_unique<JumpEngine<KnownJumps<Cost>>>(KnownJumps<Cost>(graph, dead_ends));
+    engine_ = known_.get();
+  }
+
+  std::shared_ptr<PreparedJumps> prepared_;
+  std::unique_ptr<Scanning> scanning_;
+  std::unique_ptr<JumpEngine<KnownJumps<Cost>>> known_;
+  GridEngine* engine_;  // one of the two
+};
+
 GridPlanner::Parts choose_parts(const FreeSpace& space) {
   if (!space.uniform_terrain()) return {{}, nullptr, 1};
-  const auto boards = std::make_shared<const JumpBoards>(space.passable());
-  const auto graph = std::make_shared<const JumpGraph>(boards);
-  const auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  const auto engine = [graph, dead_ends]<class Cost>(Cost) {
-    return std::make_unique<JumpEngine<Cost>>(graph, dead_ends);
-  };
-  const auto widening = [engine]() -> std::unique_ptr<GridEngine> {
+  const auto prepared = std::make_shared<PreparedJumps>(space);
+  const auto widening = [prepared]() -> std::unique_ptr<GridEngine> {
     return std::make_unique<WideningEngine<GridEngine>>(
-        [engine] { return engine(std::uint32_t{}); }, [engine] { return engine(std::uint64_t{}); });
+        [prepared] { return std::make_unique<LearningEngine<std::uint32_t>>(prepared); },
+        [prepared] { return std::make_unique<LearningEngine<std::uint64_t>>(prepared); });
   };
   return {.moves = {}, .engine = widening(), .bound = 1, .another = widening};
 }
@@ -156,7 +207,7 @@ PlannerInfo jps_planner() {
               "random noise it skips few cells. It refuses terrain and clearance costs.",
           .guarantee = Guarantee::optimal,
           .preprocessing = Preprocessing::none,
-          .capabilities = {.jumps = true, .can_step = true},
+          .capabilities = {.jumps = true, .can_step = true, .learns = true},
           .options = {},
           .make = [](const FreeSpace& space, const OptionValues& values) -> PlannerResult {
             auto refused = refused_options(values);

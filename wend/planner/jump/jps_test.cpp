@@ -13,6 +13,8 @@
 #include "wend/base/random.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/jump/jump_point_search.hpp"
+#include "wend/planner/jump/known_jumps.hpp"
+#include "wend/planner/jump/scanned_jumps.hpp"
 #include "wend/planner/planners.hpp"
 
 namespace wend {
@@ -30,14 +32,15 @@ BitGrid cells_of(const std::vector<std::string>& rows) {
   return cells;
 }
 
-template <class Search>
-Search make_search(const BitGrid& cells) {
+template <class Jumps>
+JumpPointSearch<Jumps> make_search(const BitGrid& cells) {
   auto boards = std::make_shared<const JumpBoards>(cells);
   auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  return Search(std::make_shared<const JumpGraph>(boards), std::move(dead_ends));
+  return JumpPointSearch(
+      Jumps(std::make_shared<const JumpGraph>(boards), std::move(dead_ends)));
 }
 
-using Compact = JumpPointSearch<std::uint32_t>;
+using Compact = KnownJumps<std::uint32_t>;
 
 TEST(JumpPointSearch, GivesTheCellsWhereThePathTurns) {
   const BitGrid cells = cells_of({".#####",  //
@@ -89,8 +92,8 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
     GridMap grid = test::random_map(random, 24, 18);
     const FreeSpace space = *make_free_space(grid);
     auto compact = make_search<Compact>(space.passable());
-    auto wide = make_search<JumpPointSearch<std::uint64_t>>(space.passable());
-    auto forgetful = make_search<JumpPointSearch<std::uint32_t, 3>>(space.passable());
+    auto wide = make_search<KnownJumps<std::uint64_t>>(space.passable());
+    auto forgetful = make_search<KnownJumps<std::uint32_t, 3>>(space.passable());
     const Limits limits;
     for (int query = 0; query < 20; ++query) {
       const Cell start = test::random_cell(random, space.width(), space.height());

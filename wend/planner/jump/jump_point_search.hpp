@@ -2,26 +2,23 @@
 
 // JumpPointSearch: A* that jumps from one jump point to the next and skips the cells between.
 //
-//   wend::JumpPointSearch<std::uint32_t> search(graph, dead_ends);
+//   wend::JumpPointSearch search(wend::ScannedJumps<std::uint32_t>(space.passable()));
 //   search.begin({1, 1}, goals, limits);
 //   if (search.run() == wend::SearchOutcome::found) draw(search.waypoints());
 //
 // A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
 // that sees a goal opens no states, because no other path is shorter. Where there is no choice, the
-// search takes a shortcut over several jump points (ShortcutGraph), and looks for a goal from each of
-// them if the shortcut may see one. Open states lie in buckets that are not sorted exactly, so a state
+// search takes a shortcut over several jump points, and looks for a goal from each of them if the shortcut
+// may see one. The jumps come from ScannedJumps, or from KnownJumps on a map that was prepared. Open states lie in buckets that are not sorted exactly, so a state
 // may be expanded again when a cheaper path to it is found. The search ends when the current bucket is
 // past the cost of the cheapest path found.
 //
-// Optimal. 32 bytes per jump point, plus JumpGraph, JumpBoards, ShortcutGraph and DeadEnds. One thread
-// per search; searches may share the jump graph and the dead ends.
+// Optimal. One thread per search.
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <unordered_set>
@@ -30,11 +27,7 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/base/state_id.hpp"
-#include "wend/jump/dead_ends.hpp"
-#include "wend/jump/jump_graph.hpp"
-#include "wend/jump/shortcut_graph.hpp"
 #include "wend/planner/jump/goal_sight.hpp"
-#include "wend/planner/jump/jump_nodes.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
 #include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
@@ -50,15 +43,19 @@ struct NoJumpWatcher {
   void on_reach(Cell, Cell, auto, bool) const {}
 };
 
-/// kSearches: the number of searches after which stamps start again.
-template <class CostType, std::uint32_t kSearches = std::numeric_limits<std::uint32_t>::max()>
+template <class Jumps>
 class JumpPointSearch {
  public:
-  using Cost = CostType;
+  using Cost = typename Jumps::Cost;
   using Units = OctileUnits<Cost>;
 
-  JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
-                  std::shared_ptr<const DeadEnds> dead_ends);
+  explicit JumpPointSearch(Jumps jumps) : jumps_(std::move(jumps)) {
+    const std::uint64_t steps = static_cast<std::uint64_t>(jumps_.ground().width()) +
+                                static_cast<std::uint64_t>(jumps_.ground().height());
+    too_wide_ = steps > kInfinite / 2 / Units::kStraight;
+  }
+
+  const Jumps& jumps() const { return jumps_; }
 
   /// Forgets the last search. The start and places of goals are passable; `limits` must live as long as the
   /// search. A watcher receives each cell, its parent (for the start: itself) and g.
@@ -98,25 +95,29 @@ class JumpPointSearch {
   static constexpr Cost kInfinite = GoalSight<Cost>::kInfinite;
 
   using View = typename GoalSight<Cost>::View;
-  using Nodes = JumpNodes<Cost, kSearches>;
-  using Node = typename Nodes::Node;
-
-  static constexpr Jump kNoJump = Jump(std::numeric_limits<std::uint32_t>::max());
+  using Jump = typename Jumps::Jump;
+  using Shortcut = typename Jumps::Shortcut;
+  using Node = typename Jumps::Node;
 
   /// A state that sees a goal: a node, or a jump point on a shortcut from a node.
   struct Seer {
     StateId node = 0;
-    Jump first = kNoJump;  // of the shortcut
-    Jump last = kNoJump;
+    bool on_shortcut = false;
+    Jump first{};  // of the shortcut
+    Cell cell{};   // of the jump point
   };
 
-  /// The start is the node after the jump points.
-  StateId start_id() const { return static_cast<StateId>(nodes_.size() - 1); }
+  /// The state being expanded.
+  struct Origin {
+    StateId id;
+    Cell cell;
+    Cost g;
+  };
 
   View look(Cell from, DirectionSet directions, Cost g) {
-    return goals_.look(graph_->boards().sight(), from, directions, g);
+    return goals_.look(jumps_, from, directions, g);
   }
-  bool look_from_passed(const Shortcut& shortcut, const Node& from, StateId parent);
+  bool look_from_passed(const Shortcut& shortcut, const Origin& from);
 
   template <class Watcher>
   void expand(StateId id, Watcher& watcher);
@@ -125,18 +126,15 @@ class JumpPointSearch {
   template <class Watcher>
   void finish(Watcher& watcher);
   template <class Watcher>
-  [[gnu::always_inline]] inline void reach(const Shortcut& shortcut, const Node& from,
-                                           StateId parent, Watcher& watcher);
+  [[gnu::always_inline]] inline void reach(const Shortcut& shortcut, const Origin& from,
+                                           Watcher& watcher);
 
-  std::shared_ptr<const JumpGraph> graph_;
-  ShortcutGraph shortcuts_;
-  OpenDeadEnds open_;
-  Nodes nodes_;
+  Jumps jumps_;
   JumpQueue<Cost> queue_;
   GoalSight<Cost> goals_;
-  Seer seer_;                      // of the cheapest goal
-  std::vector<Jump> first_jumps_;  // from the start
-  bool too_wide_;                  // for an octile distance to be surely below half of kInfinite
+  Seer seer_;  // of the cheapest goal
+  StateId start_ = 0;
+  bool too_wide_;  // for an octile distance to be surely below half of kInfinite
 
   bool overflown_ = false;
 
@@ -147,26 +145,9 @@ class JumpPointSearch {
   JumpTrail trail_;
 };
 
-template <class Cost, std::uint32_t kSearches>
-JumpPointSearch<Cost, kSearches>::JumpPointSearch(std::shared_ptr<const JumpGraph> graph,
-                                                  std::shared_ptr<const DeadEnds> dead_ends)
-    : graph_(std::move(graph)),
-      shortcuts_(graph_),
-      open_(std::move(dead_ends)),
-      nodes_(graph_->size() + 1) {
-  const JumpBoards& boards = graph_->boards();
-  const std::uint64_t steps =
-      static_cast<std::uint64_t>(boards.width()) + static_cast<std::uint64_t>(boards.height());
-  too_wide_ = steps > kInfinite / 2 / Units::kStraight;
-  for (StateId id = 0; id < graph_->size(); ++id) {
-    nodes_[id].cell = graph_->cell(static_cast<std::uint32_t>(id));
-    nodes_[id].dead_end = open_.number(nodes_[id].cell);
-  }
-}
-
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const GoalRegion> goals,
+void JumpPointSearch<Jumps>::begin(Cell start, std::span<const GoalRegion> goals,
                                              const Limits& limits, Watcher&& watcher) {
   // A bucket is nearly a straight step wide.
   constexpr auto kWidthBits = static_cast<unsigned>(std::bit_width(Units::kStraight) - 1);
@@ -175,33 +156,33 @@ void JumpPointSearch<Cost, kSearches>::begin(Cell start, std::span<const GoalReg
   metrics_ = {.expanded = 0, .generated = 1, .max_frontier = 1};
   overflown_ = false;
   outcome_ = too_wide_ ? SearchOutcome::cost_overflow : SearchOutcome::running;
-  nodes_.begin_search();
-  goals_.begin(goals, start, graph_->boards(), shortcuts_.raster());
-  open_.open_for(start, goals_.cells());
+  seer_ = {};
+  goals_.begin(goals, start, jumps_.ground());
+  start_ = jumps_.begin(start, goals_.cells());
   queue_.begin(h(start), kWidthBits);
-  Node& node = nodes_[start_id()];
-  node.stamp = nodes_.stamp(0);
+  Node& node = jumps_.node(start_);
+  node.stamp = jumps_.stamp(0);
   node.cell = start;
-  node.parent = start_id();
+  node.parent = start_;
   node.pending = 1;
-  queue_.push(h(start), start_id());
+  queue_.push(h(start), start_);
   watcher.on_generate(start, start, Cost{0});
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
+void JumpPointSearch<Jumps>::step(Watcher&& watcher) {
   while (!queue_.empty()) {
     const auto entry = queue_.pop();
     if (queue_.bucket_is_behind(goals_.best())) break;
     // It was reached more cheaply or expanded since then.
-    if (entry.f >= goals_.best() || nodes_[entry.id].pending == 0) continue;
+    if (entry.f >= goals_.best() || jumps_.node(entry.id).pending == 0) continue;
     if (limits_.due(metrics_.expanded)) {
       outcome_ = limits_.look(metrics_.expanded);
       if (outcome_ != SearchOutcome::running) return;
     }
     ++metrics_.expanded;
-    if (entry.id == start_id()) {
+    if (entry.id == start_) {
       expand_start(watcher);
     } else {
       expand(entry.id, watcher);
@@ -213,14 +194,14 @@ void JumpPointSearch<Cost, kSearches>::step(Watcher&& watcher) {
   finish(watcher);
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::finish(Watcher& watcher) {
+void JumpPointSearch<Jumps>::finish(Watcher& watcher) {
   if (goals_.best() == kInfinite) {
     outcome_ = SearchOutcome::exhausted;
     return;
   }
-  const Cell from = nodes_[seer_.node].cell;
+  const Cell from = jumps_.node(seer_.node).cell;
   const bool expanded = from == goals_.goal();  // before
   if (!expanded && metrics_.expanded >= most_expansions_) {
     outcome_ = SearchOutcome::expansion_limit;
@@ -234,68 +215,63 @@ void JumpPointSearch<Cost, kSearches>::finish(Watcher& watcher) {
   watcher.on_expand(goals_.goal(), from, goals_.best());
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::expand_start(Watcher& watcher) {
+void JumpPointSearch<Jumps>::expand_start(Watcher& watcher) {
   constexpr DirectionSet kEveryDirection = 0xFF;
-  Node& start = nodes_[start_id()];
+  Node& start = jumps_.node(start_);
   start.pending = 0;
-  watcher.on_expand(start.cell, start.cell, Cost{0});
-  const View view = look(start.cell, kEveryDirection, 0);
-  if (view.better) seer_ = {start_id(), kNoJump, kNoJump};
+  const Origin origin{start_, start.cell, 0};
+  watcher.on_expand(origin.cell, origin.cell, Cost{0});
+  const View view = look(origin.cell, kEveryDirection, 0);
+  if (view.better) seer_ = {.node = start_};
   if (view.nearest) return;
-  first_jumps_.clear();
-  graph_->append_jumps(start.cell, kEveryDirection, first_jumps_);
-  for (const Jump jump : first_jumps_) {
-    reach(Shortcut(jump, start.cell, graph_->cell(jump.number())), start, start_id(), watcher);
-  }
+  jumps_.visit_first(origin.cell,
+                     [&](const Shortcut& shortcut) { reach(shortcut, origin, watcher); });
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-void JumpPointSearch<Cost, kSearches>::expand(StateId id, Watcher& watcher) {
-  Node& node = nodes_[id];
-  watcher.on_expand(node.cell, nodes_[node.parent].cell, node.g());
+void JumpPointSearch<Jumps>::expand(StateId id, Watcher& watcher) {
+  Node& node = jumps_.node(id);
+  const Origin origin{id, node.cell, node.g()};
+  watcher.on_expand(origin.cell, jumps_.node(node.parent).cell, origin.g);
   const unsigned arrivals = std::exchange(node.pending, std::uint8_t{0});
   node.done |= static_cast<std::uint8_t>(arrivals);
   const auto for_each_arrival = [&](auto&& visit) {
     for (unsigned rest = arrivals; rest != 0; rest &= rest - 1) {
-      visit(Jump(static_cast<std::uint32_t>(id), static_cast<unsigned>(std::countr_zero(rest))));
+      visit(static_cast<unsigned>(std::countr_zero(rest)));
     }
   };
   DirectionSet directions = 0;
-  for_each_arrival([&](Jump state) { directions |= graph_->directions(state); });
-  const View view = look(node.cell, directions, node.g());
-  if (view.better) seer_ = {id, kNoJump, kNoJump};
+  for_each_arrival([&](unsigned arrival) { directions |= jumps_.directions(id, arrival); });
+  const View view = look(origin.cell, directions, origin.g);
+  if (view.better) seer_ = {.node = id};
   if (view.nearest) return;
-  for_each_arrival([&](Jump state) {
-    const ShortcutList shortcuts = shortcuts_.shortcuts(state);
-    for (const Shortcut& shortcut : shortcuts) {
-      __builtin_prefetch(&nodes_[shortcut.last().number()], 1);
-      shortcuts_.prefetch_place(shortcut.last());
-    }
-    for (const Shortcut& shortcut : shortcuts) reach(shortcut, node, id, watcher);
+  for_each_arrival([&](unsigned arrival) {
+    jumps_.visit_shortcuts(id, arrival,
+                           [&](const Shortcut& shortcut) { reach(shortcut, origin, watcher); });
   });
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Watcher>
-inline void JumpPointSearch<Cost, kSearches>::reach(const Shortcut& shortcut, const Node& from,
-                                                    StateId parent, Watcher& watcher) {
-  if (goals_.may_be_seen(shortcut) && look_from_passed(shortcut, from, parent)) return;
+inline void JumpPointSearch<Jumps>::reach(const Shortcut& shortcut, const Origin& from,
+                                          Watcher& watcher) {
+  if (jumps_.may_see_goal(shortcut) && look_from_passed(shortcut, from)) return;
   if (shortcut.dead()) return;
-  const Jump jump = shortcut.last();
-  Node& node = nodes_[jump.number()];
-  const Cost g = from.g() + shortcut.template cost<Cost>(from.cell, node.cell);
-  const auto stamp = nodes_.stamp(g);
+  const StateId id = jumps_.end(shortcut);
+  Node& node = jumps_.node(id);
+  const Cost g = from.g + Jumps::cost(shortcut, from.cell, node);
+  const auto stamp = jumps_.stamp(g);
   if (stamp > node.stamp) return;
-  if (stamp < node.stamp && !open_.contains(node.dead_end)) return;
+  if (stamp < node.stamp && !jumps_.useful(node)) return;
   // No branch: what earlier searches left in a node is hard to predict.
-  const bool open = nodes_.reached(node) & (node.pending != 0);
-  const auto arrival = static_cast<std::uint8_t>(1U << jump.arrival());
+  const bool open = jumps_.reached(node) & (node.pending != 0);
+  const auto arrival = static_cast<std::uint8_t>(1U << Jumps::arrival(shortcut));
   if (stamp < node.stamp) {
     node.stamp = stamp;
-    node.parent = parent;
+    node.parent = from.id;
     node.first = shortcut.first();
     node.pending = arrival;
     node.done = 0;
@@ -308,17 +284,17 @@ inline void JumpPointSearch<Cost, kSearches>::reach(const Shortcut& shortcut, co
   metrics_.generated += open ? 0 : 1;
   watcher.on_reach(node.cell, from.cell, g, open);
   const Cost f = g + h(node.cell);
-  if (g < from.g() || f < g || f == kInfinite) {  // more than the type holds
+  if (g < from.g || f < g || f == kInfinite) {  // more than the type holds
     overflown_ = true;
     return;
   }
-  shortcuts_.prefetch_shortcuts(jump);  // a state is often expanded soon after it was reached
-  queue_.push(f, jump.number());
+  jumps_.prefetch(shortcut);
+  queue_.push(f, id);
 }
 
-template <class Cost, std::uint32_t kSearches>
+template <class Jumps>
 template <class Visit>
-std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
+std::uint64_t JumpPointSearch<Jumps>::for_each_open(std::size_t most,
                                                               Visit&& visit) const {
   if (outcome_ != SearchOutcome::running) return 0;
   JumpQueue<Cost> rest = queue_;
@@ -327,14 +303,14 @@ std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
   while (!rest.empty()) {
     const auto entry = rest.pop();
     if (rest.bucket_is_behind(goals_.best())) break;
-    const Node& node = nodes_[entry.id];
+    const Node& node = jumps_.node(entry.id);
     if (entry.f >= goals_.best() || node.pending == 0 || !open.insert(entry.id).second) continue;
     if (open.size() > most) continue;
     const std::size_t here = rest.bucket_of(entry.f);
-    visit(node.cell, nodes_[node.parent].cell, node.g(), here == bucket);
+    visit(node.cell, jumps_.node(node.parent).cell, node.g(), here == bucket);
     bucket = here;
   }
-  const Cell from = nodes_[seer_.node].cell;
+  const Cell from = jumps_.node(seer_.node).cell;
   const bool goal_is_last = goals_.best() != kInfinite && from != goals_.goal();
   if (!goal_is_last) return open.size();
   if (open.size() < most) visit(goals_.goal(), from, goals_.best(), false);
@@ -343,35 +319,31 @@ std::uint64_t JumpPointSearch<Cost, kSearches>::for_each_open(std::size_t most,
 
 /// Looks for goals from the jump points that a shortcut passes, and from its end if that has no
 /// successor. True if no path that continues is shorter.
-template <class Cost, std::uint32_t kSearches>
-bool JumpPointSearch<Cost, kSearches>::look_from_passed(const Shortcut& shortcut, const Node& from,
-                                                        StateId parent) {
+template <class Jumps>
+bool JumpPointSearch<Jumps>::look_from_passed(const Shortcut& shortcut, const Origin& from) {
   Cell at = from.cell;
-  Cost g = from.g();
-  for (Jump jump = shortcut.first();; jump = shortcuts_.only_next(jump)) {
-    const bool last = jump == shortcut.last();
-    if (last && !shortcut.dead()) return false;
-    const Cell cell = graph_->cell(jump.number());
+  Cost g = from.g;
+  return jumps_.visit_passed(shortcut, [&](Jump /*jump*/, Cell cell, DirectionSet directions) {
     const Cost reached = g + octile_cost<Cost>(std::exchange(at, cell), cell);
     if (reached < g) {  // more than the type holds
       overflown_ = true;
       return true;
     }
     g = reached;
-    const View view = look(cell, graph_->directions(jump), g);
-    if (view.better) seer_ = {parent, shortcut.first(), jump};
-    if (view.nearest || last) return true;
-  }
+    const View view = look(cell, directions, g);
+    if (view.better) seer_ = {from.id, true, shortcut.first(), cell};
+    return view.nearest;
+  });
 }
 
-template <class Cost, std::uint32_t kSearches>
-std::span<const Cell> JumpPointSearch<Cost, kSearches>::waypoints() {
+template <class Jumps>
+std::span<const Cell> JumpPointSearch<Jumps>::waypoints() {
   trail_.begin(goals_.goal());
-  if (seer_.first != kNoJump) trail_.append_shortcut(shortcuts_, seer_.first, seer_.last.number());
-  for (StateId id = seer_.node; id != start_id(); id = nodes_[id].parent) {
-    trail_.append_shortcut(shortcuts_, nodes_[id].first, static_cast<std::uint32_t>(id));
+  if (seer_.on_shortcut) jumps_.append_back(trail_, seer_.first, seer_.cell);
+  for (StateId id = seer_.node; id != start_; id = jumps_.node(id).parent) {
+    jumps_.append_back(trail_, jumps_.node(id).first, jumps_.node(id).cell);
   }
-  trail_.append(nodes_[start_id()].cell);
+  trail_.append(jumps_.node(start_).cell);
   return trail_.from_start();
 }
 

@@ -1,24 +1,22 @@
 #pragma once
 
-// JumpTrail: collects the cells where a path turns, from its goal back to its start, from shortcuts and
-// jumps.
+// JumpTrail: collects the cells where a path turns, from its goal back to its start, from the jump points that
+// it passes.
 //
 //   wend::JumpTrail trail;
 //   trail.begin(goal);
-//   trail.append_shortcut(shortcuts, first, end);
+//   trail.append_back(jump_points);
 //   trail.append(start);
 //   draw(trail.from_start());
 //
 // Between two of these cells all steps have the same direction.
 
 #include <algorithm>
-#include <cstdint>
 #include <ranges>
 #include <span>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
-#include "wend/jump/shortcut_graph.hpp"
 #include "wend/space/grid/octile.hpp"
 
 namespace wend {
@@ -35,14 +33,9 @@ class JumpTrail {
     if (from != to) cells_.push_back(from);
   }
 
-  /// Appends the jump points of a shortcut, backwards from the one with the number `end` to its first.
-  void append_shortcut(const ShortcutGraph& shortcuts, Jump first, std::uint32_t end) {
-    passed_.clear();
-    for (Jump jump = first; jump.number() != end; jump = shortcuts.only_next(jump)) {
-      passed_.push_back(shortcuts.jumps().cell(jump.number()));
-    }
-    append(shortcuts.jumps().cell(end));
-    for (const Cell cell : passed_ | std::views::reverse) append(cell);
+  /// The same for some cells that the path passes one after the other, of which the last comes first.
+  void append_back(std::span<const Cell> cells) {
+    for (const Cell cell : cells | std::views::reverse) append(cell);
   }
 
   /// The cells from start to goal. Valid until the next begin().
@@ -53,7 +46,6 @@ class JumpTrail {
 
  private:
   std::vector<Cell> cells_;
-  std::vector<Cell> passed_;  // by the current shortcut
 };
 
 }  // namespace wend

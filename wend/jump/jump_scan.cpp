@@ -1,0 +1,53 @@
+#include "wend/jump/jump_scan.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "wend/space/grid/octile.hpp"
+
+namespace wend {
+
+bool JumpScan::sees(Cell from, Cell to) {
+  const Cell bend = octile_bend(from, to);
+  using enum Direction;
+  // Most blocked paths are blocked in their straight part, which is read faster.
+  const bool straight = bend.y == to.y ? (bend.x <= to.x ? is_free<plus_x>(bend, to.x - bend.x)
+                                                         : is_free<plus_x>(to, bend.x - to.x))
+                        : bend.y < to.y ? is_free<plus_y>(bend, to.y - bend.y)
+                                        : is_free<plus_y>(to, bend.y - to.y);
+  return straight && diagonal_is_free(from, bend);
+}
+
+/// Are a cell and those within `steps` steps ahead passable?
+template <Direction kStraight>
+bool JumpScan::is_free(Cell from, int steps) {
+  constexpr bool kRow = kStraight == Direction::plus_x;
+  ++scans_;
+  const auto place = static_cast<std::size_t>((kRow ? from.x : from.y) + 1);
+  std::size_t at = place / 64;
+  auto bit = static_cast<int>(place % 64);
+  for (int left = steps + 1; left > 0; ++at) {
+    if constexpr (!kRow) columns_.prepare(from.x, at);
+    const std::uint64_t word =
+        kRow ? rows_[from.y * row_words_ + static_cast<std::ptrdiff_t>(at)] : *columns_.word(from.x, at);
+    const std::uint64_t missing = ~word >> bit;
+    const int read = std::min(left, 64 - bit);
+    if ((missing << (64 - read)) != 0) return false;
+    left -= read;
+    bit = 0;
+  }
+  return true;
+}
+
+bool JumpScan::diagonal_is_free(Cell from, Cell to) const {
+  if (from == to) return true;
+  const Direction diagonal =
+      direction_of({to.x > from.x ? 1 : -1, to.y > from.y ? 1 : -1});
+  const unsigned needed = needs(diagonal);
+  for (Cell at = from; at != to; at = step(at, diagonal)) {
+    if ((passable_->block(at) & needed) != needed) return false;
+  }
+  return true;
+}
+
+}  // namespace wend
