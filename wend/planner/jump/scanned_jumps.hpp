@@ -129,7 +129,7 @@ class ScannedJumps {
   void append_back(JumpTrail& trail, Jump first, Cell end) {
     cells_.assign(1, first.cell);
     while (cells_.back() != end) {
-      find(first, first);
+      first = onward(first).next;
       cells_.push_back(first.cell);
     }
     trail.append_back(cells_);
@@ -155,15 +155,24 @@ class ScannedJumps {
     return true;
   }
 
-  /// The number of successors of a jump point, at most 2; the first of them.
-  int find(const Jump& jump, Jump& next) {
-    int count = 0;
-    const Jump from = jump;
-    scan_.visit_jumps(from.cell, scan_.directions(from), [&](const Jump& found) {
-      if (count == 0) next = found;
-      return ++count < 2;
+  /// How a path goes on from a jump point.
+  struct Onward {
+    Jump from;
+    Jump next;       // the first successor
+    int count = -1;  // of successors, at most 2; less than 0: not known
+  };
+
+  /// Several paths reach most jump points.
+  const Onward& onward(const Jump& jump) {
+    const auto hash = static_cast<std::uint32_t>(jump.cell.y * scan_.width() + jump.cell.x) * 4 + jump.arrival;
+    Onward& known = onward_[hash * 0x9E3779B1U >> (32 - kOnwardBits)];
+    if (known.count >= 0 && known.from == jump) return known;
+    known = {.from = jump, .next = {}, .count = 0};
+    scan_.visit_jumps(jump.cell, scan_.directions(jump), [&known](const Jump& found) {
+      if (known.count == 0) known.next = found;
+      return ++known.count < 2;
     });
-    return count;
+    return known;
   }
 
   /// As ShortcutGraph::extend().
@@ -171,8 +180,7 @@ class ScannedJumps {
     shortcut.passed_begin = shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
     if (shortcut.straight + shortcut.diagonal == 0) return;  // too long to count
     for (std::size_t count = 1; count < ShortcutGraph::kMostPassed; ++count) {
-      Jump next;
-      const int successors = find(shortcut.last_jump, next);
+      const auto& [from, next, successors] = onward(shortcut.last_jump);
       shortcut.ends = successors == 0;
       if (shortcut.ends) pass(shortcut);
       if (successors != 1) return;
@@ -189,7 +197,10 @@ class ScannedJumps {
     shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
   }
 
+  static constexpr unsigned kOnwardBits = 9;
+
   JumpScan scan_;
+  std::vector<Onward> onward_{std::size_t{1} << kOnwardBits};  // by a hash of the jump
   ReachedCells<Node> nodes_;
   std::vector<Shortcut> shortcuts_;  // of the state being expanded
   std::vector<Jump> passed_;         // by these
