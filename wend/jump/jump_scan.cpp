@@ -18,6 +18,17 @@ bool JumpScan::sees(Cell from, Cell to) {
   return straight && diagonal_is_free(from, bend);
 }
 
+bool JumpScan::passes_jump(Cell from, Cell to) {
+  using enum Direction;
+  const Cell bend = octile_bend(from, to);
+  if (bend.x < to.x) return scan_far<plus_x>(bend).steps < to.x - bend.x;
+  if (bend.x > to.x) return scan_far<minus_x>(bend).steps < bend.x - to.x;
+  if (bend.y == to.y) return false;
+  columns_.prepare(bend);
+  return bend.y < to.y ? scan_far<plus_y>(bend).steps < to.y - bend.y
+                       : scan_far<minus_y>(bend).steps < bend.y - to.y;
+}
+
 /// Are a cell and those within `steps` steps ahead passable?
 template <Direction kStraight>
 bool JumpScan::is_free(Cell from, int steps) {

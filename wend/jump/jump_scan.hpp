@@ -60,6 +60,9 @@ class JumpScan {
   /// Sight::sees().
   bool sees(Cell from, Cell to);
 
+  /// Is there a jump point on the straight part of that path, before its end? For cells in sight.
+  bool passes_jump(Cell from, Cell to);
+
   /// The number of scans so far: a measure of the time spent.
   std::uint64_t scans() const { return scans_; }
 

@@ -58,6 +58,7 @@ class ScannedJumps {
 
   const JumpScan& ground() const { return scan_; }
   bool sees(Cell from, Cell to) { return scan_.sees(from, to); }
+  bool passes_jump(Cell from, Cell to) { return scan_.passes_jump(from, to); }
 
   StateId begin(Cell start, std::span<const Cell> /*goals*/) {
     nodes_.clear();
@@ -179,17 +180,29 @@ class ScannedJumps {
   void extend(Shortcut& shortcut) {
     shortcut.passed_begin = shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
     if (shortcut.straight + shortcut.diagonal == 0) return;  // too long to count
+    std::uint64_t marks = mark(shortcut.last_jump);  // of the jumps passed
     for (std::size_t count = 1; count < ShortcutGraph::kMostPassed; ++count) {
       const auto& [from, next, successors] = onward(shortcut.last_jump);
       shortcut.ends = successors == 0;
       if (shortcut.ends) pass(shortcut);
       if (successors != 1) return;
-      const auto passed = std::span(passed_).subspan(shortcut.passed_begin);
-      if (next == shortcut.last_jump || std::ranges::find(passed, next) != passed.end()) return;
+      if ((marks & mark(next)) != 0 && passes(shortcut, next)) return;
+      marks |= mark(next);
       if (!lengthen(shortcut, octile_way(shortcut.last_jump.cell, next.cell))) return;
       pass(shortcut);
       shortcut.last_jump = next;
     }
+  }
+
+  /// One of 64 bits; another jump may have the same.
+  static std::uint64_t mark(const Jump& jump) {
+    const auto bit = static_cast<unsigned>(7 * jump.cell.x + 29 * jump.cell.y) + jump.arrival;
+    return std::uint64_t{1} << (bit % 64);
+  }
+
+  bool passes(const Shortcut& shortcut, const Jump& jump) const {
+    const auto passed = std::span(passed_).subspan(shortcut.passed_begin);
+    return jump == shortcut.last_jump || std::ranges::find(passed, jump) != passed.end();
   }
 
   void pass(Shortcut& shortcut) {
