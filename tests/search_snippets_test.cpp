@@ -142,9 +142,9 @@ TEST(SearchSnippets, OfJumpScans) {
 
   const wend::BitGrid& passable = space.passable();
   wend::ColumnTiles columns(passable);
-  columns.prepare(3, (5 + 1) / 64);  // before a word is read
-  const std::uint64_t word = *columns.word(3, (5 + 1) / 64);
-  EXPECT_EQ((word >> (4 + 1) & 1U) != 0, (passable[Cell{3, 4}]));
+  columns.prepare({3, 4});  // before what lies around the cell is read
+  const bool free = (columns.line(3)[(4 + 1) / 64] >> (4 + 1) % 64 & 1U) != 0;
+  EXPECT_EQ(free, (passable[Cell{3, 4}]));
 }
 
 TEST(SearchSnippets, OfCoarseBox) {

@@ -112,7 +112,9 @@ int run(Arguments arguments) {
   const std::vector<MapTimings> maps =
       timed(generated ? generated_maps() : value_or_refuse(maps_of_folder(arguments.folder)),
             arguments.plan);
-  fmt::print("{}", arguments.format == "json" ? speed_json(maps) : speed_text(maps));
+  fmt::print("{}", arguments.format == "json" ? speed_json(maps)
+                   : arguments.plan.fresh     ? fresh_text(maps)
+                                              : speed_text(maps));
   if (!arguments.save_baseline.empty()) save(maps, arguments);
   return any_wrong(maps) ? 1 : 0;
 }
@@ -130,8 +132,11 @@ int main(int argc, char** argv) {
       app.add_option("folder", arguments.folder, "pairs of .map and .map.scen files");
   if (!kData.empty()) folder->capture_default_str();
   app.add_flag("--generated", arguments.generated, "maps that are made from seeds, not a folder's");
-  app.add_option("--planner", arguments.planners, "a list, as astar,dijkstra or astar:weight=2,bfs")
-      ->capture_default_str();
+  CLI::Option* planner =
+      app.add_option("--planner", arguments.planners, "a list, as astar,dijkstra or astar:weight=2,bfs")
+          ->capture_default_str();
+  app.add_flag("--fresh", arguments.plan.fresh,
+               "time a planner made for each query, making it counted; jps unless planners are named");
   app.add_option("--sample", arguments.plan.sample, "queries a map, evenly spread")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -147,6 +152,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (!folder->empty()) arguments.generated = false;
+    if (arguments.plan.fresh && planner->empty()) arguments.planners = "jps";
     return wend::bench::run(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

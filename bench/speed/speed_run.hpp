@@ -24,6 +24,7 @@ struct Timing {
   double prepare_us = 0;  // to make a planner, with its index if it has one
   double first_us = 0;
   double later_us = 0;
+  double fresh_us = 0;    // a planner made for each query, both counted; 0 for Boost
   double expanded = 0;    // a later query
   std::size_t wrong = 0;  // answers that disagree with the scenario
 };
@@ -40,6 +41,7 @@ struct SpeedPlan {
   std::vector<PlannerSpec> planners;
   std::size_t sample = 200;  // queries a map, evenly spread
   int rounds = 3;            // planner after planner
+  bool fresh = false;        // time fresh planners, too
 };
 
 /// `progress(map, done, all)` is called before every map. An error says what is wrong with a planner's
@@ -50,5 +52,8 @@ Expected<std::vector<MapTimings>, Error> run_speed(
 
 /// How many times as fast as Boost a planner is, by its place in MapTimings::planners.
 SpeedRatios ratios_of(const std::vector<MapTimings>& maps, std::size_t planner);
+
+/// The same for fresh planners (SpeedPlan::fresh), against later queries of Boost.
+double fresh_ratio_of(const std::vector<MapTimings>& maps, std::size_t planner);
 
 }  // namespace wend::bench

@@ -30,15 +30,28 @@ void put_bits(std::span<std::uint64_t> words, int at, std::uint64_t bits) {
 
 }  // namespace
 
-void transpose(BitBlock& block) {
-  std::uint64_t mask = 0x00000000FFFFFFFFU;
-  for (unsigned size = kBlock / 2; size > 0; size /= 2, mask ^= mask << size) {
-    for (unsigned row = 0; row < kBlock; row = ((row | size) + 1) & ~size) {
-      const std::uint64_t swapped = ((block[row] >> size) ^ block[row | size]) & mask;
-      block[row] ^= swapped << size;
-      block[row | size] ^= swapped;
+namespace {
+
+template <unsigned kSize>
+void swap_squares(BitBlock& block, std::uint64_t mask) {
+  for (unsigned first = 0; first < kBlock; first += 2 * kSize) {
+    for (unsigned row = first; row < first + kSize; ++row) {
+      const std::uint64_t swapped = ((block[row] >> kSize) ^ block[row + kSize]) & mask;
+      block[row] ^= swapped << kSize;
+      block[row + kSize] ^= swapped;
     }
   }
+}
+
+}  // namespace
+
+void transpose(BitBlock& block) {
+  swap_squares<32>(block, 0x00000000FFFFFFFFU);
+  swap_squares<16>(block, 0x0000FFFF0000FFFFU);
+  swap_squares<8>(block, 0x00FF00FF00FF00FFU);
+  swap_squares<4>(block, 0x0F0F0F0F0F0F0F0FU);
+  swap_squares<2>(block, 0x3333333333333333U);
+  swap_squares<1>(block, 0x5555555555555555U);
 }
 
 BitLines::BitLines(int lines, int length)

@@ -1,29 +1,49 @@
 #include "wend/jump/column_tiles.hpp"
 
+#include <algorithm>
+
 #include "wend/jump/bit_lines.hpp"
 
 namespace wend {
 namespace {
 
-std::size_t tiles_over(int length) { return (static_cast<std::size_t>(length) + 2 + 63) / 64; }
+constexpr std::size_t kSize = 64;  // of a tile
+
+std::size_t tiles_over(int length) { return (static_cast<std::size_t>(length) + 2 + kSize - 1) / kSize; }
 
 }  // namespace
 
 ColumnTiles::ColumnTiles(const BitGrid& bits)
     : bits_(&bits),
-      tile_rows_(tiles_over(bits.height())),
-      turned_(tiles_over(bits.width()) * tile_rows_),
-      words_(std::make_unique_for_overwrite<std::uint64_t[]>(64 * turned_.size())) {}
+      line_words_(tiles_over(bits.height())),
+      turned_(tiles_over(bits.width()) * line_words_),
+      prepared_(turned_.size()),
+      // One extra word, so that a load that begins in the last byte stays in bounds.
+      words_(std::make_unique_for_overwrite<std::uint64_t[]>(kSize * turned_.size() + 1)) {}
+
+void ColumnTiles::prepare_around(std::size_t tile) {
+  const std::size_t column = tile / line_words_;
+  const std::size_t row = tile % line_words_;
+  const std::size_t last_column = turned_.size() / line_words_ - 1;
+  for (std::size_t i = column == 0 ? 0 : column - 1; i <= std::min(column + 1, last_column); ++i) {
+    for (std::size_t j = row == 0 ? 0 : row - 1; j <= std::min(row + 1, line_words_ - 1); ++j) {
+      if (turned_[i * line_words_ + j] == 0) turn(i * line_words_ + j);
+    }
+  }
+  prepared_[tile] = 1;
+}
 
 void ColumnTiles::turn(std::size_t tile) {
-  const std::size_t word = tile / tile_rows_;
-  const int top = static_cast<int>(tile % tile_rows_) * 64 - 1;  // the row of the first bit
+  const std::size_t column = tile / line_words_;
+  const std::size_t row = tile % line_words_;
+  const int top = static_cast<int>(row * kSize) - 1;  // the row of the first bit
   BitBlock block{};
-  for (int i = 0; i < 64 && top + i <= bits_->height(); ++i) {
-    block[static_cast<std::size_t>(i)] = bits_->row_words(top + i)[word];
+  for (std::size_t i = 0; i < kSize && top + static_cast<int>(i) <= bits_->height(); ++i) {
+    block[i] = bits_->row_words(top + static_cast<int>(i))[column];
   }
   transpose(block);
-  std::copy(block.begin(), block.end(), words_.get() + 64 * tile);
+  std::uint64_t* word = words_.get() + column * kSize * line_words_ + row;
+  for (std::size_t i = 0; i < kSize; ++i, word += line_words_) *word = block[i];
   turned_[tile] = 1;
 }
 

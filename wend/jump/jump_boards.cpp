@@ -185,6 +185,15 @@ JumpBoards::JumpBoards(const BitGrid& passable) : sight_(passable) {
   moves_ = sets_of(boards, width(), height());
 }
 
+bool JumpBoards::passes_jump(Cell from, Cell to) const {
+  using enum Direction;
+  const Cell bend = octile_bend(from, to);
+  if (bend.x < to.x) return distance_to_stop<plus_x>(bend) < to.x - bend.x;
+  if (bend.x > to.x) return distance_to_stop<minus_x>(bend) < bend.x - to.x;
+  if (bend.y < to.y) return distance_to_stop<plus_y>(bend) < to.y - bend.y;
+  return bend.y > to.y && distance_to_stop<minus_y>(bend) < bend.y - to.y;
+}
+
 BitLines JumpBoards::jump_points() const {
   const auto found = [](const BitLines& passable, const BitLines& one, const BitLines& other) {
     return mapped(passable, [&](int line, std::size_t i) {

@@ -75,6 +75,10 @@ class JumpBoards {
                                        height());
   }
 
+  /// Is there a jump point before its end on the straight part of the path that Sight follows between two cells?
+  /// For cells in sight.
+  bool passes_jump(Cell from, Cell to) const;
+
   /// The straight directions whose next stop is a jump point, and the diagonal ones in which a step
   /// is legal.
   DirectionSet moves(Cell cell) const { return moves_[cell]; }

@@ -18,23 +18,31 @@ bool JumpScan::sees(Cell from, Cell to) {
   return straight && diagonal_is_free(from, bend);
 }
 
+bool JumpScan::passes_jump(Cell from, Cell to) {
+  using enum Direction;
+  const Cell bend = octile_bend(from, to);
+  if (bend.x < to.x) return scan_far<plus_x>(bend).steps < to.x - bend.x;
+  if (bend.x > to.x) return scan_far<minus_x>(bend).steps < bend.x - to.x;
+  if (bend.y == to.y) return false;
+  columns_.prepare(bend);
+  return bend.y < to.y ? scan_far<plus_y>(bend).steps < to.y - bend.y
+                       : scan_far<minus_y>(bend).steps < bend.y - to.y;
+}
+
 /// Are a cell and those within `steps` steps ahead passable?
 template <Direction kStraight>
 bool JumpScan::is_free(Cell from, int steps) {
-  constexpr bool kRow = kStraight == Direction::plus_x;
+  constexpr bool kRow = is_along_rows(kStraight);
   ++scans_;
-  const auto place = static_cast<std::size_t>((kRow ? from.x : from.y) + 1);
-  std::size_t at = place / 64;
-  auto bit = static_cast<int>(place % 64);
-  for (int left = steps + 1; left > 0; ++at) {
-    if constexpr (!kRow) columns_.prepare(from.x, at);
-    const std::uint64_t word =
-        kRow ? rows_[from.y * row_words_ + static_cast<std::ptrdiff_t>(at)] : *columns_.word(from.x, at);
-    const std::uint64_t missing = ~word >> bit;
+  const Word* const words = line<kRow>(kRow ? from.y : from.x);
+  const int place = (kRow ? from.x : from.y) + 1;
+  int bit = place % 64;
+  int left = steps + 1;
+  for (int at = place / 64; left > 0; ++at, bit = 0) {
+    if constexpr (!kRow) columns_.prepare({from.x, std::max(64 * at - 1, 0)});
     const int read = std::min(left, 64 - bit);
-    if ((missing << (64 - read)) != 0) return false;
+    if ((~words[at] >> bit) << (64 - read) != 0) return false;
     left -= read;
-    bit = 0;
   }
   return true;
 }

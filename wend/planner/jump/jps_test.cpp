@@ -114,6 +114,61 @@ TEST(JumpPointSearch, CountersThatRunOutChangeNothing) {
   }
 }
 
+/// What a search finds: its outcome and its waypoints.
+template <class Search>
+std::pair<SearchOutcome, std::vector<Cell>> found_by(Search& search, Cell start, Cell goal) {
+  const Limits limits;
+  search.begin(start, std::array{GoalRegion(goal)}, limits);
+  const SearchOutcome outcome = search.run();
+  if (outcome != SearchOutcome::found) return {outcome, {}};
+  const auto waypoints = search.waypoints();
+  return {outcome, {waypoints.begin(), waypoints.end()}};
+}
+
+/// Goals that no path reaches are among the queries.
+TEST(JumpPointSearch, TakesTheSamePathsOnAMapThatIsNotPrepared) {
+  constexpr std::uint64_t kSeed = 32;
+  Random random(kSeed);
+  std::size_t found = 0;
+  for (int i = 0; i < 120; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", map " + std::to_string(i));
+    const FreeSpace space = *make_free_space(test::random_map(random, i % 3 == 0 ? 150 : 30, 40));
+    auto known = make_search<Compact>(space.passable());
+    JumpPointSearch scanned{ScannedJumps<std::uint32_t>(space.passable())};
+    for (int query = 0; query < 20; ++query) {
+      const Cell start = test::random_cell(random, space.width(), space.height());
+      const Cell goal = test::random_cell(random, space.width(), space.height());
+      if (!space.passable(start) || !space.passable(goal)) continue;
+      const auto expected = found_by(known, start, goal);
+      ASSERT_EQ(found_by(scanned, start, goal), expected) << "query " << query;
+      JumpPointSearch fresh{ScannedJumps<std::uint32_t>(space.passable())};
+      ASSERT_EQ(found_by(fresh, start, goal), expected) << "query " << query << ", fresh";
+      found += expected.first == SearchOutcome::found ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 300U) << "or it proves little";
+}
+
+/// The planner prepares the map during these queries: it expands fewer states for the same path.
+TEST(Jps, TakesTheSamePathBeforeAndAfterItHasLearned) {
+  const FreeSpace space = *make_free_space(*make_map("maze", 101, 101, 3));
+  const auto planner = make_planner("jps", space);
+  ASSERT_TRUE(planner) << planner.error().message;
+  const Query query = Query::between({1, 1}, {99, 99});
+  const auto first = (*planner)->plan(query);
+  ASSERT_TRUE(first) << first.error().message;
+  std::uint64_t expanded = first->metrics.expanded;
+  for (int i = 0; i < 200 && expanded == first->metrics.expanded; ++i) {
+    const auto plan = (*planner)->plan(query);
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->path, first->path) << "query " << i;
+    expanded = plan->metrics.expanded;
+  }
+  EXPECT_LT(expanded, first->metrics.expanded) << "it has not learned";
+  const auto clone = (*planner)->clone();
+  EXPECT_EQ(clone->plan(query)->path, first->path);
+}
+
 /// A corridor that runs to and fro, so long that its costs exceed 32 bits.
 GridMap serpentine(int width, int turns) {
   Grid<CellState> cells(width, 2 * turns + 1, CellState::free);

@@ -119,6 +119,14 @@ class JumpPointSearch {
   }
   bool look_from_passed(const Shortcut& shortcut, const Origin& from);
 
+  /// What is in sight, but not behind a jump point, from which it is in sight as well.
+  struct NearSight {
+    Jumps& jumps;
+    bool sees(Cell from, Cell to) const {
+      return jumps.sees(from, to) && !jumps.passes_jump(from, to);
+    }
+  };
+
   template <class Watcher>
   void expand(StateId id, Watcher& watcher);
   template <class Watcher>
@@ -318,7 +326,8 @@ std::uint64_t JumpPointSearch<Jumps>::for_each_open(std::size_t most,
 }
 
 /// Looks for goals from the jump points that a shortcut passes, and from its end if that has no
-/// successor. True if no path that continues is shorter.
+/// successor. True if no path that continues is shorter. Where a search looks does not depend on what is
+/// known of the map.
 template <class Jumps>
 bool JumpPointSearch<Jumps>::look_from_passed(const Shortcut& shortcut, const Origin& from) {
   Cell at = from.cell;
@@ -330,7 +339,7 @@ bool JumpPointSearch<Jumps>::look_from_passed(const Shortcut& shortcut, const Or
       return true;
     }
     g = reached;
-    const View view = look(cell, directions, g);
+    const View view = goals_.look(NearSight{jumps_}, cell, directions, g);
     if (view.better) seer_ = {from.id, true, shortcut.first(), cell};
     return view.nearest;
   });

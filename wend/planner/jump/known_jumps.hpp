@@ -45,6 +45,7 @@ class KnownJumps {
 
   const JumpBoards& ground() const { return graph_->boards(); }
   bool sees(Cell from, Cell to) const { return ground().sight().sees(from, to); }
+  bool passes_jump(Cell from, Cell to) const { return ground().passes_jump(from, to); }
 
   /// Forgets the last search. Returns the node of the start.
   StateId begin(Cell start, std::span<const Cell> goals) {

@@ -58,6 +58,7 @@ class ScannedJumps {
 
   const JumpScan& ground() const { return scan_; }
   bool sees(Cell from, Cell to) { return scan_.sees(from, to); }
+  bool passes_jump(Cell from, Cell to) { return scan_.passes_jump(from, to); }
 
   StateId begin(Cell start, std::span<const Cell> /*goals*/) {
     nodes_.clear();
@@ -129,7 +130,7 @@ class ScannedJumps {
   void append_back(JumpTrail& trail, Jump first, Cell end) {
     cells_.assign(1, first.cell);
     while (cells_.back() != end) {
-      find(first, first);
+      first = onward(first).next;
       cells_.push_back(first.cell);
     }
     trail.append_back(cells_);
@@ -155,33 +156,53 @@ class ScannedJumps {
     return true;
   }
 
-  /// The number of successors of a jump point, at most 2; the first of them.
-  int find(const Jump& jump, Jump& next) {
-    int count = 0;
-    const Jump from = jump;
-    scan_.visit_jumps(from.cell, scan_.directions(from), [&](const Jump& found) {
-      if (count == 0) next = found;
-      return ++count < 2;
+  /// How a path goes on from a jump point.
+  struct Onward {
+    Jump from;
+    Jump next;       // the first successor
+    int count = -1;  // of successors, at most 2; less than 0: not known
+  };
+
+  /// Several paths reach most jump points.
+  const Onward& onward(const Jump& jump) {
+    const auto hash = static_cast<std::uint32_t>(jump.cell.y * scan_.width() + jump.cell.x) * 4 + jump.arrival;
+    Onward& known = onward_[hash * 0x9E3779B1U >> (32 - kOnwardBits)];
+    if (known.count >= 0 && known.from == jump) return known;
+    known = {.from = jump, .next = {}, .count = 0};
+    scan_.visit_jumps(jump.cell, scan_.directions(jump), [&known](const Jump& found) {
+      if (known.count == 0) known.next = found;
+      return ++known.count < 2;
     });
-    return count;
+    return known;
   }
 
   /// As ShortcutGraph::extend().
   void extend(Shortcut& shortcut) {
     shortcut.passed_begin = shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
     if (shortcut.straight + shortcut.diagonal == 0) return;  // too long to count
+    std::uint64_t marks = mark(shortcut.last_jump);  // of the jumps passed
     for (std::size_t count = 1; count < ShortcutGraph::kMostPassed; ++count) {
-      Jump next;
-      const int successors = find(shortcut.last_jump, next);
+      const auto& [from, next, successors] = onward(shortcut.last_jump);
       shortcut.ends = successors == 0;
       if (shortcut.ends) pass(shortcut);
       if (successors != 1) return;
-      const auto passed = std::span(passed_).subspan(shortcut.passed_begin);
-      if (next == shortcut.last_jump || std::ranges::find(passed, next) != passed.end()) return;
+      if ((marks & mark(next)) != 0 && passes(shortcut, next)) return;
+      marks |= mark(next);
       if (!lengthen(shortcut, octile_way(shortcut.last_jump.cell, next.cell))) return;
       pass(shortcut);
       shortcut.last_jump = next;
     }
+  }
+
+  /// One of 64 bits; another jump may have the same.
+  static std::uint64_t mark(const Jump& jump) {
+    const auto bit = static_cast<unsigned>(7 * jump.cell.x + 29 * jump.cell.y) + jump.arrival;
+    return std::uint64_t{1} << (bit % 64);
+  }
+
+  bool passes(const Shortcut& shortcut, const Jump& jump) const {
+    const auto passed = std::span(passed_).subspan(shortcut.passed_begin);
+    return jump == shortcut.last_jump || std::ranges::find(passed, jump) != passed.end();
   }
 
   void pass(Shortcut& shortcut) {
@@ -189,7 +210,10 @@ class ScannedJumps {
     shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
   }
 
+  static constexpr unsigned kOnwardBits = 9;
+
   JumpScan scan_;
+  std::vector<Onward> onward_{std::size_t{1} << kOnwardBits};  // by a hash of the jump
   ReachedCells<Node> nodes_;
   std::vector<Shortcut> shortcuts_;  // of the state being expanded
   std::vector<Jump> passed_;         // by these
