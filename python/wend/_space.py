@@ -159,7 +159,7 @@ class FreeSpace:
         """
         if len(starts) != len(goals):
             raise InvalidArgument(f"there are {len(starts)} starts and {len(goals)} goals", "invalid_option", "goals")
-        all_starts, all_goals = list(starts), [[goal] for goal in goals]
+        all_starts, all_goals = list(starts), list(goals)
         settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads))
         answers: list[Any] = []
         with progress_bar(progress, len(starts), " queries") as tell:
@@ -171,7 +171,8 @@ class FreeSpace:
                 answers += self._inner.plan_many(all_starts[some], all_goals[some], *settings)
                 if tell is not None:
                     tell(len(answers) / count)
-        return [answer if isinstance(answer, NoPath) else Plan(self.map, _planned(answer)) for answer in answers]
+        map = self.map
+        return [Plan(map, answer) if isinstance(answer, _core.Plan) else _no_path(answer) for answer in answers]
 
     def trace(
         self,
@@ -300,8 +301,7 @@ class FreeSpace:
         return f"<wend.FreeSpace on {self.map!r}>"
 
 
-def _planned(answer: Any) -> _core.Plan:
-    if isinstance(answer, Error):
-        raise answer
-    assert isinstance(answer, _core.Plan)
-    return answer
+def _no_path(answer: Error) -> NoPath:
+    if isinstance(answer, NoPath):
+        return answer
+    raise answer
