@@ -14,6 +14,7 @@ from . import _core
 from ._arrays import text_of
 from ._errors import InvalidArgument
 from ._progress import progress_bar
+from ._types import named_types
 
 __all__ = ["Comparison", "PlannerBase", "compare", "search"]
 
@@ -21,6 +22,7 @@ Index2 = Union[Sequence[SupportsIndex], npt.NDArray[np.integer[Any]]]
 PathOrNone = Union[list[tuple[int, int]], None]
 
 
+@named_types
 def search(
     world_state: npt.ArrayLike,
     robot_pose: Index2,
@@ -95,6 +97,7 @@ class Comparison(NamedTuple):
     """The shortest time of all repetitions."""
 
 
+@named_types
 def compare(
     world_state: npt.ArrayLike,
     robot_pose: Index2,
