@@ -100,7 +100,11 @@ def test_errors_of_a_planner_of_ones_own_stay_what_they_are() -> None:
         def search(self, world_state: Any, robot_pose: Any, goal_pose: Any) -> Any:
             return len(ANYTHING)
 
-    for call in (lambda: untyped.search(WORLD, *ENDS, Wrong()), lambda: untyped.compare(WORLD, *ENDS, [Wrong()])):
+    calls: list[Callable[[], Any]] = [
+        lambda: untyped.search(WORLD, *ENDS, Wrong()),
+        lambda: untyped.compare(WORLD, *ENDS, [Wrong()]),
+    ]
+    for call in calls:
         with pytest.raises(TypeError, match="has no len"):
             call()
 
