@@ -24,6 +24,15 @@ namespace nb = nanobind;
 namespace wend::python {
 namespace {
 
+/// Refuses NaN, infinity, negative lengths, and perhaps 0.
+void check_length(double metres, const char* name, bool may_be_zero) {
+  if (std::isfinite(metres) && (metres > 0 || (may_be_zero && metres == 0))) return;
+  throw_failure(
+      Status::invalid_option,
+      std::string(name) + " must be finite and " + (may_be_zero ? "at least 0" : "greater than 0"),
+      name);
+}
+
 auto path_of(const Planned& plan) {
   const Frame& frame = plan.answer.space.map().frame();
   std::vector<double> numbers;
@@ -84,7 +93,10 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
     if (!wrong.empty()) throw Failed(option_text::option_error("simplify", wrong));
   }
   const double resolution = plan.answer.space.map().frame().resolution;
-  if (spacing) refinement.spacing = *spacing / resolution;
+  if (spacing) {
+    check_length(*spacing, "spacing", false);
+    refinement.spacing = *spacing / resolution;
+  }
   Planned result{plan.answer};
   {
     const nb::gil_scoped_release unlocked;
@@ -96,6 +108,7 @@ Planned smoothed(const Planned& plan, std::optional<std::string> smoother,
 Trajectory timed(const Planned& plan, const nb::dict& options,
                  std::optional<double> corner_rounding) {
   const auto limits = value_or_throw(parse_options<TrajectoryLimits>(options_of(options)));
+  if (corner_rounding) check_length(*corner_rounding, "corner_rounding", true);
   const double resolution = plan.answer.space.map().frame().resolution;
   const double rounding = corner_rounding ? *corner_rounding / resolution : kCornerRounding;
   const nb::gil_scoped_release unlocked;

@@ -49,23 +49,23 @@ SearchSettings settings_of(std::string planner, const nb::dict& options,
   return settings;
 }
 
-PlanRequest request_of(nb::handle start, const nb::list& goals, const SearchSettings& settings) {
-  PlanRequest request{coordinates_of(start, "start").pose(), {}, settings.planner, settings.limits};
-  for (const nb::handle goal : goals) {
-    const Coordinates at = coordinates_of(goal, "goal");
-    MapGoal& added = request.goals.emplace_back();
-    added.point = at.pose().point();
-    if (at.has_heading) added.heading = at.pose().heading;
-  }
-  return request;
+MapGoal goal_of(nb::handle goal) {
+  const Coordinates at = coordinates_of(goal, "goal");
+  MapGoal read;
+  read.point = at.pose().point();
+  if (at.has_heading) read.heading = at.pose().heading;
+  return read;
 }
 
 Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::string planner,
              const nb::dict& options, std::optional<double> time_limit,
              std::optional<std::int64_t> expansions, bool nearest, double tolerance,
              double heading_tolerance, Recording* recording) {
-  PlanRequest request =
-      request_of(start, goals, settings_of(std::move(planner), options, time_limit, expansions));
+  SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
+  PlanRequest request{coordinates_of(start, "start").pose(), {}};
+  for (const nb::handle goal : goals) request.goals.push_back(goal_of(goal));
+  request.planner = std::move(settings.planner);
+  request.limits = settings.limits;
   request.nearest = nearest;
   for (MapGoal& goal : request.goals) {
     goal.tolerance = not_negative(tolerance, "tolerance");
@@ -89,10 +89,14 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
   const SearchSettings settings = settings_of(std::move(planner), options, time_limit, expansions);
   Interrupts interrupts;
   std::vector<PlanRequest> requests;
+  requests.reserve(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    requests.push_back(request_of(starts[i], nb::cast<nb::list>(goals[i]), settings));
-    requests.back().limits.cancel = &interrupts.cancelled();
-    requests.back().explain = false;
+    PlanRequest& request = requests.emplace_back();
+    request.start = coordinates_of(starts[i], "start").pose();
+    request.goals.push_back(goal_of(goals[i]));
+    request.limits = settings.limits;
+    request.limits.cancel = &interrupts.cancelled();
+    request.explain = false;
   }
   using Answers = std::vector<Expected<PlanAnswer, RequestFailure>>;
   Expected<Answers, Error> answers;

@@ -70,6 +70,25 @@ def test_plan_many(planner: str, bars: list[Bar]) -> None:
     assert SPACE.plan_many([], [], progress=True) == []
 
 
+def test_compare(bars: list[Bar]) -> None:
+    world = SPACE.map.array
+    planners = ["astar", "bfs", "dijkstra"]
+    silent = wend.compare(world, (0, 0), (39, 39), planners, repetitions=4)
+    assert bars == []
+    shown = wend.compare(world, (0, 0), (39, 39), iter(planners), repetitions=4, progress=True)
+    assert [row[:3] for row in shown] == [row[:3] for row in silent]
+    assert len(bars) == 1 and bars[0].total == 12
+    check_complete(bars[0], 13)
+    assert wend.compare(world, (0, 0), (1, 1), [], progress=True) == []
+
+
+def test_tqdm_shows_bars(capsys: pytest.CaptureFixture[str]) -> None:
+    SPACE.plan_many(STARTS, GOALS, progress=True)
+    wend.compare(SPACE.map.array, (0, 0), (39, 39), ["astar"], progress=True)
+    written = capsys.readouterr().err
+    assert "230/230" in written and "1/1" in written
+
+
 @pytest.mark.parametrize("planner", ["hub_labels", "corner_hierarchy"])
 def test_index(planner: str, bars: list[Bar]) -> None:
     silent = wend.Index.build(SPACE, planner)

@@ -38,6 +38,8 @@ def text_of(options: Mapping[str, object]) -> dict[str, str]:
     """Options as C++ reads them."""
     text = {}
     for name, value in options.items():
+        if not isinstance(name, str):
+            raise InvalidArgument(f"names of options are strings, not {type(name).__name__}")
         if isinstance(value, (bool, np.bool_)):
             text[name] = "true" if value else "false"
         elif isinstance(value, str):

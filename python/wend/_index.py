@@ -8,6 +8,7 @@ from . import _core
 from ._arrays import checked_threads
 from ._progress import progress_bar
 from ._space import FreeSpace
+from ._types import named_types
 
 __all__ = ["Index"]
 
@@ -31,6 +32,7 @@ class Index:
         self._inner = core
 
     @classmethod
+    @named_types
     def build(
         cls, space: FreeSpace, planner: str = "hub_labels", *, threads: int = 0, progress: bool = False
     ) -> Index:
@@ -45,6 +47,7 @@ class Index:
             return cls(_core.build_index(space._inner, planner, checked_threads(threads), tell))
 
     @classmethod
+    @named_types
     def open(cls, file: str | os.PathLike[str]) -> Index:
         """Opens an index file; it is mapped, and read where it is used.
 
@@ -52,6 +55,7 @@ class Index:
         """
         return cls(_core.open_index(os.fspath(file)))
 
+    @named_types
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the index; the file is replaced completely or not at all.
 

@@ -14,6 +14,7 @@ from ._arrays import Pose, numbers_of
 from ._errors import InvalidArgument
 from ._pictures import colours_of, drawn, plot, png_of
 from ._space import FreeSpace
+from ._types import named_types
 
 __all__ = ["Map"]
 
@@ -48,6 +49,7 @@ class Map:
     _array: npt.NDArray[np.int8] | None
     _costs: npt.NDArray[np.float64] | None
 
+    @named_types
     def __init__(
         self,
         array: npt.ArrayLike,
@@ -77,6 +79,7 @@ class Map:
         return self
 
     @classmethod
+    @named_types
     def load(cls, file: str | os.PathLike[str], resolution: float | None = None) -> Map:
         """Reads a ROS ``map.yaml``, a MovingAI ``.map``, a text grid (``.txt``) or an image (``.png``, ``.pgm``).
 
@@ -91,6 +94,7 @@ class Map:
         """
         return cls._of(_core.load_map(os.fspath(file), resolution))
 
+    @named_types
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a ``.yaml`` (with its ``.png``), ``.map``, ``.txt``, ``.png`` or ``.pgm``. What the format cannot hold
         is an error; nothing is changed silently.
@@ -146,6 +150,7 @@ class Map:
         """Is row 0 drawn at the bottom?"""
         return self._inner.y_up
 
+    @named_types
     def free_space(
         self,
         footprint: float | Sequence[Pose] | None = None,
@@ -174,7 +179,9 @@ class Map:
         """
         shape: Any = footprint
         if footprint is not None and not isinstance(footprint, (int, float)):
-            shape = float(footprint) if isinstance(footprint, np.generic) else list(footprint)
+            shape = float(shape) if np.ndim(shape) == 0 else list(footprint)
+        if isinstance(warm, int) and warm < 0:
+            raise InvalidArgument("warm must be at least 0", "invalid_option", "warm")
         core = _core.make_space(self._inner, shape, unknown, outside, clearance_distance, clearance_cost, warm)
         return FreeSpace(self, core)
 
@@ -205,7 +212,10 @@ class Map:
 
 
 def _origin_of(origin: Sequence[float]) -> tuple[float, float, float]:
-    numbers = [float(number) for number in origin]
+    try:
+        numbers = [float(number) for number in origin]
+    except ValueError as error:
+        raise InvalidArgument(f"origin has what is not a number: {origin!r}", "invalid_map", "origin") from error
     if len(numbers) == 2:
         numbers.append(0.0)
     if len(numbers) != 3:

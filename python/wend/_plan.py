@@ -12,6 +12,7 @@ from . import _core
 from ._arrays import text_of
 from ._errors import Metrics
 from ._pictures import colours_of, plot, svg_of
+from ._types import named_types
 
 if TYPE_CHECKING:
     from ._map import Map
@@ -119,6 +120,7 @@ class Plan:
         """
         return Quality(**self._inner.quality())
 
+    @named_types
     def smooth(
         self,
         smoother: str | None = "gradient",
@@ -141,6 +143,7 @@ class Plan:
         """
         return Plan(self.map, self._inner.smooth(smoother, simplify, spacing, text_of(options)))
 
+    @named_types
     def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:
         """The fastest trajectory along the path, from rest to rest.
 
@@ -196,6 +199,7 @@ class Trajectory:
         """Metres; 0 with a turn in place, infinite on a line."""
         return self._inner.smallest_turning_radius
 
+    @named_types
     def samples(self, period: float = 0.05) -> npt.NDArray[np.float64]:
         """The states at 0, period, 2 period, ... and at the end: rows of time, x, y, heading, speed, turn rate.
 
@@ -206,6 +210,7 @@ class Trajectory:
         """
         return self._inner.rows(period)
 
+    @named_types
     def at(self, time: float) -> npt.NDArray[np.float64]:
         """The state at a time, as a row of ``samples()``; before the start and after the end the robot stands."""
         row: npt.NDArray[np.float64] = self._inner.row(time)[0]
@@ -231,6 +236,7 @@ class Drive(NamedTuple):
     """Rows of time, x, y, heading, speed, turn rate: the true state at each command."""
 
 
+@named_types
 def follow(
     plan: Plan,
     controller: str = "pure_pursuit",

@@ -13,6 +13,8 @@ import numpy.typing as npt
 from . import _core
 from ._arrays import text_of
 from ._errors import InvalidArgument
+from ._progress import progress_bar
+from ._types import named_types
 
 __all__ = ["Comparison", "PlannerBase", "compare", "search"]
 
@@ -20,6 +22,7 @@ Index2 = Union[Sequence[SupportsIndex], npt.NDArray[np.integer[Any]]]
 PathOrNone = Union[list[tuple[int, int]], None]
 
 
+@named_types
 def search(
     world_state: npt.ArrayLike,
     robot_pose: Index2,
@@ -94,6 +97,7 @@ class Comparison(NamedTuple):
     """The shortest time of all repetitions."""
 
 
+@named_types
 def compare(
     world_state: npt.ArrayLike,
     robot_pose: Index2,
@@ -102,8 +106,15 @@ def compare(
     *,
     repetitions: int = 1,
     connectivity: Literal[4, 8] = 4,
+    progress: bool = False,
 ) -> list[Comparison]:
     """Asks several planners the same query, those of wend by name and your own as objects.
+
+    :param planners: names as for ``wend.search()``, and objects.
+    :param repetitions: how often each planner is asked; at least 1.
+    :param connectivity: 4 or 8, for the planners of wend.
+    :param progress: show a progress bar of tqdm, where that is installed.
+    :raises ValueError: as ``wend.search()``, and for fewer than one repetition.
 
     >>> import wend
     >>> for row in wend.compare([[0, 0, 0]], (0, 0), (2, 0), ["astar", "bfs"]):
@@ -114,13 +125,17 @@ def compare(
     if repetitions < 1:
         raise InvalidArgument("repetitions must be at least 1", "invalid_option", "repetitions")
     rows = []
-    for planner in planners:
-        seconds = float("inf")
-        path: PathOrNone = None
-        for _ in range(repetitions):
-            begin = time.perf_counter()
-            path = search(world_state, robot_pose, goal_pose, planner, connectivity=connectivity)
-            seconds = min(seconds, time.perf_counter() - begin)
-        name = planner if isinstance(planner, str) else type(planner).__name__
-        rows.append(Comparison(name, path, None if path is None else len(path) - 1, seconds))
+    asked = list(planners)
+    with progress_bar(progress, len(asked) * repetitions, " searches") as tell:
+        for i, planner in enumerate(asked):
+            seconds = float("inf")
+            path: PathOrNone = None
+            for repetition in range(repetitions):
+                begin = time.perf_counter()
+                path = search(world_state, robot_pose, goal_pose, planner, connectivity=connectivity)
+                seconds = min(seconds, time.perf_counter() - begin)
+                if tell is not None:
+                    tell((i + (repetition + 1) / repetitions) / len(asked))
+            name = planner if isinstance(planner, str) else type(planner).__name__
+            rows.append(Comparison(name, path, None if path is None else len(path) - 1, seconds))
     return rows

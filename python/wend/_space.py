@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
@@ -14,6 +14,7 @@ from ._errors import Error, InvalidArgument, NoPath
 from ._plan import Plan
 from ._progress import progress_bar
 from ._trace import Trace
+from ._types import named_types
 
 if TYPE_CHECKING:
     from ._index import Index
@@ -79,6 +80,7 @@ class FreeSpace:
         self.map = map
         self._inner = core
 
+    @named_types
     def plan(
         self,
         start: Pose,
@@ -131,10 +133,11 @@ class FreeSpace:
             ),
         )
 
+    @named_types
     def plan_many(
         self,
-        starts: Sequence[Pose],
-        goals: Sequence[Pose],
+        starts: Iterable[Pose],
+        goals: Iterable[Pose],
         planner: str = "astar",
         *,
         threads: int = 0,
@@ -157,22 +160,25 @@ class FreeSpace:
         >>> found.cells.tolist(), not_found.status
         ([[0, 0], [1, 0]], 'unreachable')
         """
-        if len(starts) != len(goals):
-            raise InvalidArgument(f"there are {len(starts)} starts and {len(goals)} goals", "invalid_option", "goals")
-        all_starts, all_goals = list(starts), [[goal] for goal in goals]
+        all_starts, all_goals = list(starts), list(goals)
+        if len(all_starts) != len(all_goals):
+            message = f"there are {len(all_starts)} starts and {len(all_goals)} goals"
+            raise InvalidArgument(message, "invalid_option", "goals")
         settings = (planner, text_of(options), time_limit, expansions, checked_threads(threads))
         answers: list[Any] = []
-        with progress_bar(progress, len(starts), " queries") as tell:
+        with progress_bar(progress, len(all_starts), " queries") as tell:
             # In parts, to say how far it is; the planners are kept from one to the next.
-            count = max(1, len(starts))
+            count = max(1, len(all_starts))
             part = count if tell is None else max(_LEAST_PART, count // 100)
             for begin in range(0, count, part):
                 some = slice(begin, begin + part)
                 answers += self._inner.plan_many(all_starts[some], all_goals[some], *settings)
                 if tell is not None:
                     tell(len(answers) / count)
-        return [answer if isinstance(answer, NoPath) else Plan(self.map, _planned(answer)) for answer in answers]
+        map = self.map
+        return [Plan(map, answer) if isinstance(answer, _core.Plan) else _no_path(answer) for answer in answers]
 
+    @named_types
     def trace(
         self,
         start: Pose,
@@ -206,6 +212,7 @@ class FreeSpace:
             failure = no_path
         return Trace(self.map, recording, plan, failure, on_vertices=planner == "car")
 
+    @named_types
     def cost_to_go(
         self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
     ) -> npt.NDArray[np.float64]:
@@ -221,6 +228,7 @@ class FreeSpace:
         """
         return self._inner.cost_to_go(goals_of(goal), str(connectivity), corner_rule)
 
+    @named_types
     def policy(
         self, goal: Pose | Iterable[Pose], *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
     ) -> npt.NDArray[np.int8]:
@@ -233,6 +241,7 @@ class FreeSpace:
         """
         return self._inner.policy(goals_of(goal), str(connectivity), corner_rule)
 
+    @named_types
     def explain(
         self, start: Pose, goal: Pose, *, connectivity: Connectivity = 8, corner_rule: CornerRule = "none"
     ) -> Explanation:
@@ -291,6 +300,7 @@ class FreeSpace:
         without obstacles."""
         return self._inner.clearance()
 
+    @named_types
     def use_index(self, index: Index) -> None:
         """Lets the index's planner answer from it from now on. If it was built for something else, ``plan()`` raises
         ``wend.Error`` with the status ``index_mismatch``."""
@@ -300,8 +310,7 @@ class FreeSpace:
         return f"<wend.FreeSpace on {self.map!r}>"
 
 
-def _planned(answer: Any) -> _core.Plan:
-    if isinstance(answer, Error):
-        raise answer
-    assert isinstance(answer, _core.Plan)
-    return answer
+def _no_path(answer: Error) -> NoPath:
+    if isinstance(answer, NoPath):
+        return answer
+    raise answer
