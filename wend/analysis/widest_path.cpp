@@ -9,6 +9,7 @@
 #include "wend/base/options.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
+#include "wend/map/cost_map.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr std::int64_t kNotReached = -1;
 
-// No detour over wide cells is as long as this.
-constexpr double kDear = 1e9;
+// Half of the most that a cell may cost. On maps of up to 8 million cells, no detour over wide cells is as long.
+constexpr double kDear = CostMap::kLargest / 2;
 
 /// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
 /// the goal.
