@@ -141,8 +141,8 @@ int run(const Arguments& arguments) {
   fmt::print(
       "From a map file to the first path of {} for a point robot, everything new for each query.\n"
       "{} of the thread, least of {} rounds, mean of {} queries. {}.\n\n{}",
-      arguments.planner, thread_time_name(), arguments.rounds, arguments.sample,
-      describe_machine(), table_of(rows));
+      arguments.planner, thread_time_name(), arguments.rounds, arguments.sample, describe_machine(),
+      table_of(rows));
   return std::ranges::any_of(rows, [](const Row& row) { return row.without_path > 0; }) ? 1 : 0;
 }
 

@@ -132,11 +132,12 @@ int main(int argc, char** argv) {
       app.add_option("folder", arguments.folder, "pairs of .map and .map.scen files");
   if (!kData.empty()) folder->capture_default_str();
   app.add_flag("--generated", arguments.generated, "maps that are made from seeds, not a folder's");
-  CLI::Option* planner =
-      app.add_option("--planner", arguments.planners, "a list, as astar,dijkstra or astar:weight=2,bfs")
-          ->capture_default_str();
-  app.add_flag("--fresh", arguments.plan.fresh,
-               "time a planner made for each query, making it counted; jps unless planners are named");
+  CLI::Option* planner = app.add_option("--planner", arguments.planners,
+                                        "a list, as astar,dijkstra or astar:weight=2,bfs")
+                             ->capture_default_str();
+  app.add_flag(
+      "--fresh", arguments.plan.fresh,
+      "time a planner made for each query, making it counted; jps unless planners are named");
   app.add_option("--sample", arguments.plan.sample, "queries a map, evenly spread")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

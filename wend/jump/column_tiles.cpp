@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t kSize = 64;  // of a tile
 
-std::size_t tiles_over(int length) { return (static_cast<std::size_t>(length) + 2 + kSize - 1) / kSize; }
+std::size_t tiles_over(int length) {
+  return (static_cast<std::size_t>(length) + 2 + kSize - 1) / kSize;
+}
 
 }  // namespace
 

@@ -11,8 +11,8 @@ bool JumpScan::sees(Cell from, Cell to) {
   const Cell bend = octile_bend(from, to);
   using enum Direction;
   // Most blocked paths are blocked in their straight part, which is read faster.
-  const bool straight = bend.y == to.y ? (bend.x <= to.x ? is_free<plus_x>(bend, to.x - bend.x)
-                                                         : is_free<plus_x>(to, bend.x - to.x))
+  const bool straight = bend.y == to.y  ? (bend.x <= to.x ? is_free<plus_x>(bend, to.x - bend.x)
+                                                          : is_free<plus_x>(to, bend.x - to.x))
                         : bend.y < to.y ? is_free<plus_y>(bend, to.y - bend.y)
                                         : is_free<plus_y>(to, bend.y - to.y);
   return straight && diagonal_is_free(from, bend);
@@ -49,8 +49,7 @@ bool JumpScan::is_free(Cell from, int steps) {
 
 bool JumpScan::diagonal_is_free(Cell from, Cell to) const {
   if (from == to) return true;
-  const Direction diagonal =
-      direction_of({to.x > from.x ? 1 : -1, to.y > from.y ? 1 : -1});
+  const Direction diagonal = direction_of({to.x > from.x ? 1 : -1, to.y > from.y ? 1 : -1});
   const unsigned needed = needs(diagonal);
   for (Cell at = from; at != to; at = step(at, diagonal)) {
     if ((passable_->block(at) & needed) != needed) return false;

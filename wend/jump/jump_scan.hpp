@@ -217,7 +217,8 @@ template <Direction kStraight>
   for (int at = place / 64;; kAhead ? ++at : --at, base += 64) {
     if constexpr (!kRow) columns_.prepare({from.x, std::max(64 * at - 1, 0)});
     const Word one_last = kAhead ? one[at] << 1U | one_before : one[at] >> 1U | one_before;
-    const Word other_last = kAhead ? other[at] << 1U | other_before : other[at] >> 1U | other_before;
+    const Word other_last =
+        kAhead ? other[at] << 1U | other_before : other[at] >> 1U | other_before;
     const Word stop = (~here[at] | (one[at] & ~one_last) | (other[at] & ~other_last)) & mask;
     if (stop != 0) {
       const int zeros = kAhead ? std::countr_zero(stop) : std::countl_zero(stop);
@@ -243,8 +244,8 @@ template <Direction kStraight, class Visit>
   if (steps >= kWindow - 2) [[unlikely]]
     stop = scan_far<kStraight>(from);
   if (!stop.jumps) return true;
-  return visit(ScannedJump{step(from, kStraight, stop.steps),
-                           static_cast<unsigned>(quarter(kStraight))});
+  return visit(
+      ScannedJump{step(from, kStraight, stop.steps), static_cast<unsigned>(quarter(kStraight))});
 }
 
 template <Direction kStraight, class Visit>
@@ -285,9 +286,7 @@ bool JumpScan::sweep(Cell from, Visit& visit) {
            window<kRight>(line<true>(at.y + kStep.y), at.x)};
     column = {next_cells<kDown>(column.other), next_cells<kDown>(column.here),
               window<kDown>(line<false>(at.x + kStep.x), at.y)};
-    const auto visit_row = [&] {
-      return visit_stop<kRight ? plus_x : minus_x>(at, row, visit);
-    };
+    const auto visit_row = [&] { return visit_stop<kRight ? plus_x : minus_x>(at, row, visit); };
     const auto visit_column = [&] {
       return visit_stop<kDown ? plus_y : minus_y>(at, column, visit);
     };

@@ -53,7 +53,8 @@ void expect_equal_jumps(const JumpGraph& graph, JumpScan& scan, Cell from) {
   for (int i = 0; i < kDirections; ++i) {
     const DirectionSet set = set_of(static_cast<Direction>(i));
     const auto expected = jumps_of(graph, from, set);
-    ASSERT_EQ(jumps_of(scan, from, set), expected) << "from " << text_of(from) << ", direction " << i;
+    ASSERT_EQ(jumps_of(scan, from, set), expected)
+        << "from " << text_of(from) << ", direction " << i;
   }
   const auto all = jumps_of(graph, from, 0xFF);
   ASSERT_EQ(jumps_of(scan, from, 0xFF), all) << "from " << text_of(from);

@@ -36,8 +36,7 @@ template <class Jumps>
 JumpPointSearch<Jumps> make_search(const BitGrid& cells) {
   auto boards = std::make_shared<const JumpBoards>(cells);
   auto dead_ends = std::make_shared<const DeadEnds>(*boards);
-  return JumpPointSearch(
-      Jumps(std::make_shared<const JumpGraph>(boards), std::move(dead_ends)));
+  return JumpPointSearch(Jumps(std::make_shared<const JumpGraph>(boards), std::move(dead_ends)));
 }
 
 using Compact = KnownJumps<std::uint32_t>;
@@ -167,6 +166,40 @@ TEST(Jps, TakesTheSamePathBeforeAndAfterItHasLearned) {
   EXPECT_LT(expanded, first->metrics.expanded) << "it has not learned";
   const auto clone = (*planner)->clone();
   EXPECT_EQ(clone->plan(query)->path, first->path);
+}
+
+/// The planner has learned before some of the edits, and not before others.
+TEST(Jps, AnswersLikeANewPlannerAfterEdits) {
+  constexpr std::uint64_t kSeed = 33;
+  Random random(kSeed);
+  GridMap map = test::random_map(random, 70, 50);
+  BitGrid occupied = map.occupied();
+  const auto planner = make_planner("jps", *make_free_space(map));
+  ASSERT_TRUE(planner) << planner.error().message;
+  std::size_t found = 0;
+  for (int edit = 0; edit < 60; ++edit) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", edit " + std::to_string(edit));
+    const Cell cell = test::random_cell(random, map.width(), map.height());
+    occupied.set(cell, !occupied[cell]);
+    map = *make_grid_map(occupied, BitGrid(map.width(), map.height()));
+    const FreeSpace space = *make_free_space(map);
+    ASSERT_TRUE((*planner)->update(space));
+    const auto astar = make_planner("astar", space);
+    for (int i = 0; i < (edit % 3 == 0 ? 60 : 5); ++i) {
+      const Cell start = test::random_cell(random, map.width(), map.height());
+      const Cell goal = test::random_cell(random, map.width(), map.height());
+      const Query query = Query::between(start, goal);
+      const auto plan = (*planner)->plan(query);
+      const auto fresh = (*make_planner("jps", space))->plan(query);
+      const auto expected = (*astar)->plan(query);
+      ASSERT_EQ(plan.has_value(), expected.has_value()) << "query " << i;
+      if (!plan) continue;
+      ++found;
+      ASSERT_EQ(plan->path, fresh->path) << "query " << i;
+      ASSERT_NEAR(plan->cost, expected->cost, 1e-9) << "query " << i;
+    }
+  }
+  EXPECT_GT(found, 200U) << "or it proves little";
 }
 
 /// A corridor that runs to and fro, so long that its costs exceed 32 bits.

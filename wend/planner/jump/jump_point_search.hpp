@@ -156,7 +156,7 @@ class JumpPointSearch {
 template <class Jumps>
 template <class Watcher>
 void JumpPointSearch<Jumps>::begin(Cell start, std::span<const GoalRegion> goals,
-                                             const Limits& limits, Watcher&& watcher) {
+                                   const Limits& limits, Watcher&& watcher) {
   // A bucket is nearly a straight step wide.
   constexpr auto kWidthBits = static_cast<unsigned>(std::bit_width(Units::kStraight) - 1);
   limits_.begin(limits);
@@ -302,8 +302,7 @@ inline void JumpPointSearch<Jumps>::reach(const Shortcut& shortcut, const Origin
 
 template <class Jumps>
 template <class Visit>
-std::uint64_t JumpPointSearch<Jumps>::for_each_open(std::size_t most,
-                                                              Visit&& visit) const {
+std::uint64_t JumpPointSearch<Jumps>::for_each_open(std::size_t most, Visit&& visit) const {
   if (outcome_ != SearchOutcome::running) return 0;
   JumpQueue<Cost> rest = queue_;
   std::unordered_set<StateId> open;  // older entries of a state are skipped

@@ -117,9 +117,7 @@ class KnownJumps {
   static unsigned arrival(const Shortcut& shortcut) { return shortcut.last().arrival(); }
 
   /// A state is often expanded soon after it was reached.
-  void prefetch(const Shortcut& shortcut) const {
-    shortcuts_.prefetch_shortcuts(shortcut.last());
-  }
+  void prefetch(const Shortcut& shortcut) const { shortcuts_.prefetch_shortcuts(shortcut.last()); }
 
   /// Appends the jump points from a first one to a cell that its shortcut passes or ends at, backwards.
   void append_back(JumpTrail& trail, Jump first, Cell end) const {

@@ -150,7 +150,8 @@ class ScannedJumps {
   static bool lengthen(auto& shortcut, const OctileWay& way) {
     const int straight = shortcut.straight + way.straight;
     const int diagonal = shortcut.diagonal + way.diagonal;
-    if (straight > wend::Shortcut::kMostSteps || diagonal > wend::Shortcut::kMostSteps) return false;
+    if (straight > wend::Shortcut::kMostSteps || diagonal > wend::Shortcut::kMostSteps)
+      return false;
     shortcut.straight = straight;
     shortcut.diagonal = diagonal;
     return true;
@@ -165,7 +166,8 @@ class ScannedJumps {
 
   /// Several paths reach most jump points.
   const Onward& onward(const Jump& jump) {
-    const auto hash = static_cast<std::uint32_t>(jump.cell.y * scan_.width() + jump.cell.x) * 4 + jump.arrival;
+    const auto hash =
+        static_cast<std::uint32_t>(jump.cell.y * scan_.width() + jump.cell.x) * 4 + jump.arrival;
     Onward& known = onward_[hash * 0x9E3779B1U >> (32 - kOnwardBits)];
     if (known.count >= 0 && known.from == jump) return known;
     known = {.from = jump, .next = {}, .count = 0};
@@ -180,7 +182,7 @@ class ScannedJumps {
   void extend(Shortcut& shortcut) {
     shortcut.passed_begin = shortcut.passed_end = static_cast<std::uint32_t>(passed_.size());
     if (shortcut.straight + shortcut.diagonal == 0) return;  // too long to count
-    std::uint64_t marks = mark(shortcut.last_jump);  // of the jumps passed
+    std::uint64_t marks = mark(shortcut.last_jump);          // of the jumps passed
     for (std::size_t count = 1; count < ShortcutGraph::kMostPassed; ++count) {
       const auto& [from, next, successors] = onward(shortcut.last_jump);
       shortcut.ends = successors == 0;
