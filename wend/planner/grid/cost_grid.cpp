@@ -45,11 +45,11 @@ class BlockRange {
     }
   }
 
-  CostClass class_at(std::size_t x, bool all_free) const {
+  CostClass class_at(std::size_t x) const {
     const std::uint64_t least =
         std::uint64_t{std::min({least_[x], least_[x + 1], least_[x + 2]})} + 1;
     const std::uint64_t most = std::max({most_[x], most_[x + 1], most_[x + 2]});
-    if (all_free && least == most) return CostClass::uniform;
+    if (least == most) return CostClass::uniform;
     return 5 * most <= 9 * least ? CostClass::smooth : CostClass::general;
   }
 
@@ -86,7 +86,10 @@ bool CostGrid<Word>::holds(const CostMap& costs) {
 
 template <class Word>
 CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves)
-    : stride_(stride_for(space.width())), inverse_(~std::uint64_t{0} / stride_ + 1), moves_(moves) {
+    : stride_(stride_for(space.width())),
+      inverse_(~std::uint64_t{0} / stride_ + 1),
+      moves_(moves),
+      one_(space.uniform_terrain() ? 1 : CostMap::kOne) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * stride_ +
                   static_cast<StateId>(kDirectionSteps[i].x);
@@ -111,7 +114,8 @@ void CostGrid<Word>::fill_rows(const FreeSpace& space, BitLines& interior) {
     if (y >= space.height()) return;
     for (int x = 0; x < space.width(); ++x) {
       const Cell cell{x, y};
-      row[static_cast<std::size_t>(x) + 1] = space.passable()[cell] ? space.costs().steps(cell) : 0;
+      const std::uint32_t steps = space.uniform_terrain() ? 1 : space.costs().steps(cell);
+      row[static_cast<std::size_t>(x) + 1] = space.passable()[cell] ? steps : 0;
     }
   };
   BlockRange range(space.width());
@@ -125,11 +129,12 @@ void CostGrid<Word>::fill_rows(const FreeSpace& space, BitLines& interior) {
       const std::uint64_t steps = rows[1][at + 1];
       if (steps == 0) continue;
       least_steps_ = std::min(least_steps_, steps);
+      most_steps_ = std::max(most_steps_, steps);
       const unsigned neighbours = neighbours_in(space.passable().block({x, y}));
-      const CostClass kind = range.class_at(at, neighbours == 255);
+      const CostClass kind = range.class_at(at);
       words_[number({x, y})] = static_cast<Word>((steps << CostMoves::kKeyBits) |
                                                  (static_cast<unsigned>(kind) << 8U) | neighbours);
-      if (kind == CostClass::uniform) interior.set(y, x);
+      if (kind == CostClass::uniform && neighbours == 255) interior.set(y, x);
     }
   }
 }

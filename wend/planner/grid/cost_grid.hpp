@@ -2,17 +2,17 @@
 
 // CostGrid: the cells of a FreeSpace with costs, packed for searches in whole numbers.
 //
-// The word of a cell holds its CostMap steps, which of its neighbours are free, and its class. The class
+// The word of a cell holds its cost in CostMap steps (1 on a map where every cell costs the same), which of its neighbours are free, and its class. The class
 // says which moves a search can leave out after an arrival, because a way around the cell is at least as
 // good:
 //
-//   uniform  the whole 3 x 3 block is free and costs the same: as on a uniform map (canonical pruning)
+//   uniform  all free cells of the 3 x 3 block cost the same: as on a uniform map (canonical pruning)
 //   smooth   no free cell of the block costs more than 9/5 of another: moves with a strictly shorter way
 //            around, which 9/5 cannot make dearer (two straight steps around a right angle of two diagonal
 //            ones are the closest case: 3.6 < 3.65)
 //   general  moves to cells that the parent reaches by one straight step
 //
-// Cells of the uniform class are "interior". Bit lines by rows and by columns have the cells at which a
+// Cells of the uniform class whose whole block is free are "interior". Bit lines by rows and by columns have the cells at which a
 // straight run of interior cells ends.
 //
 // Cells are numbered with a border of blocked cells around the map, so that a neighbour needs no check.
@@ -78,12 +78,16 @@ class CostGrid {
   const Word* words() const { return words_.data(); }
   static std::uint64_t steps(Word word) { return word >> CostMoves::kKeyBits; }
   static unsigned key(Word word) { return static_cast<unsigned>(word) & kKeyMask; }
-  static bool interior(Word word) { return word >= kFreeWord && (word & kClassMask) == 0; }
+  static bool interior(Word word) { return key(word) == kInteriorKey; }
   static CostClass class_of(Word word) { return static_cast<CostClass>((word & kClassMask) >> 8U); }
 
   DirectionSet moves(Move arrival, Word word) const { return moves_.moves(arrival, key(word)); }
-  /// The least CostMap steps of a free cell.
+  /// The steps of a multiplier of 1: CostMap::kOne, or 1 where every cell costs the same.
+  std::uint64_t one() const { return one_; }
+  /// The least steps of a free cell.
   std::uint64_t least_steps() const { return least_steps_; }
+  /// The most steps of a free cell.
+  std::uint64_t most_steps() const { return most_steps_; }
 
   /// The cells that are not interior, by rows and by columns.
   const BitLines& row_stops() const { return row_stops_; }
@@ -94,7 +98,7 @@ class CostGrid {
 
   static constexpr unsigned kKeyMask = (1U << CostMoves::kKeyBits) - 1;
   static constexpr Word kClassMask = 3U << 8U;
-  static constexpr Word kFreeWord = Word{1} << CostMoves::kKeyBits;
+  static constexpr unsigned kInteriorKey = 255;  // all neighbours, uniform
 
   void fill_rows(const FreeSpace& space, BitLines& interior);
 
@@ -102,8 +106,10 @@ class CostGrid {
   std::uint64_t inverse_;
   std::array<StateId, kDirections> offsets_{};
   CostMoves moves_;
+  std::uint64_t one_;
   std::vector<Word> words_;
   std::uint64_t least_steps_ = CostMap::kMost;
+  std::uint64_t most_steps_ = 1;
   BitLines row_stops_;
   BitLines column_stops_;
 };

@@ -17,6 +17,7 @@
 #include "wend/search/bucket_queue.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/space/grid/cost_units.hpp"
+#include "wend/space/grid/grid_space.hpp"
 
 namespace wend {
 namespace {
@@ -123,8 +124,9 @@ class LeapEngine final : public GridEngine {
   bool allocated() const override { return nodes_.allocated(); }
 
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
-             SearchObserver* /*observer*/) override {
+             SearchObserver* observer) override {
     limits_.begin(limits);
+    observer_ = observer;
     metrics_ = {};
     overflown_ = false;
     best_ = kNoCost;
@@ -135,6 +137,7 @@ class LeapEngine final : public GridEngine {
     stops_.set_goals(goals, space_.width(), space_.height());
     queue_.begin(estimate_.units(start), width_bits_);
     reach(grid_->number(start), start, 0, Node::kNoArrival);
+    metrics_.max_frontier = metrics_.generated;
     if (overflown_) outcome_ = SearchOutcome::cost_overflow;
   }
 
@@ -149,7 +152,33 @@ class LeapEngine final : public GridEngine {
   }
 
   const SearchMetrics& metrics() const override { return metrics_; }
-  OpenList open_list(std::size_t /*most*/) const override { return {{}, queue_.size()}; }
+
+  OpenList open_list(std::size_t most) const override {
+    BucketQueue<Entry> rest = queue_;
+    OpenList list;
+    std::uint64_t best = best_;
+    Cell goal = goal_;
+    const auto add = [&](Cell cell) {
+      ++list.count;
+      if (list.entries.size() == most) return;
+      list.entries.push_back({event_of(cell, nodes_[grid_->number(cell)]), OpenTie::none});
+    };
+    while (!rest.empty()) {
+      const Entry entry = rest.pop();
+      if (best <= rest.least_key()) break;
+      if (is_stale(entry) || is_dominated(entry)) continue;
+      const Cell cell = grid_->cell(entry.id);
+      if (!estimate_.is_goal(cell)) {
+        add(cell);
+      } else if (entry.g < best) {
+        best = entry.g;
+        goal = cell;
+      }
+    }
+    if (best != kNoCost && outcome_ == SearchOutcome::running) add(goal);
+    return list;
+  }
+
   double heuristic(const Cell& place) const override { return estimate_.cells(place); }
 
   void write_path(Path& path) const override {
@@ -186,44 +215,53 @@ class LeapEngine final : public GridEngine {
     return static_cast<unsigned>(std::bit_width(least)) - 4;
   }
 
+  /// Was the cell reached more cheaply since?
+  bool is_stale(const Entry& entry) const { return nodes_[entry.id].g != entry.g; }
+
   /// Expands one cell, or ends the search.
   void advance() {
     while (!queue_.empty()) {
       const Entry entry = queue_.pop();
       if (best_ <= queue_.least_key()) break;
-      const Node& node = nodes_[entry.id];
-      if (node.g != entry.g) continue;  // reached more cheaply since
+      if (is_stale(entry)) continue;
       if (limits_.due(metrics_.expanded)) {
         outcome_ = limits_.look(metrics_.expanded);
         if (outcome_ != SearchOutcome::running) return;
       }
-      if (!expand(entry.id, entry.g, node.move())) continue;
+      if (!expand(entry.id, entry.g)) continue;
       if (overflown_) outcome_ = SearchOutcome::cost_overflow;
       return;
     }
-    outcome_ = best_ == kNoCost ? SearchOutcome::exhausted : SearchOutcome::found;
+    outcome_ = SearchOutcome::exhausted;
+    if (best_ == kNoCost) return;
+    outcome_ = SearchOutcome::found;
+    const StateId id = grid_->number(goal_);
+    count_expansion({id, goal_, best_, Grid::steps(words_[id])});
   }
 
-  /// False if the cell is dominated.
-  bool expand(StateId id, std::uint64_t g, Move arrival) {
+  /// False if there is nothing to expand yet: the cell is dominated, or a goal.
+  bool expand(StateId id, std::uint64_t g) {
     const Cell cell = grid_->cell(id);
+    const Move arrival = nodes_[id].move();
     const Word word = words_[id];
+    const From from{id, cell, g, Grid::steps(word)};
     if (estimate_.is_goal(cell)) {
-      ++metrics_.expanded;
-      best_ = g;
-      goal_ = cell;
-      return true;
+      // It is expanded last, when no other goal can be reached more cheaply.
+      if (g < best_) {
+        best_ = g;
+        goal_ = cell;
+      }
+      return false;
     }
     unsigned moves = grid_->moves(arrival, word);
-    const From from{id, cell, g, Grid::steps(word)};
     if (leaps_ && arrival != kNoMove) {
       if (Grid::interior(word)) {
         if (is_diagonal_move(arrival)) return expand_diagonal(from, arrival);
-      } else if (!is_diagonal_move(arrival)) {
-        moves = without_dearer_diagonals(from, arrival, word, moves);
+      } else if (!is_diagonal_move(arrival) && Grid::class_of(word) != CostClass::uniform) {
+        moves = without_dearer_diagonals(from, arrival, moves);
       }
     }
-    ++metrics_.expanded;
+    count_expansion(from);
     for (; moves != 0; moves &= moves - 1) {
       const auto direction = static_cast<unsigned>(std::countr_zero(moves));
       if (is_diagonal_move(direction)) {
@@ -264,6 +302,20 @@ class LeapEngine final : public GridEngine {
            node.run() >= run.length;
   }
 
+  /// The same for both runs of an interior cell that was reached by a diagonal step.
+  bool is_dominated(const Entry& entry) const {
+    const Move arrival = nodes_[entry.id].move();
+    const Word word = words_[entry.id];
+    const Cell cell = grid_->cell(entry.id);
+    if (!leaps_ || !Grid::interior(word) || arrival == kNoMove || !is_diagonal_move(arrival)) {
+      return false;
+    }
+    if (estimate_.is_goal(cell)) return false;
+    const From from{entry.id, cell, entry.g, Grid::steps(word)};
+    return dominated(run_from(from, (arrival + 7U) % kDirections)) ||
+           dominated(run_from(from, (arrival + 1U) % kDirections));
+  }
+
   void follow(const From& from, const Run& run) {
     const Cell step = kDirectionSteps[run.direction];
     const int length = static_cast<int>(run.length);
@@ -277,7 +329,7 @@ class LeapEngine final : public GridEngine {
     if (dominated(first)) return false;
     const Run second = run_from(from, (arrival + 1U) % kDirections);
     if (dominated(second)) return false;
-    ++metrics_.expanded;
+    count_expansion(from);
     follow(from, first);
     follow(from, second);
     step_diagonally(from, arrival);
@@ -308,8 +360,7 @@ class LeapEngine final : public GridEngine {
 
   /// Leaves out the diagonal moves after a straight step that cost at least as much as the diagonal step
   /// from the parent and a straight one.
-  unsigned without_dearer_diagonals(const From& from, Move arrival, Word /*word*/,
-                                    unsigned moves) const {
+  unsigned without_dearer_diagonals(const From& from, Move arrival, unsigned moves) const {
     const StateId parent = grid_->neighbour(from.id, (arrival + 4U) % kDirections);
     const std::uint64_t parent_steps = Grid::steps(words_[parent]);
     for (const unsigned turn : {1U, 7U}) {
@@ -340,9 +391,35 @@ class LeapEngine final : public GridEngine {
       overflown_ = true;
       return;
     }
-    if (!reached) ++metrics_.generated;
+    metrics_.generated += reached ? 0 : 1;
     nodes_.open(node, static_cast<Cost>(g), arrival);
     queue_.push(f, {static_cast<Cost>(g), id});
+    if (observer_ != nullptr) tell_reached(cell, node, reached);
+  }
+
+  void count_expansion(const From& from) {
+    ++metrics_.expanded;
+    if (observer_ != nullptr) observer_->on_expand(event_of(from.cell, nodes_[from.id]));
+  }
+
+  [[gnu::noinline]] void tell_reached(Cell cell, const Node& node, bool again) {
+    if (again) {
+      observer_->on_relax(event_of(cell, node));
+    } else {
+      observer_->on_generate(event_of(cell, node));
+    }
+  }
+
+  SearchEvent event_of(Cell cell, const Node& node) const {
+    const double g = static_cast<double>(node.g) / CostUnits::kUnitsPerCell;
+    const double h = estimate_.cells(cell);
+    SearchEvent event{{}, {}, g, h, g + h};
+    event.cell = cell;
+    if (node.move() != kNoMove) {
+      event.parent = wend::step(cell, opposite(static_cast<Direction>(node.move())),
+                                static_cast<int>(node.run()));
+    }
+    return event;
   }
 
   FreeSpace space_;
@@ -356,6 +433,7 @@ class LeapEngine final : public GridEngine {
   RunNodes<Cost> nodes_;
   BucketQueue<Entry> queue_;
   LimitCheck limits_;
+  SearchObserver* observer_ = nullptr;
   SearchMetrics metrics_;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   bool overflown_ = false;
@@ -364,6 +442,10 @@ class LeapEngine final : public GridEngine {
 };
 
 }  // namespace
+
+bool can_leap(const FreeSpace& space, const BestFirst& parts) {
+  return parts.whole() && !sweeps_diagonals(space, parts.moves);
+}
 
 std::unique_ptr<GridEngine> make_leap_engine(const FreeSpace& space, const BestFirst& parts) {
   if (!CostGrid<std::uint32_t>::holds(space.costs())) {

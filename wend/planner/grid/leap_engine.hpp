@@ -3,8 +3,7 @@
 // LeapEngine: the cheapest g + h first on cells with costs, in whole numbers, with leaps.
 //
 // A step between neighbours costs (a + b) * 408, a diagonal one (a + b) * 577, where a and b are the CostMap
-// steps of its two cells. 577 / 408 is the square root of 2 to 1.1e-6, so the cost of the path found exceeds
-// the cheapest by at most that share.
+// steps of its two cells (CostUnits says how close that is).
 //
 // The moves that the class of a cell leaves out (CostGrid) keep a cheapest path to every cell: one that is
 // left out on a tie is the second of two moves, a diagonal one, and the other way ends with a straight move,
@@ -18,7 +17,11 @@
 //   step from the parent, then a straight one, costs no more.
 //
 // Buckets are not sorted, so cells may be expanded again; the search goes on until no open cell can lead to a
-// goal more cheaply. It counts the expansions of cells, not those that leaps pass.
+// goal more cheaply. An observer sees each expansion, also repeated ones, and a leap as one step from its
+// first cell.
+//
+// Where a disc may cut corners, what is a legal move depends on more than the 3 x 3 block, and the classes do
+// not hold; weights and other heuristics have real keys: a forward search on TerrainGrid serves these.
 
 #include <memory>
 
@@ -26,8 +29,11 @@
 
 namespace wend {
 
-/// An engine for cells with costs, by any moves where no disc cuts corners; `parts` must be a consistent
-/// estimate in whole numbers. It has no observers and no steps, and lists no open cells.
+/// Can a leap engine search with these parts? Any moves, unless a disc cuts corners; a consistent estimate
+/// in whole numbers.
+bool can_leap(const FreeSpace& space, const BestFirst& parts);
+
+/// The engine for parts with which it can_leap().
 std::unique_ptr<GridEngine> make_leap_engine(const FreeSpace& space, const BestFirst& parts);
 
 }  // namespace wend

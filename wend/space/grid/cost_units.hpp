@@ -2,8 +2,8 @@
 
 // CostUnits: what a step between two cells with costs is, in whole numbers.
 //
-// 577 / 408 is the square root of 2 to 1.1e-6, so a cheapest path in units costs at most that share more
-// than the cheapest.
+// 577 / 408 exceeds the square root of 2 by 1.5e-6 of it. So a path that is cheapest in units costs at most
+// 1.5e-6 of the least cost more.
 
 #include <cstdint>
 
@@ -12,7 +12,9 @@
 namespace wend {
 
 struct CostUnits {
-  static constexpr std::uint64_t kStraight = 408;  // times the sum of the CostMap steps of both cells
+  static constexpr double kMostExcess = 1.51e-6;  // of the least cost
+  static constexpr std::uint64_t kStraight =
+      408;  // times the sum of the CostMap steps of both cells
   static constexpr std::uint64_t kDiagonal = 577;
   static constexpr double kUnitsPerCell = 2.0 * CostMap::kOne * kStraight;  // at a multiplier of 1
 };
