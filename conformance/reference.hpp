@@ -104,6 +104,10 @@ class Reference {
 
   /// The map's multiplier, and more where the robot keeps away from an obstacle, as it is stored.
   double terrain(Cell cell) const { return terrain_[number(cell)]; }
+  /// Does every cell cost the same as its length?
+  bool uniform() const {
+    return std::all_of(terrain_.begin(), terrain_.end(), [](double here) { return here == 1; });
+  }
 
   double cost_of(std::span<const Cell> path) const {
     double cost = 0;

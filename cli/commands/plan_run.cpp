@@ -62,6 +62,7 @@ bool PlanRun::records() const {
 }
 
 void PlanRun::plan() {
+  if (records() || !arguments_.watch.trace.empty()) spec_ = without_leaps(std::move(spec_));
   result_.planner = spec_.name;
   result_.capabilities = info_of(spec_).capabilities;
   result_.cost_name = info_of(spec_).cost_name;

@@ -1,8 +1,13 @@
 #include "wend/analysis/cost_to_go.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
 #include <limits>
+#include <vector>
 
+#include "wend/planner/grid/cost_field.hpp"
 #include "wend/planner/grid/grid_priorities.hpp"
 #include "wend/search/forward_search.hpp"
 #include "wend/search/frontiers.hpp"
@@ -28,31 +33,33 @@ struct ExactKeyOf {
   ExactKey<std::uint64_t> operator()(std::uint64_t g) const { return {g, g}; }
 };
 
-struct RealKeyOf {
-  RealKey<double> operator()(double g) const { return {g, g}; }
-};
-
 using UniformField = ForwardSearch<ExactGrid, BucketFrontier<ExactKey<std::uint64_t>, 25>,
                                    Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
-using TerrainField = ForwardSearch<TerrainGrid, HeapFrontier<RealKey<double>>,
-                                   Everywhere<RealKeyOf>, DuplicateRule::keep_cheaper>;
+using TerrainField = ForwardSearch<TerrainGrid, HeapFrontier<ExactKey<std::uint64_t>>,
+                                   Everywhere<ExactKeyOf>, DuplicateRule::keep_cheaper>;
 
-/// Writes down every cell as it is expanded: then its cost is final.
+/// Writes down every cell as it is expanded: then its cost is final. On cells with costs it adds the exact
+/// cost of the last step.
 template <class Space>
 class FieldWriter {
  public:
-  FieldWriter(Grid<double>& costs, Grid<std::uint8_t>& policy) : costs_(costs), policy_(policy) {}
+  FieldWriter(const FreeSpace& space, Grid<double>& costs, Grid<std::uint8_t>& policy)
+      : space_(space), costs_(costs), policy_(policy) {}
 
   void on_expand(const GridState& state, Move arrival, typename Space::Cost g) {
     costs_[state.cell] = static_cast<double>(g) / Space::kUnitsPerCell;
-    if (arrival != kNoMove) {
-      policy_[state.cell] = static_cast<std::uint8_t>(opposite(static_cast<Direction>(arrival)));
-    }
+    if (arrival == kNoMove) return;
+    const Direction back = opposite(static_cast<Direction>(arrival));
+    policy_[state.cell] = static_cast<std::uint8_t>(back);
+    if (space_.uniform_terrain()) return;
+    const std::array way{state.cell, step(state.cell, back)};
+    costs_[way[0]] = costs_[way[1]] + grid_path_cost(space_, way);
   }
   void on_generate(const GridState&, Move, typename Space::Cost) {}
   void on_relax(const GridState&, Move, typename Space::Cost) {}
 
  private:
+  const FreeSpace& space_;
   Grid<double>& costs_;
   Grid<std::uint8_t>& policy_;
 };
@@ -64,20 +71,85 @@ std::optional<Status> refusal(const FreeSpace& space, std::span<const Cell> goal
   return space.contains(goals.front()) ? Status::goal_blocked : Status::goal_outside;
 }
 
+/// Cell by cell, where a disc may cut corners, or costs differ too much.
 template <class Search>
 Status search_everywhere(Search& search, std::span<const Cell> goals, const Limits& limits,
                          Grid<double>& costs, Grid<std::uint8_t>& policy, SearchMetrics& metrics) {
   std::vector<GridState> starts;
   starts.reserve(goals.size());
-  const FreeSpace& space = search.space().free_space();
-  for (const Cell goal : goals) {
-    if (space.contains(goal) && space.passable(goal)) starts.push_back(search.space().state(goal));
-  }
-  FieldWriter<typename Search::SpaceType> writer(costs, policy);
+  for (const Cell goal : goals) starts.push_back(search.space().state(goal));
+  FieldWriter<typename Search::SpaceType> writer(search.space().free_space(), costs, policy);
   search.begin(starts, limits, writer);
   const SearchOutcome outcome = search.run(writer);
   metrics = search.metrics();
   return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
+}
+
+/// What a field writes down.
+struct FieldParts {
+  Grid<double>& costs;
+  Grid<std::uint8_t>& policy;
+  SearchMetrics& metrics;
+};
+
+template <class Field>
+SearchOutcome fill(Field field, std::span<const Cell> goals, const Limits& limits,
+                   const FieldParts& parts) {
+  const SearchOutcome outcome = field.run(goals, limits);
+  parts.metrics = field.metrics();
+  if (outcome != SearchOutcome::exhausted) return outcome;
+  for (int y = 0; y < parts.costs.height(); ++y) {
+    const auto costs = parts.costs.row(y);
+    const auto policy = parts.policy.row(y);
+    for (int x = 0; x < parts.costs.width(); ++x) {
+      const Cell cell{x, y};
+      if (!field.reached(cell)) continue;
+      const auto at = static_cast<std::size_t>(x);
+      costs[at] = field.cost(cell);
+      const Move arrival = field.arrival(cell);
+      if (arrival == kNoMove) continue;
+      policy[at] = static_cast<std::uint8_t>(opposite(static_cast<Direction>(arrival)));
+    }
+  }
+  return outcome;
+}
+
+/// In whole numbers of 32 bits, or of 64 if they do not do.
+template <class Word, class Units, class WideUnits>
+Status fill_by(const CostGrid<Word>& grid, std::span<const Cell> goals, const Limits& limits,
+               const FieldParts& parts) {
+  SearchOutcome outcome = SearchOutcome::cost_overflow;
+  if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
+    outcome = fill(CostField<std::uint32_t, Word, Units>(grid), goals, limits, parts);
+  }
+  if (outcome == SearchOutcome::cost_overflow) {
+    outcome = fill(CostField<std::uint64_t, Word, WideUnits>(grid), goals, limits, parts);
+  }
+  return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
+}
+
+template <class Word>
+std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> goals,
+                                GridMoves moves, const Limits& limits, const FieldParts& parts) {
+  const CostGrid<Word> grid(space, moves);
+  if (!CostField<std::uint64_t, Word, CostUnits>::suits(grid)) return std::nullopt;
+  if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
+    if (space.uniform_terrain()) {
+      return fill_by<Word, OctileUnits<std::uint32_t>, OctileUnits<std::uint64_t>>(grid, goals,
+                                                                                   limits, parts);
+    }
+  }
+  return fill_by<Word, CostUnits, CostUnits>(grid, goals, limits, parts);
+}
+
+/// Nothing if the fast way does not suit the map.
+std::optional<Status> fill_fast(const FreeSpace& space, std::span<const Cell> goals,
+                                GridMoves moves, const Limits& limits, const FieldParts& parts) {
+  if (sweeps_diagonals(space, moves)) return std::nullopt;
+  if (!CostGrid<std::uint32_t>::holds(space.costs())) {
+    return fill_fast<std::uint64_t>(space, goals, moves, limits, parts);
+  }
+  return fill_fast<std::uint32_t>(space, goals, moves, limits, parts);
 }
 
 Unexpected<PlanFailure> failed(Status status, const SearchMetrics& metrics = {}) {
@@ -92,13 +164,19 @@ Expected<CostToGo, PlanFailure> CostToGo::make(const FreeSpace& space, std::span
   CostToGo field(space);
   field.costs_ = {space.width(), space.height(), std::numeric_limits<double>::infinity()};
   field.policy_ = {space.width(), space.height(), kNoDirection};
+  std::vector<Cell> usable;
+  std::ranges::copy_if(goals, std::back_inserter(usable),
+                       [&](Cell goal) { return space.passable(goal); });
+  const FieldParts parts{field.costs_, field.policy_, field.metrics_};
   Status status = Status::found;
-  if (space.uniform_terrain()) {
-    UniformField search(ExactGrid(space, moves, MoveTable::Pruning::canonical), {});
-    status = search_everywhere(search, goals, limits, field.costs_, field.policy_, field.metrics_);
+  if (const auto fast = fill_fast(space, usable, moves, limits, parts)) {
+    status = *fast;
+  } else if (space.uniform_terrain()) {
+    UniformField search(ExactGrid(space, moves), {});
+    status = search_everywhere(search, usable, limits, field.costs_, field.policy_, field.metrics_);
   } else {
     TerrainField search(TerrainGrid(space, moves), {});
-    status = search_everywhere(search, goals, limits, field.costs_, field.policy_, field.metrics_);
+    status = search_everywhere(search, usable, limits, field.costs_, field.policy_, field.metrics_);
   }
   if (status != Status::found) return failed(status, field.metrics_);
   return field;

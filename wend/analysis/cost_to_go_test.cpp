@@ -13,6 +13,7 @@
 #include "conformance/random_map.hpp"
 #include "conformance/reference.hpp"
 #include "tests/testing/drawn_map.hpp"
+#include "wend/space/grid/cost_units.hpp"
 
 namespace wend {
 namespace {
@@ -76,7 +77,8 @@ void expect_cost(double cost, double expected, Cell cell) {
   if (expected == kUnreachable) {
     ASSERT_EQ(cost, kUnreachable) << "at (" << cell.x << "," << cell.y << ")";
   } else {
-    ASSERT_NEAR(cost, expected, 1e-9 * (1 + expected)) << "at (" << cell.x << "," << cell.y << ")";
+    ASSERT_NEAR(cost, expected, CostUnits::kMostExcess * (1 + expected))
+        << "at (" << cell.x << "," << cell.y << ")";
   }
 }
 

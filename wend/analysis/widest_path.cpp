@@ -9,7 +9,6 @@
 #include "wend/base/options.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/map/bit_grid.hpp"
-#include "wend/map/cost_map.hpp"
 #include "wend/map/distance_field.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/swept_clearance.hpp"
@@ -20,8 +19,8 @@ namespace {
 
 constexpr std::int64_t kNotReached = -1;
 
-// Half of the most that a cell may cost. On maps of up to 8 million cells, no detour over wide cells is as long.
-constexpr double kDear = CostMap::kLargest / 2;
+// The cost of a narrow cell: as that of a detour of ten million wide cells. A CostMap can hold it.
+constexpr double kDear = 1e7;
 
 /// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
 /// the goal.

@@ -14,10 +14,16 @@ struct Capabilities {
   bool primitives = false;                // moves by the robot's motion primitives, if it has any
   bool any_angle = false;  // its paths are cells joined by lines, not steps between neighbours
   bool jumps = false;      // expands only some cells of its paths, if any
+  bool leaps = false;      // the same on maps with costs, where it may also expand a cell again
   bool terrain = false;    // takes terrain costs into account
   bool can_step = false;   // Planner::begin and step work
   bool learns = false;     // later searches may expand fewer states; their paths are the same
 };
+
+/// Does a planner expand only some cells of its paths, on a map where every cell costs the same or not?
+constexpr bool jumps_on(bool uniform_terrain, const Capabilities& planner) {
+  return planner.jumps || (planner.leaps && !uniform_terrain);
+}
 
 /// Do two planners have states of the same kind, so that they answer the same queries?
 constexpr bool same_states(const Capabilities& a, const Capabilities& b) {

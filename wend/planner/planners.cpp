@@ -116,6 +116,15 @@ PlannerResult make_planner(std::string_view name, const FreeSpace& space,
   return (*info)->index_support->make_planner(space, options, std::move(index));
 }
 
+PlannerSpec without_leaps(PlannerSpec planner) {
+  constexpr std::string_view kLeaps = "leaps";
+  const PlannerInfo* const info = planners().find(planner.name);
+  if (info == nullptr || !info->capabilities.leaps) return planner;
+  const auto says = [&](const auto& option) { return option.first == kLeaps; };
+  if (std::ranges::none_of(planner.options, says)) planner.options.emplace_back(kLeaps, "false");
+  return planner;
+}
+
 std::optional<Error> refused_terrain(std::string_view planner, const FreeSpace& space) {
   if (space.uniform_terrain()) return std::nullopt;
   return Error{Status::unsupported_map,

@@ -52,6 +52,10 @@ WEND_API std::string_view terrain_in_words(const PlannerInfo& planner);
 ///   astar,bfs:connectivity=4,astar:weight=2,heuristic=euclidean
 using PlannerSpec = OptionSpec;
 
+/// For searches that somebody watches: the same planner without leaps (AStarOptions::leaps), so that every
+/// cell is seen, unless its options say otherwise.
+WEND_API PlannerSpec without_leaps(PlannerSpec planner);
+
 /// The planners of a list. Fails with invalid_option for an unknown planner, a word that is not
 /// name=value, and an empty list; PlannerInfo::make checks the options.
 WEND_API Expected<std::vector<PlannerSpec>, Error> parse_planner_specs(std::string_view list);

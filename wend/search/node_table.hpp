@@ -19,6 +19,7 @@
 #include <memory>
 
 #include "wend/base/state_id.hpp"
+#include "wend/base/zeroed_memory.hpp"
 
 namespace wend {
 
@@ -115,11 +116,6 @@ class NodeGenerations {
 };
 
 inline constexpr unsigned kNodeGenerationBits = 32 - kMoveBits - 1;
-
-/// For memory from std::calloc().
-struct FreeMemory {
-  void operator()(void* memory) const { std::free(memory); }
-};
 
 template <class NodeType, unsigned kGenerationBits = kNodeGenerationBits>
 class NodeTable {

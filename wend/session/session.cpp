@@ -175,9 +175,11 @@ Expected<PlanAnswer, RequestFailure> Session::plan(const PlanRequest& request) {
 }
 
 Expected<PlanAnswer, RequestFailure> Session::plan(const View& view, const PlanRequest& request) {
-  auto planner = state_->planners.take(view.space, view.version, request.planner);
+  const PlannerSpec spec =
+      request.observer == nullptr ? request.planner : without_leaps(request.planner);
+  auto planner = state_->planners.take(view.space, view.version, spec);
   if (!planner) return no_plan(std::move(planner.error()));
-  return state_->answer(view, **planner, request.planner, request);
+  return state_->answer(view, **planner, spec, request);
 }
 
 Expected<PlanAnswer, RequestFailure> Session::State::answer(const View& view, Planner& planner,

@@ -9,7 +9,7 @@ namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
   const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),
-                        options.heuristic.constant, options.weight};
+                        options.heuristic.constant, options.weight, options.leaps};
   return {options.moves, make_best_first_engine(space, parts), parts.bound()};
 }
 
@@ -24,17 +24,19 @@ PlannerInfo astar_planner() {
        .citation = "Hart, Nilsson, Raphael 1968; weighted: Pohl 1970",
        .guarantee_text = "optimal with a weight up to 1 and a heuristic that never overestimates; "
                          "above 1 at most w times the optimum; manhattan on 8 neighbours: complete",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket",
-       .memory =
-           "8 bytes per cell, 16 per frontier entry; 16 and 24 on terrain, with euclidean, with "
-           "manhattan on 8 neighbours, with a weight other than 0 and 1, or with an observer",
+       .time =
+           "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket, on costs "
+           "O(n)",
+       .memory = "8 bytes per cell, 16 per frontier entry; 12 and 12 on terrain, and twice that "
+                 "for long ways, with euclidean, with "
+                 "manhattan on 8 neighbours, with a weight other than 0 and 1, or with an observer",
        .bytes_per_cell = 8,
        .when =
            "The default, also on terrain. In mazes it expands almost as many cells as dijkstra. "
            "A weight above 1 often expands far fewer cells, but each expansion takes several "
            "times as long.",
        .guarantee = Guarantee::bounded,
-       .capabilities = {.terrain = true}},
+       .capabilities = {.leaps = true, .terrain = true}},
       choose_parts);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wend/planner/grid/grid_priorities.hpp"
+#include "wend/planner/grid/leap_engine.hpp"
 #include "wend/planner/plan.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/search/frontiers.hpp"
@@ -66,15 +67,18 @@ double BestFirst::bound() const {
   return is_consistent(heuristic, moves.connectivity) ? weight : Plan::kNoBound;
 }
 
+bool BestFirst::whole() const {
+  const bool whole_numbers = weight == 0 || heuristic == HeuristicKind::constant ||
+                             (weight == 1 && heuristic != HeuristicKind::euclidean);
+  return consistent() && whole_numbers;
+}
+
 std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts) {
   if (!space.uniform_terrain()) {
+    if (parts.leaps && can_leap(space, parts)) return make_leap_engine(space, parts);
     return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
   }
-  const bool whole_numbers = parts.weight == 0 || parts.heuristic == HeuristicKind::constant ||
-                             (parts.weight == 1 && parts.heuristic != HeuristicKind::euclidean);
-  if (parts.consistent() && whole_numbers) {
-    return make_whole(space, parts);
-  }
+  if (parts.whole()) return make_whole(space, parts);
   return make_real<ExactGrid>(
       space, parts, parts.consistent() ? MoveTable::Pruning::canonical : MoveTable::Pruning::none);
 }

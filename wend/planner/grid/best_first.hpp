@@ -1,7 +1,8 @@
 #pragma once
 
-// Best-first engines: the cheapest g + w h first, shared by dijkstra and astar. Uniform terrain is
-// searched in whole numbers with buckets where keys never fall, everything else with a heap.
+// Best-first engines: the cheapest g + w h first, shared by dijkstra and astar. Costs are whole numbers.
+// Where keys are too and never fall, uniform terrain is searched with sorted buckets, and cells with costs by
+// the LeapEngine; everything else with a heap.
 
 #include <memory>
 
@@ -17,9 +18,13 @@ struct BestFirst {
   HeuristicKind heuristic;  // not automatic
   double constant;          // what HeuristicKind::constant is worth
   double weight;            // w >= 0
+  bool leaps = true;        // on cells with costs, if they can be made
 
   /// Does f never fall along a path? Then the first expansion of a cell is its cheapest.
   bool consistent() const;
+
+  /// Are keys sums of whole steps, and consistent?
+  bool whole() const;
 
   /// Plan::bound: 1, or w above that, if the heuristic is consistent.
   double bound() const;

@@ -9,7 +9,7 @@ namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
   const GridMoves& moves = options.moves;
-  const BestFirst parts{moves, HeuristicKind::zero, 0, 0};
+  const BestFirst parts{moves, HeuristicKind::zero, 0, 0, options.leaps};
   return {moves, make_best_first_engine(space, parts), parts.bound()};
 }
 
@@ -22,13 +22,15 @@ PlannerInfo dijkstra_planner() {
        .idea = "The search grows evenly in all directions and needs no estimate.",
        .citation = "Dijkstra 1959",
        .guarantee_text = "optimal",
-       .time = "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket",
-       .memory =
-           "8 bytes per cell, 16 per frontier entry; 16 and 24 on terrain or with an observer",
+       .time =
+           "O(n log n) in the n cells expanded; on uniform terrain log of a small bucket, on costs "
+           "O(n)",
+       .memory = "8 bytes per cell, 16 per frontier entry; 12 and 12 on terrain, and twice that "
+                 "for long ways or with an observer",
        .bytes_per_cell = 8,
        .when = "In mazes, and as a baseline; elsewhere astar expands fewer cells.",
        .guarantee = Guarantee::optimal,
-       .capabilities = {.terrain = true}},
+       .capabilities = {.leaps = true, .terrain = true}},
       choose_parts);
 }
 

@@ -13,6 +13,16 @@
 
 namespace wend {
 
+namespace detail {
+template <class Leaps, class Field>
+void leaps_field(Leaps& leaps, Field&& field) {
+  field(
+      {"leaps",
+       "on maps with costs, skip cells that cannot matter, for speed; false: expand cell by cell"},
+      leaps);
+}
+}  // namespace detail
+
 /// The options of `astar`.
 struct AStarOptions {
   static constexpr std::string_view kPlanner = "astar";  // its name
@@ -20,6 +30,7 @@ struct AStarOptions {
   GridMoves moves = {};             // how the robot steps
   HeuristicOptions heuristic = {};  // the estimate of the cost to the goal
   double weight = 1;                // w >= 0 in f = g + w h: 0 is Dijkstra
+  bool leaps = true;  // on maps with costs; false: expand cell by cell, to watch a search
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
@@ -30,6 +41,7 @@ struct AStarOptions {
            "optimum",
            {"lambda", "w"}},
           self.weight, OptionRange{0, 1e6});
+    detail::leaps_field(self.leaps, field);
   }
 };
 
@@ -52,10 +64,12 @@ struct DijkstraOptions {
   static constexpr std::string_view kPlanner = "dijkstra";  // its name
 
   GridMoves moves = {};  // how the robot steps
+  bool leaps = true;     // on maps with costs; false: expand cell by cell, to watch a search
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
+    detail::leaps_field(self.leaps, field);
   }
 };
 

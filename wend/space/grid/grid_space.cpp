@@ -6,16 +6,11 @@
 #include "wend/space/grid/sight_grid.hpp"
 
 namespace wend {
-namespace {
 
-/// Without corner cutting, a disc is safe between two cells where it may stand, because it may also
-/// stand on the cells beside the step. A point may touch corners.
 bool sweeps_diagonals(const FreeSpace& space, GridMoves moves) {
   return moves.connectivity == Connectivity::eight && moves.corner_rule != CornerRule::none &&
          space.radius_in_cells() > 0;
 }
-
-}  // namespace
 
 template <class Steps>
 GridSpace<Steps>::GridSpace(FreeSpace space, GridMoves moves, MoveTable::Pruning pruning)

@@ -2,18 +2,18 @@
 
 // GridSpace: the cells of a FreeSpace as states, moves to 4 or 8 neighbours as steps.
 //
-// UniformGrid counts steps in whole numbers and is exact; TerrainGrid charges a step its length
+// ExactGrid counts steps in whole numbers and is exact; TerrainGrid counts them in CostUnits: the length
 // times the mean of the multipliers of its two cells (the L-stage additive cost of LaValle).
 // Successors come in the order of Direction.
 
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <numbers>
 
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/space/grid/cost_units.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 #include "wend/space/grid/octile.hpp"
 
@@ -38,20 +38,24 @@ struct UniformSteps {
   }
 };
 
-/// Steps that cost what the terrain says.
+/// Steps that cost what the terrain says, in CostUnits.
 struct TerrainSteps {
-  using Cost = double;
-  static constexpr double kUnitsPerCell = 1;
+  using Cost = std::uint64_t;
+  static constexpr double kUnitsPerCell = CostUnits::kUnitsPerCell;
 
   explicit TerrainSteps(const FreeSpace& space) : costs(&space.costs()) {}
 
   Cost cost(const GridState& from, const GridState& to, bool diagonal) const {
-    const double mean = (costs->multiplier(from.cell) + costs->multiplier(to.cell)) / 2;
-    return diagonal ? std::numbers::sqrt2 * mean : mean;
+    const Cost sum = Cost{costs->steps(from.cell)} + costs->steps(to.cell);
+    return sum * (diagonal ? CostUnits::kDiagonal : CostUnits::kStraight);
   }
 
   const CostMap* costs;  // owned by the FreeSpace that the space holds
 };
+
+/// Must the way along a diagonal step be checked? Without corner cutting, a disc is safe between two cells
+/// where it may stand, because it may also stand on the cells beside the step. A point may touch corners.
+bool sweeps_diagonals(const FreeSpace& space, GridMoves moves);
 
 template <class Steps>
 class GridSpace {

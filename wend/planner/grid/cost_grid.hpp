@@ -1,0 +1,120 @@
+#pragma once
+
+// CostGrid: the cells of a FreeSpace with costs, packed for searches in whole numbers.
+//
+// The word of a cell holds its cost in CostMap steps (1 on a map where every cell costs the same), which of its neighbours are free, and its class. The class
+// says which moves a search can leave out after an arrival, because a way around the cell is at least as
+// good:
+//
+//   uniform  all free cells of the 3 x 3 block cost the same: as on a uniform map (canonical pruning)
+//   smooth   no free cell of the block costs more than 9/5 of another: moves with a strictly shorter way
+//            around, which 9/5 cannot make dearer (two straight steps around a right angle of two diagonal
+//            ones are the closest case: 3.6 < 3.65)
+//   general  moves to cells that the parent reaches by one straight step
+//
+// Cells of the uniform class whose whole block is free are "interior". Bit lines by rows and by columns have the cells at which a
+// straight run of interior cells ends.
+//
+// Cells are numbered with a border of blocked cells around the map, so that a neighbour needs no check.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "wend/base/state_id.hpp"
+#include "wend/geometry/direction.hpp"
+#include "wend/jump/bit_lines.hpp"
+#include "wend/robot/free_space.hpp"
+#include "wend/space/grid/grid_moves.hpp"
+
+namespace wend {
+
+enum class CostClass : unsigned char { uniform, smooth, general };
+
+/// The moves from a cell by its class, its free neighbours and how it was reached.
+class CostMoves {
+ public:
+  explicit CostMoves(GridMoves moves);
+
+  /// `key` has the lowest bits of a cell's word.
+  DirectionSet moves(Move arrival, unsigned key) const { return moves_[arrival * kKeys + key]; }
+
+  static constexpr unsigned kKeyBits = 10;  // 8 free neighbours, then the class
+
+ private:
+  static constexpr std::size_t kKeys = std::size_t{1} << kKeyBits;
+  std::array<DirectionSet, (kNoMove + 1) * kKeys> moves_{};
+};
+
+/// Word is 32 bits for multipliers below 16,384, or 64 for any.
+template <class Word>
+class CostGrid {
+ public:
+  /// The largest multiplier in CostMap steps.
+  static constexpr std::uint64_t kMostSteps = static_cast<Word>(~Word{0}) >> CostMoves::kKeyBits;
+
+  /// Can the word of a cell hold these costs? O(cells) where a multiplier is 256 or more.
+  static bool holds(const CostMap& costs);
+
+  CostGrid(const FreeSpace& space, GridMoves moves);
+
+  StateId state_count() const { return static_cast<StateId>(words_.size()); }
+  StateId number(Cell cell) const {
+    return static_cast<StateId>(cell.y + 1) * stride_ + static_cast<StateId>(cell.x + 1);
+  }
+  Cell cell(StateId number) const {
+    // A multiplication by 2^64 / stride, rounded up: exact for 32 bits.
+    const auto y = static_cast<StateId>((static_cast<Wide>(inverse_) * number) >> 64U);
+    return {static_cast<int>(number - y * stride_) - 1, static_cast<int>(y) - 1};
+  }
+  /// Modulo 2^32.
+  StateId neighbour(StateId number, unsigned direction, StateId steps = 1) const {
+    return number + offsets_[direction] * steps;
+  }
+
+  Word word(StateId number) const { return words_[number]; }
+  const Word* words() const { return words_.data(); }
+  static std::uint64_t steps(Word word) { return word >> CostMoves::kKeyBits; }
+  static unsigned key(Word word) { return static_cast<unsigned>(word) & kKeyMask; }
+  static bool interior(Word word) { return key(word) == kInteriorKey; }
+  static CostClass class_of(Word word) { return static_cast<CostClass>((word & kClassMask) >> 8U); }
+
+  DirectionSet moves(Move arrival, Word word) const { return moves_.moves(arrival, key(word)); }
+  /// The steps of a multiplier of 1: CostMap::kOne, or 1 where every cell costs the same.
+  std::uint64_t one() const { return one_; }
+  /// The least steps of a free cell.
+  std::uint64_t least_steps() const { return least_steps_; }
+  /// The most steps of a free cell.
+  std::uint64_t most_steps() const { return most_steps_; }
+
+  /// The cells that are not interior, by rows and by columns.
+  const BitLines& row_stops() const { return row_stops_; }
+  const BitLines& column_stops() const { return column_stops_; }
+
+ private:
+  __extension__ using Wide = unsigned __int128;
+
+  static constexpr unsigned kKeyMask = (1U << CostMoves::kKeyBits) - 1;
+  static constexpr Word kClassMask = 3U << 8U;
+  static constexpr unsigned kInteriorKey = 255;  // all neighbours, uniform
+
+  void fill_rows(const FreeSpace& space, BitLines& interior);
+
+  StateId stride_;
+  std::uint64_t inverse_;
+  std::array<StateId, kDirections> offsets_{};
+  CostMoves moves_;
+  std::uint64_t one_;
+  std::vector<Word> words_;
+  std::uint64_t least_steps_ = CostMap::kMost;
+  std::uint64_t most_steps_ = 1;
+  BitLines row_stops_;
+  BitLines column_stops_;
+};
+
+extern template class CostGrid<std::uint32_t>;
+extern template class CostGrid<std::uint64_t>;
+
+}  // namespace wend

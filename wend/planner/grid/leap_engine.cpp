@@ -1,0 +1,466 @@
+#include "wend/planner/grid/leap_engine.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "wend/planner/goal_cells.hpp"
+#include "wend/planner/grid/cost_grid.hpp"
+#include "wend/planner/grid/run_node.hpp"
+#include "wend/planner/widening_engine.hpp"
+#include "wend/search/bucket_queue.hpp"
+#include "wend/search/limit_check.hpp"
+#include "wend/space/grid/cost_units.hpp"
+#include "wend/space/grid/grid_space.hpp"
+
+namespace wend {
+namespace {
+
+/// An estimate that is a sum of straight and diagonal steps, in the units of the cheapest cell.
+class WholeEstimate {
+ public:
+  WholeEstimate(const BestFirst& parts, std::uint64_t least_steps)
+      : kind_(parts.weight > 0 ? parts.heuristic : HeuristicKind::zero), constant_(parts.constant) {
+    const std::uint64_t straight = 2 * least_steps * CostUnits::kStraight;
+    const std::uint64_t diagonal = 2 * least_steps * CostUnits::kDiagonal;
+    if (kind_ == HeuristicKind::manhattan) longer_ = shorter_ = straight;
+    if (kind_ == HeuristicKind::octile) {
+      longer_ = straight;
+      shorter_ = diagonal - straight;
+    }
+  }
+
+  void begin(std::span<const GoalRegion> goals) { goals_.assign(goals); }
+  bool is_goal(Cell cell) const { return goals_.contains(cell); }
+
+  std::uint64_t units(Cell cell) const {
+    return goals_.least(cell, [&](Cell goal) {
+      const auto dx = static_cast<std::uint64_t>(std::abs(cell.x - goal.x));
+      const auto dy = static_cast<std::uint64_t>(std::abs(cell.y - goal.y));
+      return longer_ * std::max(dx, dy) + shorter_ * std::min(dx, dy);
+    });
+  }
+
+  /// As people see it, in cells.
+  double cells(Cell cell) const {
+    return goals_.least(cell,
+                        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
+  }
+
+ private:
+  HeuristicKind kind_;
+  double constant_;
+  std::uint64_t longer_ = 0;
+  std::uint64_t shorter_ = 0;
+  GoalCells goals_;
+};
+
+/// The stops of straight runs: cells that are not interior, and the goals of the present query.
+class RunStops {
+ public:
+  RunStops(BitLines rows, BitLines columns)
+      : rows_(std::move(rows)), columns_(std::move(columns)) {}
+
+  /// The number of steps from a cell to the first stop in a straight direction.
+  std::uint32_t distance(Cell from, unsigned direction) const {
+    switch (direction) {
+      case 0:
+        return static_cast<std::uint32_t>(columns_.distance_ahead(from.x, from.y));
+      case 2:
+        return static_cast<std::uint32_t>(rows_.distance_ahead(from.y, from.x));
+      case 4:
+        return static_cast<std::uint32_t>(columns_.distance_back(from.x, from.y));
+      default:
+        return static_cast<std::uint32_t>(rows_.distance_back(from.y, from.x));
+    }
+  }
+
+  void set_goals(std::span<const GoalRegion> goals, int width, int height) {
+    for (const Cell cell : added_) {
+      rows_.reset(cell.y, cell.x);
+      columns_.reset(cell.x, cell.y);
+    }
+    added_.clear();
+    for (const GoalRegion& region : goals) {
+      region.for_each([&](Cell cell) {
+        const bool on_map = cell.x >= 0 && cell.y >= 0 && cell.x < width && cell.y < height;
+        if (!on_map || rows_.get(cell.y, cell.x)) return;
+        rows_.set(cell.y, cell.x);
+        columns_.set(cell.x, cell.y);
+        added_.push_back(cell);
+      });
+    }
+  }
+
+ private:
+  BitLines rows_;
+  BitLines columns_;
+  std::vector<Cell> added_;
+};
+
+constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
+
+template <class Cost, class Word>
+class LeapEngine final : public GridEngine {
+ public:
+  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, const FreeSpace& space,
+             const BestFirst& parts)
+      : space_(space),
+        grid_(std::move(grid)),
+        words_(grid_->words()),
+        estimate_(parts, grid_->least_steps()),
+        leaps_(parts.moves.connectivity == Connectivity::eight),
+        cuts_corners_(parts.moves.corner_rule != CornerRule::none),
+        width_bits_(width_bits_for(grid_->least_steps())),
+        stops_(grid_->row_stops(), grid_->column_stops()),
+        nodes_(grid_->state_count()) {}
+
+  bool allocated() const override { return nodes_.allocated(); }
+
+  void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
+             SearchObserver* observer) override {
+    limits_.begin(limits);
+    observer_ = observer;
+    metrics_ = {};
+    overflown_ = false;
+    best_ = kNoCost;
+    outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
+    if (!allocated()) return;
+    nodes_.begin_search();
+    estimate_.begin(goals);
+    stops_.set_goals(goals, space_.width(), space_.height());
+    queue_.begin(estimate_.units(start), width_bits_);
+    reach(grid_->number(start), start, 0, Node::kNoArrival);
+    metrics_.max_frontier = metrics_.generated;
+    if (overflown_) outcome_ = SearchOutcome::cost_overflow;
+  }
+
+  SearchOutcome step() override {
+    advance();
+    return outcome_;
+  }
+
+  SearchOutcome run() override {
+    while (outcome_ == SearchOutcome::running) advance();
+    return outcome_;
+  }
+
+  const SearchMetrics& metrics() const override { return metrics_; }
+
+  OpenList open_list(std::size_t most) const override {
+    BucketQueue<Entry> rest = queue_;
+    OpenList list;
+    std::uint64_t best = best_;
+    Cell goal = goal_;
+    const auto add = [&](Cell cell) {
+      ++list.count;
+      if (list.entries.size() == most) return;
+      list.entries.push_back({event_of(cell, nodes_[grid_->number(cell)]), OpenTie::none});
+    };
+    while (!rest.empty()) {
+      const Entry entry = rest.pop();
+      if (best <= rest.least_key()) break;
+      if (is_stale(entry) || is_dominated(entry)) continue;
+      const Cell cell = grid_->cell(entry.id);
+      if (!estimate_.is_goal(cell)) {
+        add(cell);
+      } else if (entry.g < best) {
+        best = entry.g;
+        goal = cell;
+      }
+    }
+    if (best != kNoCost && outcome_ == SearchOutcome::running) add(goal);
+    return list;
+  }
+
+  double heuristic(const Cell& place) const override { return estimate_.cells(place); }
+
+  void write_path(Path& path) const override {
+    path.clear();
+    Cell cell = goal_;
+    path.append(cell);
+    for (;;) {
+      const Node& node = nodes_[grid_->number(cell)];
+      if (node.move() == kNoMove) break;
+      const Cell back = kDirectionSteps[(node.move() + 4U) % kDirections];
+      for (std::uint32_t left = node.run(); left > 0; --left) {
+        cell = {cell.x + back.x, cell.y + back.y};
+        path.append(cell);
+      }
+    }
+    path.reverse();
+  }
+
+ private:
+  using Grid = CostGrid<Word>;
+  using Node = RunNode<Cost>;
+
+  struct Entry {
+    Cost g;
+    StateId id;
+  };
+
+  static constexpr std::uint64_t kNoCost = UINT64_MAX;
+  static constexpr std::uint64_t kMostCost = std::numeric_limits<Cost>::max() / 2;
+
+  /// A bucket is between 1/8 and 1/16 of the cheapest straight step wide.
+  static unsigned width_bits_for(std::uint64_t least_steps) {
+    const std::uint64_t least = 2 * least_steps * CostUnits::kStraight;
+    return static_cast<unsigned>(std::bit_width(least)) - 4;
+  }
+
+  /// Was the cell reached more cheaply since?
+  bool is_stale(const Entry& entry) const { return nodes_[entry.id].g != entry.g; }
+
+  /// Expands one cell, or ends the search.
+  void advance() {
+    while (!queue_.empty()) {
+      const Entry entry = queue_.pop();
+      if (best_ <= queue_.least_key()) break;
+      if (is_stale(entry)) continue;
+      if (limits_.due(metrics_.expanded)) {
+        outcome_ = limits_.look(metrics_.expanded);
+        if (outcome_ != SearchOutcome::running) return;
+      }
+      if (!expand(entry.id, entry.g)) continue;
+      if (overflown_) outcome_ = SearchOutcome::cost_overflow;
+      return;
+    }
+    outcome_ = SearchOutcome::exhausted;
+    if (best_ == kNoCost) return;
+    outcome_ = SearchOutcome::found;
+    const StateId id = grid_->number(goal_);
+    count_expansion({id, goal_, best_, Grid::steps(words_[id])});
+  }
+
+  /// False if there is nothing to expand yet: the cell is dominated, or a goal.
+  bool expand(StateId id, std::uint64_t g) {
+    const Cell cell = grid_->cell(id);
+    const Move arrival = nodes_[id].move();
+    const Word word = words_[id];
+    const From from{id, cell, g, Grid::steps(word)};
+    if (estimate_.is_goal(cell)) {
+      // It is expanded last, when no other goal can be reached more cheaply.
+      if (g < best_) {
+        best_ = g;
+        goal_ = cell;
+      }
+      return false;
+    }
+    unsigned moves = grid_->moves(arrival, word);
+    if (leaps_ && arrival != kNoMove) {
+      if (Grid::interior(word)) {
+        if (is_diagonal_move(arrival)) return expand_diagonal(from, arrival);
+      } else if (!is_diagonal_move(arrival) && Grid::class_of(word) != CostClass::uniform) {
+        moves = without_dearer_diagonals(from, arrival, moves);
+      }
+    }
+    count_expansion(from);
+    for (; moves != 0; moves &= moves - 1) {
+      const auto direction = static_cast<unsigned>(std::countr_zero(moves));
+      if (is_diagonal_move(direction)) {
+        step_diagonally(from, direction);
+      } else {
+        step_straight(from, direction);
+      }
+    }
+    metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, queue_.size());
+    return true;
+  }
+
+  struct From {
+    StateId id;
+    Cell cell;
+    std::uint64_t g;
+    std::uint64_t steps;
+  };
+
+  /// A straight run: how far it leads, and what its end costs.
+  struct Run {
+    unsigned direction;
+    std::uint32_t length;
+    StateId end;
+    std::uint64_t g;
+  };
+
+  Run run_from(const From& from, unsigned direction) const {
+    const std::uint32_t length = std::min(stops_.distance(from.cell, direction), Node::kLongest);
+    return {direction, length, grid_->neighbour(from.id, direction, length),
+            from.g + 2 * from.steps * CostUnits::kStraight * length};
+  }
+
+  /// Did a run that passes its start reach its end more cheaply?
+  bool dominated(const Run& run) const {
+    const Node& node = nodes_[run.end];
+    return nodes_.reached(node) && node.g < run.g && node.move() == run.direction &&
+           node.run() >= run.length;
+  }
+
+  /// The same for both runs of an interior cell that was reached by a diagonal step.
+  bool is_dominated(const Entry& entry) const {
+    const Move arrival = nodes_[entry.id].move();
+    const Word word = words_[entry.id];
+    const Cell cell = grid_->cell(entry.id);
+    if (!leaps_ || !Grid::interior(word) || arrival == kNoMove || !is_diagonal_move(arrival)) {
+      return false;
+    }
+    if (estimate_.is_goal(cell)) return false;
+    const From from{entry.id, cell, entry.g, Grid::steps(word)};
+    return dominated(run_from(from, (arrival + 7U) % kDirections)) ||
+           dominated(run_from(from, (arrival + 1U) % kDirections));
+  }
+
+  void follow(const From& from, const Run& run) {
+    const Cell step = kDirectionSteps[run.direction];
+    const int length = static_cast<int>(run.length);
+    reach(run.end, {from.cell.x + length * step.x, from.cell.y + length * step.y}, run.g,
+          Node::arrival_by(run.direction, run.length));
+  }
+
+  /// An interior cell that was reached by a diagonal step: its two runs, and the diagonal step on.
+  bool expand_diagonal(const From& from, Move arrival) {
+    const Run first = run_from(from, (arrival + kDirections - 1U) % kDirections);
+    if (dominated(first)) return false;
+    const Run second = run_from(from, (arrival + 1U) % kDirections);
+    if (dominated(second)) return false;
+    count_expansion(from);
+    follow(from, first);
+    follow(from, second);
+    step_diagonally(from, arrival);
+    metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, queue_.size());
+    return true;
+  }
+
+  void step_straight(const From& from, unsigned direction) {
+    const StateId next = grid_->neighbour(from.id, direction);
+    const Word word = words_[next];
+    if (leaps_ && Grid::interior(word)) {
+      follow(from, run_from(from, direction));
+      return;
+    }
+    const Cell step = kDirectionSteps[direction];
+    reach(next, {from.cell.x + step.x, from.cell.y + step.y},
+          from.g + (from.steps + Grid::steps(word)) * CostUnits::kStraight,
+          Node::arrival_by(direction, 1));
+  }
+
+  void step_diagonally(const From& from, unsigned direction) {
+    const StateId next = grid_->neighbour(from.id, direction);
+    const Cell step = kDirectionSteps[direction];
+    reach(next, {from.cell.x + step.x, from.cell.y + step.y},
+          from.g + (from.steps + Grid::steps(words_[next])) * CostUnits::kDiagonal,
+          Node::arrival_by(direction, 1));
+  }
+
+  /// Leaves out the diagonal moves after a straight step that cost at least as much as the diagonal step
+  /// from the parent and a straight one.
+  unsigned without_dearer_diagonals(const From& from, Move arrival, unsigned moves) const {
+    const StateId parent = grid_->neighbour(from.id, (arrival + 4U) % kDirections);
+    const std::uint64_t parent_steps = Grid::steps(words_[parent]);
+    for (const unsigned turn : {1U, 7U}) {
+      const unsigned diagonal = (arrival + turn) % kDirections;
+      if (((moves >> diagonal) & 1U) == 0) continue;
+      const unsigned aside = (arrival + 2 * turn) % kDirections;
+      const std::uint64_t via = Grid::steps(words_[grid_->neighbour(from.id, aside)]);
+      if (via == 0) continue;
+      if (!cuts_corners_ && words_[grid_->neighbour(parent, aside)] == 0) continue;
+      const std::uint64_t to = Grid::steps(words_[grid_->neighbour(from.id, diagonal)]);
+      const std::uint64_t here = (parent_steps + from.steps) * CostUnits::kStraight +
+                                 (from.steps + to) * CostUnits::kDiagonal;
+      const std::uint64_t other =
+          (parent_steps + via) * CostUnits::kDiagonal + (via + to) * CostUnits::kStraight;
+      if (other <= here) moves &= ~(1U << diagonal);
+    }
+    return moves;
+  }
+
+  /// Opens a cell unless it was reached as well or better.
+  void reach(StateId id, Cell cell, std::uint64_t g, typename Node::Arrival arrival) {
+    Node& node = nodes_[id];
+    const bool reached = nodes_.reached(node);
+    if (reached && node.g <= g) return;
+    const std::uint64_t f = g + estimate_.units(cell);
+    if (f >= best_) return;
+    if (f > kMostCost) {
+      overflown_ = true;
+      return;
+    }
+    metrics_.generated += reached ? 0 : 1;
+    nodes_.open(node, static_cast<Cost>(g), arrival);
+    queue_.push(f, {static_cast<Cost>(g), id});
+    if (observer_ != nullptr) tell_reached(cell, node, reached);
+  }
+
+  void count_expansion(const From& from) {
+    ++metrics_.expanded;
+    if (observer_ != nullptr) observer_->on_expand(event_of(from.cell, nodes_[from.id]));
+  }
+
+  [[gnu::noinline]] void tell_reached(Cell cell, const Node& node, bool again) {
+    if (again) {
+      observer_->on_relax(event_of(cell, node));
+    } else {
+      observer_->on_generate(event_of(cell, node));
+    }
+  }
+
+  SearchEvent event_of(Cell cell, const Node& node) const {
+    const double g = static_cast<double>(node.g) / CostUnits::kUnitsPerCell;
+    const double h = estimate_.cells(cell);
+    SearchEvent event{{}, {}, g, h, g + h};
+    event.cell = cell;
+    if (node.move() != kNoMove) {
+      event.parent = wend::step(cell, opposite(static_cast<Direction>(node.move())),
+                                static_cast<int>(node.run()));
+    }
+    return event;
+  }
+
+  FreeSpace space_;
+  std::shared_ptr<const Grid> grid_;
+  const Word* words_;
+  WholeEstimate estimate_;
+  bool leaps_;
+  bool cuts_corners_;
+  unsigned width_bits_;
+  RunStops stops_;
+  RunNodes<Cost> nodes_;
+  BucketQueue<Entry> queue_;
+  LimitCheck limits_;
+  SearchObserver* observer_ = nullptr;
+  SearchMetrics metrics_;
+  SearchOutcome outcome_ = SearchOutcome::exhausted;
+  bool overflown_ = false;
+  std::uint64_t best_ = kNoCost;  // of the goals expanded so far
+  Cell goal_{};
+};
+
+}  // namespace
+
+bool can_leap(const FreeSpace& space, const BestFirst& parts) {
+  return parts.whole() && !sweeps_diagonals(space, parts.moves);
+}
+
+std::unique_ptr<GridEngine> make_leap_engine(const FreeSpace& space, const BestFirst& parts) {
+  if (!CostGrid<std::uint32_t>::holds(space.costs())) {
+    auto grid = std::make_shared<const CostGrid<std::uint64_t>>(space, parts.moves);
+    return std::make_unique<LeapEngine<std::uint64_t, std::uint64_t>>(std::move(grid), space,
+                                                                      parts);
+  }
+  auto grid = std::make_shared<const CostGrid<std::uint32_t>>(space, parts.moves);
+  return std::make_unique<WideningEngine<GridEngine>>(
+      [&] {
+        return std::make_unique<LeapEngine<std::uint32_t, std::uint32_t>>(grid, space, parts);
+      },
+      [grid, space, parts] {
+        return std::make_unique<LeapEngine<std::uint64_t, std::uint32_t>>(grid, space, parts);
+      });
+}
+
+}  // namespace wend
