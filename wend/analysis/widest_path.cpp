@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::int64_t kNotReached = -1;
 
-// No detour over wide cells is as long as this.
-constexpr double kDear = 1e9;
+// The cost of a narrow cell: as that of a detour of ten million wide cells. A CostMap can hold it.
+constexpr double kDear = 1e7;
 
 /// A cell on the frontier, and how wide a robot gets there: the widest first, then what is nearer to
 /// the goal.
