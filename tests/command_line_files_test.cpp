@@ -309,11 +309,11 @@ TEST_F(Memory, WhatDoesNotFitIsRefusedWithTheEstimate) {
   // What a planner takes counts, too.
   EXPECT_EQ(bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 40 -o -").code, 0);
   EXPECT_THAT(
-      bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 70 --planner bfs").err,
-      HasSubstr("need about 97 MB"));
+      bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 50 --planner bfs").err,
+      HasSubstr("need about 67 MB"));
   EXPECT_EQ(bash("$WEND info large.map --limit-memory 0").code, 0) << "a point needs none";
   EXPECT_THAT(bash("$WEND info large.map --robot-radius 400 --limit-memory 10").err,
-              HasSubstr("need about 34 MB"));
+              HasSubstr("need about 20 MB"));
   EXPECT_THAT(bash("$WEND view large.map --limit-memory 10").err, HasSubstr("need about 33 MB"));
 }
 
