@@ -40,7 +40,7 @@ std::vector<ConformanceCheck> make_checks() {
        nullptr},
       {"updated", "an updated planner answers like a new one", 150, 0, always, examine_updated,
        nullptr},
-      {"edited", "a planner that was told of edits answers like a new one", 100, 0, always,
+      {"edited", "a planner that was told of edits answers like a new one", 6, 0, always,
        examine_edited, nullptr},
       {"cloned", "a clone answers like the original", 6, 0, always, examine_cloned, nullptr},
       {"stepped", "stepping and watching change nothing", 3, 0, always, examine_stepped, nullptr},

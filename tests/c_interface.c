@@ -108,6 +108,7 @@ static void check_session(void) {
   CHECK(wend_session_create(map, robot, &options, &session, NULL) == WEND_OK);
   CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_edit(session, 2, 0, 1, 1, &occupied, 1, NULL) == WEND_OK);
+  CHECK(wend_session_set_map(session, map, NULL) == WEND_OK);
   CHECK(wend_session_set_robot(session, robot, NULL) == WEND_OK);
   wend_robot_free(robot);
   wend_map_free(map);

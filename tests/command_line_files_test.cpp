@@ -299,21 +299,21 @@ TEST_F(Memory, WhatDoesNotFitIsRefusedWithTheEstimate) {
   write_large_map(500);
   folder_.write("plan.csv", "old");
   const Outcome refused = bash(
-      "$WEND plan large.map --start 1,1 --goal 2,2 --limit-memory 60 -o plan.csv -o plan.json");
+      "$WEND plan large.map --start 1,1 --goal 2,2 --limit-memory 30 -o plan.csv -o plan.json");
   EXPECT_EQ(refused.code, 1);
   EXPECT_EQ(refused.err,
-            "wend: large.map: 8000 x 500 cells need about 65 MB of memory, and 60 MB are "
+            "wend: large.map: 8000 x 500 cells need about 35 MB of memory, and 30 MB are "
             "available; a coarser map needs less, and --limit-memory MB overrides the check\n");
   EXPECT_THAT(bytes_of(folder_ / "plan.csv"), StartsWith("# no path: memory_limit: large.map: "));
   EXPECT_EQ(json::parse(bytes_of(folder_ / "plan.json")).at("status"), "memory_limit");
   // What a planner takes counts, too.
-  EXPECT_EQ(bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 70 -o -").code, 0);
+  EXPECT_EQ(bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 40 -o -").code, 0);
   EXPECT_THAT(
-      bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 70 --planner bfs").err,
-      HasSubstr("need about 97 MB"));
+      bash("$WEND plan large.map --start 1,1 --goal 2,1 --limit-memory 50 --planner bfs").err,
+      HasSubstr("need about 67 MB"));
   EXPECT_EQ(bash("$WEND info large.map --limit-memory 0").code, 0) << "a point needs none";
   EXPECT_THAT(bash("$WEND info large.map --robot-radius 400 --limit-memory 10").err,
-              HasSubstr("need about 34 MB"));
+              HasSubstr("need about 20 MB"));
   EXPECT_THAT(bash("$WEND view large.map --limit-memory 10").err, HasSubstr("need about 33 MB"));
 }
 

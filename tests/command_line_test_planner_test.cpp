@@ -22,7 +22,7 @@ TEST(TestPlannerCommand, ShowsALineOfEveryCheckAndWhetherItPassed) {
               AllOf(HasSubstr("answers         answers agree with the reference"),
                     HasSubstr("passed (12 maps, 48 queries)\n"),
                     HasSubstr("not applicable: for planners with headings\n"),
-                    HasSubstr("bfs passed all 12 checks\n"), Not(HasSubstr("FAILED"))));
+                    HasSubstr("bfs passed all 13 checks\n"), Not(HasSubstr("FAILED"))));
 }
 
 TEST(TestPlannerCommand, WalksPlannersWithHeadings) {
@@ -30,7 +30,7 @@ TEST(TestPlannerCommand, WalksPlannersWithHeadings) {
     const Outcome outcome = wend({"test-planner", planner, "--maps", "12"});
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_THAT(outcome.out, HasSubstr("not applicable: for planners on cells\n"));
-    EXPECT_THAT(outcome.out, HasSubstr(planner + " passed all 7 checks\n"));
+    EXPECT_THAT(outcome.out, HasSubstr(planner + " passed all 8 checks\n"));
   }
 }
 

@@ -20,8 +20,8 @@ class DiscSweep {
 
   bool fits_at(Point point) const {
     const Cell cell = nearest_cell(space_, point);
+    const double clearance = near_clearance(space_, cell);
     const double from_centre = distance(point, centre_of(cell));
-    const double clearance = space_.clearance(cell, radius_ + from_centre + kEnough);
     if (far_enough(clearance - from_centre)) return true;
     if (!far_enough(clearance + from_centre)) return false;
     if (!far_enough(edge_clearance(space_, point))) return false;
@@ -36,9 +36,8 @@ class DiscSweep {
     const SweptPiece piece(way);
     const Cell cell = nearest_cell(space_, piece.middle);
     const Point centre = centre_of(cell);
-    const double farthest = piece.farthest_from(centre);
-    const double clearance = space_.clearance(cell, radius_ + farthest + kEnough);
-    if (far_enough(clearance - farthest)) return true;
+    const double clearance = near_clearance(space_, cell);
+    if (far_enough(clearance - piece.farthest_from(centre))) return true;
     const double nearer_end = std::min(distance(centre, piece.from), distance(centre, piece.to));
     if (!far_enough(clearance + nearer_end)) return false;
     constexpr double kShort = 2;
@@ -51,8 +50,6 @@ class DiscSweep {
   }
 
  private:
-  static constexpr double kEnough = 0.1;  // cells, to be on the safe side of rounding
-
   template <class Way>
   bool halves_fit(const Way& way) const {
     const auto halves = halves_of(way);

@@ -164,12 +164,18 @@ class CutLine {
   double high_;
 };
 
-/// Does the clearance of the cell at its middle show that the piece touches no obstacle?
-bool clearly_free(const FreeSpace& space, const SweptPiece& piece) {
-  const Cell cell = nearest_cell(space, piece.middle);
-  const double farthest = piece.farthest_from(centre_of(cell));
-  constexpr double kEnough = 0.1;  // cells, to be on the safe side of rounding
-  return space.clearance(cell, farthest + kEnough) > farthest;
+/// Is there no obstacle near the box around a line? Not asked for large boxes, of which the line crosses a
+/// small part.
+bool clearly_free(const FreeSpace& space, const SweptPiece& line) {
+  constexpr double kLarge = 64;  // cells
+  const Box box = line.box().grown_by(kNear);
+  if (box.high.x - box.low.x > kLarge || box.high.y - box.low.y > kLarge) return false;
+  const bool edge_counts = space.outside() == OutsidePolicy::blocked;
+  if (edge_counts &&
+      !(distance_inside(space, box.low) > 0 && distance_inside(space, box.high) > 0)) {
+    return false;
+  }
+  return !any_obstacle(space, box, [](Cell /*square*/) { return true; });
 }
 
 }  // namespace
@@ -212,10 +218,9 @@ bool PointSweep::go_along(const Arc& arc) {
     const SweptPiece piece(arc);
     // A piece that bulges less than that is treated as a line.
     if (piece.bulge <= kPointTolerance / 8) return go_to(piece.to);
-    const bool touches_none =
-        clearly_free(*space_, piece) || !any_obstacle(*space_, piece.box(), [&](Cell square) {
-          return distance(piece.middle, square) <= piece.half_chord + kPointTolerance;
-        });
+    const bool touches_none = !any_obstacle(*space_, piece.box(), [&](Cell square) {
+      return distance(piece.middle, square) <= piece.half_chord + kPointTolerance;
+    });
     if (touches_none) {
       arrive(piece.to);
       return true;

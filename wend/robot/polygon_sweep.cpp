@@ -31,10 +31,8 @@ PolygonSweep::PolygonSweep(const FreeSpace& space, double tolerance)
 /// `middle` at least once.
 PolygonSweep::Verdict PolygonSweep::disc_verdict(Point middle, double half_length) const {
   const Cell cell = nearest_cell(space_, middle);
+  const double clearance = near_clearance(space_, cell);
   const double from_centre = distance(middle, centre_of(cell));
-  constexpr double kEnough = 0.1;  // cells, to be on the safe side of rounding
-  const double clearance =
-      space_.clearance(cell, circumscribed_ + from_centre + half_length + kEnough);
   if (keeps_distance(space_, clearance - from_centre - half_length)) return Verdict::fits;
   if (clearance + from_centre < inscribed_ - kOverlapTolerance) return Verdict::blocked;
   return Verdict::open;

@@ -51,6 +51,16 @@ bool any_obstacle(const FreeSpace& space, const Box& box, Predicate&& predicate)
   return false;
 }
 
+/// The clearance of a cell's centre in cells as far as a FreeSpace has it at hand: up to the robot's radius and
+/// a bit more. What is farther counts as that far. O(1).
+inline double near_clearance(const FreeSpace& space, Cell cell) {
+  const double radius = space.radius_in_cells();
+  constexpr double kHalf =
+      0.5;  // the least clearance outside of obstacles; no smaller robot needs more
+  if (radius <= kHalf) return space.obstacles().blocked()[cell] ? 0 : kHalf;
+  return space.clearance(cell, radius + (space.outline() != nullptr ? 8 : 2));
+}
+
 /// Is a disc with this clearance, in cells, far enough from obstacles?
 inline bool keeps_distance(const FreeSpace& space, double clearance) {
   return clearance > 0 && space.far_enough(4 * clearance * clearance);

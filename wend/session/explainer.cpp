@@ -69,6 +69,7 @@ std::string Explainer::explain(const Query& query, const Ends& ends, Status stat
 
 std::string Explainer::explain(const Planner& planner, const Query& query, const Ends& ends,
                                Status status, const SearchMetrics& metrics) const {
+  if (status == Status::index_mismatch) return planner.reason(query, status);
   if (planner.grid_moves()) return explain(query, ends, status, metrics);
   if (is_limit(status)) return stopped(status, query.limits, metrics);
   const int unit = planner.corner_unit();
