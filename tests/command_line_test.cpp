@@ -160,7 +160,8 @@ TEST(Info, HasTheSameForPrograms) {
   EXPECT_EQ(info.at("free"), 4);
   EXPECT_EQ(info.at("occupied"), 2);
   EXPECT_EQ(info.at("unknown"), 2);
-  EXPECT_EQ(info.at("terrain"), json({{"least", 1.0}, {"mean", 1.5}, {"greatest", 3.0}}));
+  EXPECT_EQ(info.at("terrain"),
+            json({{"least", 1.0}, {"mean", 1.5}, {"greatest", 3.0}, {"step", 1.0 / 256}}));
   EXPECT_EQ(info.at("components"), json({{"count", 2}, {"largest", 2}}));
   EXPECT_EQ(info.at("frame").at("metric"), false);
 }

@@ -1,0 +1,210 @@
+// wend-costs: how fast cells with costs are searched. A* on maps of robots with a clearance cost, beside the
+// yardstick of real_costs.hpp, and fields of costs to go. All times are CPU time of the thread.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/comparison/random_queries.hpp"
+#include "bench/costs/real_costs.hpp"
+#include "bench/measure/markdown_table.hpp"
+#include "bench/measure/measuring.hpp"
+#include "wend/analysis/cost_to_go.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/planner/planners.hpp"
+#include "wend/space/grid/grid_path.hpp"
+
+namespace wend::bench {
+namespace {
+
+constexpr double kClearanceDistance = 0.35;  // m
+constexpr double kResolution = 0.05;         // m a cell, of generated maps
+constexpr std::uint64_t kSeed = 7;
+
+struct NamedMap {
+  std::string name;
+  GridMap map;
+};
+
+[[noreturn]] void fail(const std::string& what) {
+  fmt::print(stderr, "wend-costs: {}\n", what);
+  std::exit(1);
+}
+
+GridMap at_resolution(const GridMap& map) {
+  Frame frame = map.frame();
+  frame.resolution = kResolution;
+  frame.metric = true;
+  return *make_grid_map(map.occupied(), map.unknown(), frame, map.terrain());
+}
+
+GridMap generated(std::string_view kind, int width, int height) {
+  const auto map = make_map(kind, width, height, kSeed);
+  if (!map) fail(map.error().message);
+  return at_resolution(*map);
+}
+
+std::vector<NamedMap> maps_of(const std::filesystem::path& folder) {
+  std::vector<NamedMap> maps;
+  for (const char* name : {"depot", "100by100_10"}) {
+    auto loaded = load_map(folder / (std::string(name) + ".yaml"));
+    if (!loaded) {
+      fmt::print("{}: not measured: {}\n", name, loaded.error().message);
+      continue;
+    }
+    maps.push_back({name, std::move(loaded->map)});
+  }
+  maps.push_back({"warehouse", generated("warehouse", 1000, 1700)});
+  maps.push_back({"office", generated("office", 1200, 900)});
+  return maps;
+}
+
+struct Measured {
+  double microseconds;  // a query
+  double expanded;
+  double cost;  // of all paths
+};
+
+/// The least of `rounds` times for all queries.
+template <class Answer>
+Measured measured(const std::vector<CellPair>& pairs, int rounds, Answer&& answer) {
+  Measured best{INFINITY, 0, 0};
+  for (int round = 0; round < rounds; ++round) {
+    Measured now{0, 0, 0};
+    const double begun = thread_cpu_seconds();
+    for (const CellPair& pair : pairs) answer(pair, now);
+    now.microseconds = (thread_cpu_seconds() - begun) * 1e6 / static_cast<double>(pairs.size());
+    now.expanded /= static_cast<double>(pairs.size());
+    if (now.microseconds < best.microseconds) best = now;
+  }
+  return best;
+}
+
+Measured by_yardstick(const FreeSpace& space, const std::vector<CellPair>& pairs, int rounds) {
+  const auto engine = real_cost_engine(space);
+  const Limits limits;
+  Path path;
+  return measured(pairs, rounds, [&](const CellPair& pair, Measured& sum) {
+    const GoalRegion goal(pair.goal);
+    engine->begin(pair.start, {&goal, 1}, limits, nullptr);
+    if (engine->run() != SearchOutcome::found) fail("no path between connected cells");
+    engine->write_path(path);
+    sum.expanded += static_cast<double>(engine->metrics().expanded);
+    sum.cost += grid_path_cost(space, path.cells());
+  });
+}
+
+Measured by_planner(const FreeSpace& space, const std::vector<CellPair>& pairs, int rounds,
+                    const OptionValues& options) {
+  const auto planner = make_planner("astar", space, options);
+  if (!planner) fail(planner.error().message);
+  Plan plan;
+  return measured(pairs, rounds, [&](const CellPair& pair, Measured& sum) {
+    if ((*planner)->plan(Query::between(pair.start, pair.goal), plan) != Status::found) {
+      fail("no path between connected cells");
+    }
+    sum.expanded += static_cast<double>(plan.metrics.expanded);
+    sum.cost += plan.cost;
+  });
+}
+
+/// Making the planner, and its first query.
+double first_query(const FreeSpace& space, const CellPair& pair) {
+  const double begun = thread_cpu_seconds();
+  const auto planner = make_planner("astar", space);
+  const auto plan = (*planner)->plan(Query::between(pair.start, pair.goal));
+  if (!plan) fail(plan.error().message);
+  return (thread_cpu_seconds() - begun) * 1e6;
+}
+
+void measure_queries(const std::vector<NamedMap>& maps, std::uint64_t queries, int rounds) {
+  MarkdownTable table({{"map"},
+                       {"doubles and heap, us"},
+                       {"leaps=false, us"},
+                       {"astar, us"},
+                       {"first query, us"},
+                       {"expanded before"},
+                       {"expanded now"},
+                       {"times as fast"},
+                       {"dearer by"}});
+  for (const NamedMap& named : maps) {
+    const auto space = make_free_space(named.map, {.clearance_distance = kClearanceDistance});
+    if (!space) fail(space.error().message);
+    const auto pairs = random_pairs(*space, queries, kSeed);
+    const Measured before = by_yardstick(*space, pairs, rounds);
+    const Measured stepwise = by_planner(*space, pairs, rounds, {{"leaps", "false"}});
+    const Measured now = by_planner(*space, pairs, rounds, {});
+    table.add({fmt::format("{} {} x {}", named.name, space->width(), space->height()),
+               fmt::format("{:.0f}", before.microseconds),
+               fmt::format("{:.0f}", stepwise.microseconds),
+               fmt::format("{:.0f}", now.microseconds),
+               fmt::format("{:.0f}", first_query(*space, pairs.front())),
+               fmt::format("{:.0f}", before.expanded), fmt::format("{:.0f}", now.expanded),
+               fmt::format("{:.1f}", before.microseconds / now.microseconds),
+               fmt::format("{:.1g}", now.cost / before.cost - 1)});
+  }
+  fmt::print("{}", table.text());
+}
+
+/// Costs to go from the middle of a map of rooms.
+void measure_fields(int size, int rounds) {
+  MarkdownTable table({{"cost to go"}, {"ms"}, {"cells"}});
+  const GridMap map = generated("rooms", size, size);
+  for (const double distance : {0.0, kClearanceDistance}) {
+    const FreeSpace space = *make_free_space(map, {.clearance_distance = distance});
+    const auto pairs = random_pairs(space, 1, kSeed);
+    double least = INFINITY;
+    std::uint64_t expanded = 0;
+    for (int round = 0; round < rounds; ++round) {
+      const double begun = thread_cpu_seconds();
+      const auto field = CostToGo::make(space, std::array{pairs.front().goal});
+      least = std::min(least, thread_cpu_seconds() - begun);
+      if (!field) fail(field.error().message);
+      expanded = field->metrics().expanded;
+    }
+    table.add({fmt::format("rooms {0} x {0}, {1}", size, distance == 0 ? "uniform" : "inflated"),
+               fmt::format("{:.0f}", least * 1e3), fmt::format("{}", expanded)});
+  }
+  fmt::print("\n{}", table.text());
+}
+
+}  // namespace
+}  // namespace wend::bench
+
+int main(int argc, char** argv) {
+  std::uint64_t queries = 100;
+  int rounds = 3;
+  int field = 4096;
+  std::filesystem::path folder = std::filesystem::path(WEND_DATA) / "ros" / "nav2";
+  CLI::App app("Times searches on cells with costs, and fields of costs to go, in CPU time.");
+  app.add_option("--maps", folder, "folder with depot.yaml and 100by100_10.yaml")
+      ->capture_default_str();
+  app.add_option("--queries", queries, "random connected pairs of cells for each map")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--field", field, "columns and rows of the map of the fields; 0: none")
+      ->check(CLI::Range(0, 16384))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  wend::bench::stay_on_one_core();
+  wend::bench::measure_queries(wend::bench::maps_of(folder), queries, rounds);
+  if (field > 0) wend::bench::measure_fields(field, rounds);
+  return 0;
+}

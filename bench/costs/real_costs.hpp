@@ -1,0 +1,16 @@
+#pragma once
+
+// The yardstick of wend-costs: how cells with costs were searched before costs were whole numbers. A* with
+// costs in doubles and a heap, without pruning, cell by cell.
+
+#include <memory>
+
+#include "wend/planner/grid/grid_planner.hpp"
+#include "wend/robot/free_space.hpp"
+
+namespace wend::bench {
+
+/// 8 neighbours, no corners cut, the octile estimate.
+std::unique_ptr<GridEngine> real_cost_engine(const FreeSpace& space);
+
+}  // namespace wend::bench
