@@ -12,7 +12,8 @@ namespace {
 
 void expect_same(Examination& examination, const Answer& expected, const Answer& answer,
                  const std::string& way) {
-  if (!same_answers(examination.info(), expected, answer)) examination.violate(text_of(expected), way + ": " + text_of(answer));
+  if (!same_answers(examination.info(), expected, answer))
+    examination.violate(text_of(expected), way + ": " + text_of(answer));
 }
 
 }  // namespace

@@ -314,7 +314,7 @@ TEST_F(Memory, WhatDoesNotFitIsRefusedWithTheEstimate) {
   EXPECT_EQ(bash("$WEND info large.map --limit-memory 0").code, 0) << "a point needs none";
   EXPECT_THAT(bash("$WEND info large.map --robot-radius 400 --limit-memory 10").err,
               HasSubstr("need about 20 MB"));
-  EXPECT_THAT(bash("$WEND view large.map --limit-memory 10").err, HasSubstr("need about 33 MB"));
+  EXPECT_THAT(bash("$WEND view large.map --limit-memory 1").err, HasSubstr("need about 3 MB"));
 }
 
 }  // namespace
