@@ -33,7 +33,7 @@ inline CellBox random_box_on(Random& random, const GridMap& map, int most) {
 /// An edit that fits the map. Some change nothing.
 inline MapEdit random_edit(Random& random, const GridMap& map, bool terrain) {
   MapEdit edit;
-  const double blocked = one_of<double>(random, std::array{0.0, 0.2, 0.5, 1.0});
+  const auto blocked = one_of<double>(random, std::array{0.0, 0.2, 0.5, 1.0});
   if (random.chance(0.6)) {
     const CellBox box = random_box_on(random, map, random.chance(0.3) ? 80 : 6);
     edit.corner = box.begin;

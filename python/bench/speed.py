@@ -246,8 +246,7 @@ One call on a list of lists of 20 x 20 cells, with everything that it needs:
 {calls}
 A warm query of `space.plan()` with jps takes {above.plan:.1f} microseconds in the mean, {above.cpp:.1f} of them in the search, as C++
 measures it in the same calls; `plan.path` takes {above.path:.1f} more, once. `plan_many()` on two threads is {threads["astar"]:.1f} times as
-fast as on one with astar, and {threads["jps"]:.1f} times with jps: there, most of the rest is what one thread does alone, which
-prepares the planner and makes the results.
+fast as on one with astar, and {threads["jps"]:.1f} times with jps, whose queries are so short that what one thread does alone counts.
 
 {wanted}"""
 

@@ -31,6 +31,7 @@ class Map:
         to (x + 1, y + 1), and lengths "in metres" are cells.
     :param origin: (x, y) or (x, y, heading) of the corner (0, 0) of cell (0, 0): metres, radians.
     :param costs: shape (height, width): the cost of a unit of length in each cell, finite and at least 1. None: 1.
+        A free space rounds them to 1/256, and planners and path costs use what it has.
     :param y_up: is row 0 drawn at the bottom, as in occupancy grids of ROS? Only pictures and files ask. Default: row
         0 is at the top, as in text.
     :raises ValueError: for other values, NaN, other shapes; the message says where.

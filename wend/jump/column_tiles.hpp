@@ -27,7 +27,7 @@ class ColumnTiles {
   explicit ColumnTiles(const BitGrid& bits);
 
   /// Makes the tile of a cell of the grid and those around it readable.
-  [[gnu::always_inline]] inline void prepare(Cell cell) {
+  [[gnu::always_inline]] void prepare(Cell cell) {
     const std::size_t tile = static_cast<std::size_t>(cell.x + 1) / 64 * line_words_ +
                              static_cast<std::size_t>(cell.y + 1) / 64;
     if (prepared_[tile] == 0) [[unlikely]]

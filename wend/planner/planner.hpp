@@ -35,7 +35,8 @@ class WEND_API Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// The space that the planner plans in.
+  /// The space that the planner plans in. Not between release() and update().
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
   const FreeSpace& free_space() const { return *free_space_; }
 
   /// Answers a query.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Adjacency kAdjacencies[] = {Adjacency::edges, Adjacency::edges_and_corners};
 
-Footprint random_shape(Random& random, double resolution) {
+Footprint random_footprint(Random& random, double resolution) {
   const double size = (0.3 + 2 * random.uniform()) * resolution;
   if (random.chance(0.7)) return Footprint::disc(random.chance(0.05) ? 70 * resolution : size);
   return *Footprint::polygon(*Polygon::make(
@@ -24,7 +24,7 @@ Footprint random_shape(Random& random, double resolution) {
 
 FreeSpaceOptions random_robot_of_any_shape(Random& random, double resolution) {
   FreeSpaceOptions robot = test::random_robot(random, resolution);
-  if (random.chance(0.5)) robot.footprint = random_shape(random, resolution);
+  if (random.chance(0.5)) robot.footprint = random_footprint(random, resolution);
   return robot;
 }
 

@@ -130,7 +130,7 @@ Expected<SpaceChange, Error> Session::edit(const MapEdit& edit) {
   const MutexLock lock(state_->mutex);
   State& state = *state_;
   if (const auto seen = state.make_view(); !seen) return Unexpected<Error>(seen.error());
-  View& view = **state.kept_view;
+  View& view = **state.kept_view;  // NOLINT(bugprone-unchecked-optional-access): just made
   if (auto fault = fault_of(edit, view.space.map())) return Unexpected<Error>(*std::move(fault));
   // Whatever shares the space would make the edit copy it.
   state.map.reset();

@@ -42,7 +42,7 @@ constexpr std::array<LetterMeaning, 256> make_letters() {
   for (const char letter : std::string_view(".GSE@OTW")) {
     const bool free = std::string_view(".GSE").find(letter) != std::string_view::npos;
     const CellState state = free ? CellState::free : CellState::occupied;
-    LetterMeaning meaning = static_cast<LetterMeaning>(state);
+    auto meaning = static_cast<LetterMeaning>(state);
     if (letter == 'E') meaning |= kEmitter;
     letters[index_of(letter)] = meaning;
     if (lower_case(letter) == letter) continue;

@@ -109,9 +109,8 @@ constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 template <class Cost, class Word>
 class LeapEngine final : public GridEngine {
  public:
-  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, const FreeSpace& space,
-             const BestFirst& parts)
-      : space_(space),
+  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, FreeSpace space, const BestFirst& parts)
+      : space_(std::move(space)),
         grid_(std::move(grid)),
         words_(grid_->words()),
         estimate_(parts, grid_->least_steps()),

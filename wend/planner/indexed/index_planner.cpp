@@ -106,7 +106,7 @@ class IndexPlanner final : public Planner {
     if (engine_ == nullptr) {
       planner->why_none_ = why_none_;
     } else {
-      planner->use(*index_);
+      planner->use(*index_);  // NOLINT(bugprone-unchecked-optional-access): an engine has one
     }
     return planner;
   }

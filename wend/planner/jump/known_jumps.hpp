@@ -80,7 +80,7 @@ class KnownJumps {
 
   /// The same for the shortcuts from a node.
   template <class Visit>
-  [[gnu::always_inline]] inline void visit_shortcuts(StateId id, unsigned arrival, Visit&& visit) {
+  [[gnu::always_inline]] void visit_shortcuts(StateId id, unsigned arrival, Visit&& visit) {
     const ShortcutList shortcuts =
         shortcuts_.shortcuts(Jump(static_cast<std::uint32_t>(id), arrival));
     for (const Shortcut& shortcut : shortcuts) {

@@ -47,7 +47,7 @@ class ReachedCells {
   std::size_t slot_of(Cell cell) const {
     const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(cell.y)} << 32U |
                               static_cast<std::uint32_t>(cell.x);
-    std::size_t slot = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> shift_);
+    auto slot = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> shift_);
     while (slots_[slot] != kNone && nodes_[slots_[slot]].cell != cell) {
       slot = slot + 1 == slots_.size() ? 0 : slot + 1;
     }
