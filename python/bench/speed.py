@@ -233,7 +233,7 @@ def report(
     )
     calls = table(["one call, 20 x 20 cells", "microseconds"], [[name, f"{value:,.1f}"] for name, value in small.items()])
     wanted = table(
-        ["target", "wanted", "measured"], [[target.what, target.wanted, f"{target.value:,.1f}"] for target in targets]
+        ["target", "wanted", "measured"], [[target.what, target.wanted, f"{target.value:,.2f}"] for target in targets]
     )
     return f"""`./run bench python` compares wend with other packages: means of {QUERIES} queries on each of four maps of MovingAI's
 benchmarks, from the first query on, path included, in CPU time. Making free spaces, graphs and grids is not counted.
@@ -245,8 +245,8 @@ One call on a list of lists of 20 x 20 cells, with everything that it needs:
 
 {calls}
 A warm query of `space.plan()` with jps takes {above.plan:.1f} microseconds in the mean, {above.cpp:.1f} of them in the search, as C++
-measures it in the same calls; `plan.path` takes {above.path:.1f} more, once. `plan_many()` on two threads is {threads["astar"]:.1f} times as
-fast as on one with astar, and {threads["jps"]:.1f} times with jps, whose queries are so short that what one thread does alone counts.
+measures it in the same calls; `plan.path` takes {above.path:.1f} more, once. `plan_many()` on two threads is {threads["astar"]:.2f} times as
+fast as on one with astar, and {threads["jps"]:.2f} times with jps.
 
 {wanted}"""
 
