@@ -150,3 +150,14 @@ def test_bad_files_are_errors(tmp_path: pathlib.Path) -> None:
     with pytest.raises(wend.Error):
         wend.Map([[-1]]).save(tmp_path / "unknown.map")
     assert not (tmp_path / "unknown.map").exists()
+
+
+def test_a_masked_array_is_refused() -> None:
+    masked = np.ma.MaskedArray(np.zeros((3, 4)), mask=np.eye(3, 4, dtype=bool))
+    with pytest.raises(wend.InvalidArgument, match="masked array"):
+        wend.Map(masked)
+    with pytest.raises(wend.InvalidArgument, match="masked array"):
+        wend.search(masked, (0, 1), (2, 0))
+    with pytest.raises(wend.InvalidArgument, match="masked array"):
+        wend.Map(np.zeros((3, 4)), costs=masked + 1)
+    assert wend.Map(masked.filled(-1)).array[0, 0] == -1

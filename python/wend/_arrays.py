@@ -22,6 +22,9 @@ def numbers_of(array: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
 
     Others become float64 (float16, foreign byte order), or are refused with `name`, the argument's.
     """
+    if isinstance(array, np.ma.MaskedArray):
+        message = f"{name} is a masked array, whose mask would be lost: fill it first, for example {name}.filled(-1)"
+        raise InvalidArgument(message, "invalid_map", name)
     try:
         numbers = np.asarray(array)
     except (TypeError, ValueError) as error:
