@@ -55,7 +55,7 @@ double timed(Action&& action) {
   return thread_cpu_seconds() - begin;
 }
 
-/// From the file to one path, everything new. False if there is no path.
+/// Times all parts from the file to one path, without anything prepared. False if there is no path.
 Expected<bool, Error> go(const std::filesystem::path& file, const Arguments& arguments,
                          const ScenarioQuery& query, Parts& least, Row& row) {
   Expected<LoadedMap, Error> loaded = failure(Status::invalid_file, "not loaded", "");

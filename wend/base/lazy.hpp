@@ -42,10 +42,10 @@ class Lazy {
   /// Has the value been made?
   bool made() const { return made_.load(std::memory_order_acquire); }
 
-  /// The value if it has been made, else null; for whoever shares the object with no other thread.
+  /// The value if it has been made, else null. No other thread may use the object.
   T* changeable() { return value_ ? &*value_ : nullptr; }
 
-  /// Forgets the value; for whoever shares the object with no other thread.
+  /// Forgets the value. No other thread may use the object.
   void reset() {
     made_.store(false, std::memory_order_relaxed);
     value_.reset();

@@ -3,7 +3,7 @@
 // IndexBuilding: the workers, progress callback and cancel flag of an index build.
 //
 // Parts of an index whose constructor takes an IndexBuilding look at the cancel flag while they are made. If it is set,
-// they end early and are incomplete: whoever makes them asks cancelled() afterwards and throws them away.
+// they end early and are incomplete: their caller asks cancelled() afterwards and discards them.
 
 #include <atomic>
 #include <functional>

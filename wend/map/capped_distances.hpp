@@ -28,7 +28,7 @@ class CappedDistances {
 
   /// Are there no cells?
   bool empty() const { return squared_.empty(); }
-  /// Distances are exact up to so many cells.
+  /// Distances are exact up to this many cells.
   int cap() const { return cap_; }
 
   /// The squared distance that stands for all that is farther, in half-cells: that of a square with

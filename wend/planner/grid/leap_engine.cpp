@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
-#include "wend/planner/goal_cells.hpp"
 #include "wend/planner/grid/cost_grid.hpp"
 #include "wend/planner/grid/run_node.hpp"
+#include "wend/planner/grid/run_stops.hpp"
+#include "wend/planner/grid/whole_estimate.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/search/bucket_queue.hpp"
 #include "wend/search/limit_check.hpp"
@@ -21,88 +20,6 @@
 
 namespace wend {
 namespace {
-
-/// An estimate that is a sum of straight and diagonal steps, in the units of the cheapest cell.
-class WholeEstimate {
- public:
-  WholeEstimate(const BestFirst& parts, std::uint64_t least_steps)
-      : kind_(parts.weight > 0 ? parts.heuristic : HeuristicKind::zero), constant_(parts.constant) {
-    const std::uint64_t straight = 2 * least_steps * CostUnits::kStraight;
-    const std::uint64_t diagonal = 2 * least_steps * CostUnits::kDiagonal;
-    if (kind_ == HeuristicKind::manhattan) longer_ = shorter_ = straight;
-    if (kind_ == HeuristicKind::octile) {
-      longer_ = straight;
-      shorter_ = diagonal - straight;
-    }
-  }
-
-  void begin(std::span<const GoalRegion> goals) { goals_.assign(goals); }
-  bool is_goal(Cell cell) const { return goals_.contains(cell); }
-
-  std::uint64_t units(Cell cell) const {
-    return goals_.least(cell, [&](Cell goal) {
-      const auto dx = static_cast<std::uint64_t>(std::abs(cell.x - goal.x));
-      const auto dy = static_cast<std::uint64_t>(std::abs(cell.y - goal.y));
-      return longer_ * std::max(dx, dy) + shorter_ * std::min(dx, dy);
-    });
-  }
-
-  /// As people see it, in cells.
-  double cells(Cell cell) const {
-    return goals_.least(cell,
-                        [&](Cell goal) { return heuristic_value(kind_, constant_, cell, goal); });
-  }
-
- private:
-  HeuristicKind kind_;
-  double constant_;
-  std::uint64_t longer_ = 0;
-  std::uint64_t shorter_ = 0;
-  GoalCells goals_;
-};
-
-/// The stops of straight runs: cells that are not interior, and the goals of the present query.
-class RunStops {
- public:
-  RunStops(BitLines rows, BitLines columns)
-      : rows_(std::move(rows)), columns_(std::move(columns)) {}
-
-  /// The number of steps from a cell to the first stop in a straight direction.
-  std::uint32_t distance(Cell from, unsigned direction) const {
-    switch (direction) {
-      case 0:
-        return static_cast<std::uint32_t>(columns_.distance_ahead(from.x, from.y));
-      case 2:
-        return static_cast<std::uint32_t>(rows_.distance_ahead(from.y, from.x));
-      case 4:
-        return static_cast<std::uint32_t>(columns_.distance_back(from.x, from.y));
-      default:
-        return static_cast<std::uint32_t>(rows_.distance_back(from.y, from.x));
-    }
-  }
-
-  void set_goals(std::span<const GoalRegion> goals, int width, int height) {
-    for (const Cell cell : added_) {
-      rows_.reset(cell.y, cell.x);
-      columns_.reset(cell.x, cell.y);
-    }
-    added_.clear();
-    for (const GoalRegion& region : goals) {
-      region.for_each([&](Cell cell) {
-        const bool on_map = cell.x >= 0 && cell.y >= 0 && cell.x < width && cell.y < height;
-        if (!on_map || rows_.get(cell.y, cell.x)) return;
-        rows_.set(cell.y, cell.x);
-        columns_.set(cell.x, cell.y);
-        added_.push_back(cell);
-      });
-    }
-  }
-
- private:
-  BitLines rows_;
-  BitLines columns_;
-  std::vector<Cell> added_;
-};
 
 constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 
