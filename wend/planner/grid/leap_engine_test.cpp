@@ -188,7 +188,7 @@ TEST(LeapEngine, FindsACheapestPathInUnits) {
     const FreeSpace space = random_space(random);
     const BestFirst parts = random_parts(random);
     if (space.uniform_terrain() || !can_leap(space, parts)) continue;
-    const auto engine = make_leap_engine(space, parts);
+    const auto engine = leap_parts(space, parts).engine;
     for (int query = 0; query < 4; ++query) {
       const Cell start = random_cell_of(space, random);
       if (!space.passable(start)) continue;
@@ -218,7 +218,7 @@ TEST(LeapEngine, WidensWhereCostsOutgrow32Bits) {
     Grid<double> terrain(300, 3, multiplier);
     terrain[{0, 0}] = 1;
     const FreeSpace space = *make_free_space(*make_grid_map(states, {}, terrain));
-    const auto engine = make_leap_engine(space, {{}, HeuristicKind::octile, 0, 1});
+    const auto engine = leap_parts(space, {{}, HeuristicKind::octile, 0, 1}).engine;
     const GoalRegion goal(Cell{299, 2});
     const Limits limits;
     engine->begin({0, 0}, {&goal, 1}, limits, nullptr);
@@ -234,7 +234,7 @@ TEST(LeapEngine, LeapsOverEvenGround) {
   terrain[{199, 0}] = 2;
   const FreeSpace space =
       *make_free_space(*make_grid_map(Grid<CellState>(200, 200, CellState::free), {}, terrain));
-  const auto engine = make_leap_engine(space, {{}, HeuristicKind::octile, 0, 1});
+  const auto engine = leap_parts(space, {{}, HeuristicKind::octile, 0, 1}).engine;
   const GoalRegion goal(Cell{190, 150});
   const Limits limits;
   engine->begin({10, 100}, {&goal, 1}, limits, nullptr);
