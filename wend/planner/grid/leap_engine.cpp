@@ -300,8 +300,8 @@ class LeapEngine final : public GridEngine {
       if (via == 0) continue;
       if (!cuts_corners_ && words_[grid_->neighbour(parent, aside)] == 0) continue;
       const std::uint64_t to = Grid::steps(words_[grid_->neighbour(from.id, diagonal)]);
-      const std::uint64_t here = (parent_steps + from.steps) * Units::kStraight +
-                                 (from.steps + to) * Units::kDiagonal;
+      const std::uint64_t here =
+          (parent_steps + from.steps) * Units::kStraight + (from.steps + to) * Units::kDiagonal;
       const std::uint64_t other =
           (parent_steps + via) * Units::kDiagonal + (via + to) * Units::kStraight;
       if (other <= here) moves &= ~(1U << diagonal);
@@ -409,7 +409,9 @@ std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std:
   const auto widening = [&]<class Units, class WideUnits>() {
     return std::make_shared<WideningEngine<GridEngine>>(
         [&] { return std::make_unique<LeapEngine<Compact, Compact, Units>>(grid, parts); },
-        [grid, parts] { return std::make_unique<LeapEngine<Wide, Compact, WideUnits>>(grid, parts); });
+        [grid, parts] {
+          return std::make_unique<LeapEngine<Wide, Compact, WideUnits>>(grid, parts);
+        });
   };
   if (grid->one() != 1) return widening.template operator()<CostUnits, CostUnits>();
   return widening.template operator()<OctileUnits<Compact>, OctileUnits<Wide>>();
