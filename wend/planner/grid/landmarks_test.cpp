@@ -15,7 +15,7 @@
 namespace wend {
 namespace {
 
-using Grid = CostGrid<std::uint32_t>;
+using NarrowGrid = CostGrid<std::uint32_t>;
 
 /// No bound exceeds the cost, which a textbook Dijkstra finds; and between a landmark and another cell it is the
 /// cost itself, so bounds say something.
@@ -25,8 +25,8 @@ TEST(Landmarks, BoundTheCostBetweenCells) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const FreeSpace space = test::random_cost_space(random);
-    if (space.uniform_terrain() || !Grid::holds(space.costs())) continue;
-    const Grid grid(space, {});
+    if (space.uniform_terrain() || !NarrowGrid::holds(space.costs())) continue;
+    const NarrowGrid grid(space, {});
     const auto landmarks = Landmarks::make(grid, 4);
     const Cell goal = test::random_cell_of(space, random);
     if (!space.passable(goal)) continue;
@@ -50,8 +50,8 @@ TEST(Landmarks, StayBoundsWhileCostsOnlyRise) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     FreeSpace space = test::random_cost_space(random);
-    if (space.uniform_terrain() || !Grid::holds(space.costs())) continue;
-    Grid grid(space, {});
+    if (space.uniform_terrain() || !NarrowGrid::holds(space.costs())) continue;
+    NarrowGrid grid(space, {});
     const auto landmarks = Landmarks::make(grid, 4);
     const std::uint64_t position = grid.log_end();
     const auto change = space.edit(test::random_edit(random, space.map(), random.chance(0.5)));
