@@ -102,16 +102,14 @@ TEST(CostGrid, IsRepairedToThatOfTheEditedMap) {
 }
 
 TEST(CostGrid, ForgetsALogThatHasBecomeLong) {
-  FreeSpace space =
-      *make_free_space(*make_grid_map(Grid<CellState>(20, 20, CellState::free)));
+  FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(20, 20, CellState::free)));
   WideGrid grid(space, {});
   const std::uint64_t begin = grid.log_end();
   EXPECT_TRUE(grid.changes_since(begin)->empty());
   bool forgotten = false;
   for (int i = 0; i < 1000 && !forgotten; ++i) {
     const CellState state = i % 2 == 0 ? CellState::occupied : CellState::free;
-    grid.repair(space,
-                *space.edit({.corner = {5, 5}, .states = Grid<CellState>(9, 9, state)}));
+    grid.repair(space, *space.edit({.corner = {5, 5}, .states = Grid<CellState>(9, 9, state)}));
     forgotten = !grid.changes_since(begin);
   }
   EXPECT_TRUE(forgotten);
