@@ -20,6 +20,7 @@
 #include <cstring>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/jump/column_tiles.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -62,6 +63,9 @@ class JumpScan {
 
   /// Is there a jump point on the straight part of that path, before its end? For cells in sight.
   bool passes_jump(Cell from, Cell to);
+
+  /// Reads the cells of a box anew, because they have changed.
+  void forget(const CellBox& box) { columns_.forget(box); }
 
   /// The number of scans so far: a measure of the time spent.
   std::uint64_t scans() const { return scans_; }

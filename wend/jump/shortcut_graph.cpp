@@ -49,6 +49,7 @@ ShortcutGraph::Link ShortcutGraph::make_list(Jump from) {
   }
   shortcuts_.insert(shortcuts_.end(), dead_.begin(), dead_.end());
   shortcuts_.back().ends_list_ = 1;
+  lists_.push_back({list, from});
   return links_[from.code()] = list;
 }
 
@@ -71,6 +72,72 @@ void ShortcutGraph::extend(Shortcut& shortcut) {
     shortcut.last_ = next;
     passed_.push_back(next);
   }
+}
+
+/// What is known of a jump whose list is forgotten.
+ShortcutGraph::Link ShortcutGraph::without_list(const List& list) const {
+  if (changed_[list.from.code()]) return kUnknown;
+  const Shortcut& first = shortcuts_[list.first];
+  return first.ends_list_ != 0 ? first.first().code() | kIsJump : kSeveral;
+}
+
+/// May a shortcut of the list pass a changed jump, which sees a box that was edited, or end at one?
+bool ShortcutGraph::may_have_changed(const List& list, std::span<const CoarsePlace> edited) const {
+  if (changed_[list.from.code()]) return true;
+  for (const Shortcut& shortcut : ShortcutList(shortcuts_.data() + list.first)) {
+    if (changed_[shortcut.last().code()]) return true;
+    for (const CoarsePlace place : edited) {
+      if (shortcut.may_see(place)) return true;
+    }
+  }
+  return false;
+}
+
+void ShortcutGraph::repair(std::span<const CellBox> boxes, std::span<const Jump> changed) {
+  links_.resize(kArrivals * jumps_->size(), kUnknown);
+  changed_.resize(links_.size());
+  std::vector<CoarsePlace> edited;
+  for (const CellBox& box : boxes) {
+    edited.push_back(raster_.any_place_of(box.grown_by(1)));
+  }
+  for (const Jump jump : changed) {
+    changed_[jump.code()] = true;
+    if (!is_list(links_[jump.code()])) links_[jump.code()] = kUnknown;
+  }
+  std::erase_if(lists_, [&](const List& list) {
+    if (!may_have_changed(list, edited)) return false;
+    const Link known = without_list(list);
+    for (const Shortcut& shortcut : ShortcutList(shortcuts_.data() + list.first)) {
+      static_cast<void>(shortcut);
+      ++forgotten_;
+    }
+    links_[list.from.code()] = known;
+    return true;
+  });
+  for (const Jump jump : changed) changed_[jump.code()] = false;
+  if (2 * forgotten_ > shortcuts_.size()) compact();
+}
+
+void ShortcutGraph::forget() {
+  links_.assign(kArrivals * jumps_->size(), kUnknown);
+  shortcuts_.clear();
+  lists_.clear();
+  forgotten_ = 0;
+}
+
+/// Closes the gaps that forgotten lists left.
+void ShortcutGraph::compact() {
+  std::size_t end = 0;
+  for (List& list : lists_) {
+    std::size_t from = list.first;
+    list.first = static_cast<Link>(end);
+    links_[list.from.code()] = list.first;
+    do {
+      shortcuts_[end] = shortcuts_[from++];
+    } while (shortcuts_[end++].ends_list_ == 0);
+  }
+  shortcuts_.erase(shortcuts_.begin() + static_cast<std::ptrdiff_t>(end), shortcuts_.end());
+  forgotten_ = 0;
 }
 
 /// Includes all cells in sight of a jump point, except where a successor sees them as well.

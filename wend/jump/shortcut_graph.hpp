@@ -12,16 +12,21 @@
 //   wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
 //   for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
 //
-// 16 bytes per jump point, and 16 for each shortcut found where there is a choice. One thread.
+// After an edit of the map, repair() forgets the shortcuts that the edit may have changed.
+//
+// 16 bytes per jump point, 16 for each shortcut found where there is a choice, and 8 for each list of them. One
+// thread.
 
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/jump/jump_graph.hpp"
 #include "wend/space/grid/octile.hpp"
 
@@ -46,6 +51,9 @@ class CoarsePlace {
   CoarsePlace() = default;
   constexpr CoarsePlace(int x, int y)
       : bytes_(static_cast<std::uint32_t>(x | y << 8 | (kLast - x) << 16 | (kLast - y) << 24)) {}
+  /// The greatest x and y of a box, and the least ones, which lie farthest from the other end.
+  constexpr CoarsePlace(CoarsePlace greatest, CoarsePlace least)
+      : bytes_((greatest.bytes_ & 0xFFFFU) | (least.bytes_ & 0xFFFF0000U)) {}
 
  private:
   friend class CoarseBox;
@@ -62,6 +70,11 @@ class CoarseRaster {
   constexpr CoarsePlace place(Cell cell) const {
     return {std::clamp(cell.x >> shift_, 0, CoarsePlace::kLast),
             std::clamp(cell.y >> shift_, 0, CoarsePlace::kLast)};
+  }
+
+  /// What CoarseBox::may_hold() takes to tell whether it may hold any cell of a box.
+  constexpr CoarsePlace any_place_of(const CellBox& box) const {
+    return {place({box.end.x - 1, box.end.y - 1}), place(box.begin)};
   }
 
  private:
@@ -176,6 +189,13 @@ class ShortcutGraph {
     return ShortcutList(shortcuts_.data() + link);
   }
 
+  /// Follows jumps() after an edit in these boxes. `changed`: the jumps from which a search may go on differently.
+  /// O(shortcuts).
+  void repair(std::span<const CellBox> boxes, std::span<const Jump> changed);
+
+  /// The same if it is not known which jumps have changed: forgets everything. O(jump points).
+  void forget();
+
   /// The only successor of a jump point that a shortcut passes.
   Jump only_next(Jump passed) const {
     const Link link = links_[passed.code()];
@@ -211,8 +231,17 @@ class ShortcutGraph {
     const Link link = links_[jump.code()];
     return link == kUnknown ? find(jump) : link;
   }
+  /// The shortcuts of a jump point.
+  struct List {
+    Link first;
+    Jump from;
+  };
+
   Link find(Jump jump);
   Link make_list(Jump from);
+  Link without_list(const List& list) const;
+  bool may_have_changed(const List& list, std::span<const CoarsePlace> edited) const;
+  void compact();
   void extend(Shortcut& shortcut);
   void look_around(Jump jump, CoarseBox& seen) const;
   template <Direction kStraight>
@@ -224,9 +253,12 @@ class ShortcutGraph {
   CoarseRaster raster_;
   std::vector<Link> links_;          // by the code of a jump
   std::vector<Shortcut> shortcuts_;  // lists
-  std::vector<Jump> next_;           // of the list being made
-  std::vector<Shortcut> dead_;       // of the list being made
-  std::vector<Jump> passed_;         // by the shortcut being made
+  std::vector<List> lists_;    // in the order of their shortcuts, without those that were forgotten
+  std::size_t forgotten_ = 0;  // shortcuts
+  std::vector<bool> changed_;  // by the code of a jump: while it is repaired
+  std::vector<Jump> next_;     // of the list being made
+  std::vector<Shortcut> dead_;  // of the list being made
+  std::vector<Jump> passed_;    // by the shortcut being made
 };
 
 }  // namespace wend

@@ -43,6 +43,8 @@ class JumpNodes {
   Node& operator[](StateId id) { return nodes_[id]; }
   const Node& operator[](StateId id) const { return nodes_[id]; }
 
+  void resize(std::size_t count) { nodes_.resize(count); }
+
   /// Forgets the last search.
   void begin_search() {
     if (searches_left_ == 0) {

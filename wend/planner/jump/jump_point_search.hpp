@@ -56,6 +56,8 @@ class JumpPointSearch {
   }
 
   const Jumps& jumps() const { return jumps_; }
+  /// To change them between two searches.
+  Jumps& jumps() { return jumps_; }
 
   /// Forgets the last search. The start and places of goals are passable; `limits` must live as long as the
   /// search. A watcher receives each cell, its parent (for the start: itself) and g.
