@@ -1,5 +1,6 @@
 #include "wend/jump/shortcut_graph.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace wend {
@@ -41,15 +42,17 @@ ShortcutGraph::Link ShortcutGraph::make_list(Jump from) {
   const Cell cell = jumps_->cell(from.number());
   jumps_->append_jumps(cell, jumps_->directions(from), next_);
   const auto list = static_cast<Link>(shortcuts_.size());
+  lists_.push_back({list, from, {}, {}});
   dead_.clear();
   for (const Jump next : next_) {
     Shortcut shortcut(next, cell, jumps_->cell(next.number()));
     extend(shortcut);
+    lists_.back().seen.include(shortcut.seen_);
+    lists_.back().ends.include(raster_.place(jumps_->cell(shortcut.last().number())));
     (shortcut.dead() ? dead_ : shortcuts_).push_back(shortcut);
   }
   shortcuts_.insert(shortcuts_.end(), dead_.begin(), dead_.end());
   shortcuts_.back().ends_list_ = 1;
-  lists_.push_back({list, from});
   return links_[from.code()] = list;
 }
 
@@ -74,46 +77,58 @@ void ShortcutGraph::extend(Shortcut& shortcut) {
   }
 }
 
-/// What is known of a jump whose list is forgotten.
-ShortcutGraph::Link ShortcutGraph::without_list(const List& list) const {
-  if (changed_[list.from.code()]) return kUnknown;
-  const Shortcut& first = shortcuts_[list.first];
-  return first.ends_list_ != 0 ? first.first().code() | kIsJump : kSeveral;
+ShortcutGraph::Edits ShortcutGraph::edits_in(std::span<const CellBox> boxes,
+                                             std::span<const Jump> changed) const {
+  Edits edits;
+  for (const CellBox& box : boxes) {
+    edits.boxes.push_back(raster_.any_place_of(box.grown_by(1)));
+  }
+  CellBox around;
+  for (const Jump jump : changed) {
+    const Cell cell = jumps_->cell(jump.number());
+    around = around.joined_with({cell, {cell.x + 1, cell.y + 1}});
+  }
+  edits.changed = raster_.any_place_of(around);
+  return edits;
 }
 
 /// May a shortcut of the list pass a changed jump, which sees a box that was edited, or end at one?
-bool ShortcutGraph::may_have_changed(const List& list, std::span<const CoarsePlace> edited) const {
+bool ShortcutGraph::may_have_changed(const List& list, const Edits& edits) const {
   if (changed_[list.from.code()]) return true;
+  const auto sees_edit = [&](auto&& may_see) { return std::ranges::any_of(edits.boxes, may_see); };
+  const bool ends_near = list.ends.may_hold(edits.changed);
+  if (!ends_near && !sees_edit([&](CoarsePlace box) { return list.seen.may_hold(box); })) {
+    return false;
+  }
   for (const Shortcut& shortcut : ShortcutList(shortcuts_.data() + list.first)) {
     if (changed_[shortcut.last().code()]) return true;
-    for (const CoarsePlace place : edited) {
-      if (shortcut.may_see(place)) return true;
-    }
+    if (sees_edit([&](CoarsePlace box) { return shortcut.may_see(box); })) return true;
   }
   return false;
+}
+
+/// What is known of the only successor of a jump stays: shortcuts of other lists may pass it.
+void ShortcutGraph::forget_list(List& list) {
+  const Shortcut* shortcut = shortcuts_.data() + list.first;
+  const bool only = shortcut->ends_list_ != 0;
+  const Link known = only ? shortcut->first().code() | kIsJump : kSeveral;
+  links_[list.from.code()] = changed_[list.from.code()] ? kUnknown : known;
+  for (; shortcut->ends_list_ == 0; ++shortcut) ++forgotten_;
+  ++forgotten_;
+  list.first = kUnknown;
 }
 
 void ShortcutGraph::repair(std::span<const CellBox> boxes, std::span<const Jump> changed) {
   links_.resize(kArrivals * jumps_->size(), kUnknown);
   changed_.resize(links_.size());
-  std::vector<CoarsePlace> edited;
-  for (const CellBox& box : boxes) {
-    edited.push_back(raster_.any_place_of(box.grown_by(1)));
-  }
+  const Edits edits = edits_in(boxes, changed);
   for (const Jump jump : changed) {
     changed_[jump.code()] = true;
     if (!is_list(links_[jump.code()])) links_[jump.code()] = kUnknown;
   }
-  std::erase_if(lists_, [&](const List& list) {
-    if (!may_have_changed(list, edited)) return false;
-    const Link known = without_list(list);
-    for (const Shortcut& shortcut : ShortcutList(shortcuts_.data() + list.first)) {
-      static_cast<void>(shortcut);
-      ++forgotten_;
-    }
-    links_[list.from.code()] = known;
-    return true;
-  });
+  for (List& list : lists_) {
+    if (list.first != kUnknown && may_have_changed(list, edits)) forget_list(list);
+  }
   for (const Jump jump : changed) changed_[jump.code()] = false;
   if (2 * forgotten_ > shortcuts_.size()) compact();
 }
@@ -127,6 +142,7 @@ void ShortcutGraph::forget() {
 
 /// Closes the gaps that forgotten lists left.
 void ShortcutGraph::compact() {
+  std::erase_if(lists_, [](const List& list) { return list.first == kUnknown; });
   std::size_t end = 0;
   for (List& list : lists_) {
     std::size_t from = list.first;

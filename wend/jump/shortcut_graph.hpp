@@ -14,7 +14,7 @@
 //
 // After an edit of the map, repair() forgets the shortcuts that the edit may have changed.
 //
-// 16 bytes per jump point, 16 for each shortcut found where there is a choice, and 8 for each list of them. One
+// 16 bytes per jump point, 16 for each shortcut found where there is a choice, and 16 for each list of them. One
 // thread.
 
 #include <algorithm>
@@ -84,13 +84,9 @@ class CoarseRaster {
 /// Empty at first.
 class CoarseBox {
  public:
-  constexpr void include(CoarsePlace place) {
-    std::uint32_t least = 0;
-    for (unsigned bit = 0; bit < 32; bit += 8) {
-      least |= std::min(least_ >> bit & 0x7FU, place.bytes_ >> bit & 0x7FU) << bit;
-    }
-    least_ = least;
-  }
+  constexpr void include(CoarsePlace place) { include_bytes(place.bytes_); }
+
+  constexpr void include(const CoarseBox& other) { include_bytes(other.least_); }
 
   /// Is no byte of the place less than the least? No byte borrows from the next: its highest bit is
   /// set before, and stays set if and only if it was not less.
@@ -99,6 +95,14 @@ class CoarseBox {
   }
 
  private:
+  constexpr void include_bytes(std::uint32_t bytes) {
+    std::uint32_t least = 0;
+    for (unsigned bit = 0; bit < 32; bit += 8) {
+      least |= std::min(least_ >> bit & 0x7FU, bytes >> bit & 0x7FU) << bit;
+    }
+    least_ = least;
+  }
+
   static constexpr std::uint32_t kHighest = 0x80808080U;
 
   std::uint32_t least_ = 0x7F7F7F7FU;  // by byte; no place is as large in all bytes
@@ -233,14 +237,23 @@ class ShortcutGraph {
   }
   /// The shortcuts of a jump point.
   struct List {
-    Link first;
+    Link first;  // kUnknown: forgotten
     Jump from;
+    CoarseBox seen;  // by the jump points that they pass
+    CoarseBox ends;  // where the shortcuts end
+  };
+
+  /// What an edit has changed.
+  struct Edits {
+    std::vector<CoarsePlace> boxes;
+    CoarsePlace changed;  // a box around the jump points of changed jumps
   };
 
   Link find(Jump jump);
   Link make_list(Jump from);
-  Link without_list(const List& list) const;
-  bool may_have_changed(const List& list, std::span<const CoarsePlace> edited) const;
+  Edits edits_in(std::span<const CellBox> boxes, std::span<const Jump> changed) const;
+  bool may_have_changed(const List& list, const Edits& edits) const;
+  void forget_list(List& list);
   void compact();
   void extend(Shortcut& shortcut);
   void look_around(Jump jump, CoarseBox& seen) const;
