@@ -150,8 +150,10 @@ void run(const Setting& setting, int count, std::uint64_t seed) {
 /// One line for each kind of map.
 int run_next_queries(const std::string& planner, int side, int count, std::uint64_t seed) {
   fmt::print(
-      "{}, {} x {}, a point robot: an edit of one cell and the next query, us (target of both 1000); "
-      "a query without\nan edit; the first query on a new space. The planner has answered these queries "
+      "{}, {} x {}, a point robot: an edit of one cell and the next query, us (target of both "
+      "1000); "
+      "a query without\nan edit; the first query on a new space. The planner has answered these "
+      "queries "
       "before.\n"
       "  {:<12} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9}\n",
       planner, side, side, "", "edit", "query", "both", "longest", "no edit", "first");

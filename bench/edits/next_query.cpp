@@ -105,9 +105,8 @@ Expected<NextQuery, Error> time_next_queries(std::string_view kind, int side,
       static_cast<void>((*made)->update(space, *change));
     });
     if (i < 0) continue;  // copies what the map shared before
-    const double asked = seconds_of(thread_cpu_seconds, [&] {
-      (*made)->plan(queries[static_cast<std::size_t>(i)], plan);
-    });
+    const double asked = seconds_of(
+        thread_cpu_seconds, [&] { (*made)->plan(queries[static_cast<std::size_t>(i)], plan); });
     row.edit += edited / count;
     row.next += asked / count;
     row.worst = std::max(row.worst, edited + asked);

@@ -20,7 +20,8 @@ JumpGraph::JumpGraph(std::shared_ptr<const JumpBoards> boards)
       for (int y = top; y < std::min(top + kTileRows, board_.lines()); ++y) number_word(y, word);
     }
   }
-  forced_.reserve(cells_.size());
+  cells_.reserve(size_after_edits());
+  forced_.reserve(size_after_edits());
   for (const Cell cell : cells_) forced_.push_back(forced_at(cell));
 }
 

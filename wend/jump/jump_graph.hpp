@@ -84,6 +84,9 @@ class JumpGraph {
   /// The number of a jump point.
   std::uint32_t number_of(Cell cell) const;
 
+  /// Room for this many numbers saves copies of all others after an edit.
+  std::size_t size_after_edits() const { return size() + size() / 64 + 256; }
+
   /// Follows boards() after JumpBoards::repair() with these boxes. O(cells of the boxes).
   void repair(std::span<const CellBox> boxes);
 

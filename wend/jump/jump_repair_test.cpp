@@ -106,7 +106,7 @@ struct Edited {
   void repair(const BitGrid& cells, std::span<const CellBox> boxes) {
     boards->repair(cells, boxes);
     graph->repair(boxes);
-    JumpSources sources(*graph);
+    JumpSources sources(*graph, 1'000'000);
     ASSERT_TRUE(sources.find(boxes));
     shortcuts.repair(boxes, sources.jumps());
   }
@@ -186,8 +186,10 @@ TEST(JumpSources, GivesUpWhereMuchOfTheMapSeesTheEdit) {
     for (int x = 0; x < cells.width(); ++x) cells.set({x, y}, x != 20);
   }
   const JumpGraph graph(std::make_shared<const JumpBoards>(cells));
-  JumpSources sources(graph);
-  EXPECT_FALSE(sources.find(std::array{CellBox{{700, 700}, {701, 701}}}));
+  constexpr std::size_t kSteps = 100'000;
+  JumpSources far(graph, kSteps);
+  EXPECT_FALSE(far.find(std::array{CellBox{{700, 700}, {701, 701}}}));
+  JumpSources sources(graph, kSteps);
   EXPECT_TRUE(sources.find(std::array{CellBox{{10, 10}, {11, 11}}}));
   EXPECT_TRUE(sources.jumps().empty()) << "the map has no jump point";
 }

@@ -5,9 +5,6 @@
 namespace wend {
 namespace {
 
-/// As many steps take about as long as a query.
-constexpr std::size_t kMostSteps = 200'000;
-
 bool is_along_x(Direction straight) {
   return kDirectionSteps[static_cast<std::size_t>(straight)].y == 0;
 }
@@ -81,7 +78,13 @@ JumpSources::Stretches JumpSources::stretches(Direction ahead, const CellBox& ar
   return found;
 }
 
-/// Goes back along a diagonal from each cell of the stretches. False if that takes too many steps.
+bool JumpSources::take_steps(std::size_t steps) {
+  if (steps > steps_left_) return false;
+  steps_left_ -= steps;
+  return true;
+}
+
+/// Goes back along a diagonal from each cell of the stretches. False if the steps run out.
 bool JumpSources::go_back(const Stretches& stretches, Direction diagonal) {
   const JumpBoards& boards = graph_->boards();
   const CellBox map = CellBox::of(boards);
@@ -95,38 +98,54 @@ bool JumpSources::go_back(const Stretches& stretches, Direction diagonal) {
       Cell at = step(end, stretches.ahead, -i);
       // The way back from the neighbour passes here.
       if (stretches.contains(step(at, diagonal, 1)) && steps_to(at)) continue;
+      std::size_t steps = 1;
       for (at = step(at, diagonal, -1); steps_to(at); at = step(at, diagonal, -1)) {
         add(at, diagonal);
-        ++steps_;
+        ++steps;
       }
-      if (++steps_ > kMostSteps) return false;
+      if (!take_steps(steps)) return false;
     }
   }
   return true;
 }
 
+/// Adds the jumps that run into a box in a direction, at once or after a diagonal.
+bool JumpSources::add_before(Direction ahead, const CellBox& around) {
+  const Stretches found = stretches(ahead, around);
+  for (std::size_t line = 0; line < found.lengths.size(); ++line) {
+    for (int i = 0; i < found.lengths[line]; ++i) add(step(found.end(line), ahead, -i), ahead);
+  }
+  const auto [one, other] = beside(ahead);
+  return go_back(found, one) && go_back(found, other);
+}
+
 bool JumpSources::find(std::span<const CellBox> boxes) {
   jumps_.clear();
-  steps_ = 0;
   for (const CellBox& box : boxes) {
     const CellBox around = box.grown_by(1).clipped_to(graph_->boards());
     add_all(around);
     for (const Direction ahead : kStraightDirections) {
-      const Stretches found = stretches(ahead, around);
-      for (std::size_t line = 0; line < found.lengths.size(); ++line) {
-        for (int i = 0; i < found.lengths[line]; ++i) {
-          add(step(found.end(line), ahead, -i), ahead);
-        }
-      }
-      for (const Direction diagonal : beside(ahead)) {
-        if (!go_back(found, diagonal)) return false;
-      }
+      if (!add_before(ahead, around)) return false;
     }
   }
+  remove_repeated();
+  return true;
+}
+
+bool JumpSources::find_before(Jump jump) {
+  jumps_.clear();
+  const Cell cell = graph_->cell(jump.number());
+  if (!add_before(static_cast<Direction>(2 * jump.arrival()), {cell, {cell.x + 1, cell.y + 1}})) {
+    return false;
+  }
+  remove_repeated();
+  return true;
+}
+
+void JumpSources::remove_repeated() {
   std::ranges::sort(jumps_, {}, &Jump::code);
   const auto repeated = std::ranges::unique(jumps_);
   jumps_.erase(repeated.begin(), repeated.end());
-  return true;
 }
 
 }  // namespace wend

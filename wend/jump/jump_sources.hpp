@@ -3,7 +3,7 @@
 // JumpSources: finds the jumps that an edit of the map may have changed, from behind: which jump points look at the
 // cells around the edit?
 //
-//   wend::JumpSources sources(graph);  // repaired
+//   wend::JumpSources sources(graph, 200'000);  // repaired
 //   if (sources.find(boxes)) forget(sources.jumps());
 //
 // A jump looks along straight runs up to their first stop, and along diagonal runs at such straight runs to both
@@ -22,12 +22,16 @@ namespace wend {
 
 class JumpSources {
  public:
-  /// `graph` must live as long.
-  explicit JumpSources(const JumpGraph& graph) : graph_(&graph) {}
+  /// `graph` must live as long. `steps`: how many steps from cell to cell all its searches may take together.
+  JumpSources(const JumpGraph& graph, std::size_t steps) : graph_(&graph), steps_left_(steps) {}
 
   /// Finds the jumps from whose jump points a search may go on differently because the map has changed in these
-  /// boxes; at least these. False if that would take too long. O(cells that see the boxes, as a jump sees).
+  /// boxes; at least these. False if the steps run out.
   bool find(std::span<const CellBox> boxes);
+
+  /// Finds the jumps from whose jump points a search may go on to this jump; at least these. False if the steps run
+  /// out.
+  bool find_before(Jump jump);
 
   /// Each jump once.
   const std::vector<Jump>& jumps() const { return jumps_; }
@@ -46,11 +50,14 @@ class JumpSources {
   void add_all(const CellBox& around);
   void add(Cell cell, Direction towards);
   Stretches stretches(Direction ahead, const CellBox& around) const;
+  bool add_before(Direction ahead, const CellBox& around);
   bool go_back(const Stretches& stretches, Direction diagonal);
+  bool take_steps(std::size_t steps);
+  void remove_repeated();
 
   const JumpGraph* graph_;
   std::vector<Jump> jumps_;
-  std::size_t steps_ = 0;  // so far
+  std::size_t steps_left_;
 };
 
 }  // namespace wend

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wend/jump/jump_sources.hpp"
+
 namespace wend {
 
 Shortcut::Shortcut(Jump jump, Cell from, Cell to) : first_(jump), last_(jump) {
@@ -21,9 +23,10 @@ bool Shortcut::lengthen(Cell from, Cell to) {
 }
 
 ShortcutGraph::ShortcutGraph(std::shared_ptr<const JumpGraph> jumps)
-    : jumps_(std::move(jumps)),
-      raster_(jumps_->boards().width(), jumps_->boards().height()),
-      links_(kArrivals * jumps_->size(), kUnknown) {}
+    : jumps_(std::move(jumps)), raster_(jumps_->boards().width(), jumps_->boards().height()) {
+  links_.reserve(kArrivals * jumps_->size_after_edits());
+  links_.resize(kArrivals * jumps_->size(), kUnknown);
+}
 
 /// Finds whether there are no, one or several successors.
 ShortcutGraph::Link ShortcutGraph::find(Jump jump) {
@@ -115,19 +118,57 @@ void ShortcutGraph::forget_list(List& list) {
   links_[list.from.code()] = changed_[list.from.code()] ? kUnknown : known;
   for (; shortcut->ends_list_ == 0; ++shortcut) ++forgotten_;
   ++forgotten_;
-  list.first = kUnknown;
+  list.from = kNobody;
+}
+
+void ShortcutGraph::forget_list_of(Jump from) {
+  const Link link = links_[from.code()];
+  if (is_list(link)) {
+    forget_list(*std::ranges::lower_bound(lists_, link, {}, &List::first));
+  } else if (changed_[from.code()]) {
+    links_[from.code()] = kUnknown;
+  }
+}
+
+bool ShortcutGraph::leads_to(Link list, Jump first) const {
+  for (const Shortcut& shortcut : ShortcutList(shortcuts_.data() + list)) {
+    if (shortcut.first() == first) return true;
+  }
+  return false;
+}
+
+/// Follows the shortcuts that pass changed jumps, or end at one, back to the jump points where they begin. False if
+/// looking at all lists takes less time.
+bool ShortcutGraph::forget_before(std::span<const Jump> changed) {
+  JumpSources sources(*jumps_, lists_.size() / 2);
+  std::vector<Jump> jumps(changed.begin(), changed.end());
+  std::vector<Jump> passed;
+  for (std::size_t depth = 0; depth < kMostPassed && !jumps.empty(); ++depth) {
+    passed.clear();
+    for (const Jump jump : jumps) {
+      if (!sources.find_before(jump)) return false;
+      for (const Jump from : sources.jumps()) {
+        const Link link = links_[from.code()];
+        const bool only = is_only_jump(link) && only_next(from) == jump;
+        if (only && !changed_[from.code()]) passed.push_back(from);
+        if (is_list(link) && leads_to(link, jump)) forget_list_of(from);
+      }
+    }
+    std::swap(jumps, passed);
+  }
+  return true;
 }
 
 void ShortcutGraph::repair(std::span<const CellBox> boxes, std::span<const Jump> changed) {
   links_.resize(kArrivals * jumps_->size(), kUnknown);
   changed_.resize(links_.size());
-  const Edits edits = edits_in(boxes, changed);
-  for (const Jump jump : changed) {
-    changed_[jump.code()] = true;
-    if (!is_list(links_[jump.code()])) links_[jump.code()] = kUnknown;
-  }
-  for (List& list : lists_) {
-    if (list.first != kUnknown && may_have_changed(list, edits)) forget_list(list);
+  for (const Jump jump : changed) changed_[jump.code()] = true;
+  for (const Jump jump : changed) forget_list_of(jump);
+  if (!forget_before(changed)) {
+    const Edits edits = edits_in(boxes, changed);
+    for (List& list : lists_) {
+      if (list.from != kNobody && may_have_changed(list, edits)) forget_list(list);
+    }
   }
   for (const Jump jump : changed) changed_[jump.code()] = false;
   if (2 * forgotten_ > shortcuts_.size()) compact();
@@ -142,7 +183,7 @@ void ShortcutGraph::forget() {
 
 /// Closes the gaps that forgotten lists left.
 void ShortcutGraph::compact() {
-  std::erase_if(lists_, [](const List& list) { return list.first == kUnknown; });
+  std::erase_if(lists_, [](const List& list) { return list.from == kNobody; });
   std::size_t end = 0;
   for (List& list : lists_) {
     std::size_t from = list.first;

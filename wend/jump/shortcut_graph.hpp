@@ -25,6 +25,7 @@
 #include <span>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/geometry/cell_box.hpp"
 #include "wend/jump/jump_graph.hpp"
@@ -194,7 +195,7 @@ class ShortcutGraph {
   }
 
   /// Follows jumps() after an edit in these boxes. `changed`: the jumps from which a search may go on differently.
-  /// O(shortcuts).
+  /// O(jumps and cells before these jumps); if there are many, O(lists of shortcuts).
   void repair(std::span<const CellBox> boxes, std::span<const Jump> changed);
 
   /// The same if it is not known which jumps have changed: forgets everything. O(jump points).
@@ -225,6 +226,8 @@ class ShortcutGraph {
   static constexpr Link kNone = kUnknown - 1;
   static constexpr Link kSeveral = kUnknown - 2;
 
+  static constexpr Jump kNobody{~std::uint32_t{0}};
+
   static bool is_list(Link link) { return link < kIsJump; }
   static bool is_jump(Link link) { return link >= kIsJump && link < kSeveral; }
   bool is_only_jump(Link link) const {
@@ -237,8 +240,8 @@ class ShortcutGraph {
   }
   /// The shortcuts of a jump point.
   struct List {
-    Link first;  // kUnknown: forgotten
-    Jump from;
+    Link first;
+    Jump from;       // kNobody: forgotten
     CoarseBox seen;  // by the jump points that they pass
     CoarseBox ends;  // where the shortcuts end
   };
@@ -254,6 +257,9 @@ class ShortcutGraph {
   Edits edits_in(std::span<const CellBox> boxes, std::span<const Jump> changed) const;
   bool may_have_changed(const List& list, const Edits& edits) const;
   void forget_list(List& list);
+  void forget_list_of(Jump from);
+  bool leads_to(Link list, Jump first) const;
+  bool forget_before(std::span<const Jump> changed);
   void compact();
   void extend(Shortcut& shortcut);
   void look_around(Jump jump, CoarseBox& seen) const;
@@ -264,14 +270,14 @@ class ShortcutGraph {
 
   std::shared_ptr<const JumpGraph> jumps_;
   CoarseRaster raster_;
-  std::vector<Link> links_;          // by the code of a jump
-  std::vector<Shortcut> shortcuts_;  // lists
+  std::vector<Link, LargePages<Link>> links_;              // by the code of a jump
+  std::vector<Shortcut, LargePages<Shortcut>> shortcuts_;  // lists
   std::vector<List> lists_;    // in the order of their shortcuts, without those that were forgotten
   std::size_t forgotten_ = 0;  // shortcuts
   std::vector<bool> changed_;  // by the code of a jump: while it is repaired
   std::vector<Jump> next_;     // of the list being made
-  std::vector<Shortcut> dead_;  // of the list being made
-  std::vector<Jump> passed_;    // by the shortcut being made
+  std::vector<Shortcut, LargePages<Shortcut>> dead_;  // of the list being made
+  std::vector<Jump> passed_;                          // by the shortcut being made
 };
 
 }  // namespace wend

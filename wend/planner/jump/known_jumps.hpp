@@ -36,7 +36,7 @@ class KnownJumps {
       : graph_(std::move(graph)),
         shortcuts_(graph_),
         open_(std::move(dead_ends)),
-        nodes_(graph_->size() + 1) {
+        nodes_(graph_->size() + 1, graph_->size_after_edits() + 1) {
     take_jump_points(0);
   }
 

@@ -75,7 +75,8 @@ void PreparedJumps::prepare(const BitGrid& passable) {
 void PreparedJumps::repair(const BitGrid& passable) {
   boards_->repair(passable, pending_);
   graph_->repair(pending_);
-  JumpSources sources(*graph_);
+  constexpr std::size_t kMostSteps = 200'000;  // they take about as long as a query
+  JumpSources sources(*graph_, kMostSteps);
   const bool found = sources.find(pending_);
   const auto repair_each = [&](const auto& searches) {
     for (const auto& search : searches) {
