@@ -235,7 +235,7 @@ void OpenDeadEnds::open_for(Cell start, std::span<const Cell> goals) {
   opened_[DeadEnds::kCore] = query_;
   open(number(start));
   for (const Cell goal : goals) open(number(goal));
-  for (const std::uint32_t number : kept_open_) open(number);
+  for (const std::uint32_t kept : kept_open_) open(kept);
 }
 
 void OpenDeadEnds::keep_open(std::span<const Cell> cells) {
@@ -248,12 +248,12 @@ void OpenDeadEnds::keep_open(std::span<const Cell> cells) {
   kept_open_.erase(repeated.begin(), repeated.end());
 }
 
-void OpenDeadEnds::open(std::uint32_t number) {
-  push(number);
+void OpenDeadEnds::open(std::uint32_t first) {
+  push(first);
   while (!pending_.empty()) {
-    const std::uint32_t number = pending_.back();
+    const std::uint32_t next = pending_.back();
     pending_.pop_back();
-    for (const std::uint32_t exit : dead_ends_->exits(number)) push(exit);
+    for (const std::uint32_t exit : dead_ends_->exits(next)) push(exit);
   }
 }
 

@@ -86,7 +86,7 @@ class OpenDeadEnds {
   bool contains(std::uint32_t number) const { return opened_[number] == query_; }
 
  private:
-  void open(std::uint32_t number);
+  void open(std::uint32_t first);
   void push(std::uint32_t number);
 
   std::shared_ptr<const DeadEnds> dead_ends_;

@@ -32,15 +32,14 @@ PlannerInfo jps_planner() {
           "It considers only shortest paths with diagonal steps first, which turn only at "
           "obstacle corners. It reads 64 cells at a time, skips dead ends, and caches "
           "unbranched chains of jump points as shortcuts. It scans the cells at first, and "
-          "prepares the "
-          "map after some queries.",
+          "prepares the map after some queries, for all jps planners on the same free space.",
       .citation = "Harabor, Grastien 2011 and 2014",
       .guarantee_text = "optimal on 8 neighbours without corner cutting, on uniform terrain",
       .time = "O(n log n) in the n cells expanded, and the cells between them, 64 at a time",
       .memory =
           "1 bit per cell where it has searched, 44 bytes per jump point reached, 12 per frontier "
           "entry; on a prepared map 8 bytes per cell, 57 per jump point, 16 per shortcut used so "
-          "far",
+          "far, 16 per jump point expanded so far",
       .bytes_per_cell = 8,
       .when =
           "The fastest planner without an index on maps with rooms, streets or corridors. On "
