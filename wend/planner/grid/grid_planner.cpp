@@ -78,6 +78,11 @@ GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts)
   take(choose_parts_(free_space()));
 }
 
+GridPlanner::GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts)
+    : SearchPlanner(std::move(space)), choose_parts_(std::move(choose_parts)) {
+  take(std::move(parts));
+}
+
 std::optional<Error> GridPlanner::fault(std::string_view name) const {
   if (engine_ == nullptr) {
     if (auto refused = refused_terrain(name, free_space())) return refused;
@@ -111,22 +116,35 @@ double GridPlanner::do_heuristic(const Pose& pose) const {
 }
 
 std::unique_ptr<Planner> GridPlanner::do_clone() const {
-  return std::make_unique<GridPlanner>(free_space(), choose_parts_);
+  Parts parts = another_engine_ ? Parts{moves_,     another_engine_(), bound_,
+                                        any_angle_, another_engine_,   repaired_parts_}
+                                : choose_parts_(free_space());
+  return std::unique_ptr<Planner>(new GridPlanner(free_space(), choose_parts_, std::move(parts)));
 }
 
-std::optional<Error> GridPlanner::do_update(const SpaceChange& /*change*/) {
+std::optional<Error> GridPlanner::do_update(const SpaceChange& change) {
   do_release();
-  take(choose_parts_(free_space()));
+  if (repaired_parts_ && !change.everything) {
+    take(repaired_parts_(free_space(), change));
+  } else {
+    repaired_parts_ = {};  // its memory first
+    take(choose_parts_(free_space()));
+  }
   return fault("this planner");
 }
 
-void GridPlanner::do_release() { engine_.reset(); }
+void GridPlanner::do_release() {
+  engine_.reset();
+  another_engine_ = {};
+}
 
 void GridPlanner::take(Parts parts) {
   moves_ = parts.moves;
   engine_ = std::move(parts.engine);
   bound_ = parts.bound;
   any_angle_ = parts.any_angle;
+  another_engine_ = std::move(parts.another);
+  repaired_parts_ = std::move(parts.repaired);
 }
 
 }  // namespace wend

@@ -53,6 +53,11 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     std::shared_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;                        // what Plan::bound says of every answer
     bool any_angle = false;              // its paths are lines on uniform terrain, not steps
+    /// Makes another engine from what was prepared for this one; null if nothing was.
+    std::function<std::unique_ptr<GridEngine>()> another = {};
+    /// Makes the parts for the same space after a change from what was prepared for this one, which does
+    /// not hold the FreeSpace; null: they are made as for any other space.
+    std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired = {};
   };
 
   /// Called again for another FreeSpace.
@@ -74,12 +79,15 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
   std::optional<Error> do_update(const SpaceChange& change) override;
   void do_release() override;
 
+  GridPlanner(FreeSpace space, PartsChooser choose_parts, Parts parts);
   void take(Parts parts);
 
   PartsChooser choose_parts_;
   GridMoves moves_;
   double bound_ = Plan::kNoBound;
   bool any_angle_ = false;
+  std::function<std::unique_ptr<GridEngine>()> another_engine_;
+  std::function<Parts(const FreeSpace&, const SpaceChange&)> repaired_parts_;
   GridQuery cells_;
 };
 
