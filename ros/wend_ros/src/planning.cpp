@@ -175,7 +175,8 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   if (!answered) return {std::move(result)};
   const wend::Frame& frame = answered->space.map().frame();
   nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
-  return {std::move(result), std::move(answered->plan.path), std::move(way)};
+  wend::Path driven = answered->path();
+  return {std::move(result), std::move(answered->plan.path), std::move(driven), std::move(way)};
 }
 
 }  // namespace wend_ros
