@@ -97,7 +97,7 @@ std::optional<MapFeed::Change> MapFeed::put(const map_msgs::OccupancyGridUpdate&
 MapFeed::Change MapFeed::put_whole(wend::GridMap map, TimePoint came) {
   change_time_ = came;
   session_.set_map(map, map_.layout().frame_id);
-  return {.whole = std::move(map), .layout = map_.layout()};
+  return {.whole = std::move(map), .frame_id = map_.layout().frame_id};
 }
 
 /// Nothing if the map stays as it is.
@@ -108,9 +108,10 @@ std::optional<MapFeed::Change> MapFeed::edit(const wend::MapEdit& edit, TimePoin
   if (!change) return put_whole(map_.whole(), came);
   if (change->none()) return std::nullopt;
   change_time_ = came;
-  const auto view = session_.view();
+  auto view = session_.view();
   if (!view) return std::nullopt;
-  return Change{.version = view->version, .space = *std::move(change), .layout = map_.layout()};
+  return Change{
+      .edited = *std::move(view), .cells = *std::move(change), .frame_id = map_.layout().frame_id};
 }
 
 }  // namespace wend_ros

@@ -90,18 +90,19 @@ void PlannerNode::take_parameters(const Parameters& parameters) {
 }
 
 void PlannerNode::take_change(const MapFeed::Change& change) {
-  const std::string& frame_id = change.layout.frame_id;
   if (change.whole) {
-    publisher_.show_map(*change.whole, frame_id);
+    publisher_.show_map(*change.whole, change.frame_id);
     wake();
     return;
   }
   edited_ = true;
+  const auto& [space, frame_id, version] = *change.edited;
   std::optional<wend::Pose> robot;
-  if (const auto pose = robot_.in(frame_id)) robot = change.layout.frame.to_grid(*pose);
+  if (const auto pose = robot_.in(frame_id)) robot = space.map().frame().to_grid(*pose);
   {
     const std::lock_guard lock(mutex_);
-    if (!goal_ || arrived_ || !replanning_.change(change.version, change.space, robot)) return;
+    const bool matters = goal_ && !arrived_;
+    if (!matters || !replanning_.change({version, change.cells}, space, robot)) return;
     wanted_ = std::max(wanted_, Reason::change);
   }
   asked_.notify_all();
@@ -159,19 +160,27 @@ void PlannerNode::wake() {
   asked_.notify_all();
 }
 
+/// After which time to plan anew, s; 0: not by itself. Called with the lock.
+double PlannerNode::period() const {
+  constexpr double kLostPeriod = 0.2;  // s
+  if (lost_) return kLostPeriod;
+  return active_ ? replan_period_ : 0;
+}
+
 /// Waits for something to plan, or for the next time to plan anew. None: it is time to stop.
 PlannerNode::Reason PlannerNode::wait_for_topics() {
   std::unique_lock lock(mutex_);
   const auto called = [this] { return wanted_ != Reason::none || stopping_; };
-  if (active_ && replan_period_ > 0) {
-    asked_.wait_for(lock, std::chrono::duration<double>(replan_period_), called);
+  if (const double seconds = period(); seconds > 0) {
+    asked_.wait_for(lock, std::chrono::duration<double>(seconds), called);
   } else {
     asked_.wait(lock, called);
   }
   cancel_topics_ = false;
   const Reason reason = std::exchange(wanted_, Reason::none);
   if (stopping_) return Reason::none;
-  return reason == Reason::none ? Reason::time : reason;
+  if (reason != Reason::none) return reason;
+  return lost_ ? Reason::lost : Reason::time;
 }
 
 void PlannerNode::plan_for_topics() {
@@ -194,16 +203,17 @@ void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason)
   const Map map = feed_->now();
   // A search that is watched expands cell by cell, which takes longer.
   SearchWatch watch(true);
-  Answer answered =
-      answer(map, request, &cancel_topics_, reason == Reason::change ? nullptr : &watch);
+  const bool quiet = reason < Reason::time;
+  Answer answered = answer(map, request, &cancel_topics_, quiet ? nullptr : &watch);
   const PlanResult& result = answered.result;
   publisher_.tell(result);
-  if (reason != Reason::change) tell(result);
+  if (!quiet) tell(result);
   const bool found = result.status == static_cast<std::uint16_t>(StatusCode::found);
   const std::lock_guard lock(mutex_);
   const bool again = replanning_.end(std::move(answered.driven), result.map_version);
   arrived_ = goal_ && found && result.path_metrics.length <= kArrived;
   active_ = goal_ && found && !arrived_;
+  lost_ = goal_ && result.status == static_cast<std::uint16_t>(StatusCode::tf_error);
   if (again && goal_ && !arrived_) wanted_ = std::max(wanted_, Reason::change);
 }
 

@@ -1,5 +1,6 @@
 // planner_server: wend's planners as a node; see planner_node.hpp and docs/ros.md.
 
+#include <malloc.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -9,7 +10,20 @@
 #include "wend_ros/planner_node.hpp"
 #include "wend_ros/plugins.hpp"
 
+namespace {
+
+/// Lets all threads share freed memory: maps and planners are made and freed by turns, and with a heap for
+/// each thread that adds up.
+void share_memory() {
+#ifdef M_ARENA_MAX
+  mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  share_memory();
   ros::init(argc, argv, "planner_server");
   ros::NodeHandle node;
   ros::NodeHandle own("~");

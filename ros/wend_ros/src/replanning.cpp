@@ -6,6 +6,7 @@
 
 #include "wend/control/nearest_ahead.hpp"
 #include "wend/geometry/cell_box.hpp"
+#include "wend/path/path_collision.hpp"
 #include "wend/path/polyline.hpp"
 
 namespace wend_ros {
@@ -37,17 +38,27 @@ bool meets(std::span<const wend::Point> line, const wend::CellBox& box) {
   return false;
 }
 
+wend::Path rest_of(const wend::Path& path, const std::optional<wend::Pose>& robot) {
+  return robot ? wend::remaining(path, *robot).path : path;
+}
+
 }  // namespace
 
 bool touches_ahead(const wend::SpaceChange& change, const wend::Path& path,
                    const std::optional<wend::Pose>& robot) {
   if (change.everything) return true;
   if (change.boxes.empty()) return false;
-  const wend::Polyline line = wend::polyline_of(robot ? wend::remaining(path, *robot).path : path);
+  const wend::Polyline line = wend::polyline_of(rest_of(path, robot));
   // Rounded corners leave the path by less than a cell.
   return std::ranges::any_of(change.boxes, [&](const wend::CellBox& box) {
     return meets(line.points(), box.grown_by(1));
   });
+}
+
+bool spoils_ahead(const wend::SpaceChange& change, const wend::FreeSpace& space,
+                  const wend::Path& path, const std::optional<wend::Pose>& robot) {
+  if (!touches_ahead(change, path, robot)) return false;
+  return !space.uniform_terrain() || wend::first_collision(rest_of(path, robot), space);
 }
 
 void Replanning::begin() { searching_ = true; }
@@ -57,24 +68,25 @@ bool Replanning::end(wend::Path path, std::uint64_t version) {
   version_ = version;
   path_ = std::move(path);
   const std::vector<Change> changes = std::exchange(meanwhile_, {});
+  if (when_ == ReplanOnChange::never) return false;
   return std::ranges::any_of(changes, [&](const Change& each) {
-    return each.version > version_ && is_reason(each.change, std::nullopt);
+    if (each.version <= version_ || each.cells.none()) return false;
+    return when_ == ReplanOnChange::always || path_.empty() ||
+           touches_ahead(each.cells, path_, std::nullopt);
   });
 }
 
-bool Replanning::change(std::uint64_t version, wend::SpaceChange change,
+bool Replanning::change(Change change, const wend::FreeSpace& space,
                         const std::optional<wend::Pose>& robot) {
   if (searching_) {
-    meanwhile_.push_back({version, std::move(change)});
+    meanwhile_.push_back(std::move(change));
     return false;
   }
-  return version > version_ && is_reason(change, robot);
-}
-
-bool Replanning::is_reason(const wend::SpaceChange& change,
-                           const std::optional<wend::Pose>& robot) const {
-  if (when_ == ReplanOnChange::never || change.none()) return false;
-  return when_ == ReplanOnChange::always || path_.empty() || touches_ahead(change, path_, robot);
+  if (when_ == ReplanOnChange::never || change.version <= version_ || change.cells.none()) {
+    return false;
+  }
+  return when_ == ReplanOnChange::always || path_.empty() ||
+         spoils_ahead(change.cells, space, path_, robot);
 }
 
 }  // namespace wend_ros

@@ -81,6 +81,29 @@ TEST(TouchesAhead, IsWhatPointsOnThePathSay) {
   EXPECT_LT(touched, 2700);
 }
 
+/// 24 x 24 cells of 1 m for a disc of 1 m, free but for one.
+wend::FreeSpace space_with(wend::Cell obstacle, double clearance_distance = 0) {
+  wend::Grid<wend::CellState> cells(24, 24, wend::CellState::free);
+  cells[obstacle] = wend::CellState::occupied;
+  return *wend::make_free_space(
+      *wend::make_grid_map(cells),
+      {.footprint = wend::Footprint::disc(1), .clearance_distance = clearance_distance});
+}
+
+TEST(SpoilsAhead, WhatBlocksThePathDoes) {
+  EXPECT_TRUE(spoils_ahead(box(10, 5), space_with({10, 5}), along_a_row(), {}));
+  EXPECT_TRUE(spoils_ahead(box(9, 5, 3, 3), space_with({10, 6}), along_a_row(), {}))
+      << "the robot does not fit beside it";
+  EXPECT_FALSE(spoils_ahead(box(10, 5), space_with({20, 20}), along_a_row(), {}))
+      << "a cell that has been seen to be free";
+  EXPECT_FALSE(spoils_ahead(box(10, 5), space_with({10, 5}), along_a_row(), Pose{14, 5.5, 0}))
+      << "that is behind";
+}
+
+TEST(SpoilsAhead, WhatMayCostMoreDoesSoToo) {
+  EXPECT_TRUE(spoils_ahead(box(10, 5), space_with({20, 20}, 3), along_a_row(), {}));
+}
+
 /// After a plan along the row on version 1.
 Replanning planned(ReplanOnChange when) {
   Replanning replanning;
@@ -90,45 +113,50 @@ Replanning planned(ReplanOnChange when) {
   return replanning;
 }
 
+/// A change that has made this cell an obstacle: is it a reason?
+bool obstacle_is_reason(Replanning& replanning, std::uint64_t version, int x, int y) {
+  return replanning.change({version, box(x, y)}, space_with({x, y}), {});
+}
+
 TEST(Replanning, IsForChangesAhead) {
   Replanning replanning = planned(ReplanOnChange::ahead);
-  EXPECT_FALSE(replanning.change(2, box(10, 9), {}));
-  EXPECT_TRUE(replanning.change(3, box(10, 5), {}));
+  EXPECT_FALSE(obstacle_is_reason(replanning, 2, 10, 9));
+  EXPECT_TRUE(obstacle_is_reason(replanning, 3, 10, 5));
 }
 
 TEST(Replanning, IsForEveryChangeOrForNoneIfToldSo) {
   Replanning always = planned(ReplanOnChange::always);
-  EXPECT_TRUE(always.change(2, box(10, 9), {}));
-  EXPECT_FALSE(always.change(3, {}, {})) << "nothing has changed";
+  EXPECT_TRUE(obstacle_is_reason(always, 2, 10, 9));
+  EXPECT_FALSE(always.change({3, {}}, space_with({1, 1}), {})) << "nothing has changed";
   Replanning never = planned(ReplanOnChange::never);
-  EXPECT_FALSE(never.change(2, box(10, 5), {}));
-  EXPECT_FALSE(never.change(3, SpaceChange::of_everything(), {}));
+  EXPECT_FALSE(obstacle_is_reason(never, 2, 10, 5));
+  EXPECT_FALSE(never.change({3, SpaceChange::of_everything()}, space_with({10, 5}), {}));
 }
 
 TEST(Replanning, IsForEveryChangeWhileThereIsNoPath) {
   Replanning replanning = planned(ReplanOnChange::ahead);
   replanning.begin();
   EXPECT_FALSE(replanning.end({}, 2));
-  EXPECT_TRUE(replanning.change(3, box(30, 30), {})) << "it may have opened a way";
+  EXPECT_TRUE(obstacle_is_reason(replanning, 3, 20, 20)) << "it may have opened a way";
 }
 
 TEST(Replanning, AChangeDuringASearchCountsAtItsEnd) {
   Replanning replanning = planned(ReplanOnChange::ahead);
   replanning.begin();
-  EXPECT_FALSE(replanning.change(2, box(10, 5), {})) << "the search may find another path";
+  EXPECT_FALSE(obstacle_is_reason(replanning, 2, 10, 5)) << "the search may find another path";
   EXPECT_FALSE(replanning.end(Path::along({{0.5, 9.5}, {20.5, 9.5}}), 1)) << "it did";
   replanning.begin();
-  EXPECT_FALSE(replanning.change(3, box(10, 9), {}));
+  EXPECT_FALSE(obstacle_is_reason(replanning, 3, 10, 9));
   EXPECT_TRUE(replanning.end(Path::along({{0.5, 9.5}, {20.5, 9.5}}), 2));
 }
 
 TEST(Replanning, WhatTheSearchKnewAlreadyDoesNotCount) {
   Replanning replanning = planned(ReplanOnChange::ahead);
   replanning.begin();
-  EXPECT_FALSE(replanning.change(2, box(10, 5), {}));
+  EXPECT_FALSE(obstacle_is_reason(replanning, 2, 10, 5));
   EXPECT_FALSE(replanning.end(along_a_row(), 2)) << "it planned on version 2";
-  EXPECT_FALSE(replanning.change(2, box(10, 5), {})) << "the news of it came late";
-  EXPECT_TRUE(replanning.change(3, box(10, 5), {}));
+  EXPECT_FALSE(obstacle_is_reason(replanning, 2, 10, 5)) << "the news of it came late";
+  EXPECT_TRUE(obstacle_is_reason(replanning, 3, 10, 5));
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ class MapFeed {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   struct Change {
-    std::optional<wend::GridMap> whole = {};  // another map; else an edit, and the rest is set
-    std::uint64_t version = 0;                // of the session's map after the edit
-    wend::SpaceChange space = {};
-    OccupancyLayout layout = {};  // of the map
+    std::optional<wend::GridMap> whole = {};         // another map
+    std::optional<wend::Session::View> edited = {};  // else the map after an edit
+    wend::SpaceChange cells = {};                    // and what that has changed
+    std::string frame_id = {};
   };
 
   /// The map at one moment.

@@ -51,6 +51,7 @@ class PlannerNode {
   enum class Reason {
     none,
     change,  // of the map
+    lost,    // the robot's pose was unknown
     time,    // ~replan_rate
     asked,   // a goal, a start, a parameter or another map
   };
@@ -78,6 +79,7 @@ class PlannerNode {
   void plan_for_topics();
   void plan_to(const geometry_msgs::PoseStamped& goal, Reason reason);
   Reason wait_for_topics();
+  double period() const;
   void wake();
 
   wend::Session session_{session_options()};
@@ -98,6 +100,7 @@ class PlannerNode {
   Replanning replanning_;
   bool active_ = false;   // the robot is on its way to that goal
   bool arrived_ = false;  // it was there at the last plan
+  bool lost_ = false;     // its pose was unknown then
   bool stopping_ = false;
   double replan_period_ = 0;  // s; 0: only when something new comes
   std::atomic<bool> cancel_topics_{false};
