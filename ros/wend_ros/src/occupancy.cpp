@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "wend/io/text.hpp"
+
 namespace wend_ros {
 namespace {
 
@@ -15,12 +17,6 @@ std::string text_of(std::uint64_t width, std::uint64_t height) {
 /// "columns 3 to 7".
 std::string range(const std::string& name, std::int64_t first, std::uint32_t count) {
   return name + ' ' + std::to_string(first) + " to " + std::to_string(first + count - 1);
-}
-
-std::string in_quotes(std::string_view text) {
-  std::string quote(1, '\'');
-  quote += text;
-  return quote += '\'';
 }
 
 }  // namespace
@@ -69,8 +65,8 @@ std::string fault_of(const OccupancyLayout& layout, std::size_t values) {
 
 std::string fault_of(const OccupancyUpdate& update, const OccupancyLayout& layout) {
   if (!update.frame_id.empty() && update.frame_id != layout.frame_id) {
-    return "it is in the frame " + in_quotes(update.frame_id) + ", and the map is in " +
-           in_quotes(layout.frame_id);
+    return "it is in the frame " + wend::quote(update.frame_id) + ", and the map is in " +
+           wend::quote(layout.frame_id);
   }
   const std::uint64_t cells = std::uint64_t{update.width} * update.height;
   if (update.values.size() != cells) {
