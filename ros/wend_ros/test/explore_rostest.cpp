@@ -96,10 +96,13 @@ TEST(Exploring, ReachesAGoalBehindAWallThatItDidNotKnow) {
   ros::NodeHandle node;
   auto goals = node.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
   ASSERT_TRUE(wait_until([&] { return goals.getNumSubscribers() > 0; }));
-  const auto distance_left = [&] {
+  const auto distance_to = [&](double x, double y) {
     const auto way = explorer.way();
-    return way.empty() ? 1e9 : std::hypot(way.back().x - 26.5, way.back().y - 29.5);
+    return way.empty() ? 1e9 : std::hypot(way.back().x - x, way.back().y - y);
   };
+  ASSERT_TRUE(wait_until([&] { return distance_to(17.5, 26.5) < 0.5; }))
+      << "the first goal came before the robot's pose";
+  const auto distance_left = [&] { return distance_to(26.5, 29.5); };
   goals.publish(pose(26.5, 29.5));
   ASSERT_TRUE(wait_until([&] { return explorer.state() == "driving"; }));
   ASSERT_TRUE(wait_until([&] { return explorer.state() == "reached" && distance_left() < 0.5; }))

@@ -121,11 +121,19 @@ class MapUpdates : public testing::Test {
     return wait_until([&] { return plan().map_stamp == stamp; });
   }
 
-  void set_replan(const std::string& value) {
+  static void set_replan(const std::string& value) {
     dynamic_reconfigure::Reconfigure call;
     call.request.config.strs.resize(1);
     call.request.config.strs[0].name = "replan_on_change";
     call.request.config.strs[0].value = value;
+    EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
+  }
+
+  static void set_rough(bool value) {
+    dynamic_reconfigure::Reconfigure call;
+    call.request.config.bools.resize(1);
+    call.request.config.bools[0].name = "rough";
+    call.request.config.bools[0].value = value ? 1 : 0;
     EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
   }
 
@@ -211,6 +219,15 @@ TEST_F(MapUpdates, AnotherMapAfterThemCounts) {
   ASSERT_TRUE(wait_for(map_.put(10, 0, 1, kSide, 100)));
   EXPECT_EQ(plan().status_name, "no_valid_path");
   ASSERT_TRUE(wait_for(map_.put_map(kSide + 5)));
+  EXPECT_NEAR(plan().cost, 17, 1e-9);
+}
+
+TEST_F(MapUpdates, AreReadAnewWhenTheirMeaningChanges) {
+  ASSERT_TRUE(wait_for(map_.put(10, 0, 1, kSide, 50)));
+  EXPECT_NEAR(plan().cost, 17, 1e-9);
+  set_rough(true);
+  EXPECT_NEAR(plan().cost, 19, 0.01) << "at once, without another map";
+  set_rough(false);
   EXPECT_NEAR(plan().cost, 17, 1e-9);
 }
 

@@ -80,6 +80,7 @@ class PlannerNode {
   void plan_to(const geometry_msgs::PoseStamped& goal, Reason reason);
   Reason wait_for_topics();
   double period() const;
+  bool knows_pose() const;
   void wake();
 
   wend::Session session_{session_options()};
