@@ -105,7 +105,7 @@ class FuzzedMapMessages {
   }
 
   std::string applied(const MapEdit& edit) {
-    if (!is_empty(edit)) {
+    if (!wend_ros::is_empty(edit)) {
       const auto edited = map_.edit(edit);
       if (!edited) return "an edit that does not fit: " + edited.error().message;
     }

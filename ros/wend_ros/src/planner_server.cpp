@@ -12,18 +12,19 @@
 
 namespace {
 
-/// Lets all threads share freed memory: maps and planners are made and freed by turns, and with a heap for
-/// each thread that adds up.
-void share_memory() {
-#ifdef M_ARENA_MAX
-  mallopt(M_ARENA_MAX, 1);
+/// Gives the memory of maps and planners back to the system as soon as they are deleted. Else what is left
+/// between them adds up: on a map of 1000 x 1000 cells that changes, three times what is in use.
+void return_memory() {
+#ifdef M_MMAP_THRESHOLD
+  constexpr int kLarge = 1'000'000;  // bytes
+  mallopt(M_MMAP_THRESHOLD, kLarge);
 #endif
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  share_memory();
+  return_memory();
   ros::init(argc, argv, "planner_server");
   ros::NodeHandle node;
   ros::NodeHandle own("~");

@@ -145,7 +145,8 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
 }
 
 wend::SessionOptions session_options() {
-  return {.hints = {.unknown_free = "~unknown_free",
+  return {.idle_planners = 4,
+          .hints = {.unknown_free = "~unknown_free",
                     .outside_free = "~outside 'free'",
                     .squeeze = "~connectivity 8 and ~corner_rule both",
                     .robot_radius = "~robot_radius",

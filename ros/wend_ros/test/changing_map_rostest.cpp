@@ -244,7 +244,8 @@ PlanRequest random_request(std::mt19937& random) {
   const auto place = [&] { return metres(kPlaces[random() % kPlaces.size()]); };
   PlanRequest asked = request(place(), place());
   asked.start = pose(place(), place());
-  asked.planner = random() % 2 == 0 ? "astar" : "jps";
+  constexpr std::array kPlanners{"astar", "jps", "replanner"};
+  asked.planner = kPlanners[random() % kPlanners.size()];
   return asked;
 }
 
