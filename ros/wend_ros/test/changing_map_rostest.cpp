@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "checked_answers.hpp"
 #include "map_history.hpp"
 #include "next_message.hpp"
 #include "planner_client.hpp"
@@ -32,9 +33,7 @@ namespace wend_ros {
 namespace {
 
 constexpr int kSide = 1000;
-constexpr double kResolution = 0.05;
-constexpr double kRadius = 0.3;  // as in changing_map.test
-constexpr double kRate = 20;     // Hz
+constexpr double kRate = 20;  // Hz
 constexpr double kWindow =
     0.2;  // of the time: memory in the second fifth is compared with that in the last
 constexpr double kGrowth = 10;  // MB
@@ -166,68 +165,6 @@ class Changes {
   std::thread thread_;
 };
 
-/// Is the robot's disc free of occupied cells with its middle there? Cell by cell.
-bool is_free(const ValueMap& map, double x, double y) {
-  const double radius = kRadius / kResolution;
-  const int reach = static_cast<int>(radius) + 1;
-  for (int row = static_cast<int>(y) - reach; row <= static_cast<int>(y) + reach; ++row) {
-    for (int column = static_cast<int>(x) - reach; column <= static_cast<int>(x) + reach;
-         ++column) {
-      const bool inside = column >= 0 && row >= 0 && column < map.side && row < map.side;
-      if (inside && map.at(column, row) != 100) continue;
-      const double dx = std::max({column - x, x - column - 1, 0.0});
-      const double dy = std::max({row - y, y - row - 1, 0.0});
-      if (std::hypot(dx, dy) < radius - 1e-6) return false;
-    }
-  }
-  return true;
-}
-
-/// Counts answers, and those that are wrong: not free on the map that they name, or without such a map.
-class Checked {
- public:
-  explicit Checked(const MapHistory& history) : replay_(history, first_map()) {}
-
-  void check(const PlanResult& result) {
-    const std::lock_guard lock(mutex_);
-    ++answers_;
-    if (!replay_.go_to(result.map_stamp)) return fail("the map of its stamp was not published");
-    if (result.status != 0) return;
-    ++found_;
-    ages_.push_back(result.since_change);
-    for (const auto& stamped : result.path.poses) {
-      const auto& at = stamped.pose.position;
-      if (!is_free(replay_.map(), at.x / kResolution, at.y / kResolution)) {
-        return fail("not free at " + std::to_string(at.x) + ',' + std::to_string(at.y));
-      }
-    }
-  }
-
-  int answers() const { return answers_; }
-  int found() const { return found_; }
-  std::string fault() const { return fault_; }
-
-  /// The median of the time since the change, ms.
-  double age() {
-    if (ages_.empty()) return 0;
-    const auto middle = ages_.begin() + static_cast<std::ptrdiff_t>(ages_.size() / 2);
-    std::nth_element(ages_.begin(), middle, ages_.end());
-    return 1e3 * *middle;
-  }
-
- private:
-  void fail(const std::string& what) {
-    if (fault_.empty()) fault_ = "answer " + std::to_string(answers_) + ": " + what;
-  }
-
-  std::mutex mutex_;
-  MapReplay replay_;
-  int answers_ = 0;
-  int found_ = 0;
-  std::string fault_;
-  std::vector<double> ages_;
-};
-
 /// Times and values.
 using Samples = std::vector<std::pair<double, double>>;
 
@@ -255,24 +192,30 @@ TEST(ChangingMap, EveryAnswerIsFreeOnItsMapAndTheNodeStaysSmall) {
   auto goals = node.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
   Changes changes(node.advertise<nav_msgs::OccupancyGrid>("map", 100, true),
                   node.advertise<map_msgs::OccupancyGridUpdate>("map_updates", 100));
-  Checked served(changes.history());
-  Checked replanned(changes.history());
-  const auto results = node.subscribe<PlanResult>(
-      "plan_result", 1000, [&](const PlanResultConstPtr& result) { replanned.check(*result); });
+  CheckedAnswers served(changes.history(), first_map());
+  CheckedAnswers replanned(changes.history(), first_map());
+  const geometry_msgs::PoseStamped start = pose(metres(kPlaces.front()), metres(kPlaces.front()));
+  const geometry_msgs::PoseStamped goal = pose(metres(kPlaces.back()), metres(kPlaces.back()));
+  const auto results =
+      node.subscribe<PlanResult>("plan_result", 1000, [&](const PlanResultConstPtr& result) {
+        replanned.check(*result, start.pose.position, goal.pose.position);
+      });
   ros::ServiceClient client = node.serviceClient<PlanPath>("plan_path");
   ASSERT_TRUE(client.waitForExistence(kPatience));
   std::mt19937 random(3);
-  const auto ask = [&] {
+  const auto ask = [&](const PlanRequest& request) {
     PlanPath call;
-    call.request.request = random_request(random);
+    call.request.request = request;
     EXPECT_TRUE(client.call(call));
     return call.response.result;
   };
-  ASSERT_TRUE(wait_until([&] { return goals.getNumSubscribers() > 0 && ask().map_version > 0; }));
+  ASSERT_TRUE(wait_until([&] {
+    return goals.getNumSubscribers() > 0 && ask(random_request(random)).map_version > 0;
+  }));
   ASSERT_TRUE(wait_until([&] { return results.getNumPublishers() > 0; }));
   const int pid = pid_of("/planner_server");
   ASSERT_GT(pid, 0);
-  goals.publish(pose(metres(950), metres(950)));
+  goals.publish(goal);
 
   changes.start();
   const ros::WallTime begin = ros::WallTime::now();
@@ -282,7 +225,8 @@ TEST(ChangingMap, EveryAnswerIsFreeOnItsMapAndTheNodeStaysSmall) {
   int number = 0;
   while (elapsed() < seconds) {
     number = changes.wait_for_one_after(number);
-    served.check(ask());
+    const PlanRequest request = random_request(random);
+    served.check(ask(request), request.start.pose.position, request.goals[0].pose.position);
     memory.emplace_back(elapsed(), memory_of(pid));
   }
   const double cores = (cpu_seconds_of(pid) - cpu_before) / elapsed();
@@ -296,7 +240,8 @@ TEST(ChangingMap, EveryAnswerIsFreeOnItsMapAndTheNodeStaysSmall) {
             << " found), " << served.age() << " ms after the change; " << replanned.answers()
             << " plans made again (" << replanned.found() << " found), " << replanned.age()
             << " ms after it; memory " << warm << " MB, later " << late << " MB, at most " << peak
-            << " MB; " << cores << " cores\n";
+            << " MB; " << cores << " cores; " << served.flooded() + replanned.flooded()
+            << " without a path flooded\n";
   EXPECT_EQ(served.fault(), "");
   EXPECT_EQ(replanned.fault(), "");
   EXPECT_GT(served.found(), served.answers() / 2);
