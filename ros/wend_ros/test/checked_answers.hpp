@@ -89,8 +89,10 @@ class CheckedAnswers {
              const geometry_msgs::Point& goal) {
     const std::lock_guard lock(mutex_);
     ++answers_;
+    last_stamp_ = result.map_stamp;
     if (!replay_.go_to(result.map_stamp)) return fail("the map of its stamp was not published");
-    if (result.status != 0) return check_failure(result, start, goal);
+    if (result.status_name == "no_valid_path") return check_failure(result, start, goal);
+    if (result.status != 0) return;
     ++found_;
     ages_.push_back(result.since_change);
     for (const auto& stamped : result.path.poses) {
@@ -99,6 +101,11 @@ class CheckedAnswers {
         return fail("not free at " + std::to_string(at.x) + ',' + std::to_string(at.y));
       }
     }
+  }
+
+  ros::Time last_stamp() const {
+    const std::lock_guard lock(mutex_);
+    return last_stamp_;
   }
 
   int answers() const { return answers_; }
@@ -128,8 +135,9 @@ class CheckedAnswers {
     if (fault_.empty()) fault_ = "answer " + std::to_string(answers_) + ": " + what;
   }
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   MapReplay replay_;
+  ros::Time last_stamp_;
   int answers_ = 0;
   int found_ = 0;
   int flooded_ = 0;
