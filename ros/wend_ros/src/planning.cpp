@@ -57,6 +57,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   if (limit > 0) request.limits.seconds = limit;
   request.observer = watch.observer;
   request.nearest = ask.nearest;
+  request.explain = ask.explain;
   request.from_field = ask.from_field;
   request.trajectory = limits_of(parameters);
   return request;
@@ -145,7 +146,8 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
 }
 
 wend::SessionOptions session_options() {
-  return {.hints = {.unknown_free = "~unknown_free",
+  return {.idle_planners = 4,
+          .hints = {.unknown_free = "~unknown_free",
                     .outside_free = "~outside 'free'",
                     .squeeze = "~connectivity 8 and ~corner_rule both",
                     .robot_radius = "~robot_radius",
@@ -175,7 +177,8 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   if (!answered) return {std::move(result)};
   const wend::Frame& frame = answered->space.map().frame();
   nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
-  return {std::move(result), std::move(answered->plan.path), std::move(way)};
+  wend::Path driven = answered->path();
+  return {std::move(result), std::move(answered->plan.path), std::move(driven), std::move(way)};
 }
 
 }  // namespace wend_ros

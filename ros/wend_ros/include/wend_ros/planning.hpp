@@ -28,6 +28,7 @@ struct Ask {
   double time_limit = 0;  // s; 0: the parameter's
   bool from_field = false;
   bool nearest = false;  // moves blocked ends to the nearest free cells
+  bool explain = true;   // why there is no path, at length, which may take longer than the search
 };
 
 struct Watch {
@@ -48,6 +49,7 @@ wend::SessionOptions session_options();
 struct Answer {
   PlanResult result;
   wend::Path path = {};     // as planned, in grid coordinates; empty without one
+  wend::Path driven = {};   // the same as it is published to be driven: smoothed
   nav_msgs::Path way = {};  // the same with poses on its arcs, for followers and rviz
 };
 
