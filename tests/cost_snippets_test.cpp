@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
+#include "wend/space/grid/line_cost.hpp"
 
 namespace {
 
@@ -70,6 +72,12 @@ void add_mud(const wend::GridMap& map) {
   EXPECT_EQ(muddy->terrain({2, 4}), 3);
   EXPECT_EQ(muddy->terrain({2, 5}), 1);
   report("mud");
+}
+
+TEST(Snippets, OfLineCosts) {
+  const wend::FreeSpace& space = wend::test::open_ground();
+  const double cost = wend::line_cost(space, {0, 4}, {3, 6});
+  EXPECT_EQ(cost, std::sqrt(13));
 }
 
 TEST(Snippets, OfCostsOfOnesOwn) {
