@@ -18,6 +18,8 @@ struct Capabilities {
   bool terrain = false;    // takes terrain costs into account
   bool can_step = false;   // Planner::begin and step work
   bool learns = false;     // later searches may expand fewer states; their paths are the same
+  bool resumes =
+      false;  // a search goes on from the last one: it may find another path of equal cost
 };
 
 /// Does a planner expand only some cells of its paths, on a map where every cell costs the same or not?

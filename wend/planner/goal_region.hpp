@@ -37,6 +37,8 @@ struct PlaceGrid {
     return {static_cast<int>(std::round((point.x - offset) / spacing)),
             static_cast<int>(std::round((point.y - offset) / spacing))};
   }
+
+  friend bool operator==(const PlaceGrid&, const PlaceGrid&) = default;
 };
 
 /// The centres of cells.
@@ -103,6 +105,8 @@ class GoalRegion {
     high_ = any ? high : kNowhere;
     return any;
   }
+
+  friend bool operator==(const GoalRegion&, const GoalRegion&) = default;
 
  private:
   static constexpr Cell kNowhere{-1, -1};  // not a place

@@ -64,6 +64,8 @@ struct Goal {
     return heading_tolerance > 0 &&
            std::abs(normalized_angle(radians - *heading)) <= heading_tolerance + kRounding;
   }
+
+  friend bool operator==(const Goal&, const Goal&) = default;
 };
 
 /// A query in grid coordinates. A grid planner uses the cells of start and goal and ignores

@@ -14,6 +14,7 @@
 #include "wend/base/option_values.hpp"
 #include "wend/planner/any_angle/any_angle_options.hpp"
 #include "wend/planner/grid/grid_options.hpp"
+#include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/lattice/lattice_options.hpp"
 #include "wend/planner/planners.hpp"
 

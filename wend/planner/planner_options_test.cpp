@@ -20,9 +20,10 @@ using ::testing::IsEmpty;
 template <class Options>
 class PlannerOptionsOf : public ::testing::Test {};
 
-using AllOptions = ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions,
-                                    DfsOptions, RandomWalkOptions, ThetaStarOptions,
-                                    LazyThetaStarOptions, CarOptions, LatticeOptions>;
+using AllOptions =
+    ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions, DfsOptions,
+                     RandomWalkOptions, ThetaStarOptions, LazyThetaStarOptions, CarOptions,
+                     LatticeOptions, ReplannerOptions, DStarLiteOptions>;
 TYPED_TEST_SUITE(PlannerOptionsOf, AllOptions);
 
 template <class... Options>

@@ -30,7 +30,7 @@ class SearchPlanner : public Planner {
                  "no memory for the " + std::to_string(state_count()) + " poses of " + whose};
   }
 
-  std::unique_ptr<Engine> engine_;
+  std::shared_ptr<Engine> engine_;
 
  private:
   /// Begins the search of the query that was checked last. Both live as long as the search.

@@ -3,8 +3,8 @@
 // BucketQueue: the open states of a search in whole numbers, in buckets of equal width.
 //
 // Each bucket is last in, first out, so keys are ordered only between buckets: a search may have to expand a
-// state again, and has to go on until the bucket of its best goal is done. Keys never fall below the current
-// bucket. A window of kBuckets buckets holds the entries that are due soon, as lists; the others wait in one
+// state again, and has to go on until the bucket of its best goal is done. push() takes keys that do not fall
+// below the current bucket, push_anywhere() any. A window of kBuckets buckets holds the entries that are due soon, as lists; the others wait in one
 // far list, which is sorted into buckets when the window has come to its end. So keys can be any distance
 // ahead. A push or pop takes O(1), plus the search for the next bucket, 64 buckets at a time. Memory of
 // popped entries is used again; nothing is allocated once the queue has its final size.
@@ -62,8 +62,17 @@ class BucketQueue {
     occupied_[bucket / kWordBits] |= std::uint64_t{1} << (bucket % kWordBits);
   }
 
-  /// The last entry of the lowest bucket. The queue must not be empty.
-  Entry pop() {
+  /// The same for any key. O(entries) if the key is below the window.
+  void push_anywhere(std::uint64_t key, const Entry& entry) {
+    const std::uint64_t bucket = key >> width_bits_;
+    if (bucket < first_) rewind_window(bucket);
+    current_ = std::min<std::size_t>(current_, bucket - first_);
+    push(key, entry);
+  }
+
+  /// Goes on to the lowest bucket with entries, which pop() takes next, and returns the least key that it may
+  /// hold. The queue must not be empty.
+  std::uint64_t seek() {
     std::size_t word = current_ / kWordBits;
     while (occupied_[word] == 0) {
       if (++word == kWords) {
@@ -72,6 +81,13 @@ class BucketQueue {
       }
     }
     current_ = word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]));
+    return least_key();
+  }
+
+  /// The last entry of the lowest bucket. The queue must not be empty.
+  Entry pop() {
+    seek();
+    const std::size_t word = current_ / kWordBits;
     const std::uint32_t link = heads_[current_];
     heads_[current_] = links_[link].next;
     const std::uint64_t empty = heads_[current_] == kNone ? 1 : 0;
@@ -84,6 +100,8 @@ class BucketQueue {
 
   /// No key of the bucket popped last is below this, nor will any later one be.
   std::uint64_t least_key() const { return (first_ + current_) << width_bits_; }
+  /// All keys of that bucket are below this.
+  std::uint64_t end_of_bucket() const { return (first_ + current_ + 1) << width_bits_; }
 
  private:
   static constexpr std::size_t kBuckets = 4096;
@@ -111,7 +129,30 @@ class BucketQueue {
     const auto least =
         std::min_element(far_.begin(), far_.end(),
                          [](const FarEntry& a, const FarEntry& b) { return a.key < b.key; });
-    first_ = least->key >> width_bits_;
+    begin_window(least->key >> width_bits_);
+  }
+
+  /// Begins the window so early that a lower bucket is in it, with room below.
+  [[gnu::noinline]] void rewind_window(std::uint64_t bucket) {
+    for (std::size_t word = 0; word < kWords; ++word) {
+      for (; occupied_[word] != 0; occupied_[word] &= occupied_[word] - 1) {
+        const auto at =
+            word * kWordBits + static_cast<std::size_t>(std::countr_zero(occupied_[word]));
+        const std::uint64_t key = (first_ + at) << width_bits_;
+        for (std::uint32_t link = heads_[at]; link != kNone; link = links_[link].next) {
+          far_.push_back({key, links_[link].entry});
+        }
+        heads_[at] = kNone;
+      }
+    }
+    links_.clear();
+    unused_ = kNone;
+    begin_window(bucket - std::min<std::uint64_t>(bucket, kBuckets / 4));
+  }
+
+  /// Moves the far entries that lie in a window from this bucket on into it.
+  void begin_window(std::uint64_t first) {
+    first_ = first;
     current_ = 0;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < far_.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 GridPlanner::Parts choose_parts(const FreeSpace& space, const AStarOptions& options) {
   const BestFirst parts{options.moves, resolved(options.heuristic.kind, options.moves.connectivity),
                         options.heuristic.constant, options.weight, options.leaps};
-  return {options.moves, make_best_first_engine(space, parts), parts.bound()};
+  return best_first_parts(space, parts);
 }
 
 }  // namespace

@@ -55,6 +55,16 @@ std::unique_ptr<GridEngine> make_real(const FreeSpace& space, const BestFirst& p
       RealEstimate<Space>(parts.heuristic, parts.constant, 1, parts.weight));
 }
 
+/// Expands cell by cell.
+std::unique_ptr<GridEngine> make_stepping_engine(const FreeSpace& space, const BestFirst& parts) {
+  if (!space.uniform_terrain()) {
+    return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
+  }
+  if (parts.whole()) return make_whole(space, parts);
+  return make_real<ExactGrid>(
+      space, parts, parts.consistent() ? MoveTable::Pruning::canonical : MoveTable::Pruning::none);
+}
+
 }  // namespace
 
 bool BestFirst::consistent() const {
@@ -73,14 +83,11 @@ bool BestFirst::whole() const {
   return consistent() && whole_numbers;
 }
 
-std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts) {
-  if (!space.uniform_terrain()) {
-    if (parts.leaps && can_leap(space, parts)) return make_leap_engine(space, parts);
-    return make_real<TerrainGrid>(space, parts, MoveTable::Pruning::none);
+GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts) {
+  if (!space.uniform_terrain() && parts.leaps && can_leap(space, parts)) {
+    return leap_parts(space, parts);
   }
-  if (parts.whole()) return make_whole(space, parts);
-  return make_real<ExactGrid>(
-      space, parts, parts.consistent() ? MoveTable::Pruning::canonical : MoveTable::Pruning::none);
+  return {parts.moves, make_stepping_engine(space, parts), parts.bound()};
 }
 
 }  // namespace wend

@@ -30,6 +30,6 @@ struct BestFirst {
   double bound() const;
 };
 
-std::unique_ptr<GridEngine> make_best_first_engine(const FreeSpace& space, const BestFirst& parts);
+GridPlanner::Parts best_first_parts(const FreeSpace& space, const BestFirst& parts);
 
 }  // namespace wend

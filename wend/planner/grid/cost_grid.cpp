@@ -86,56 +86,108 @@ bool CostGrid<Word>::holds(const CostMap& costs) {
 
 template <class Word>
 CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves)
-    : stride_(stride_for(space.width())),
+    : width_(space.width()),
+      stride_(stride_for(space.width())),
       inverse_(~std::uint64_t{0} / stride_ + 1),
       moves_(moves),
-      one_(space.uniform_terrain() ? 1 : CostMap::kOne) {
+      one_(space.uniform_terrain() ? 1 : CostMap::kOne),
+      row_steps_(static_cast<std::size_t>(space.height())) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * stride_ +
                   static_cast<StateId>(kDirectionSteps[i].x);
   }
   words_.resize(std::size_t{stride_} * (static_cast<std::size_t>(space.height()) + 2));
-  BitLines interior(space.height(), space.width());
-  fill_rows(space, interior);
-  const auto stops = [](const BitLines& board) {
-    return mapped(board, [&](int line, std::size_t i) { return ~board.words(line)[i]; });
-  };
-  row_stops_ = stops(interior);
-  column_stops_ = stops(interior.transposed());
+  compute_words(space, CellBox::of(space), [this](Cell cell, Word word) {
+    words_[number(cell)] = word;
+    if (word == 0) return;
+    Range& range = row_steps_[static_cast<std::size_t>(cell.y)];
+    range.least = std::min(range.least, static_cast<std::uint32_t>(steps(word)));
+    range.most = std::max(range.most, static_cast<std::uint32_t>(steps(word)));
+  });
+  join_rows();
 }
 
 template <class Word>
-void CostGrid<Word>::fill_rows(const FreeSpace& space, BitLines& interior) {
-  const std::size_t extent = static_cast<std::size_t>(space.width()) + 2;
-  std::array<std::vector<std::uint32_t>, 3> rows;
-  for (auto& row : rows) row.assign(extent, 0);
+void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
+  // A log that is longer than this costs a search more than beginning anew.
+  const std::size_t longest = words_.size() / 8 + 1024;
+  for (const CellBox& box : change.boxes) {
+    const CellBox reached = box.grown_by(1).clipped_to(space);
+    compute_words(space, reached, [this](Cell cell, Word word) {
+      Word& here = words_[number(cell)];
+      if (here == word) return;
+      log_.push_back({number(cell), here});
+      here = word;
+    });
+    for (int y = reached.begin.y; y < reached.end.y; ++y) {
+      row_steps_[static_cast<std::size_t>(y)] = range_of_row(y);
+    }
+  }
+  join_rows();
+  if (log_.size() > longest) {
+    log_begin_ += log_.size();
+    log_.clear();
+  }
+}
+
+/// Calls store(cell, word) for each cell of a box.
+template <class Word>
+template <class Store>
+void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
+                                   Store&& store) const {
+  std::array<std::vector<std::uint32_t>, 3> rows;  // with a column more on both sides
+  for (auto& row : rows) row.assign(static_cast<std::size_t>(box.width()) + 2, 0);
   const auto read = [&](int y, std::vector<std::uint32_t>& row) {
     std::fill(row.begin(), row.end(), 0);
-    if (y >= space.height()) return;
-    for (int x = 0; x < space.width(); ++x) {
+    if (y < 0 || y >= space.height()) return;
+    const int end = std::min(box.end.x + 1, space.width());
+    for (int x = std::max(box.begin.x - 1, 0); x < end; ++x) {
       const Cell cell{x, y};
+      if (!space.passable()[cell]) continue;
       const std::uint32_t steps = space.uniform_terrain() ? 1 : space.costs().steps(cell);
-      row[static_cast<std::size_t>(x) + 1] = space.passable()[cell] ? steps : 0;
+      row[static_cast<std::size_t>(x - box.begin.x + 1)] = steps;
     }
   };
-  BlockRange range(space.width());
-  read(0, rows[2]);
-  for (int y = 0; y < space.height(); ++y) {
+  BlockRange range(box.width());
+  read(box.begin.y - 1, rows[1]);
+  read(box.begin.y, rows[2]);
+  for (int y = box.begin.y; y < box.end.y; ++y) {
     std::rotate(rows.begin(), rows.begin() + 1, rows.end());
     read(y + 1, rows[2]);
     range.read({rows[0].data(), rows[1].data(), rows[2].data()});
-    for (int x = 0; x < space.width(); ++x) {
-      const auto at = static_cast<std::size_t>(x);
-      const std::uint64_t steps = rows[1][at + 1];
-      if (steps == 0) continue;
-      least_steps_ = std::min(least_steps_, steps);
-      most_steps_ = std::max(most_steps_, steps);
-      const unsigned neighbours = neighbours_in(space.passable().block({x, y}));
-      const CostClass kind = range.class_at(at);
-      words_[number({x, y})] = static_cast<Word>((steps << CostMoves::kKeyBits) |
-                                                 (static_cast<unsigned>(kind) << 8U) | neighbours);
-      if (kind == CostClass::uniform && neighbours == 255) interior.set(y, x);
+    for (int x = box.begin.x; x < box.end.x; ++x) {
+      const auto at = static_cast<std::size_t>(x - box.begin.x);
+      const Word steps = rows[1][at + 1];
+      Word word = 0;
+      if (steps != 0) {
+        const auto kind = static_cast<unsigned>(range.class_at(at));
+        word = static_cast<Word>((steps << CostMoves::kKeyBits) | (kind << 8U) |
+                                 neighbours_in(space.passable().block({x, y})));
+      }
+      store(Cell{x, y}, word);
     }
+  }
+}
+
+template <class Word>
+typename CostGrid<Word>::Range CostGrid<Word>::range_of_row(int y) const {
+  Range range;
+  const StateId begin = number({0, y});
+  for (StateId id = begin; id < begin + static_cast<StateId>(width_); ++id) {
+    // A blocked cell counts as the largest least: 0 - 1 wraps.
+    const auto here = static_cast<std::uint32_t>(steps(words_[id]));
+    range.least = std::min(range.least - 1, here - 1) + 1;
+    range.most = std::max(range.most, here);
+  }
+  return range;
+}
+
+template <class Word>
+void CostGrid<Word>::join_rows() {
+  steps_ = {};
+  for (const Range& row : row_steps_) {
+    steps_.least = std::min(steps_.least, row.least);
+    steps_.most = std::max(steps_.most, row.most);
   }
 }
 

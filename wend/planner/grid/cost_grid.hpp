@@ -1,10 +1,10 @@
 #pragma once
 
-// CostGrid: the cells of a FreeSpace with costs, packed for searches in whole numbers.
+// CostGrid: the cells of a FreeSpace, packed for searches in whole numbers that leap or repair.
 //
-// The word of a cell holds its cost in CostMap steps (1 on a map where every cell costs the same), which of its neighbours are free, and its class. The class
-// says which moves a search can leave out after an arrival, because a way around the cell is at least as
-// good:
+// The word of a cell holds its cost in CostMap steps (1 on a map where every cell costs the same), which of its
+// neighbours are free, and its class. The class says which moves a search can leave out after an arrival,
+// because a way around the cell is at least as good:
 //
 //   uniform  all free cells of the 3 x 3 block cost the same: as on a uniform map (canonical pruning)
 //   smooth   no free cell of the block costs more than 9/5 of another: moves with a strictly shorter way
@@ -12,21 +12,26 @@
 //            ones are the closest case: 3.6 < 3.65)
 //   general  moves to cells that the parent reaches by one straight step
 //
-// Cells of the uniform class whose whole block is free are "interior". Bit lines by rows and by columns have the cells at which a
-// straight run of interior cells ends.
+// Cells of the uniform class whose whole block is free are "interior".
 //
 // Cells are numbered with a border of blocked cells around the map, so that a neighbour needs no check.
+//
+// repair() follows an edit of the map. It keeps a log of the words that it changed, from which searches catch up
+// with the grid when they are next used.
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "wend/base/state_id.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/geometry/direction.hpp"
-#include "wend/jump/bit_lines.hpp"
 #include "wend/robot/free_space.hpp"
+#include "wend/robot/space_change.hpp"
 #include "wend/space/grid/grid_moves.hpp"
 
 namespace wend {
@@ -52,6 +57,12 @@ class CostMoves {
 template <class Word>
 class CostGrid {
  public:
+  /// A word that a repair changed.
+  struct Change {
+    StateId id;
+    Word before;
+  };
+
   /// The largest multiplier in CostMap steps.
   static constexpr std::uint64_t kMostSteps = static_cast<Word>(~Word{0}) >> CostMoves::kKeyBits;
 
@@ -59,6 +70,23 @@ class CostGrid {
   static bool holds(const CostMap& costs);
 
   CostGrid(const FreeSpace& space, GridMoves moves);
+
+  /// Can the grid be repaired to be that of this space, which has the same size?
+  bool can_become(const FreeSpace& space) const {
+    return space.uniform_terrain() == (one_ == 1) && (one_ == 1 || holds(space.costs()));
+  }
+
+  /// Makes it the grid of this space, which it can_become(), after `change` (not everything). O(cells of the
+  /// boxes + their rows).
+  void repair(const FreeSpace& space, const SpaceChange& change);
+
+  /// The number of changes logged so far: where a search that has caught up stands in the log.
+  std::uint64_t log_end() const { return log_begin_ + log_.size(); }
+  /// The changes since then, oldest first; nothing if the log no longer goes back so far.
+  std::optional<std::span<const Change>> changes_since(std::uint64_t position) const {
+    if (position < log_begin_) return std::nullopt;
+    return std::span(log_).subspan(static_cast<std::size_t>(position - log_begin_));
+  }
 
   StateId state_count() const { return static_cast<StateId>(words_.size()); }
   StateId number(Cell cell) const {
@@ -85,13 +113,12 @@ class CostGrid {
   /// The steps of a multiplier of 1: CostMap::kOne, or 1 where every cell costs the same.
   std::uint64_t one() const { return one_; }
   /// The least steps of a free cell.
-  std::uint64_t least_steps() const { return least_steps_; }
+  std::uint64_t least_steps() const { return steps_.least; }
   /// The most steps of a free cell.
-  std::uint64_t most_steps() const { return most_steps_; }
+  std::uint64_t most_steps() const { return steps_.most; }
 
-  /// The cells that are not interior, by rows and by columns.
-  const BitLines& row_stops() const { return row_stops_; }
-  const BitLines& column_stops() const { return column_stops_; }
+  int width() const { return width_; }
+  int height() const { return static_cast<int>(row_steps_.size()); }
 
  private:
   __extension__ using Wide = unsigned __int128;
@@ -100,18 +127,28 @@ class CostGrid {
   static constexpr Word kClassMask = 3U << 8U;
   static constexpr unsigned kInteriorKey = 255;  // all neighbours, uniform
 
-  void fill_rows(const FreeSpace& space, BitLines& interior);
+  /// The steps of free cells, from the least to the most; those of no cell are the other way around.
+  struct Range {
+    std::uint32_t least = CostMap::kMost;
+    std::uint32_t most = 1;
+  };
 
+  template <class Store>
+  void compute_words(const FreeSpace& space, const CellBox& box, Store&& store) const;
+  Range range_of_row(int y) const;
+  void join_rows();
+
+  int width_;
   StateId stride_;
   std::uint64_t inverse_;
   std::array<StateId, kDirections> offsets_{};
   CostMoves moves_;
   std::uint64_t one_;
   std::vector<Word> words_;
-  std::uint64_t least_steps_ = CostMap::kMost;
-  std::uint64_t most_steps_ = 1;
-  BitLines row_stops_;
-  BitLines column_stops_;
+  std::vector<Range> row_steps_;  // by row
+  Range steps_;                   // of all rows
+  std::vector<Change> log_;
+  std::uint64_t log_begin_ = 0;  // the number of changes dropped from it
 };
 
 extern template class CostGrid<std::uint32_t>;

@@ -8,9 +8,7 @@ namespace wend {
 namespace {
 
 GridPlanner::Parts choose_parts(const FreeSpace& space, const DijkstraOptions& options) {
-  const GridMoves& moves = options.moves;
-  const BestFirst parts{moves, HeuristicKind::zero, 0, 0, options.leaps};
-  return {moves, make_best_first_engine(space, parts), parts.bound()};
+  return best_first_parts(space, {options.moves, HeuristicKind::zero, 0, 0, options.leaps});
 }
 
 }  // namespace

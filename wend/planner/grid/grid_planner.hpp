@@ -50,7 +50,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
  public:
   struct Parts {
     GridMoves moves;
-    std::unique_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
+    std::shared_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;                        // what Plan::bound says of every answer
     bool any_angle = false;              // its paths are lines, not steps
     /// Makes another engine from what was prepared for this one; null if nothing was.

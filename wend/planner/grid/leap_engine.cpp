@@ -17,24 +17,24 @@
 #include "wend/search/limit_check.hpp"
 #include "wend/space/grid/cost_units.hpp"
 #include "wend/space/grid/grid_space.hpp"
+#include "wend/space/grid/octile.hpp"
 
 namespace wend {
 namespace {
 
 constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 
-template <class Cost, class Word>
+template <class Cost, class Word, class Units>
 class LeapEngine final : public GridEngine {
  public:
-  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, FreeSpace space, const BestFirst& parts)
-      : space_(std::move(space)),
-        grid_(std::move(grid)),
+  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, const BestFirst& parts)
+      : grid_(std::move(grid)),
         words_(grid_->words()),
+        log_position_(grid_->log_end()),
         estimate_(parts, grid_->least_steps()),
         leaps_(parts.moves.connectivity == Connectivity::eight),
         cuts_corners_(parts.moves.corner_rule != CornerRule::none),
-        width_bits_(width_bits_for(grid_->least_steps())),
-        stops_(grid_->row_stops(), grid_->column_stops()),
+        stops_(*grid_),
         nodes_(grid_->state_count()) {}
 
   bool allocated() const override { return nodes_.allocated(); }
@@ -49,9 +49,10 @@ class LeapEngine final : public GridEngine {
     outcome_ = allocated() ? SearchOutcome::running : SearchOutcome::out_of_memory;
     if (!allocated()) return;
     nodes_.begin_search();
+    catch_up();
     estimate_.begin(goals);
-    stops_.set_goals(goals, space_.width(), space_.height());
-    queue_.begin(estimate_.units(start), width_bits_);
+    stops_.set_goals(goals);
+    queue_.begin(estimate_.units(start), width_bits_for(grid_->least_steps()));
     reach(grid_->number(start), start, 0, Node::kNoArrival);
     metrics_.max_frontier = metrics_.generated;
     if (overflown_) outcome_ = SearchOutcome::cost_overflow;
@@ -127,8 +128,20 @@ class LeapEngine final : public GridEngine {
 
   /// A bucket is between 1/8 and 1/16 of the cheapest straight step wide.
   static unsigned width_bits_for(std::uint64_t least_steps) {
-    const std::uint64_t least = 2 * least_steps * CostUnits::kStraight;
+    const std::uint64_t least = 2 * least_steps * Units::kStraight;
     return static_cast<unsigned>(std::bit_width(least)) - 4;
+  }
+
+  /// Takes what was repaired in the grid since the last search.
+  void catch_up() {
+    const auto changes = grid_->changes_since(log_position_);
+    if (changes) {
+      stops_.repair(*grid_, *changes);
+    } else {
+      stops_ = RunStops(*grid_);
+    }
+    log_position_ = grid_->log_end();
+    estimate_.set_least_steps(grid_->least_steps());
   }
 
   /// Was the cell reached more cheaply since?
@@ -208,7 +221,7 @@ class LeapEngine final : public GridEngine {
   Run run_from(const From& from, unsigned direction) const {
     const std::uint32_t length = std::min(stops_.distance(from.cell, direction), Node::kLongest);
     return {direction, length, grid_->neighbour(from.id, direction, length),
-            from.g + 2 * from.steps * CostUnits::kStraight * length};
+            from.g + 2 * from.steps * Units::kStraight * length};
   }
 
   /// Did a run that passes its start reach its end more cheaply?
@@ -262,7 +275,7 @@ class LeapEngine final : public GridEngine {
     }
     const Cell step = kDirectionSteps[direction];
     reach(next, {from.cell.x + step.x, from.cell.y + step.y},
-          from.g + (from.steps + Grid::steps(word)) * CostUnits::kStraight,
+          from.g + (from.steps + Grid::steps(word)) * Units::kStraight,
           Node::arrival_by(direction, 1));
   }
 
@@ -270,7 +283,7 @@ class LeapEngine final : public GridEngine {
     const StateId next = grid_->neighbour(from.id, direction);
     const Cell step = kDirectionSteps[direction];
     reach(next, {from.cell.x + step.x, from.cell.y + step.y},
-          from.g + (from.steps + Grid::steps(words_[next])) * CostUnits::kDiagonal,
+          from.g + (from.steps + Grid::steps(words_[next])) * Units::kDiagonal,
           Node::arrival_by(direction, 1));
   }
 
@@ -287,10 +300,10 @@ class LeapEngine final : public GridEngine {
       if (via == 0) continue;
       if (!cuts_corners_ && words_[grid_->neighbour(parent, aside)] == 0) continue;
       const std::uint64_t to = Grid::steps(words_[grid_->neighbour(from.id, diagonal)]);
-      const std::uint64_t here = (parent_steps + from.steps) * CostUnits::kStraight +
-                                 (from.steps + to) * CostUnits::kDiagonal;
+      const std::uint64_t here =
+          (parent_steps + from.steps) * Units::kStraight + (from.steps + to) * Units::kDiagonal;
       const std::uint64_t other =
-          (parent_steps + via) * CostUnits::kDiagonal + (via + to) * CostUnits::kStraight;
+          (parent_steps + via) * Units::kDiagonal + (via + to) * Units::kStraight;
       if (other <= here) moves &= ~(1U << diagonal);
     }
     return moves;
@@ -327,7 +340,8 @@ class LeapEngine final : public GridEngine {
   }
 
   SearchEvent event_of(Cell cell, const Node& node) const {
-    const double g = static_cast<double>(node.g) / CostUnits::kUnitsPerCell;
+    const double per_cell = 2.0 * static_cast<double>(grid_->one()) * Units::kStraight;
+    const double g = static_cast<double>(node.g) / per_cell;
     const double h = estimate_.cells(cell);
     SearchEvent event{{}, {}, g, h, g + h};
     event.cell = cell;
@@ -338,13 +352,12 @@ class LeapEngine final : public GridEngine {
     return event;
   }
 
-  FreeSpace space_;
   std::shared_ptr<const Grid> grid_;
   const Word* words_;
-  WholeEstimate estimate_;
+  std::uint64_t log_position_;  // in the grid's log
+  WholeEstimate<Units> estimate_;
   bool leaps_;
   bool cuts_corners_;
-  unsigned width_bits_;
   RunStops stops_;
   RunNodes<Cost> nodes_;
   BucketQueue<Entry> queue_;
@@ -357,26 +370,56 @@ class LeapEngine final : public GridEngine {
   Cell goal_{};
 };
 
+template <class Word>
+GridPlanner::Parts parts_with(std::shared_ptr<CostGrid<Word>> grid,
+                              std::shared_ptr<GridEngine> engine, const BestFirst& parts) {
+  GridPlanner::Parts made{parts.moves, engine, parts.bound()};
+  made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
+    if (!grid->can_become(space)) return best_first_parts(space, parts);
+    grid->repair(space, change);
+    return parts_with(grid, engine, parts);
+  };
+  return made;
+}
+
+template <class Word>
+GridPlanner::Parts parts_on(const FreeSpace& space, const BestFirst& parts) {
+  const auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves);
+  return parts_with(grid, make_leap_engine<Word>(grid, parts), parts);
+}
+
 }  // namespace
 
 bool can_leap(const FreeSpace& space, const BestFirst& parts) {
   return parts.whole() && !sweeps_diagonals(space, parts.moves);
 }
 
-std::unique_ptr<GridEngine> make_leap_engine(const FreeSpace& space, const BestFirst& parts) {
-  if (!CostGrid<std::uint32_t>::holds(space.costs())) {
-    auto grid = std::make_shared<const CostGrid<std::uint64_t>>(space, parts.moves);
-    return std::make_unique<LeapEngine<std::uint64_t, std::uint64_t>>(std::move(grid), space,
-                                                                      parts);
-  }
-  auto grid = std::make_shared<const CostGrid<std::uint32_t>>(space, parts.moves);
-  return std::make_unique<WideningEngine<GridEngine>>(
-      [&] {
-        return std::make_unique<LeapEngine<std::uint32_t, std::uint32_t>>(grid, space, parts);
-      },
-      [grid, space, parts] {
-        return std::make_unique<LeapEngine<std::uint64_t, std::uint32_t>>(grid, space, parts);
-      });
+template <>
+std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint64_t>> grid,
+                                             const BestFirst& parts) {
+  using Engine = LeapEngine<std::uint64_t, std::uint64_t, CostUnits>;
+  return std::make_shared<Engine>(std::move(grid), parts);
+}
+
+template <>
+std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint32_t>> grid,
+                                             const BestFirst& parts) {
+  using Compact = std::uint32_t;
+  using Wide = std::uint64_t;
+  const auto widening = [&]<class Units, class WideUnits>() {
+    return std::make_shared<WideningEngine<GridEngine>>(
+        [&] { return std::make_unique<LeapEngine<Compact, Compact, Units>>(grid, parts); },
+        [grid, parts] {
+          return std::make_unique<LeapEngine<Wide, Compact, WideUnits>>(grid, parts);
+        });
+  };
+  if (grid->one() != 1) return widening.template operator()<CostUnits, CostUnits>();
+  return widening.template operator()<OctileUnits<Compact>, OctileUnits<Wide>>();
+}
+
+GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts) {
+  if (CostGrid<std::uint32_t>::holds(space.costs())) return parts_on<std::uint32_t>(space, parts);
+  return parts_on<std::uint64_t>(space, parts);
 }
 
 }  // namespace wend

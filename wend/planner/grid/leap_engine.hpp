@@ -3,7 +3,8 @@
 // LeapEngine: the cheapest g + h first on cells with costs, in whole numbers, with leaps.
 //
 // A step between neighbours costs (a + b) * 408, a diagonal one (a + b) * 577, where a and b are the CostMap
-// steps of its two cells (CostUnits says how close that is).
+// steps of its two cells (CostUnits says how close that is); where every cell costs the same, OctileUnits stand
+// for 408 and 577.
 //
 // The moves that the class of a cell leaves out (CostGrid) keep a cheapest path to every cell: one that is
 // left out on a tie is the second of two moves, a diagonal one, and the other way ends with a straight move,
@@ -23,9 +24,11 @@
 // Where a disc may cut corners, what is a legal move depends on more than the 3 x 3 block, and the classes do
 // not hold; weights and other heuristics have real keys: a forward search on TerrainGrid serves these.
 
+#include <cstdint>
 #include <memory>
 
 #include "wend/planner/grid/best_first.hpp"
+#include "wend/planner/grid/cost_grid.hpp"
 
 namespace wend {
 
@@ -33,7 +36,13 @@ namespace wend {
 /// in whole numbers.
 bool can_leap(const FreeSpace& space, const BestFirst& parts);
 
-/// The engine for parts with which it can_leap().
-std::unique_ptr<GridEngine> make_leap_engine(const FreeSpace& space, const BestFirst& parts);
+/// An engine on a grid, for parts with which it can_leap(). It follows the repairs of the grid. On a map where
+/// every cell costs the same its costs are exact (OctileUnits).
+template <class Word>
+std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<Word>> grid,
+                                             const BestFirst& parts);
+
+/// The engine and what repairs it after an edit.
+GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts);
 
 }  // namespace wend

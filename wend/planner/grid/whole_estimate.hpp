@@ -1,6 +1,6 @@
 #pragma once
 
-// WholeEstimate: the heuristic of a search in whole numbers on cells with costs.
+// WholeEstimate: the heuristic of a search in whole numbers on a CostGrid.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,17 +9,22 @@
 
 #include "wend/planner/goal_cells.hpp"
 #include "wend/planner/grid/best_first.hpp"
-#include "wend/space/grid/cost_units.hpp"
 
 namespace wend {
 
-/// An estimate that is a sum of straight and diagonal steps, in the units of the cheapest cell.
+/// An estimate that is a sum of straight and diagonal steps, in the Units of the cheapest cell.
+template <class Units>
 class WholeEstimate {
  public:
   WholeEstimate(const BestFirst& parts, std::uint64_t least_steps)
       : kind_(parts.weight > 0 ? parts.heuristic : HeuristicKind::zero), constant_(parts.constant) {
-    const std::uint64_t straight = 2 * least_steps * CostUnits::kStraight;
-    const std::uint64_t diagonal = 2 * least_steps * CostUnits::kDiagonal;
+    set_least_steps(least_steps);
+  }
+
+  /// The steps of the cheapest cell.
+  void set_least_steps(std::uint64_t least_steps) {
+    const std::uint64_t straight = 2 * least_steps * Units::kStraight;
+    const std::uint64_t diagonal = 2 * least_steps * Units::kDiagonal;
     if (kind_ == HeuristicKind::manhattan) longer_ = shorter_ = straight;
     if (kind_ == HeuristicKind::octile) {
       longer_ = straight;
