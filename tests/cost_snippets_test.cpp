@@ -23,8 +23,8 @@ using wend::test::reported;
 
 void read_costmap() {
   const std::vector<std::uint8_t> costs{0, 126, 254, 0, 252, 255};
-  const auto map =
-      wend::map_from_costmap(costs, 3, 2, {.resolution = 0.05, .y_up = true, .metric = true});
+  const wend::Frame frame{.resolution = 0.05, .y_up = true, .metric = true};
+  const auto map = wend::map_from_costmap(costs, 3, 2, frame);
   if (!map) return report(map.error().message);
   EXPECT_EQ(map->terrain({1, 0}), 3);
   EXPECT_EQ(map->state({2, 1}), wend::CellState::unknown);
@@ -66,8 +66,8 @@ TEST(Snippets, OfMasks) {
 }
 
 void add_mud(const wend::GridMap& map) {
-  const auto muddy =
-      wend::with_terrain(map, [&](wend::Cell cell) { return cell.y < 5 ? 3.0 : 1.0; });
+  const auto cost_of = [](wend::Cell cell) { return cell.y < 5 ? 3.0 : 1.0; };
+  const auto muddy = wend::with_terrain(map, cost_of);
   if (!muddy) return report(muddy.error().message);
   EXPECT_EQ(muddy->terrain({2, 4}), 3);
   EXPECT_EQ(muddy->terrain({2, 5}), 1);

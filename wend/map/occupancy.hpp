@@ -12,7 +12,8 @@
 // frame has y_up. A free space rounds multipliers to 1/256 (cost_map.hpp).
 //
 //   const std::vector<std::uint8_t> costs{0, 126, 254, 0, 252, 255};
-//   const auto map = wend::map_from_costmap(costs, 3, 2, {.resolution = 0.05, .y_up = true, .metric = true});
+//   const wend::Frame frame{.resolution = 0.05, .y_up = true, .metric = true};
+//   const auto map = wend::map_from_costmap(costs, 3, 2, frame);
 //   if (!map) return report(map.error().message);
 
 #include <cstdint>

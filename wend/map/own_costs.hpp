@@ -2,7 +2,8 @@
 
 // Costs of one's own: a multiplier for each cell, from a buffer or from a function of the cell.
 //
-//   const auto muddy = wend::with_terrain(map, [&](wend::Cell cell) { return cell.y < 5 ? 3.0 : 1.0; });
+//   const auto cost_of = [](wend::Cell cell) { return cell.y < 5 ? 3.0 : 1.0; };
+//   const auto muddy = wend::with_terrain(map, cost_of);
 //   if (!muddy) return report(muddy.error().message);
 
 #include <type_traits>
