@@ -46,10 +46,10 @@ std::vector<Command> add_commands(CLI::App& app) {
   Parser parser(app);
   add_plugin_option(parser);
   std::vector<Command> commands{
-      add_plan(parser),  add_smooth(parser),   add_follow(parser),      add_check(parser),
-      add_field(parser), add_compare(parser),  add_explain(parser),     add_view(parser),
-      add_info(parser),  add_generate(parser), add_convert(parser),     add_index(parser),
-      add_bench(parser), add_planners(parser), add_test_planner(parser)};
+      add_plan(parser),  add_smooth(parser), add_follow(parser),   add_explore(parser),
+      add_check(parser), add_field(parser),  add_compare(parser),  add_explain(parser),
+      add_view(parser),  add_info(parser),   add_generate(parser), add_convert(parser),
+      add_index(parser), add_bench(parser),  add_planners(parser), add_test_planner(parser)};
   commands.push_back(add_completion(parser));
   commands.push_back(add_reference(parser));
   return commands;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -56,6 +57,12 @@ Answer answer_of(Planner& planner, const Query& query) {
 }
 
 bool same_answers(const PlannerInfo& info, const Answer& one, Answer other) {
+  if (info.capabilities.resumes) {
+    return one.status == other.status && one.plan.bound == other.plan.bound &&
+           one.plan.path.empty() == other.plan.path.empty() &&
+           (one.plan.cost == other.plan.cost ||
+            std::abs(one.plan.cost - other.plan.cost) <= kRelativeOfCosts * one.plan.cost);
+  }
   if (info.capabilities.learns) other.plan.metrics = one.plan.metrics;
   return one == other;
 }

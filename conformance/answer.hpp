@@ -30,7 +30,11 @@ std::string text_of(const Answer& answer);
 
 Answer answer_of(Planner& planner, const Query& query);
 
-/// Are they equal, with all metrics? Those of a planner that learns (Capabilities) may differ.
+/// How much dearer than the optimum a path may be that is cheapest in whole numbers on cells with costs.
+inline constexpr double kRelativeOfCosts = 1.6e-6;
+
+/// Are they equal, with all metrics? Those of a planner that learns (Capabilities) may differ; of one that
+/// resumes, the path too, which then costs the same.
 bool same_answers(const PlannerInfo& info, const Answer& one, Answer other);
 
 /// Asks again, one expansion at a time and with an observer: what differs from `answer`, or an empty

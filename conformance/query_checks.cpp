@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "conformance/answer.hpp"
@@ -33,13 +34,15 @@ void expect_status(Examination& examination, Planner& planner, const Query& quer
   }
 }
 
-/// Stops at fewer expansions than the query needs, and not at as many.
-void expect_expansion_limit(Examination& examination, Planner& planner, Query query,
+/// Stops at fewer expansions than the query needs, and not at as many. `planner` gives the planner of each
+/// query: of one that resumes, a new one.
+template <class PlannerFor>
+void expect_expansion_limit(Examination& examination, PlannerFor&& planner, Query query,
                             std::uint64_t needed) {
   for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}, needed / 2, needed - 1}) {
     query.limits.expansions = limit;
     examination.ask(query);
-    const Answer answer = answer_of(planner, query);
+    const Answer answer = answer_of(planner(), query);
     const SearchMetrics& metrics = answer.plan.metrics;
     const bool metrics_kept = metrics.expanded == limit && metrics.generated >= limit;
     if (answer.status != Status::expansion_limit || !metrics_kept || metrics.generated == 0 ||
@@ -49,7 +52,7 @@ void expect_expansion_limit(Examination& examination, Planner& planner, Query qu
     }
   }
   query.limits.expansions = needed;
-  expect_status(examination, planner, query, Status::found);
+  expect_status(examination, planner(), query, Status::found);
 }
 
 void expect_clock_and_cancel(Examination& examination, Planner& planner, Query query) {
@@ -118,7 +121,14 @@ void examine_limits(Examination& examination, std::uint64_t seed) {
   }
   const bool searches = !examination.info().index_support;
   if (searches && unlimited.plan.metrics.expanded > 1) {
-    expect_expansion_limit(examination, *planner, query, unlimited.plan.metrics.expanded);
+    std::unique_ptr<Planner> fresh;
+    const auto planner_for_a_query = [&]() -> Planner& {
+      if (!examination.info().capabilities.resumes) return *planner;
+      fresh = examination.planner_for(trial);
+      return *fresh;
+    };
+    expect_expansion_limit(examination, planner_for_a_query, query,
+                           unlimited.plan.metrics.expanded);
   }
   expect_clock_and_cancel(examination, *planner, query);
 }

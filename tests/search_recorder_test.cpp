@@ -194,9 +194,9 @@ TEST_P(SearchRecorderOf, AgreesWithAReplayOfTheEvents) {
 
 TEST_P(SearchRecorderOf, ForgetsTheLastSearchWhenCleared) {
   const FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(7, 5, CellState::free)));
-  const auto planner = make_planner(GetParam(), space);
-  ASSERT_TRUE(planner);
   const auto record = [&](SearchRecorder& recorder, Cell start, Cell goal) {
+    const auto planner = make_planner(GetParam(), space);
+    ASSERT_TRUE(planner);
     Query query = Query::between(start, goal);
     query.observer = &recorder;
     ASSERT_TRUE((*planner)->plan(query));

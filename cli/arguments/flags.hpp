@@ -89,6 +89,14 @@ std::string or_list(const std::vector<std::string>& names);
 template <class Value>
 using NamedValues = std::vector<std::pair<std::string, Value>>;
 
+/// The values of an enum with choice_names().
+template <class Value>
+NamedValues<Value> named_values() {
+  NamedValues<Value> values;
+  for (const auto& choice : choice_names(Value{})) values.emplace_back(choice.name, choice.value);
+  return values;
+}
+
 /// One of a few words; `assign` is told which of them.
 Argument add_word(Parser& app, const std::string& flags, const std::vector<std::string>& words,
                   const std::function<void(std::size_t)>& assign, const std::string& help);

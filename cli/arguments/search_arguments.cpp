@@ -8,13 +8,6 @@
 namespace wend::cli {
 namespace {
 
-template <class Value>
-NamedValues<Value> named_values() {
-  NamedValues<Value> values;
-  for (const auto& choice : choice_names(Value{})) values.emplace_back(choice.name, choice.value);
-  return values;
-}
-
 constexpr NumberRange kLimitSeconds{0, 1e9, "s"};
 
 }  // namespace
@@ -27,12 +20,8 @@ void MovesArguments::add_to(Parser& app) {
 }
 
 void add_corner_rule(Parser& app, CornerRule& rule) {
-  NamedValues<CornerRule> rules;
-  for (const auto& choice : choice_names(CornerRule{})) {
-    rules.emplace_back(choice.name, choice.value);
-  }
   add_choice<CornerRule>(
-      app, "--corner-rule", rule, rules,
+      app, "--corner-rule", rule, named_values<CornerRule>(),
       "Corner rule that the path was planned with: with both, a robot with radius 0 may pass "
       "between two obstacles that touch at a corner (default none)");
 }

@@ -26,6 +26,7 @@ Command add_generate(Parser& app);
 Command add_generate_scenario(Parser& generate);
 
 Command add_compare(Parser& app);
+Command add_explore(Parser& app);
 Command add_explain(Parser& app);
 Command add_view(Parser& app);
 Command add_convert(Parser& app);

@@ -32,7 +32,7 @@ class LeapEngine final : public GridEngine {
         words_(grid_->words()),
         log_position_(grid_->log_end()),
         estimate_(parts, grid_->least_steps()),
-        leaps_(parts.moves.connectivity == Connectivity::eight),
+        leaps_(parts.leaps && parts.moves.connectivity == Connectivity::eight),
         cuts_corners_(parts.moves.corner_rule != CornerRule::none),
         stops_(*grid_),
         nodes_(grid_->state_count()) {}
@@ -163,6 +163,8 @@ class LeapEngine final : public GridEngine {
     }
     outcome_ = SearchOutcome::exhausted;
     if (best_ == kNoCost) return;
+    if (limits_.due(metrics_.expanded)) outcome_ = limits_.look(metrics_.expanded);
+    if (outcome_ != SearchOutcome::exhausted && outcome_ != SearchOutcome::running) return;
     outcome_ = SearchOutcome::found;
     const StateId id = grid_->number(goal_);
     count_expansion({id, goal_, best_, Grid::steps(words_[id])});

@@ -66,13 +66,14 @@ class ConsistentNodes {
   Key least_key() const { return heap_.front().key; }
   StateId least() const { return heap_.front().id; }
 
-  /// The open nodes with the least keys, in their order.
-  std::vector<StateId> first_open(std::size_t most) const {
+  /// The open nodes, ordered by key_of(id).
+  template <class KeyOf>
+  std::vector<StateId> in_order(KeyOf&& key_of) const {
     std::vector<Entry> entries = heap_;
-    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(std::min(most, entries.size()));
-    std::partial_sort(entries.begin(), end, entries.end());
+    for (Entry& entry : entries) entry.key = key_of(entry.id);
+    std::ranges::sort(entries);
     std::vector<StateId> ids;
-    for (auto entry = entries.begin(); entry != end; ++entry) ids.push_back(entry->id);
+    for (const Entry& entry : entries) ids.push_back(entry.id);
     return ids;
   }
 

@@ -57,10 +57,17 @@ class DStarLite final : public GridEngine {
   const SearchMetrics& metrics() const override { return metrics_; }
 
   OpenList open_list(std::size_t most) const override {
-    OpenList list{{}, nodes_.open_count()};
-    for (const StateId id : nodes_.first_open(most)) {
-      list.entries.push_back({event_of(id), OpenTie::none});
+    OpenList list;
+    if (outcome_ != SearchOutcome::running) return list;
+    auto order = nodes_.in_order([this](StateId id) { return key_of(id); });
+    if (order.empty() || !must_expand(key_of(order.front()))) {
+      if (!ends_with_start()) return list;
+      std::erase(order, start_);
+      order.insert(order.begin(), start_);
     }
+    list.count = order.size();
+    order.resize(std::min(most, order.size()));
+    for (const StateId id : order) list.entries.push_back({event_of(id), OpenTie::none});
     return list;
   }
 
@@ -182,10 +189,20 @@ class DStarLite final : public GridEngine {
     if (!is_root(id)) set_rhs(id, best_successor(id).cost);
   }
 
+  /// Can an open node with the least key lead to the start more cheaply?
+  bool must_expand(ConsistentNodes::Key least) const {
+    return least < key_of(start_) || nodes_.rhs(start_) > nodes_.g(start_);
+  }
+
+  /// Is the start, which has its cost from its neighbours, what is expanded last?
+  bool ends_with_start() const {
+    return nodes_.rhs(start_) != kNever && nodes_.g(start_) != nodes_.rhs(start_);
+  }
+
   void advance() {
     while (!nodes_.empty()) {
       const ConsistentNodes::Key least = nodes_.least_key();
-      if (!(least < key_of(start_)) && nodes_.rhs(start_) <= nodes_.g(start_)) break;
+      if (!must_expand(least)) break;
       const StateId id = nodes_.least();
       if (const auto key = key_of(id); least < key) {
         nodes_.update(id, key);
@@ -200,7 +217,10 @@ class DStarLite final : public GridEngine {
     }
     const bool found = nodes_.rhs(start_) != kNever;
     outcome_ = found ? SearchOutcome::found : SearchOutcome::exhausted;
-    if (found) count_expansion(start_);
+    if (!ends_with_start()) return;
+    if (limits_.due(metrics_.expanded)) outcome_ = limits_.look(metrics_.expanded);
+    if (outcome_ == SearchOutcome::running) outcome_ = SearchOutcome::found;
+    if (outcome_ == SearchOutcome::found) count_expansion(start_);
   }
 
   void expand(StateId id) {

@@ -63,6 +63,10 @@ class RepairTree final : public GridEngine {
   OpenList open_list(std::size_t most) const override {
     BucketQueue<Entry> rest = queue_;
     OpenList list;
+    const auto add = [&](StateId id) {
+      ++list.count;
+      if (list.entries.size() < most) list.entries.push_back({event_of(id), OpenTie::none});
+    };
     while (!rest.empty()) {
       if (done_at(rest.seek())) break;
       const Entry entry = rest.pop();
@@ -71,9 +75,9 @@ class RepairTree final : public GridEngine {
         rest.push(key, entry);
         continue;
       }
-      ++list.count;
-      if (list.entries.size() < most) list.entries.push_back({event_of(entry.id), OpenTie::none});
+      if (entry.id != start_) add(entry.id);
     }
+    if (outcome_ == SearchOutcome::running && ends_with_start()) add(start_);
     return list;
   }
 
@@ -103,6 +107,8 @@ class RepairTree final : public GridEngine {
   /// Goes on with the tree if it can be kept, or begins another.
   void begin_at(const Cell& start, std::span<const GoalRegion> goals) {
     const Cell before = started_ ? grid_->cell(start_) : start;
+    if (start_entry_) queue_.push_anywhere(key_of(start_, start_entry_->g), *start_entry_);
+    start_entry_.reset();
     const GoalRegion here(start);
     const auto changes = grid_->changes_since(log_position_);
     log_position_ = grid_->log_end();
@@ -251,12 +257,23 @@ class RepairTree final : public GridEngine {
     return nodes_.reached(node) && node.g + moved_ <= least;
   }
 
+  /// Is the start what is expanded last?
+  bool ends_with_start() const {
+    const Node& node = nodes_[start_];
+    return nodes_.reached(node) && !node.closed();
+  }
+
   /// Expands one node, or ends the search.
   void advance() {
     while (!queue_.empty()) {
       if (done_at(queue_.seek())) break;
       const Entry entry = queue_.pop();
       if (is_stale(entry)) continue;
+      if (entry.id == start_) {
+        // It is expanded last. A later search, from elsewhere, may need its moves.
+        start_entry_ = entry;
+        continue;
+      }
       const std::uint64_t key = key_of(entry.id, entry.g);
       if (key >= queue_.end_of_bucket()) {
         queue_.push(key, entry);
@@ -273,8 +290,11 @@ class RepairTree final : public GridEngine {
       if (overflown_) outcome_ = SearchOutcome::cost_overflow;
       return;
     }
-    const Node& node = nodes_[start_];
-    outcome_ = nodes_.reached(node) ? SearchOutcome::found : SearchOutcome::exhausted;
+    const bool found = nodes_.reached(nodes_[start_]);
+    outcome_ = found ? SearchOutcome::found : SearchOutcome::exhausted;
+    if (!ends_with_start()) return;
+    if (limits_.due(metrics_.expanded)) outcome_ = limits_.look(metrics_.expanded);
+    if (outcome_ == SearchOutcome::running) outcome_ = SearchOutcome::found;
     if (outcome_ == SearchOutcome::found) count_expansion(start_);
   }
 
@@ -354,6 +374,7 @@ class RepairTree final : public GridEngine {
   std::vector<StateId> beside_;  // of a repair
   std::vector<StateId> doomed_;
   StateId start_ = 0;
+  std::optional<Entry> start_entry_;  // of the present search, taken from the queue
   LimitCheck limits_;
   SearchObserver* observer_ = nullptr;
   SearchMetrics metrics_;

@@ -9,6 +9,7 @@
 #include "wend/planner/grid/leap_engine.hpp"
 #include "wend/planner/incremental/kept_path.hpp"
 #include "wend/planner/incremental/repair_tree.hpp"
+#include "wend/search/limit_check.hpp"
 
 namespace wend {
 namespace {
@@ -81,10 +82,13 @@ class ReplanEngine final : public GridEngine {
     goals_.assign(goals.begin(), goals.end());
     user_limits_ = &limits;
     begun_ = limits.now();
-    before_ = {};
+    before_ = metrics_ = {};
     observer_ = observer;
+    used_ = nullptr;
+    ended_ = outcome_without_search(limits);
+    if (ended_ != SearchOutcome::running) return;
     if (kept_.is_cheapest_from(start, goals)) {
-      used_ = nullptr;
+      ended_ = SearchOutcome::found;
       return;
     }
     kept_.forget();
@@ -96,12 +100,10 @@ class ReplanEngine final : public GridEngine {
     }
   }
 
-  SearchOutcome step() override {
-    return used_ == nullptr ? SearchOutcome::found : after(used_->step());
-  }
+  SearchOutcome step() override { return used_ == nullptr ? ended_ : after(used_->step()); }
 
   SearchOutcome run() override {
-    if (used_ == nullptr) return SearchOutcome::found;
+    if (used_ == nullptr) return ended_;
     SearchOutcome outcome = after(used_->run());
     while (outcome == SearchOutcome::running) outcome = after(used_->run());
     return outcome;
@@ -113,7 +115,9 @@ class ReplanEngine final : public GridEngine {
     return used_ == nullptr ? OpenList{} : used_->open_list(most);
   }
 
-  double heuristic(const Cell& place) const override { return leaps_->heuristic(place); }
+  double heuristic(const Cell& place) const override {
+    return used_ == nullptr ? 0 : used_->heuristic(place);
+  }
 
   void write_path(Path& path) const override {
     if (used_ == nullptr) {
@@ -125,6 +129,15 @@ class ReplanEngine final : public GridEngine {
   }
 
  private:
+  /// Has the time passed, or the query been cancelled, before it began?
+  static SearchOutcome outcome_without_search(const Limits& limits) {
+    Limits no_expansions = limits;
+    no_expansions.expansions = Limits::kUnlimited;
+    LimitCheck check;
+    check.begin(no_expansions);
+    return check.look(0);
+  }
+
   void begin_tree() {
     limits_ = *user_limits_;
     tree_limited_ = budget_.expansions() < limits_.expansions;
@@ -173,7 +186,8 @@ class ReplanEngine final : public GridEngine {
   TreeBudget budget_;
   std::shared_ptr<GridEngine> leaps_;
   std::shared_ptr<GridEngine> tree_;
-  GridEngine* used_ = nullptr;  // null: the path was kept
+  GridEngine* used_ = nullptr;                  // null: nothing is searched
+  SearchOutcome ended_ = SearchOutcome::found;  // then
   // The present search.
   Cell start_{};
   std::vector<GoalRegion> goals_;

@@ -1,0 +1,259 @@
+// wend-replanning: what planning again takes while a robot discovers its map. The drives are recorded once; every
+// planner then replays them: the same starts, goals and edits. All times are CPU time of the thread.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/comparison/random_queries.hpp"
+#include "bench/measure/markdown_table.hpp"
+#include "bench/measure/measuring.hpp"
+#include "wend/base/thread_time.hpp"
+#include "wend/explore/explorer.hpp"
+#include "wend/generate/generators.hpp"
+#include "wend/io/map/load_map.hpp"
+#include "wend/planner/grid/leap_engine.hpp"
+#include "wend/planner/planners.hpp"
+
+namespace wend::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+[[noreturn]] void fail(const std::string& what) {
+  fmt::print(stderr, "wend-replanning: {}\n", what);
+  std::exit(1);
+}
+
+/// A map, a robot, and how far it sees.
+struct Setting {
+  std::string name;
+  GridMap map;
+  FreeSpaceOptions robot;
+  double range;  // cells
+};
+
+/// One plan of a drive: what the robot had learned since the plan before, and where it was.
+struct Moment {
+  MapEdit edit;
+  Cell start;
+};
+
+/// What a robot met on its way to a goal.
+struct RecordedDrive {
+  FreeSpace space;  // as the robot believed it at first
+  Cell goal;
+  std::vector<Moment> moments;
+};
+
+GridMap metric(const GridMap& map, double resolution) {
+  Frame frame = map.frame();
+  frame.resolution = resolution;
+  frame.metric = true;
+  return *make_grid_map(map.occupied(), map.unknown(), frame, map.terrain());
+}
+
+std::vector<Setting> settings(const std::filesystem::path& data) {
+  constexpr double kResolution = 0.05;
+  constexpr double kGameRange = 30;
+  const double robot_range = 10 / kResolution;
+  const FreeSpaceOptions disc{.footprint = Footprint::disc(0.2)};
+  const FreeSpaceOptions inflated{.footprint = Footprint::disc(0.2), .clearance_distance = 0.35};
+  std::vector<Setting> all;
+  const auto load = [&](const char* name, FreeSpaceOptions robot, double range) {
+    auto loaded = load_map(data / name);
+    if (!loaded) {
+      fmt::print("{}: not measured: {}\n", name, loaded.error().message);
+      return;
+    }
+    all.push_back(
+        {std::filesystem::path(name).stem().string(), loaded->map, std::move(robot), range});
+  };
+  for (const char* name : {"arena2", "den520d", "orz700d", "Berlin_0_1024", "AcrosstheCape"}) {
+    load(fmt::format("nine/{}.map", name).c_str(), {}, kGameRange);
+  }
+  load("ros/nav2/depot.yaml", disc, robot_range);
+  load("ros/nav2/depot.yaml", inflated, robot_range);
+  for (const auto& [kind, width, height] :
+       {std::tuple{"warehouse", 1000, 1700}, std::tuple{"office", 1200, 900}}) {
+    const auto map = make_map(kind, width, height, kSeed);
+    if (!map) fail(map.error().message);
+    all.push_back({kind, metric(*map, kResolution), disc, robot_range});
+    all.push_back(
+        {std::string(kind) + ", costs", metric(*map, kResolution), inflated, robot_range});
+  }
+  return all;
+}
+
+/// Drives with planner "astar", which all planners then replay.
+std::vector<RecordedDrive> record(const Setting& setting, ReplanWhen when, std::size_t count) {
+  const auto truth = make_free_space(setting.map, setting.robot);
+  if (!truth) fail(truth.error().message);
+  std::vector<RecordedDrive> drives;
+  for (const CellPair& pair : random_pairs(*truth, count, kSeed)) {
+    auto explorer = Explorer::make(setting.map, pair.start, pair.goal,
+                                   {.robot = setting.robot,
+                                    .sensor_range = setting.range,
+                                    .planner = {"astar"},
+                                    .when = when});
+    if (!explorer) fail(explorer.error().message);
+    RecordedDrive drive{explorer->believed(), pair.goal, {}};
+    MapEdit learned;
+    std::optional<Status> end;
+    while (!end) {
+      const Cell start = explorer->cell();
+      end = explorer->step();
+      const MapEdit& edit = explorer->last_edit();
+      learned.cells.insert(learned.cells.end(), edit.cells.begin(), edit.cells.end());
+      if (!explorer->planned()) continue;
+      drive.moments.push_back({std::move(learned), start});
+      learned = {};
+    }
+    if (*end != Status::found) fail("a robot did not reach its goal: " + explorer->reason());
+    drives.push_back(std::move(drive));
+  }
+  return drives;
+}
+
+/// A planner to be timed; made for each drive.
+struct Contestant {
+  std::string name;
+  std::function<std::unique_ptr<Planner>(const FreeSpace&)> make;
+};
+
+std::unique_ptr<Planner> made(const std::string& name, const FreeSpace& space,
+                              const OptionValues& options) {
+  auto planner = make_planner(name, space, options);
+  if (!planner) fail(planner.error().message);
+  return *std::move(planner);
+}
+
+/// A* in whole numbers with the classes of cells, without leaps: the yardstick.
+std::unique_ptr<Planner> scratch_without_leaps(const FreeSpace& space) {
+  return std::make_unique<GridPlanner>(space, [](const FreeSpace& other) {
+    return leap_parts(other, {{}, HeuristicKind::octile, 0, 1, false});
+  });
+}
+
+std::vector<Contestant> contestants() {
+  const auto named = [](std::string name, std::string planner, OptionValues options) {
+    return Contestant{std::move(name), [planner, options](const FreeSpace& space) {
+                        return made(planner, space, options);
+                      }};
+  };
+  return {{"A* from scratch", scratch_without_leaps},
+          named("astar", "astar", {}),
+          named("d_star_lite", "d_star_lite", {}),
+          named("tree", "replanner", {{"search", "tree"}}),
+          named("leaps", "replanner", {{"search", "leaps"}}),
+          named("replanner", "replanner", {})};
+}
+
+/// Milliseconds of all plans of a drive; the costs found must be those of `costs`, which it fills at first.
+double replay(const RecordedDrive& drive, const Contestant& contestant,
+              std::vector<double>& costs) {
+  FreeSpace space = drive.space;
+  std::unique_ptr<Planner> planner;
+  double seconds = 0;
+  Plan plan;
+  for (std::size_t i = 0; i < drive.moments.size(); ++i) {
+    const Moment& moment = drive.moments[i];
+    if (planner != nullptr) planner->release();
+    const auto change = space.edit(moment.edit);
+    if (!change) fail(change.error().message);
+    const double begun = thread_cpu_seconds();
+    if (planner == nullptr) {
+      planner = contestant.make(space);
+    } else if (!planner->update(space, *change)) {
+      fail(contestant.name + " could not be updated");
+    }
+    const Status status = planner->plan(Query::between(moment.start, drive.goal), plan);
+    seconds += thread_cpu_seconds() - begun;
+    if (status != Status::found) fail(contestant.name + " found no path");
+    if (costs.size() == i) costs.push_back(plan.cost);
+    if (std::abs(plan.cost - costs[i]) > 2e-6 * costs[i]) fail(contestant.name + " is not optimal");
+  }
+  return seconds * 1e3;
+}
+
+struct Sums {
+  std::vector<double> logs;  // of the ratio to the yardstick, by contestant
+  int rows = 0;
+};
+
+void measure(const Setting& setting, ReplanWhen when, std::size_t count, int rounds,
+             MarkdownTable& table, Sums& sums) {
+  const auto drives = record(setting, when, count);
+  std::size_t plans = 0;
+  for (const RecordedDrive& drive : drives) plans += drive.moments.size();
+  const auto all = contestants();
+  std::vector<double> best(all.size(), INFINITY);
+  std::vector<std::vector<double>> costs(drives.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      double total = 0;
+      for (std::size_t i = 0; i < drives.size(); ++i) total += replay(drives[i], all[c], costs[i]);
+      best[c] = std::min(best[c], total / static_cast<double>(drives.size()));
+    }
+  }
+  std::vector<std::string> row{setting.name + (when == ReplanWhen::path ? ", path" : ", discovery"),
+                               fmt::format("{}", plans / drives.size())};
+  for (const double milliseconds : best) row.push_back(fmt::format("{:.2f}", milliseconds));
+  row.push_back(fmt::format("{:.1f}", best.front() / best.back()));
+  table.add(row);
+  sums.logs.resize(all.size());
+  for (std::size_t c = 0; c < all.size(); ++c) sums.logs[c] += std::log(best.front() / best[c]);
+  ++sums.rows;
+}
+
+void run(const std::filesystem::path& data, std::size_t count, int rounds) {
+  std::vector<TextTable::Column> columns{{"map, when it plans"}, {"plans a drive"}};
+  for (const Contestant& contestant : contestants()) columns.push_back({contestant.name + ", ms"});
+  columns.push_back({"times as fast"});
+  MarkdownTable table(columns);
+  Sums sums;
+  for (const Setting& setting : settings(data)) {
+    for (const ReplanWhen when : {ReplanWhen::path, ReplanWhen::discovery}) {
+      measure(setting, when, count, rounds, table, sums);
+    }
+  }
+  std::vector<std::string> means{"geometric mean over A* from scratch", ""};
+  for (const double log : sums.logs)
+    means.push_back(fmt::format("{:.2f} x", std::exp(log / sums.rows)));
+  means.emplace_back("");
+  table.add(means);
+  fmt::print("{}", table.text());
+}
+
+}  // namespace
+}  // namespace wend::bench
+
+int main(int argc, char** argv) {
+  std::size_t drives = 3;
+  int rounds = 3;
+  std::filesystem::path data = WEND_DATA;
+  CLI::App app("Times planners that plan again while a robot discovers its map, in CPU time.");
+  app.add_option("--data", data, "folder with the real maps")->capture_default_str();
+  app.add_option("--drives", drives, "random drives on each map")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  wend::bench::stay_on_one_core();
+  wend::bench::run(data, drives, rounds);
+  return 0;
+}
