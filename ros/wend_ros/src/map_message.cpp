@@ -12,8 +12,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "wend/map/occupancy.hpp"
-
 namespace wend_ros {
 namespace {
 
@@ -113,15 +111,27 @@ wend::Expected<wend::GridMap, wend::Error> map_from(const nav_msgs::OccupancyGri
   }
   if (!is_finite(info.origin)) return wrong("the map's origin contains NaN or infinity");
 
+  wend::Grid<wend::CellState> cells(static_cast<int>(width), static_cast<int>(height),
+                                    wend::CellState::free);
+  wend::Grid<double> terrain;
+  if (reading.rough) terrain = {static_cast<int>(width), static_cast<int>(height), 1.0};
+  for (std::size_t i = 0; i < message.data.size(); ++i) {
+    const int value = message.data[i];
+    const wend::Cell cell{static_cast<int>(i % width), static_cast<int>(i / width)};
+    if (value < 0 || value > kOccupied) {
+      cells[cell] = wend::CellState::unknown;
+    } else if (value >= reading.occupied_from) {
+      cells[cell] = wend::CellState::occupied;
+    } else if (reading.rough) {
+      terrain[cell] = 1 + kScale * value / 100;
+    }
+  }
   const wend::Frame frame{
       .resolution = as_written(info.resolution),
       .origin = {info.origin.position.x, info.origin.position.y, yaw_of(info.origin.orientation)},
       .y_up = true,
       .metric = true};
-  return wend::map_from_occupancy(message.data, static_cast<int>(width), static_cast<int>(height),
-                                  frame,
-                                  {.occupied_from = reading.occupied_from,
-                                   .cost_factor = reading.rough ? reading.cost_factor : 0});
+  return *wend::make_grid_map(cells, frame, std::move(terrain));
 }
 
 }  // namespace wend_ros

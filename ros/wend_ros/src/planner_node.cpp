@@ -39,7 +39,6 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
-  masks_ = Masks::of_parameter(own);
   load_map_parameter(own);
   worker_ = std::thread([this] { plan_for_topics(); });
   subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
@@ -81,8 +80,7 @@ void PlannerNode::load_map_parameter(ros::NodeHandle& own) {
 void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
   MapReading reading = reading_;
   reading.rough = reconfigure_->parameters().flag("rough");
-  reading.cost_factor = reconfigure_->parameters().number("cost_factor");
-  auto map = masks_.over(map_from(message, reading));
+  auto map = map_from(message, reading);
   if (!map) {
     ROS_ERROR_STREAM("/map: " << map.error().message);
     session_.clear_map(map.error().message);

@@ -22,7 +22,6 @@ nav_msgs::OccupancyGrid to_message(const wend::GridMap& map, const std::string& 
 struct MapReading {
   int occupied_from = 65;  // values of 1 to 99 that are obstacles; map_server's usual threshold
   bool rough = false;      // lower ones are rough ground, else free
-  double cost_factor = 4;  // of rough ground: a value v costs 1 + cost_factor v / 100
 };
 
 /// Why a message is no map, invalid_map: "resolution 0", "12 cells, 20 x 10 expected".

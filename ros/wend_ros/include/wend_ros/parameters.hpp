@@ -13,7 +13,6 @@
 //   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
-//   cost_factor     how much more
 //   goal_tolerance  m, where a path may end  goal_heading_tolerance   rad
 //   smooth, smooth_alpha, smooth_beta        smooth the path
 

@@ -25,7 +25,6 @@
 #include <thread>
 
 #include "wend_ros/map_message.hpp"
-#include "wend_ros/masks.hpp"
 #include "wend_ros/planning.hpp"
 #include "wend_ros/reconfigure.hpp"
 #include "wend_ros/robot_pose.hpp"
@@ -68,7 +67,6 @@ class PlannerNode {
 
   wend::Session session_{session_options()};
   MapReading reading_;
-  Masks masks_;
   RobotPose robot_;
   std::unique_ptr<Reconfigure> reconfigure_;
 
