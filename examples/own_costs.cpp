@@ -14,18 +14,18 @@ void print_plan(const char* costs, const wend::GridMap& map) {
 }
 
 int main() {
-  const std::vector<std::uint8_t> costs(
-      9 * 5, 126);  // of costmap_2d: 0 to 252, 253 and 254 blocked, 255 unknown
-  const auto map =
-      wend::map_from_costmap(costs, 9, 5, {.resolution = 0.05, .y_up = true, .metric = true})
-          .value();
+  // A costmap of costmap_2d: 0 to 252 are costs, 253 and 254 are blocked, 255 is unknown.
+  const std::vector<std::uint8_t> costs(9 * 5, 126);
+  const wend::Frame frame{.resolution = 0.05, .y_up = true, .metric = true};
+  const auto map = wend::map_from_costmap(costs, 9, 5, frame).value();
   print_plan("costmap", map);
-  const auto muddy =
-      wend::with_terrain(map, [](wend::Cell cell) { return cell.y < 4 ? 3.0 : 1.0; }).value();
+
+  const auto cost_of = [](wend::Cell cell) { return cell.y < 4 ? 3.0 : 1.0; };
+  const auto muddy = wend::with_terrain(map, cost_of).value();
   print_plan("function of the cell", muddy);
 
   wend::Grid<wend::CellState> zones(9, 5, wend::CellState::free);
   zones[{4, 4}] = wend::CellState::occupied;
-  const auto mask = wend::make_grid_map(zones, map.frame()).value();
+  const auto mask = wend::make_grid_map(zones, frame).value();
   print_plan("keep-out mask", wend::masked(muddy, mask).value());
 }
