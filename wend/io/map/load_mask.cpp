@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "wend/base/parse.hpp"
@@ -83,26 +86,21 @@ Expected<std::optional<double>, Error> take_option(std::string_view name, std::s
   return number;
 }
 
-/// Takes all options of a speed mask from the front of a text.
+/// Takes all options of a speed mask from the front of a text. Of two of the same name, the last counts.
 Expected<SpeedScale, Error> take_speed_scale(std::string_view& text) {
-  SpeedScale scale;
+  constexpr std::array<std::string_view, 3> kNames{"base", "multiplier", "top_speed"};
+  std::array<std::optional<double>, kNames.size()> values;
   for (std::size_t before = 0; before != text.size();) {
     before = text.size();
-    const auto take = [&](std::string_view name, auto& value) -> Expected<void, Error> {
-      const auto taken = take_option(name, text);
-      if (!taken) return Unexpected<Error>(taken.error());
-      if (*taken) value = **taken;
-      return {};
-    };
-    if (auto base = take("base", scale.base); !base) return Unexpected<Error>(base.error());
-    if (auto factor = take("multiplier", scale.multiplier); !factor) {
-      return Unexpected<Error>(factor.error());
-    }
-    if (auto top = take("top_speed", scale.top_speed); !top) {
-      return Unexpected<Error>(top.error());
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      auto taken = take_option(kNames[i], text);
+      if (!taken) return Unexpected<Error>(std::move(taken.error()));
+      if (taken->has_value()) values[i] = *taken;
     }
   }
-  return scale;
+  const SpeedScale usual;
+  return SpeedScale{values[0].value_or(usual.base), values[1].value_or(usual.multiplier),
+                    values[2]};
 }
 
 }  // namespace
