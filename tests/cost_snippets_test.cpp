@@ -13,6 +13,7 @@
 #include "wend/map/masked.hpp"
 #include "wend/map/occupancy.hpp"
 #include "wend/map/own_costs.hpp"
+#include "wend/session/session.hpp"
 #include "wend/space/grid/line_cost.hpp"
 
 namespace {
@@ -42,6 +43,13 @@ void lay_zones(const wend::GridMap& office) {
   const auto map = wend::masked(office, zones->map);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->occupied().count(), office.occupied().count() + 1);
+
+  wend::Session session(*map);
+  const wend::MapEdit edit{.states = wend::Grid<wend::CellState>(office.width(), office.height(),
+                                                                 wend::CellState::free)};
+  const auto zones_here = wend::mask_on_grid_of(office, zones->map);
+  session.edit(wend::masked_edit(edit, *zones_here));
+  EXPECT_EQ(session.view()->space.map().occupied().count(), 1U);
   report("zones");
 }
 

@@ -327,6 +327,7 @@ class FreeSpace:
         prepared. ``map`` is the new map from then on; plans and maps of before stay as they are.
 
         It takes O(cells near the box), but O(cells) once while a plan, a trace or a map of the space as it was is alive.
+        New states and costs replace those of the map under its masks: a zone in the box is gone unless `array` has it.
         An index does not fit any more: its planner raises ``wend.Error`` with the status ``index_mismatch``.
 
         :param corner: (x, y): the cell that gets ``array[0, 0]``.

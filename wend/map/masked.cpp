@@ -149,22 +149,39 @@ Expected<GridMap, Error> masked(const GridMap& map, const GridMap& mask) {
   }
   const auto place = by_frames ? &Placement::by_frames : &Placement::as_drawn;
   const Placement on_mask = place(map, mask);
-  for (int y = 0; y < map.height(); ++y) {
-    for (int x = 0; x < map.width(); ++x) {
-      if (const auto at = on_mask({x, y})) cells.take({x, y}, *at);
-    }
+  for (const Cell cell : every_cell(map)) {
+    if (const auto at = on_mask(cell)) cells.take(cell, *at);
   }
   const Placement on_map = place(mask, map);
-  for (int y = 0; y < mask.height(); ++y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (const auto at = on_map({x, y})) cells.take(*at, {x, y});
-    }
+  for (const Cell cell : every_cell(mask)) {
+    if (const auto at = on_map(cell)) cells.take(*at, cell);
   }
   if (!cells.touched()) {
     return unfit("the mask does not touch the map: the mask covers " + extent_text(mask) +
                  ", the map " + extent_text(map));
   }
   return std::move(cells).finish();
+}
+
+Expected<GridMap, Error> mask_on_grid_of(const GridMap& map, const GridMap& mask) {
+  const BitGrid none(map.width(), map.height());
+  auto open = make_grid_map(none, none, map.frame());
+  if (!open) return open;
+  return masked(*open, mask);
+}
+
+MapEdit masked_edit(MapEdit edit, const GridMap& mask) {
+  const CellBox box = edit.box();
+  const auto on_map = [&](Cell cell) { return Cell{box.begin.x + cell.x, box.begin.y + cell.y}; };
+  for (const Cell cell : every_cell(edit.states)) {
+    if (mask.occupied()[on_map(cell)]) edit.states[cell] = CellState::occupied;
+  }
+  for (const Cell cell : every_cell(edit.terrain)) edit.terrain[cell] *= mask.terrain(on_map(cell));
+  for (CellEdit& each : edit.cells) {
+    if (mask.occupied()[each.cell]) each.state = CellState::occupied;
+    if (each.terrain) *each.terrain *= mask.terrain(each.cell);
+  }
+  return edit;
 }
 
 }  // namespace wend

@@ -16,11 +16,23 @@
 #include "wend/base/compiler.hpp"
 #include "wend/base/error.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend/map/map_edit.hpp"
 
 namespace wend {
 
 /// The map under a mask. Fails with invalid_map if the mask does not touch the map, if sizes differ that must
 /// not, or if a product of multipliers is not finite. O(cells of the map and of the mask).
 WEND_API Expected<GridMap, Error> masked(const GridMap& map, const GridMap& mask);
+
+/// A mask on the grid of a map, to hold edits to it: what masked() would do to a free map of the same grid. More
+/// masks can be laid over it. Fails as masked() does. O(cells of the map and of the mask).
+WEND_API Expected<GridMap, Error> mask_on_grid_of(const GridMap& map, const GridMap& mask);
+
+/// An edit of the map as an edit of the masked map: cells that the mask blocks stay blocked, and new costs are
+/// multiplied. `mask` is from mask_on_grid_of(), and the edit fits its grid. O(cells of the edit).
+///
+///   const auto zones_here = wend::mask_on_grid_of(office, zones->map);
+///   session.edit(wend::masked_edit(edit, *zones_here));
+WEND_API MapEdit masked_edit(MapEdit edit, const GridMap& mask);
 
 }  // namespace wend

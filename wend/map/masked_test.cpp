@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "conformance/random_edit.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 
@@ -175,6 +176,30 @@ TEST(Masked, IsTheSameInAnyOrder) {
     EXPECT_EQ(first.occupied(), second.occupied());
     EXPECT_EQ(first.terrain(), second.terrain()) << "whole numbers, so products are exact";
   }
+}
+
+TEST(Masked, HoldsEditsToTheMask) {
+  int edits = 0;
+  for (std::uint64_t seed = 0; seed < test::share_of(400U); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const Frame frame = random_frame(random);
+    GridMap map = random_cells(random, frame);
+    const GridMap mask = random_cells(random, random_frame(random));
+    const auto on_grid = mask_on_grid_of(map, mask);
+    if (!on_grid) continue;
+    GridMap under = *masked(map, mask);
+    for (int i = 0; i < 4; ++i) {
+      const MapEdit edit = test::random_edit(random, map, true);
+      ASSERT_TRUE(under.edit(masked_edit(edit, *on_grid)));
+      ASSERT_TRUE(map.edit(edit));
+      const GridMap expected = *masked(map, mask);
+      ASSERT_EQ(under.occupied(), expected.occupied());
+      ASSERT_EQ(under.terrain(), expected.terrain());
+      ++edits;
+    }
+  }
+  EXPECT_GT(edits, 100);
 }
 
 TEST(Masked, BlocksWhatWasUnknownAndKeepsWhatTheMaskDoesNotKnow) {
