@@ -38,7 +38,8 @@ void hold_to_its_path(Examination& examination, const Plan& plan, const Referenc
                                 ? reference.any_angle_fault(cells, query.start, cells.back())
                                 : reference.fault(cells, query.start, cells.back());
   if (!fault.empty()) examination.violate("a legal path", fault);
-  const double cost = reference.cost_of(cells);
+  const double cost =
+      info.capabilities.any_angle ? reference.any_angle_cost_of(cells) : reference.cost_of(cells);
   if (!(std::abs(plan.cost - cost) <= kRelative * std::max(1.0, cost))) {
     examination.violate(fmt::format("cost {}, that of its path", cost),
                         fmt::format("cost {}", plan.cost));

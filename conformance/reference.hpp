@@ -115,6 +115,34 @@ class Reference {
     return cost;
   }
 
+  /// The integral of the multipliers along the line between two centres: cut at all borders, piece by piece.
+  double line_cost(Cell from, Cell to) const {
+    if (uniform()) return std::hypot(from.x - to.x, from.y - to.y);
+    std::vector<double> cuts{0, 1};
+    for (const auto& [begin, end] : {std::pair{from.x, to.x}, std::pair{from.y, to.y}}) {
+      for (int border = std::min(begin, end) + 1; border <= std::max(begin, end); ++border) {
+        cuts.push_back((border - (begin + 0.5)) / (end - begin));
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    double mean = 0;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const double middle = (cuts[i - 1] + cuts[i]) / 2;
+      const Cell cell{static_cast<int>(std::floor(from.x + 0.5 + middle * (to.x - from.x))),
+                      static_cast<int>(std::floor(from.y + 0.5 + middle * (to.y - from.y)))};
+      const bool squeezed = robot_.clearance_distance > 0 && !passable(cell);
+      mean += (cuts[i] - cuts[i - 1]) * terrain(cell) * (squeezed ? 1 + robot_.clearance_cost : 1);
+    }
+    return std::hypot(from.x - to.x, from.y - to.y) * mean;
+  }
+
+  /// The same for a path whose cells are joined by lines.
+  double any_angle_cost_of(std::span<const Cell> path) const {
+    double cost = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) cost += line_cost(path[i - 1], path[i]);
+    return cost;
+  }
+
   /// What is wrong with a path of steps from one cell to another; empty if nothing is.
   std::string fault(std::span<const Cell> path, Cell from, Cell to) const {
     return fault(path, from, to, "step", [&](Cell a, Cell b) { return is_step(a, b); });

@@ -18,7 +18,7 @@
 namespace wend::test {
 namespace {
 
-using ::testing::ElementsAre, ::testing::HasSubstr;
+using ::testing::Contains, ::testing::ElementsAre;
 
 class AnyAngle : public ::testing::TestWithParam<std::string> {};
 
@@ -32,8 +32,9 @@ struct Lengths {
 
 void compare(const Trial& trial, const std::string& name, std::uint64_t seed, Lengths& lengths) {
   const FreeSpace space = *make_free_space(trial.map, trial.robot);
+  if (!space.uniform_terrain()) return;
   const auto planner = make_planner(name, space, trial.options);
-  if (!planner) return;  // terrain
+  ASSERT_TRUE(planner);
   const auto astar = make_planner("astar", space, trial.options);
   ASSERT_TRUE(astar) << astar.error().message;
   const Adjacency adjacency = parse_options<GridMoves>(trial.options)->adjacency();
@@ -106,13 +107,62 @@ TEST_P(AnyAngle, PassesBetweenTwoCornersOnlyWhereItMay) {
   }
 }
 
-TEST_P(AnyAngle, RefusesTerrain) {
-  const FreeSpace space = *make_free_space(
-      *make_grid_map(Grid<CellState>(4, 4, CellState::free), {}, Grid<double>(4, 4, 2)));
-  const auto planner = make_planner(GetParam(), space);
-  ASSERT_FALSE(planner);
-  EXPECT_EQ(planner.error().status, Status::unsupported_map);
-  EXPECT_THAT(planner.error().message, HasSubstr(GetParam() + " supports uniform terrain only"));
+TEST_P(AnyAngle, GoesRoundDearGroundAndStraightOverCheapGround) {
+  Grid<double> terrain(9, 9, 2);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 3; x <= 5; ++x) terrain[{x, y}] = 100;
+  }
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(9, 9, CellState::free), {}, terrain));
+  const auto plan = (*make_planner(GetParam(), space))->plan(Query::between({0, 8}, {8, 8}));
+  ASSERT_TRUE(plan);
+  EXPECT_THAT(plan->path.cells(), ElementsAre(Cell{0, 8}, Cell{8, 8}));
+  EXPECT_DOUBLE_EQ(plan->cost, 16);
+  const auto round = (*make_planner(GetParam(), space))->plan(Query::between({0, 0}, {8, 0}));
+  ASSERT_TRUE(round);
+  EXPECT_THAT(round->path.cells(), Contains(testing::Field(&Cell::y, 8))) << "below the dear block";
+  EXPECT_LT(round->cost, 60);
+}
+
+/// What the queries of many maps with costs come to.
+struct Costs {
+  int queries = 0;
+  double any_angle = 0;
+  double steps = 0;
+};
+
+void compare_costs(std::uint64_t seed, const std::string& name, Costs& costs) {
+  const PlannerInfo& info = *planners().find(name);
+  Trial trial = random_trial(seed, info);
+  std::erase_if(trial.options, [](const auto& option) { return option.first == "weight"; });
+  const FreeSpace space = *make_free_space(trial.map, trial.robot);
+  if (space.uniform_terrain()) return;
+  const auto planner = make_planner(name, space, trial.options);
+  const auto astar = make_planner("astar", space, trial.options);
+  ASSERT_TRUE(planner && astar);
+  Random random(seed);
+  for (int i = 0; i < 4; ++i) {
+    const Query query = random_test_query(random, trial.map).query();
+    Plan plan;
+    Plan reference;
+    ASSERT_EQ((*planner)->plan(query, plan), (*astar)->plan(query, reference));
+    if (plan.path.empty()) continue;
+    ++costs.queries;
+    costs.any_angle += plan.cost;
+    costs.steps += reference.cost;
+  }
+}
+
+TEST_P(AnyAngle, CostsLessOnAverageThanTheCheapestStepsOnMapsWithCosts) {
+  Costs costs;
+  for (std::uint64_t seed = 1; seed <= share_of(3000U) && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    compare_costs(seed, GetParam(), costs);
+  }
+  std::cout << GetParam() << ": on costs, on average " << costs.any_angle / costs.steps
+            << " times the cost of the cheapest steps, in " << costs.queries << " queries\n";
+  EXPECT_GT(costs.queries, 100);
+  EXPECT_LT(costs.any_angle, costs.steps);
 }
 
 /// Keeps the cells that were expanded, with their parents.
@@ -133,7 +183,7 @@ TEST_P(AnyAngle, ExpandsNoCellThatItsParentDoesNotSee) {
     const Trial trial = random_trial(seed, info);
     const auto planner =
         make_planner(GetParam(), *make_free_space(trial.map, trial.robot), trial.options);
-    if (!planner) continue;  // terrain
+    ASSERT_TRUE(planner);
     SCOPED_TRACE(text_of(trial, seed));
     const Reference reference = reference_for(trial, info);
     Random random(seed);

@@ -47,6 +47,30 @@ static void check_map(void) {
   CHECK(map == NULL);
 }
 
+static double cost_of(int32_t x, int32_t y, void* context) { return 1 + x + *(double*)context * y; }
+
+static void check_costs(void) {
+  static const int8_t values[] = {0, 50, 100, -1};
+  static const uint8_t costs[] = {0, 126, 254, 255};
+  static const double terrain[] = {1, 2, 3, 4};
+  double factor = 2;
+  wend_map* grid = NULL;
+  wend_map* costmap = NULL;
+  wend_map* changed = NULL;
+  CHECK(wend_map_from_occupancy(values, 4, 2, 2, 0.5, NULL, 65, 4, &grid, NULL) == WEND_OK);
+  CHECK(wend_map_from_costmap(costs, 4, 2, 2, 0.5, NULL, 4, &costmap, NULL) == WEND_OK);
+  CHECK(wend_map_masked(costmap, grid, &changed, NULL) == WEND_OK && changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_terrain(grid, terrain, 4, &changed, NULL) == WEND_OK && changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_map_with_costs(grid, cost_of, &factor, &changed, NULL) == WEND_OK && changed != NULL);
+  wend_map_free(changed);
+  CHECK(wend_mask_load("speed:there is no such file.yaml", &changed, NULL) == WEND_INVALID_FILE);
+  CHECK(changed == NULL);
+  wend_map_free(costmap);
+  wend_map_free(grid);
+}
+
 static wend_robot* make_robot(void) {
   static const wend_point corners[] = {{0.2, 0.1}, {0.2, -0.1}, {-0.2, -0.1}, {-0.2, 0.1}};
   wend_robot* robot = NULL;
@@ -127,6 +151,7 @@ int main(void) {
   CHECK(strlen(wend_version()) > 0);
   CHECK(strcmp(wend_status_name(WEND_UNREACHABLE), "unreachable") == 0);
   check_map();
+  check_costs();
   check_session();
   return failures == 0 ? 0 : 1;
 }

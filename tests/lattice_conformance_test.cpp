@@ -17,6 +17,7 @@
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
 #include "wend/geometry/angle.hpp"
+#include "wend/map/own_costs.hpp"
 #include "wend/path/path_collision.hpp"
 #include "wend/planner/planners.hpp"
 #include "wend/robot/fits_along.hpp"
@@ -276,6 +277,52 @@ TEST(LatticeConformance, PaysForTerrain) {
   EXPECT_DOUBLE_EQ(cost_on("33333"), 12);
   EXPECT_DOUBLE_EQ(cost_on("..3.."), 6) << "one cell of four";
   EXPECT_LT(cost_on("..9..\n....."), 4 + 8) << "around it";
+}
+
+/// What a path costs on ground with costs.
+struct GroundCost {
+  double cost = 0;
+  double doubt = 0;  // how far it can be off, because a sample lies on the border of cells
+};
+
+/// By 16 samples for each cell of a segment.
+GroundCost cost_on_ground(const Path& path, const FreeSpace& space, double reverse_factor,
+                          double most) {
+  GroundCost sum;
+  for (const Segment& segment : path.segments()) {
+    const double length =
+        segment.length == 0 ? std::abs(segment.turn)
+                            : std::abs(segment.length) * (segment.length < 0 ? reverse_factor : 1);
+    const int samples = 1 + static_cast<int>(16 * std::abs(segment.length));
+    for (int n = 0; n < samples; ++n) {
+      const Point at = pose_on(segment, (n + 0.5) / samples).point();
+      sum.cost += length / samples * space.terrain(*cell_under(space, at));
+    }
+    sum.doubt += length / samples * (most - 1);
+  }
+  return sum;
+}
+
+TEST(LatticeConformance, SaysWhatItsPathCostsOnRandomCosts) {
+  constexpr double kMost = 5;
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= share_of(300U); ++seed) {
+    SCOPED_TRACE(seed);
+    const LatticeTrial trial = random_lattice_trial(seed);
+    Random random(seed);
+    const GridMap ground = *with_terrain(trial.space.map(), [&](Cell) {
+      return random.chance(0.5) ? 1.0 : 1 + (kMost - 1) * random.uniform();
+    });
+    const FreeSpace space = *make_free_space(ground, trial.space.options());
+    const auto planner = make_planner("lattice", space, lattice_options(trial, "obstacles", 1));
+    Plan plan;
+    if ((*planner)->plan(trial.query, plan) != Status::found) continue;
+    ++found;
+    const auto [cost, doubt] = cost_on_ground(plan.path, space, trial.reverse_factor, kMost);
+    EXPECT_NEAR(plan.cost, cost, doubt + 1e-9);
+    EXPECT_GE(plan.cost, motion_cost(plan.path, trial.reverse_factor) - 1e-9);
+  }
+  EXPECT_GT(found, share_of(100));
 }
 
 TEST(LatticeConformance, TurnsAPolygonOnlyWhereItFits) {

@@ -35,7 +35,7 @@ std::set<std::string, std::less<>> compiled_lines() {
   for (const auto* const name :
        {"snippets_test.cpp", "search_snippets_test.cpp", "planning_snippets_test.cpp",
         "control_snippets_test.cpp", "session_snippets_test.cpp", "plugin_snippets_test.cpp",
-        "c_snippets_test.cpp"}) {
+        "c_snippets_test.cpp", "cost_snippets_test.cpp"}) {
     std::istringstream text(text_of(kSource / "tests" / name));
     for (std::string line; std::getline(text, line);) lines.emplace(code_of(line));
   }

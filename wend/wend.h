@@ -161,6 +161,47 @@ WEND_C_API wend_status wend_map_load(const char* file, wend_map** map, wend_erro
 WEND_C_API wend_status wend_map_parse(const void* bytes, size_t size, const char* name,
                                       wend_map** map, wend_error* error);
 
+/// Makes a map from a nav_msgs/OccupancyGrid: `size` = `width` * `height` values, row by row. Values from
+/// `occupied_from` (1 to 100) to 100 are occupied, lower ones v are free and cost 1 + `cost_factor` v / 100 times
+/// their length, all others are unknown. `origin` may be null: 0. Free the map with wend_map_free(). Fails with
+/// WEND_INVALID_ARGUMENT, WEND_INVALID_MAP, or WEND_INVALID_OPTION for a factor that is not in 0..1e6. O(cells).
+WEND_C_API wend_status wend_map_from_occupancy(const int8_t* values, size_t size, int32_t width,
+                                               int32_t height, double resolution,
+                                               const wend_pose* origin, int32_t occupied_from,
+                                               double cost_factor, wend_map** map,
+                                               wend_error* error);
+
+/// The same from a costmap of costmap_2d: 253 and 254 are occupied, 255 is unknown, and lower costs v are free and
+/// cost 1 + `cost_factor` v / 252 times their length.
+WEND_C_API wend_status wend_map_from_costmap(const uint8_t* costs, size_t size, int32_t width,
+                                             int32_t height, double resolution,
+                                             const wend_pose* origin, double cost_factor,
+                                             wend_map** map, wend_error* error);
+
+/// Loads a mask: "FILE" or "keepout:FILE", whose occupied cells are zones to keep out of, or "speed:FILE", whose
+/// values are speed limits in percent. Free the mask with wend_map_free(). Fails with WEND_INVALID_FILE or
+/// WEND_INVALID_OPTION.
+WEND_C_API wend_status wend_mask_load(const char* mask, wend_map** map, wend_error* error);
+
+/// Makes a copy of a map under a mask: occupied cells of the mask are blocked, and costs of its free cells
+/// multiply those of the map. The mask may lie anywhere on the map. Free the copy with wend_map_free(). Fails with
+/// WEND_INVALID_MAP if the mask does not touch the map. O(cells).
+WEND_C_API wend_status wend_map_masked(const wend_map* map, const wend_map* mask, wend_map** masked,
+                                       wend_error* error);
+
+/// Makes a copy of a map with other costs of a unit of length: `count` multipliers, one for each cell, finite and
+/// at least 1, row by row. Free the copy with wend_map_free(). Fails with WEND_INVALID_ARGUMENT or
+/// WEND_INVALID_MAP. O(cells).
+WEND_C_API wend_status wend_map_with_terrain(const wend_map* map, const double* terrain,
+                                             size_t count, wend_map** changed, wend_error* error);
+
+/// The cost of a unit of length in cell (x, y), finite and at least 1. `context` is the caller's.
+typedef double (*wend_cost_function)(int32_t x, int32_t y, void* context);
+
+/// The same with `cost_of(x, y, context)` for each cell, called once, row by row.
+WEND_C_API wend_status wend_map_with_costs(const wend_map* map, wend_cost_function cost_of,
+                                           void* context, wend_map** changed, wend_error* error);
+
 /// The number of columns; 0 for null.
 WEND_C_API int32_t wend_map_width(const wend_map* map);
 /// The number of rows; 0 for null.

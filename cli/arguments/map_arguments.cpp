@@ -10,6 +10,7 @@
 #include "wend/base/status.hpp"
 #include "wend/io/available_memory.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/map/masked.hpp"
 #include "wend/session/session.hpp"
 
 namespace wend::cli {
@@ -27,6 +28,19 @@ std::string size_of(double bytes) {
                           : fmt::format("{:.3g} GB", megabytes / 1000);
 }
 
+void lay_mask(const MaskSpec& spec, LoadedMap& loaded) {
+  LoadedMap mask = value_or_throw(load_mask(spec.file, spec.reading));
+  auto under_it = masked(loaded.map, mask.map);
+  if (!under_it) {
+    throw InputError(fmt::format("--mask {}: {}", spec.file.string(), under_it.error().message));
+  }
+  loaded.map = *std::move(under_it);
+  for (const std::string& note : mask.notes) {
+    loaded.notes.push_back(fmt::format("{}: {}", spec.file.string(), note));
+  }
+  loaded.files.insert(loaded.files.end(), mask.files.begin(), mask.files.end());
+}
+
 }  // namespace
 
 void MapFileArguments::add_to(Parser& app, const std::string& name) {
@@ -37,6 +51,23 @@ void MapFileArguments::add_to(Parser& app, const std::string& name) {
       .type_name(kFileType);
   add_number(app, "--resolution", resolution, kResolutions,
              "Resolution of a bare image in metres per cell; its unit of length is then the metre");
+  const auto assign_masks = [this](const std::vector<std::string>& texts) {
+    masks.clear();
+    for (const std::string& text : texts) {
+      auto spec = parse_mask_spec(text);
+      if (!spec) refuse_value("--mask", spec.error().message);
+      masks.push_back(*std::move(spec));
+    }
+  };
+  app.add_list(
+         "--mask", assign_masks,
+         wrapped("Mask over the map, [keepout:]FILE or speed:FILE; can be repeated. Occupied "
+                 "cells of a keep-out mask (a map file) are blocked, and its costs multiply "
+                 "those of the map. Values 1 to 100 of a speed mask (a map.yaml with mode: "
+                 "scale or raw) are percent of the top speed, and make a cell cost its time; "
+                 "speed:base=B:multiplier=M:FILE reads v as B + M v, and top_speed=T: as m/s"))
+      .one_at_a_time()
+      .type_name(kFileType);
 }
 
 LoadedMap MapFileArguments::load() const {
@@ -47,6 +78,7 @@ LoadedMap MapFileArguments::load() const {
     throw InputError(fmt::format("--resolution is for bare images, and {} is {}", file,
                                  info_of(loaded.format).noun));
   }
+  for (const MaskSpec& mask : masks) lay_mask(mask, loaded);
   return loaded;
 }
 

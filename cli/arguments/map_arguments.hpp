@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/arguments/coordinates.hpp"
 #include "cli/arguments/parser.hpp"
+#include "wend/io/map/load_mask.hpp"
 #include "wend/io/map/map_format.hpp"
 #include "wend/map/grid_map.hpp"
 #include "wend/robot/free_space.hpp"
@@ -21,11 +23,12 @@ namespace cli {
 struct MapFileArguments {
   std::string file;
   std::optional<double> resolution;
+  std::vector<MaskSpec> masks;
 
   /// `name` is what help calls the file.
   void add_to(Parser& app, const std::string& name);
 
-  /// Throws InputError if the map cannot be read.
+  /// The map under its masks. Throws InputError if the map or a mask cannot be read, or if a mask does not fit.
   LoadedMap load() const;
 };
 

@@ -6,6 +6,7 @@
 
 namespace wend::python {
 
+void bind_costs(nanobind::module_& module);
 void bind_map(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_registry(nanobind::module_& module);

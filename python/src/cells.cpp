@@ -1,5 +1,6 @@
 #include "python/src/cells.hpp"
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -97,6 +98,36 @@ Planes planes_of(nb::handle array, const std::string& name) {
   Planes planes = empty_planes(view.rows(), view.columns());
   view.visit([&](const auto& values) { read(values, name, planes); });
   return planes;
+}
+
+Grid<double> costs_of(nb::handle array) {
+  const BufferView view(array, "costs");
+  check_size("costs", view.rows(), view.columns());
+  Grid<double> costs(static_cast<int>(view.columns()), static_cast<int>(view.rows()));
+  view.visit([&](const auto& values) {
+    for (const Cell cell : every_cell(costs)) {
+      const auto cost = static_cast<double>(values.at(cell.y, cell.x));
+      if (!(cost >= 1 && std::isfinite(cost))) {
+        throw_failure(Status::invalid_map,
+                      indexed("costs", cell.y, cell.x, cost) + ": costs are finite and at least 1",
+                      "costs");
+      }
+      costs[cell] = cost;
+    }
+  });
+  return costs;
+}
+
+Grid<double> costs_like(nb::handle array, int width, int height) {
+  Grid<double> costs = costs_of(array);
+  if (costs.height() != height || costs.width() != width) {
+    throw_failure(Status::invalid_map,
+                  "costs has the shape (" + std::to_string(costs.height()) + ", " +
+                      std::to_string(costs.width()) + "), the map has (" + std::to_string(height) +
+                      ", " + std::to_string(width) + ")",
+                  "costs");
+  }
+  return costs;
 }
 
 bool read_rows(nb::handle rows, const std::string& name, Planes& planes) {

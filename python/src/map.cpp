@@ -5,10 +5,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
-#include <cmath>
-#include <limits>
 #include <tuple>
-#include <type_traits>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
@@ -22,36 +19,14 @@ namespace nb = nanobind;
 namespace wend::python {
 namespace {
 
-Grid<double> costs_of(nb::handle array, const BitGrid& like) {
-  const BufferView view(array, "costs");
-  if (view.rows() != like.height() || view.columns() != like.width()) {
-    throw_failure(Status::invalid_map,
-                  "costs has the shape (" + std::to_string(view.rows()) + ", " +
-                      std::to_string(view.columns()) + "), array has (" +
-                      std::to_string(like.height()) + ", " + std::to_string(like.width()) + ")",
-                  "costs");
-  }
-  Grid<double> costs(like.width(), like.height());
-  view.visit([&](const auto& values) {
-    for (const Cell cell : every_cell(costs)) {
-      const auto cost = static_cast<double>(values.at(cell.y, cell.x));
-      if (!(cost >= 1 && std::isfinite(cost))) {
-        throw_failure(Status::invalid_map,
-                      indexed("costs", cell.y, cell.x, cost) + ": costs are finite and at least 1",
-                      "costs");
-      }
-      costs[cell] = cost;
-    }
-  });
-  return costs;
-}
-
 GridMap map_of(nb::handle array, std::optional<double> resolution,
                std::tuple<double, double, double> origin, nb::handle costs, bool y_up) {
   Planes planes = planes_of(array, "array");
   const auto [x, y, heading] = origin;
   const Frame frame{resolution.value_or(1), {x, y, heading}, y_up, resolution.has_value()};
-  Grid<double> terrain = costs.is_none() ? Grid<double>() : costs_of(costs, planes.occupied);
+  Grid<double> terrain = costs.is_none()
+                             ? Grid<double>()
+                             : costs_like(costs, planes.occupied.width(), planes.occupied.height());
   return value_or_throw(make_grid_map(std::move(planes.occupied), std::move(planes.unknown), frame,
                                       std::move(terrain)));
 }

@@ -10,6 +10,7 @@ NB_MODULE(_core, module) {  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): o
   module.attr("version") = WEND_VERSION;
   wend::python::translate_errors();
   wend::python::bind_map(module);
+  wend::python::bind_costs(module);
   wend::python::bind_plan(module);
   wend::python::bind_trace(module);
   wend::python::bind_space(module);

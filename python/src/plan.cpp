@@ -202,6 +202,7 @@ void bind_plan(nb::module_& module) {
                      return std::vector<std::string>(plan.answer.plan.moves.begin(),
                                                      plan.answer.plan.moves.end());
                    })
+      .def("map", [](const Planned& plan) { return plan.answer.space.map(); })
       .def("quality", &quality_of)
       .def("smooth", &smoothed, nb::arg("smoother").none(), nb::arg("simplify").none(),
            nb::arg("spacing").none(), nb::arg("options"))

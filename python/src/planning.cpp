@@ -72,11 +72,12 @@ Planned plan(const Space& space, nb::handle start, const nb::list& goals, std::s
     goal.heading_tolerance = not_negative(heading_tolerance, "heading_tolerance");
   }
   request.observer = recording;
+  const Session::View view = space.view();
   Interrupts interrupts;
   interrupts.watch(request.limits);
   auto answer = [&] {
     const nb::gil_scoped_release unlocked;
-    return space.session->plan(space.view, request);
+    return space.session().plan(view, request);
   }();
   interrupts.throw_if_interrupted();
   return {value_or_throw(std::move(answer))};
@@ -104,7 +105,7 @@ nb::list plan_many(const Space& space, const nb::list& starts, const nb::list& g
     const nb::gil_scoped_release unlocked;
     interrupts.run([&] {
       ThreadWorkers workers(threads);
-      answers = space.session->plan_all(requests, settings.planner, workers);
+      answers = space.session().plan_all(requests, settings.planner, workers);
     });
   }
   interrupts.throw_if_interrupted();

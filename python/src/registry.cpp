@@ -137,6 +137,7 @@ Index built_index(const Space& space, const std::string& planner, unsigned threa
     throw_failure(Status::invalid_option, planner + " does not use an index", "planner");
   }
   const std::function<void(double)> progress = teller_of(tell);
+  const FreeSpace free = space.view().space;
   Interrupts interrupts;
   Expected<IndexBytes, Error> bytes;
   {
@@ -147,7 +148,7 @@ Index built_index(const Space& space, const std::string& planner, unsigned threa
       building.workers = &workers;
       building.cancel = &interrupts.cancelled();
       building.progress = progress;
-      bytes = info->index_support->build(space.free(), building);
+      bytes = info->index_support->build(free, building);
     });
   }
   interrupts.throw_if_interrupted();
@@ -190,7 +191,7 @@ void bind_registry(nb::module_& module) {
              value_or_throw(write_index(file, index.bytes));
            })
       .def("give_to", [](const Index& index, const Space& space) {
-        space.session->set_index(index.planner, index.bytes);
+        space.session().set_index(index.planner, index.bytes);
       });
   module.def("build_index", &built_index, nb::arg("space"), nb::arg("planner"), nb::arg("threads"),
              nb::arg("tell").none());

@@ -5,6 +5,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/unique_ptr.h>
 
 #include <cstdint>
 #include <memory>
@@ -69,9 +70,11 @@ Hints hints() {
           .limit_steps = "max_steps="};
 }
 
-Space space_of(const GridMap& map, nb::handle footprint, const std::string& unknown,
-               const std::optional<std::string>& outside, double clearance_distance,
-               double clearance_cost, std::size_t idle_planners) {
+std::unique_ptr<Space> space_of(const GridMap& map, nb::handle footprint,
+                                const std::string& unknown,
+                                const std::optional<std::string>& outside,
+                                double clearance_distance, double clearance_cost,
+                                std::size_t idle_planners) {
   FreeSpaceOptions robot{.footprint = footprint_of(footprint),
                          .unknown = policy_of<UnknownPolicy>(unknown, "unknown"),
                          .clearance_distance = clearance_distance,
@@ -81,7 +84,7 @@ Space space_of(const GridMap& map, nb::handle footprint, const std::string& unkn
   auto session = std::make_unique<Session>(
       map, std::move(robot), SessionOptions{.idle_planners = idle_planners, .hints = hints()});
   Session::View view = value_or_throw(session->view());
-  return {std::move(session), std::move(view)};
+  return std::make_unique<Space>(std::move(session), std::move(view));
 }
 
 GridMoves moves_of(const std::string& connectivity, const std::string& corner_rule) {
@@ -92,10 +95,11 @@ GridMoves moves_of(const std::string& connectivity, const std::string& corner_ru
 std::shared_ptr<const CostToGo> field_of(const Space& space, const nb::list& goals,
                                          const std::string& connectivity,
                                          const std::string& corner_rule) {
+  const Session::View view = space.view();
   std::vector<Cell> cells;
   for (const nb::handle goal : goals) {
     const MapPoint point = coordinates_of(goal, "goal").pose().point();
-    const auto cell = cell_under(space.free(), space.frame().to_grid(point));
+    const auto cell = cell_under(view.space, view.space.map().frame().to_grid(point));
     if (!cell) throw_failure(Status::goal_outside, "the goal is outside the map", "goal");
     cells.push_back(*cell);
   }
@@ -104,8 +108,8 @@ std::shared_ptr<const CostToGo> field_of(const Space& space, const nb::list& goa
   interrupts.watch(limits);
   auto field = [&] {
     const nb::gil_scoped_release unlocked;
-    return space.session->cost_to_go(space.view, std::move(cells),
-                                     moves_of(connectivity, corner_rule), limits);
+    return space.session().cost_to_go(view, std::move(cells), moves_of(connectivity, corner_rule),
+                                      limits);
   }();
   interrupts.throw_if_interrupted();
   return value_or_throw(std::move(field)).costs;
@@ -115,7 +119,7 @@ auto cost_to_go(const Space& space, const nb::list& goals, const std::string& co
                 const std::string& corner_rule) {
   const auto field = field_of(space, goals, connectivity, corner_rule);
   const auto costs = field->costs().values();
-  return owned_array<double, 2>({costs.begin(), costs.end()}, shape_of(space.free()));
+  return owned_array<double, 2>({costs.begin(), costs.end()}, shape_of(field->costs()));
 }
 
 /// (dx, dy) for every cell; (0, 0) in a goal and without a path.
@@ -123,13 +127,23 @@ auto policy(const Space& space, const nb::list& goals, const std::string& connec
             const std::string& corner_rule) {
   const auto field = field_of(space, goals, connectivity, corner_rule);
   std::vector<std::int8_t> steps;
-  for (const Cell cell : every_cell(space.free())) {
+  for (const Cell cell : every_cell(field->costs())) {
     const auto direction = field->policy(cell);
     const Cell to = direction ? step({0, 0}, *direction) : Cell{0, 0};
     steps.insert(steps.end(), {static_cast<std::int8_t>(to.x), static_cast<std::int8_t>(to.y)});
   }
-  const auto [height, width] = shape_of(space.free());
+  const auto [height, width] = shape_of(field->costs());
   return owned_array<std::int8_t, 3>(std::move(steps), {height, width, 2});
+}
+
+/// What Session::why_no_path() says, on one view.
+Expected<NoPath, Error> no_path_between(const FreeSpace& space, MapPoint start, MapPoint goal,
+                                        GridMoves moves) {
+  const auto from = cell_under(space, space.map().frame().to_grid(start));
+  const auto to = cell_under(space, space.map().frame().to_grid(goal));
+  if (!from) return failure(Status::start_outside, "the start is outside the map", "start");
+  if (!to) return failure(Status::goal_outside, "the goal is outside the map", "goal");
+  return explain_no_path(space, *from, *to, moves);
 }
 
 nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
@@ -137,14 +151,15 @@ nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
   const MapPoint from = coordinates_of(start, "start").pose().point();
   const MapPoint to = coordinates_of(goal, "goal").pose().point();
   const GridMoves moves = moves_of(connectivity, corner_rule);
-  const Frame& frame = space.frame();
+  const FreeSpace free = space.view().space;
+  const Frame& frame = free.map().frame();
   NoPath why;
   std::string text;
   {
     const nb::gil_scoped_release unlocked;
-    why = value_or_throw(space.session->why_no_path(from, to, moves));
-    const Units units(space.free().map());
-    const Explainer explainer(space.free(), units, moves, hints());
+    why = value_or_throw(no_path_between(free, from, to, moves));
+    const Units units(free.map());
+    const Explainer explainer(free, units, moves, hints());
     const Status status = why.start_component == 0  ? Status::start_blocked
                           : why.goal_component == 0 ? Status::goal_blocked
                           : why.path_exists()       ? Status::found
@@ -164,8 +179,9 @@ nb::tuple explained(const Space& space, nb::handle start, nb::handle goal,
 }
 
 std::optional<std::string> why_blocked(const Space& space, nb::handle pose) {
+  const FreeSpace free = space.view().space;
   const auto reason =
-      space.free().why_blocked(space.frame().to_grid(coordinates_of(pose, "pose").pose()));
+      free.why_blocked(free.map().frame().to_grid(coordinates_of(pose, "pose").pose()));
   if (!reason) return std::nullopt;
   return std::string(describe(*reason));
 }
@@ -173,32 +189,66 @@ std::optional<std::string> why_blocked(const Space& space, nb::handle pose) {
 std::tuple<double, double, double> nearest(const Space& space, nb::handle pose) {
   const MapPose asked = coordinates_of(pose, "pose").pose();
   const nb::gil_scoped_release unlocked;
-  const MapPose found = value_or_throw(space.session->nearest(asked));
+  const MapPose found = value_or_throw(space.session().nearest(asked));
   return {found.x, found.y, found.heading};
 }
 
 auto passable(const Space& space) {
+  const FreeSpace free = space.view().space;
   std::vector<std::uint8_t> cells;
-  cells.reserve(space.free().map().size());
-  for (const Cell cell : every_cell(space.free()))
-    cells.push_back(space.free().passable(cell) ? 1 : 0);
-  return owned_array<std::uint8_t, 2>(std::move(cells), shape_of(space.free()));
+  cells.reserve(free.map().size());
+  for (const Cell cell : every_cell(free)) cells.push_back(free.passable(cell) ? 1 : 0);
+  return owned_array<std::uint8_t, 2>(std::move(cells), shape_of(free));
 }
 
 auto clearance(const Space& space) {
+  const FreeSpace free = space.view().space;
   std::vector<double> metres;
-  metres.reserve(space.free().map().size());
-  for (const Cell cell : every_cell(space.free())) {
-    metres.push_back(space.free().clearance(cell) * space.frame().resolution);
+  metres.reserve(free.map().size());
+  for (const Cell cell : every_cell(free)) {
+    metres.push_back(free.clearance(cell) * free.map().frame().resolution);
   }
-  return owned_array<double, 2>(std::move(metres), shape_of(space.free()));
+  return owned_array<double, 2>(std::move(metres), shape_of(free));
+}
+
+auto costs(const Space& space) {
+  const FreeSpace free = space.view().space;
+  std::vector<double> multipliers;
+  multipliers.reserve(free.map().size());
+  for (const Cell cell : every_cell(free)) multipliers.push_back(free.terrain(cell));
+  return owned_array<double, 2>(std::move(multipliers), shape_of(free));
 }
 
 }  // namespace
 
+Session::View Space::view() const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (view_) return *view_;
+  }
+  const nb::gil_scoped_release unlocked;  // the edit may wait for a search that looks for signals
+  return value_or_throw(session_->view());
+}
+
+SpaceChange Space::edit(const MapEdit& edit) {
+  {
+    const std::lock_guard lock(mutex_);
+    view_.reset();
+  }
+  auto change = session_->edit(edit);
+  auto now = session_->view();
+  {
+    const std::lock_guard lock(mutex_);
+    const bool newer = now && (!view_ || view_->version < now->version);
+    if (newer) view_ = *std::move(now);
+  }
+  return value_or_throw(std::move(change));
+}
+
 void bind_space(nb::module_& module) {
   nb::class_<Space> space(module, "Space", "A map with a robot.");
   bind_planning(space);
+  bind_edits(space);
   space
       .def("cost_to_go", &cost_to_go, nb::arg("goals"), nb::arg("connectivity"),
            nb::arg("corner_rule"))
@@ -208,7 +258,13 @@ void bind_space(nb::module_& module) {
       .def("why_blocked", &why_blocked, nb::arg("pose").none())
       .def("nearest", &nearest, nb::arg("pose").none())
       .def("passable", &passable)
-      .def("clearance", &clearance);
+      .def("clearance", &clearance)
+      .def("costs", &costs)
+      .def_prop_ro("version", [](const Space& self) { return self.view().version; })
+      .def("map", [](const Space& self) {
+        const Session::View view = self.view();
+        return std::tuple(view.version, view.space.map());
+      });
   module.def("make_space", &space_of, nb::arg("map"), nb::arg("footprint").none(),
              nb::arg("unknown"), nb::arg("outside").none(), nb::arg("clearance_distance"),
              nb::arg("clearance_cost"), nb::arg("idle_planners"));

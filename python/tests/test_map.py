@@ -101,7 +101,7 @@ def test_refuses_with_the_place(array: Any, message: str) -> None:
 def test_refuses_wrong_costs() -> None:
     with pytest.raises(ValueError, match=r"costs\[0, 1\] is 0.5: costs are finite and at least 1"):
         wend.Map([[0, 0]], costs=[[1, 0.5]])
-    with pytest.raises(ValueError, match=r"costs has the shape \(1, 1\), array has \(1, 2\)"):
+    with pytest.raises(ValueError, match=r"costs has the shape \(1, 1\), the map has \(1, 2\)"):
         wend.Map([[0, 0]], costs=[[1]])
     with pytest.raises(ValueError, match="costs"):
         wend.Map([[0, 0]], costs=[[1, float("nan")]])

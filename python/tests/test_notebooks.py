@@ -70,7 +70,7 @@ def texts_of(notebook: Any) -> str:
 
 
 def test_the_notebooks_show_what_they_say(executed: dict[str, Any]) -> None:
-    assert len(NOTEBOOKS) == 5
+    assert len(NOTEBOOKS) == 6
     pages = outputs_of(executed["search"], "text/html")
     assert len(pages) == 4 and all("srcdoc" in page for page in pages)
     assert "shortest           pure_pursuit  collision" in texts_of(executed["robot"])
@@ -79,3 +79,6 @@ def test_the_notebooks_show_what_they_say(executed: dict[str, Any]) -> None:
     assert "Hasty: the path has 3 steps, 1 are enough" in texts_of(executed["own_planner"])
     assert len(outputs_of(executed["compare"], "image/png")) == 2
     assert len(outputs_of(executed["car"], "image/svg+xml")) == 1
+    assert len(outputs_of(executed["costs"], "image/png")) == 4
+    says, sums = texts_of(executed["costs"]).splitlines()[:2]
+    assert says.split()[0] == sums.split()[0]

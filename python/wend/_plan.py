@@ -44,19 +44,27 @@ class Plan:
     <wend.Plan of 2 points, 2.83 m>
     """
 
-    __slots__ = ("_cells", "_inner", "_path", "map")
+    __slots__ = ("_cells", "_inner", "_map", "_path")
 
-    map: Map
-    """The map that it was planned on."""
     _inner: _core.Plan
+    _map: Map | None
     _path: npt.NDArray[np.float64] | None
     _cells: npt.NDArray[np.int32] | None
 
-    def __init__(self, map: Map, core: _core.Plan) -> None:
-        self.map = map
+    def __init__(self, core: _core.Plan) -> None:
         self._inner = core
+        self._map = None
         self._path = None
         self._cells = None
+
+    @property
+    def map(self) -> Map:
+        """The map that it was planned on."""
+        if self._map is None:
+            from ._map import Map
+
+            self._map = Map._of(self._inner.map())
+        return self._map
 
     @property
     def path(self) -> npt.NDArray[np.float64]:
@@ -141,7 +149,7 @@ class Plan:
         >>> plan.smooth(None, simplify="sight").path.tolist()
         [[0.5, 0.5], [8.5, 4.5]]
         """
-        return Plan(self.map, self._inner.smooth(smoother, simplify, spacing, text_of(options)))
+        return Plan(self._inner.smooth(smoother, simplify, spacing, text_of(options)))
 
     @named_types
     def trajectory(self, *, corner_rounding: float | None = None, **limits: object) -> Trajectory:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import operator
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Pose, checked_threads, goals_of, text_of
+from ._arrays import Pose, checked_threads, goals_of, numbers_of, text_of
 from ._errors import Error, InvalidArgument, NoPath
 from ._plan import Plan
 from ._progress import progress_bar
@@ -59,7 +60,8 @@ class Explanation(NamedTuple):
 
 
 class FreeSpace:
-    """Where one robot may be on a map. ``Map.free_space()`` makes it; neither the map nor the robot change.
+    """Where one robot may be on a map. ``Map.free_space()`` makes it; the robot does not change, and the map only by
+    ``edit()`` and ``edit_cells()``.
 
     Points and poses are in metres of the map's frame (in cells, if the map has no resolution); x is to the right in an
     array, y is down its rows. All threads may call everything; planning does not hold the interpreter lock.
@@ -70,15 +72,25 @@ class FreeSpace:
     [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2]]
     """
 
-    __slots__ = ("_inner", "map")
+    __slots__ = ("_inner", "_map")
 
     _inner: _core.Space
-    map: Map
-    """The map."""
+    _map: tuple[int, Map] | None  # the map of a version
 
     def __init__(self, map: Map, core: _core.Space) -> None:
-        self.map = map
+        self._map = (core.version, map)
         self._inner = core
+
+    @property
+    def map(self) -> Map:
+        """The map as it is now."""
+        kept = self._map
+        if kept is None or kept[0] != self._inner.version:
+            from ._map import Map
+
+            version, core = self._inner.map()
+            kept = self._map = (version, Map._of(core))
+        return kept[1]
 
     @named_types
     def plan(
@@ -118,7 +130,6 @@ class FreeSpace:
         wend.InvalidArgument: option 'connectivity': '5' is not one of 4, 8
         """
         return Plan(
-            self.map,
             self._inner.plan(
                 start,
                 goals_of(goal),
@@ -175,8 +186,7 @@ class FreeSpace:
                 answers += self._inner.plan_many(all_starts[some], all_goals[some], *settings)
                 if tell is not None:
                     tell(len(answers) / count)
-        map = self.map
-        return [Plan(map, answer) if isinstance(answer, _core.Plan) else _no_path(answer) for answer in answers]
+        return [Plan(answer) if isinstance(answer, _core.Plan) else _no_path(answer) for answer in answers]
 
     @named_types
     def trace(
@@ -198,19 +208,19 @@ class FreeSpace:
         ([[1, 2, 3]], [[0.0, 1.0, 2.0]])
         """
         recording = _core.Recording()
+        map = self.map
         goals = goals_of(goal)
         plan: Plan | None = None
         failure: NoPath | None = None
         try:
             plan = Plan(
-                self.map,
                 self._inner.plan(
                     start, goals, planner, text_of(options), time_limit, expansions, False, 0, 0, recording
                 ),
             )
         except NoPath as no_path:
             failure = no_path
-        return Trace(self.map, recording, plan, failure, on_vertices=planner == "car")
+        return Trace(map if plan is None else plan.map, recording, plan, failure, on_vertices=planner == "car")
 
     @named_types
     def cost_to_go(
@@ -300,6 +310,84 @@ class FreeSpace:
         without obstacles."""
         return self._inner.clearance()
 
+    @property
+    def costs(self) -> npt.NDArray[np.float64]:
+        """The cost of a unit of length in each cell, as planners use it: that of the map, and more near obstacles if
+        there is a clearance cost, rounded to 1/256. Shape (height, width)."""
+        return self._inner.costs()
+
+    @named_types
+    def edit(
+        self,
+        corner: Sequence[int],
+        array: npt.ArrayLike | None = None,
+        costs: npt.ArrayLike | None = None,
+    ) -> list[tuple[int, int, int, int]]:
+        """Changes the cells of a box, and repairs what depends on them: planners keep the rest of what they have
+        prepared. ``map`` is the new map from then on; plans and maps of before stay as they are.
+
+        It takes O(cells near the box), but O(cells) once while a plan, a trace or a map of the space as it was is alive.
+        New states and costs replace those of the map under its masks: a zone in the box is gone unless `array` has it.
+        An index does not fit any more: its planner raises ``wend.Error`` with the status ``index_mismatch``.
+
+        :param corner: (x, y): the cell that gets ``array[0, 0]``.
+        :param array: the new states: 0 free, 1 an obstacle, -1 unknown. None: as they are.
+        :param costs: the new costs of the map, finite and at least 1, of the same shape. None: as they are.
+        :returns: (x, y, width, height) of boxes that contain all cells of the free space that may differ.
+        :raises ValueError: the box is not on the map, or an array has other values; then nothing changes.
+
+        >>> import numpy as np, wend
+        >>> space = wend.Map(np.zeros((3, 5), dtype=np.int8)).free_space()
+        >>> space.edit((2, 0), [[1], [1]])
+        [(2, 0, 1, 2)]
+        >>> space.plan((0, 0), (4, 0)).cells.tolist()
+        [[0, 0], [1, 1], [1, 2], [2, 2], [3, 2], [4, 1], [4, 0]]
+        """
+        x, y = _cell_of(corner, "corner")
+        if array is None and costs is None:
+            raise InvalidArgument("array or costs must be given", "invalid_map", "array")
+        states = None if array is None else numbers_of(array, "array")
+        return self._edited(self._inner.edit, x, y, states, None if costs is None else numbers_of(costs, "costs"))
+
+    @named_types
+    def edit_cells(
+        self,
+        cells: npt.ArrayLike,
+        states: npt.ArrayLike,
+        costs: npt.ArrayLike | None = None,
+    ) -> list[tuple[int, int, int, int]]:
+        """The same for single cells, wherever they are.
+
+        :param cells: shape (n, 2), integers: (x, y) of each.
+        :param states: n new states, or one for all.
+        :param costs: n new costs, or one for all. None: as they are.
+
+        >>> import numpy as np, wend
+        >>> space = wend.Map(np.zeros((3, 5), dtype=np.int8)).free_space()
+        >>> space.edit_cells([(1, 1), (3, 1)], 1)
+        [(1, 1, 3, 1)]
+        >>> space.map.array.tolist()
+        [[0, 0, 0, 0, 0], [0, 1, 0, 1, 0], [0, 0, 0, 0, 0]]
+        """
+        places = np.atleast_2d(numbers_of(cells, "cells"))
+        if places.size == 0:
+            return []
+        if places.ndim != 2 or places.shape[1] != 2 or places.dtype.kind not in "iu":
+            raise InvalidArgument("cells must be integers of the shape (n, 2)", "invalid_map", "cells")
+        rows = np.column_stack((places.astype(np.int64), _for_each(states, "states", len(places)).astype(np.int64)))
+        if not np.isin(rows[:, 2], (-1, 0, 1)).all():
+            message = "states must be 0 (free), 1 (obstacle) or -1 (unknown)"
+            raise InvalidArgument(message, "invalid_map", "states")
+        values = None
+        if costs is not None:
+            values = np.ascontiguousarray(_for_each(costs, "costs", len(places)).astype(np.float64)[:, np.newaxis])
+        return self._edited(self._inner.edit_cells, np.ascontiguousarray(rows), values)
+
+    def _edited(self, edit: Any, *arguments: Any) -> list[tuple[int, int, int, int]]:
+        self._map = None  # what shares the cells would make the edit copy them
+        boxes: list[tuple[int, int, int, int]] = edit(*arguments)
+        return boxes
+
     @named_types
     def use_index(self, index: Index) -> None:
         """Lets the index's planner answer from it from now on. If it was built for something else, ``plan()`` raises
@@ -308,6 +396,23 @@ class FreeSpace:
 
     def __repr__(self) -> str:
         return f"<wend.FreeSpace on {self.map!r}>"
+
+
+def _cell_of(cell: Sequence[int], name: str) -> tuple[int, int]:
+    try:
+        x, y = (operator.index(number) for number in cell)
+    except (TypeError, ValueError) as error:
+        raise InvalidArgument(f"{name} must be two integers (x, y), not {cell!r}", "invalid_map", name) from error
+    largest = 2**31
+    return max(-largest, min(x, largest)), max(-largest, min(y, largest))
+
+
+def _for_each(values: npt.ArrayLike, name: str, count: int) -> npt.NDArray[Any]:
+    """So many values, from as many or from one."""
+    numbers = np.ravel(numbers_of(values, name))
+    if len(numbers) not in (1, count):
+        raise InvalidArgument(f"{name} has {len(numbers)} values for {count} cells", "invalid_map", name)
+    return np.broadcast_to(numbers, (count,))
 
 
 def _no_path(answer: Error) -> NoPath:

@@ -67,6 +67,13 @@ inline Owned<wend_map> fuzzed_map(FuzzedBytes& bytes, std::string& wrong) {
   const int area = std::max(width, 0) * std::max(height, 0);
   std::vector<std::uint8_t> cells(static_cast<std::size_t>(kind < 230 ? area : kind));
   for (std::uint8_t& cell : cells) cell = bytes.byte();
+  if (kind % 8 == 5) {
+    const double factor = bytes.number();
+    return fuzzed_object<wend_map>(wrong, [&](wend_map** out, wend_error* error) {
+      return wend_map_from_costmap(cells.data(), cells.size(), width, height, options.resolution,
+                                   &options.origin, factor, out, error);
+    });
+  }
   std::vector<double> terrain;
   if (kind % 4 == 0) {
     for (std::size_t i = kind % 8; i < cells.size() + kind % 8; ++i) {

@@ -10,6 +10,7 @@
 #include "fuzzed_c_interface.hpp"
 #include "fuzzed_map_updates.hpp"
 #include "fuzzed_map_yaml.hpp"
+#include "fuzzed_mask.hpp"
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
@@ -146,6 +147,8 @@ std::string fuzz_index(std::string_view bytes) {
 
 constexpr std::array kLoaders{
     Loader{"map_yaml", fuzz_map_yaml},
+    Loader{"mask", fuzz_mask},
+    Loader{"mask_spec", fuzz_mask_spec},
     Loader{"png", fuzz_png},
     Loader{"pnm", fuzz_pnm},
     Loader{"moving_ai_map", fuzz_moving_ai_map},

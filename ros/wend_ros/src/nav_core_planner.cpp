@@ -94,9 +94,14 @@ class NavCorePlanner final : public nav_core::BaseGlobalPlanner {
     const auto height = static_cast<int>(costs.getSizeInCellsY());
     const std::span<const std::uint8_t> values(
         costs.getCharMap(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    session_.set_map(map_from_costs(values, width, height, costs.getResolution(),
-                                    {costs.getOriginX(), costs.getOriginY()}),
-                     costmap_->getGlobalFrameID());
+    auto map =
+        map_from_costs(values, width, height, costs.getResolution(),
+                       {costs.getOriginX(), costs.getOriginY()}, parameters_.number("cost_factor"));
+    if (map) {
+      session_.set_map(*std::move(map), costmap_->getGlobalFrameID());
+    } else {
+      session_.clear_map(map.error().message);
+    }
   }
 
   costmap_2d::Costmap2DROS* costmap_ = nullptr;  // move_base's

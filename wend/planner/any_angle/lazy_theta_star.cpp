@@ -19,9 +19,11 @@ struct ParentsTakenOnTrust {
                                           const GridState& next, double step_cost) {
     const StateId id = state.number;
     const StateId parent = search.arrival(id);
-    if (parent == search.kNoArrival) return Link<double>{id, search.g(id) + step_cost};
+    const Link<double> step{id, search.g(id) + step_cost};
+    if (parent == search.kNoArrival) return step;
     const GridState from = search.space().state(parent);
-    return Link<double>{parent, search.g(parent) + SightGrid::distance(from, next)};
+    const Link<double> line{parent, search.g(parent) + search.space().distance(from, next)};
+    return line_costs_more(search, line, step) ? step : line;
   }
 
   static std::optional<Link<double>> settled(const auto& search, const GridState& state) {
@@ -61,13 +63,14 @@ PlannerInfo lazy_theta_star_planner() {
        .citation = "Nash, Koenig, Tovey 2010",
        .guarantee_text =
            "complete; longer than the path of astar pulled taut in only a few queries of a "
-           "thousand, but not always the shortest",
-       .time = "O(n log n) in the n cells expanded, and a line of sight for each of them",
+           "thousand, but not always the shortest; on costs without a bound",
+       .time = "O(n log n) in the n cells expanded, and a line of sight for each of them; on costs "
+               "also the cells of lines to their neighbours",
        .memory = "16 bytes per cell, 24 per frontier entry",
        .bytes_per_cell = 16,
        .when = "As theta_star, of which it is the faster one; its paths are about as long.",
        .guarantee = Guarantee::complete,
-       .capabilities = {.any_angle = true}},
+       .capabilities = {.any_angle = true, .terrain = true}},
       any_angle_parts<ParentsTakenOnTrust, SightCheck::when_expanded>);
 }
 

@@ -23,7 +23,7 @@ inline Link<double> with_shifted_turn(const auto& search, const GridState& state
   const auto look = [&](const GridState& turn, Move /*move*/, double /*step_cost*/) {
     // The state itself is closed, too, and its g may be one that was taken on trust.
     if (!search.closed(turn.number) || turn.number == state.number) return;
-    const double g = search.g(turn.number) + SightGrid::distance(turn, state);
+    const double g = search.g(turn.number) + space.distance(turn, state);
     if (!(g < link.g * (1 - kRounding)) || !space.sees(turn, state)) return;
     link = {turn.number, g};
     shifted = true;
@@ -35,18 +35,28 @@ inline Link<double> with_shifted_turn(const auto& search, const GridState& state
   return link;
 }
 
-/// The parts of a planner with such links; without an engine where there is terrain.
+/// Is a step cheaper than the line from its parent's parent? Only where cells have costs.
+template <class Search>
+bool line_costs_more(const Search& /*search*/, const Link<double>& line, const Link<double>& step) {
+  if constexpr (!Search::SpaceType::kCosts) return false;
+  return step.g < line.g;
+}
+
+/// The parts of a planner with such links.
 template <class Links, SightCheck kCheck>
 GridPlanner::Parts any_angle_parts(const FreeSpace& space, const AnyAngleOptions<kCheck>& options) {
-  using Engine = GridEngineOf<SightGrid, HeapFrontier<RealKey<double>>, RealEstimate<SightGrid>,
-                              DuplicateRule::keep_cheaper, Links>;
-  const GridMoves moves{Connectivity::eight, options.corner_rule};
-  if (!space.uniform_terrain()) return {moves, nullptr, Plan::kNoBound, true};
-  return {moves,
-          std::make_unique<Engine>(
-              SightGrid(space, options.corner_rule),
-              RealEstimate<SightGrid>(HeuristicKind::euclidean, 0, 1, options.weight)),
-          Plan::kNoBound, true};
+  const auto engine_on = [&]<class Space>(Space sight) -> std::unique_ptr<GridEngine> {
+    using Engine = GridEngineOf<Space, HeapFrontier<RealKey<double>>, RealEstimate<Space>,
+                                DuplicateRule::keep_cheaper, Links>;
+    return std::make_unique<Engine>(
+        std::move(sight), RealEstimate<Space>(HeuristicKind::euclidean, 0, 1, options.weight));
+  };
+  const CornerRule rule = options.corner_rule;
+  return {{Connectivity::eight, rule},
+          space.uniform_terrain() ? engine_on(SightGrid(space, rule))
+                                  : engine_on(CostSightGrid(space, rule)),
+          Plan::kNoBound,
+          true};
 }
 
 }  // namespace wend

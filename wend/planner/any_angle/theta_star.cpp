@@ -17,14 +17,14 @@ struct ParentsInSight {
                                           const GridState& next, double step_cost) {
     const StateId id = state.number;
     const StateId parent = search.arrival(id);
-    if (parent != search.kNoArrival) {
-      const GridState from = search.space().state(parent);
-      const double g = search.g(parent) + SightGrid::distance(from, next);
-      // A step is never shorter than the line, so sight matters only if the line is shorter.
-      if (search.reached(next.number) && !(g < search.g(next.number))) return std::nullopt;
-      if (search.space().sees(from, next)) return Link<double>{parent, g};
-    }
-    return Link<double>{id, search.g(id) + step_cost};
+    const Link<double> step{id, search.g(id) + step_cost};
+    if (parent == search.kNoArrival) return step;
+    const GridState from = search.space().state(parent);
+    const Link<double> line{parent, search.g(parent) + search.space().distance(from, next)};
+    if (line_costs_more(search, line, step)) return step;
+    // The step is not cheaper than the line, so sight matters only if the line is cheaper.
+    if (search.reached(next.number) && !(line.g < search.g(next.number))) return std::nullopt;
+    return search.space().sees(from, next) ? line : step;
   }
 
   static std::optional<Link<double>> settled(const auto& search, const GridState& state) {
@@ -46,16 +46,17 @@ PlannerInfo theta_star_planner() {
        .citation = "Nash, Daniel, Koenig, Felner 2007",
        .guarantee_text =
            "complete; longer than the path of astar pulled taut in only a few queries of a "
-           "thousand, but not always the shortest",
+           "thousand, but not always the shortest; on costs without a bound",
        .time =
-           "O(n log n) in the n cells expanded, and a line of sight for each of their neighbours",
+           "O(n log n) in the n cells expanded, and a line of sight for each of their neighbours; "
+           "on costs also the cells of each line",
        .memory = "16 bytes per cell, 24 per frontier entry",
        .bytes_per_cell = 16,
        .when = "Where a robot can drive in any direction and the path should have few turns. Its "
                "waypoints lie in the middle of cells; string pulling a path of jps is faster, and "
-               "mostly a little longer. Not on terrain.",
+               "mostly a little longer. On costs, lines are chosen by what they cost.",
        .guarantee = Guarantee::complete,
-       .capabilities = {.any_angle = true}},
+       .capabilities = {.any_angle = true, .terrain = true}},
       any_angle_parts<ParentsInSight, SightCheck::when_reached>);
 }
 

@@ -2,6 +2,7 @@
 
 #include "wend/base/parse.hpp"
 #include "wend/space/grid/grid_path.hpp"
+#include "wend/space/grid/line_cost.hpp"
 
 namespace wend {
 namespace {
@@ -102,7 +103,10 @@ void GridPlanner::begin_search(const Limits& limits, SearchObserver* observer) {
 }
 
 void GridPlanner::assess(Plan& out) {
-  out.cost = any_angle_ ? out.path.length() : grid_path_cost(free_space(), out.path.cells());
+  const auto cells = out.path.cells();
+  out.cost = !any_angle_                      ? grid_path_cost(free_space(), cells)
+             : free_space().uniform_terrain() ? out.path.length()
+                                              : any_angle_path_cost(free_space(), cells);
   out.bound = bound_;
 }
 

@@ -52,7 +52,7 @@ class GridPlanner final : public SearchPlanner<GridEngine> {
     GridMoves moves;
     std::shared_ptr<GridEngine> engine;  // none: the map is of a kind that it cannot plan on
     double bound;                        // what Plan::bound says of every answer
-    bool any_angle = false;              // its paths are lines on uniform terrain, not steps
+    bool any_angle = false;              // its paths are lines, not steps
     /// Makes another engine from what was prepared for this one; null if nothing was.
     std::function<std::unique_ptr<GridEngine>()> another = {};
     /// Makes the parts for the same space after a change from what was prepared for this one, which does

@@ -5,6 +5,7 @@
 
 #include "wend/robot/fits_along.hpp"
 #include "wend/space/grid/grid_space.hpp"
+#include "wend/space/grid/line_cost.hpp"
 
 namespace wend {
 namespace {
@@ -74,11 +75,7 @@ Expected<double, PathFault> check_any_angle_path(const FreeSpace& space, Adjacen
   if (auto fault = first_fault(space, cells, is_free, "is not free")) {
     return Unexpected<PathFault>(*std::move(fault));
   }
-  double length = 0;
-  for (std::size_t i = 1; i < cells.size(); ++i) {
-    length += distance(centre_of(cells[i - 1]), centre_of(cells[i]));
-  }
-  return length;
+  return any_angle_path_cost(space, cells);
 }
 
 }  // namespace wend

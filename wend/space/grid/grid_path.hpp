@@ -29,7 +29,7 @@ double grid_path_cost(const FreeSpace& space, std::span<const Cell> cells);
 WEND_API Expected<double, PathFault> check_grid_path(const FreeSpace& space, GridMoves moves,
                                                      std::span<const Cell> cells);
 
-/// The length of a path of an any-angle planner, if every cell is passable and every line between two
+/// The cost of a path of an any-angle planner, which is its length on uniform terrain, if every cell is passable and every line between two
 /// of them free, by the rules of disc_fits_along(). O(length).
 WEND_API Expected<double, PathFault> check_any_angle_path(const FreeSpace& space,
                                                           Adjacency adjacency,

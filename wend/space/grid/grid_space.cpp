@@ -54,5 +54,6 @@ template class GridSpace<UniformSteps<std::uint32_t>>;
 template class GridSpace<UniformSteps<std::uint64_t>>;
 template class GridSpace<TerrainSteps>;
 template class GridSpace<LengthSteps>;
+template class GridSpace<CostSteps>;
 
 }  // namespace wend

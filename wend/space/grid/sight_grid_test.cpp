@@ -57,8 +57,8 @@ TEST(SightGrid, SeesWhatBruteForceSees) {
 
 TEST(SightGrid, KnowsDistances) {
   const SightGrid grid(*make_free_space(*make_grid_map(Grid<CellState>(9, 9, CellState::free))));
-  EXPECT_EQ(SightGrid::distance(grid.state({1, 2}), grid.state({4, 6})), 5);
-  EXPECT_EQ(SightGrid::distance(grid.state({4, 6}), grid.state({1, 2})), 5);
+  EXPECT_EQ(grid.distance(grid.state({1, 2}), grid.state({4, 6})), 5);
+  EXPECT_EQ(grid.distance(grid.state({4, 6}), grid.state({1, 2})), 5);
 }
 
 TEST(AnyAnglePath, IsCheckedLineByLine) {
