@@ -13,48 +13,15 @@
 #include <vector>
 
 #include "checks.hpp"
+#include "fuzzed_bytes.hpp"
 #include "tests/testing/c_objects.hpp"
 #include "wend/wend.h"
 
 namespace wend::test {
 
-/// Takes values from bytes; 0 once there are no more.
-class FuzzedBytes {
- public:
-  explicit FuzzedBytes(std::string_view bytes) : bytes_(bytes) {}
-
-  std::uint8_t byte() {
-    if (bytes_.empty()) return 0;
-    const auto first = static_cast<std::uint8_t>(bytes_.front());
-    bytes_.remove_prefix(1);
-    return first;
-  }
-
-  /// Often a small number of tenths, else any double.
-  double number() {
-    const std::uint8_t kind = byte();
-    if (kind < 200) return 0.1 * byte();
-    double value = 0;
-    std::array<char, sizeof value> any{};
-    for (char& each : any) each = static_cast<char>(byte());
-    std::memcpy(&value, any.data(), sizeof value);
-    return value;
-  }
-
-  wend_pose pose() { return {number(), number(), number()}; }
-
-  /// Up to the next NUL.
-  std::string text() {
-    const std::string found(bytes_.substr(0, bytes_.find('\0')));
-    bytes_.remove_prefix(std::min(bytes_.size(), found.size() + 1));
-    return found;
-  }
-
-  std::string_view rest() const { return bytes_; }
-
- private:
-  std::string_view bytes_;
-};
+inline wend_pose pose_from(FuzzedBytes& bytes) {
+  return {bytes.number(), bytes.number(), bytes.number()};
+}
 
 /// What is wrong with how a call ended; empty if nothing is.
 inline std::string check_end(wend_status status, const void* object, const wend_error& error) {
@@ -93,7 +60,7 @@ inline Owned<wend_map> fuzzed_map(FuzzedBytes& bytes, std::string& wrong) {
   options.cells = bytes.byte() % 5 - 1;
   options.occupied_from = bytes.byte();
   options.resolution = bytes.number();
-  options.origin = bytes.pose();
+  options.origin = pose_from(bytes);
   const std::int32_t width = bytes.byte() % 24 - 1;
   const std::int32_t height = bytes.byte() % 24 - 1;
   // Usually as many cells as there should be.
@@ -175,9 +142,9 @@ inline std::string check_questions(wend_session* session, const wend_pose& pose)
 class FuzzedRequest {
  public:
   explicit FuzzedRequest(FuzzedBytes& bytes) : planner_(bytes.text()), goals_(bytes.byte() % 4) {
-    for (wend_pose& goal : goals_) goal = bytes.pose();
+    for (wend_pose& goal : goals_) goal = pose_from(bytes);
     wend_request_init(&request, sizeof request);
-    request.start = bytes.pose();
+    request.start = pose_from(bytes);
     request.goals = goals_.data();
     request.goal_count = goals_.size();
     if (!planner_.empty()) request.planner = planner_.c_str();

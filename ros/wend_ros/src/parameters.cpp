@@ -35,6 +35,8 @@ struct NodeOptions {
   double time_limit = 0;
   double goal_tolerance = 0;
   double goal_heading_tolerance = 0;
+  bool nearest = false;
+  ReplanOnChange replan_on_change = ReplanOnChange::ahead;
   bool smooth = true;
   double smooth_alpha = wend::GradientOptions{}.alpha;
   double smooth_beta = wend::GradientOptions{}.beta;
@@ -56,6 +58,13 @@ struct NodeOptions {
           self.goal_tolerance, {0, 1e3});
     field({"goal_heading_tolerance", "how far from a goal's heading a path may end, rad"},
           self.goal_heading_tolerance, {0, 4});
+    field({"nearest", "moves a blocked start or goal of topics to the nearest place that is free"},
+          self.nearest);
+    field(
+        {"replan_on_change",
+         "plan again to the topics' goal after a change of the map: ahead, if it touches the path "
+         "ahead or there is no path; always; never"},
+        self.replan_on_change);
     field({"smooth", "publish a smoothed path as well"}, self.smooth);
     field({"smooth_alpha", "weight that holds the points of the path in place"}, self.smooth_alpha,
           {0, 2});
@@ -244,6 +253,14 @@ double Parameters::number(std::string_view name) const {
 }
 
 bool Parameters::flag(std::string_view name) const { return is_true(text(name)); }
+
+ReplanOnChange Parameters::replan_on_change() const {
+  const std::string& chosen = text("replan_on_change");
+  for (const auto& choice : choice_names(ReplanOnChange{})) {
+    if (choice.name == chosen) return choice.value;
+  }
+  return {};
+}
 
 wend::Footprint Parameters::footprint() const {
   const std::string& shape = text(kFootprint);

@@ -1,16 +1,14 @@
 #include "wend_ros/planner_node.hpp"
 
-#include <nav_msgs/Path.h>
-#include <visualization_msgs/MarkerArray.h>
-
+#include <algorithm>
 #include <chrono>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "wend/base/parse.hpp"
 #include "wend/base/thread_time.hpp"
-#include "wend/io/map/load_map.hpp"
 #include "wend_ros/feedback.hpp"
-#include "wend_ros/markers.hpp"
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
 
@@ -21,28 +19,44 @@ wend::Unexpected<PlanResult> refused(StatusCode code, std::string reason) {
   return wend::Unexpected<PlanResult>(refusal(code, std::move(reason)));
 }
 
+/// "plan: 12 poses, cost 11, 40 expanded in 0.1 ms of CPU time, 2 s after the last change of the map".
+std::string text_of(const PlanResult& result) {
+  std::ostringstream text;
+  if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
+    text << "plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
+         << result.metrics.expanded << " expanded in " << 1e3 * result.metrics.seconds << " ms of "
+         << wend::thread_time_name() << ", " << result.since_change
+         << " s after the last change of the map";
+  } else {
+    text << "no plan, " << result.status << " " << result.status_name << ": " << result.reason;
+  }
+  return text.str();
+}
+
+void tell(const PlanResult& result) {
+  if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
+    ROS_INFO_STREAM(text_of(result));
+  } else {
+    ROS_WARN_STREAM(text_of(result));
+  }
+}
+
 }  // namespace
 
 PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeHandle& services)
-    : robot_(node, own),
-      plan_(node.advertise<nav_msgs::Path>("plan", 1, true)),
-      smoothed_(node.advertise<nav_msgs::Path>("plan_smoothed", 1, true)),
-      trajectory_(node.advertise<nav_msgs::Path>("trajectory", 1, true)),
-      poses_(node.advertise<geometry_msgs::PoseArray>("plan_poses", 1, true)),
-      expansion_(node.advertise<nav_msgs::OccupancyGrid>("expansion", 1, true)),
-      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 8, true)) {
-  reading_.occupied_from = own.param("occupied_from", reading_.occupied_from);
-  reconfigure_ = std::make_unique<Reconfigure>(own, [this](const Parameters& parameters) {
-    session_.set_robot(robot_of(parameters));
-    wake();
-  });
+    : publisher_(node), robot_(node, own) {
+  reconfigure_ = std::make_unique<Reconfigure>(
+      own, [this](const Parameters& parameters) { take_parameters(parameters); });
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
-  load_map_parameter(own);
+  feed_ = std::make_unique<MapFeed>(node, own, session_, reconfigure_->parameters().flag("rough"),
+                                    [this](const MapFeed::Change& change) { take_change(change); });
+  constexpr double kShowPeriod = 1;  // s
+  show_timer_ =
+      node.createWallTimer(ros::WallDuration(kShowPeriod), &PlannerNode::show_edited_map, this);
   worker_ = std::thread([this] { plan_for_topics(); });
-  subscribers_ = {node.subscribe("map", 1, &PlannerNode::take_map, this),
-                  node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
+  subscribers_ = {node.subscribe("move_base_simple/goal", 1, &PlannerNode::take_goal, this),
                   node.subscribe("initialpose", 1, &PlannerNode::take_start, this),
                   node.subscribe("cancel", 1, &PlannerNode::cancel, this)};
   servers_ = {services.advertiseService("make_plan", &PlannerNode::make_plan, this),
@@ -65,34 +79,38 @@ PlannerNode::~PlannerNode() {
   worker_.join();
 }
 
-void PlannerNode::load_map_parameter(ros::NodeHandle& own) {
-  const auto file = own.param<std::string>("map", "");
-  if (file.empty()) return;
-  const auto loaded = wend::load_map(file);
-  if (!loaded) {
-    ROS_ERROR_STREAM("~map: " << loaded.error().message);
-    session_.clear_map(loaded.error().message);
-    return;
+void PlannerNode::take_parameters(const Parameters& parameters) {
+  session_.set_robot(robot_of(parameters));
+  {
+    const std::lock_guard lock(mutex_);
+    replanning_.set(parameters.replan_on_change());
   }
-  take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));
+  if (feed_) feed_->set_rough(parameters.flag("rough"));
+  wake();
 }
 
-void PlannerNode::take_map(const nav_msgs::OccupancyGrid& message) {
-  MapReading reading = reading_;
-  reading.rough = reconfigure_->parameters().flag("rough");
-  auto map = map_from(message, reading);
-  if (!map) {
-    ROS_ERROR_STREAM("/map: " << map.error().message);
-    session_.clear_map(map.error().message);
+void PlannerNode::take_change(const MapFeed::Change& change) {
+  if (change.whole) {
+    publisher_.show_map(*change.whole, change.frame_id);
+    wake();
     return;
   }
-  ROS_INFO_STREAM("/map: " << map->width() << " x " << map->height() << " cells in the frame '"
-                           << message.header.frame_id << "'");
-  // rviz draws a box for each; of large maps /map itself has to do.
-  constexpr std::size_t kMostBoxes = 250'000;
-  if (map->size() <= kMostBoxes) markers_.publish(yard_markers(*map, message.header.frame_id));
-  session_.set_map(*std::move(map), message.header.frame_id);
-  wake();
+  edited_ = true;
+  const auto& [space, frame_id, version] = *change.edited;
+  std::optional<wend::Pose> robot;
+  if (const auto pose = robot_.in(frame_id)) robot = space.map().frame().to_grid(*pose);
+  {
+    const std::lock_guard lock(mutex_);
+    const bool matters = goal_ && !arrived_;
+    if (!matters || !replanning_.change({version, change.cells}, space, robot)) return;
+    wanted_ = std::max(wanted_, Reason::change);
+  }
+  asked_.notify_all();
+}
+
+void PlannerNode::show_edited_map(const ros::WallTimerEvent&) {
+  if (!edited_.exchange(false)) return;
+  if (const auto map = session_.view()) publisher_.show_map(map->space.map(), map->frame_id);
 }
 
 /// A first goal: ~goalx and ~goaly, numbers or texts of numbers; empty ones are none.
@@ -111,6 +129,7 @@ void PlannerNode::take_goal(const geometry_msgs::PoseStamped& goal) {
   {
     const std::lock_guard lock(mutex_);
     goal_ = goal;
+    arrived_ = false;
   }
   wake();
 }
@@ -120,10 +139,11 @@ void PlannerNode::cancel(const std_msgs::Empty&) {
   {
     const std::lock_guard lock(mutex_);
     goal_.reset();
-    wanted_ = active_ = false;
+    wanted_ = Reason::none;
+    active_ = lost_ = false;
     cancel_topics_ = true;
   }
-  if (const auto map = session_.view()) publish({}, *map, nullptr);
+  if (const auto map = session_.view()) publisher_.show({}, *map, nullptr);
 }
 
 void PlannerNode::take_start(const geometry_msgs::PoseWithCovarianceStamped&) { wake(); }
@@ -133,41 +153,77 @@ void PlannerNode::wake() {
   {
     const std::lock_guard lock(mutex_);
     if (!goal_) return;
-    wanted_ = true;
+    wanted_ = Reason::asked;
+    arrived_ = false;
     cancel_topics_ = true;
   }
   asked_.notify_all();
 }
 
-/// Waits for something to plan, or for the next time to plan anew. False: it is time to stop.
-bool PlannerNode::wait_for_topics() {
+/// After which time to plan anew, s; 0: not by itself. Called with the lock.
+double PlannerNode::period() const {
+  constexpr double kLostPeriod = 0.2;  // s
+  if (lost_) return kLostPeriod;
+  return active_ ? replan_period_ : 0;
+}
+
+/// Waits for something to plan, or for the next time to plan anew. None: it is time to stop.
+PlannerNode::Reason PlannerNode::wait_for_topics() {
   std::unique_lock lock(mutex_);
-  const auto called = [this] { return wanted_ || stopping_; };
-  if (active_ && replan_period_ > 0) {
-    asked_.wait_for(lock, std::chrono::duration<double>(replan_period_), called);
+  const auto called = [this] { return wanted_ != Reason::none || stopping_; };
+  if (const double seconds = period(); seconds > 0) {
+    asked_.wait_for(lock, std::chrono::duration<double>(seconds), called);
   } else {
     asked_.wait(lock, called);
   }
-  wanted_ = false;
   cancel_topics_ = false;
-  return !stopping_;
+  const Reason reason = std::exchange(wanted_, Reason::none);
+  if (stopping_) return Reason::none;
+  if (reason != Reason::none) return reason;
+  return lost_ ? Reason::lost : Reason::time;
+}
+
+bool PlannerNode::knows_pose() const {
+  const auto map = session_.view();
+  return map && robot_.in(map->frame_id);
 }
 
 void PlannerNode::plan_for_topics() {
-  constexpr double kArrived = 0.3;  // m of path left
-  while (wait_for_topics()) {
-    PlanRequest request;
+  for (Reason reason = wait_for_topics(); reason != Reason::none; reason = wait_for_topics()) {
+    if (reason == Reason::lost && !knows_pose()) continue;
+    std::optional<geometry_msgs::PoseStamped> goal;
     {
       const std::lock_guard lock(mutex_);
-      if (!goal_) continue;
-      request.goals = {*goal_};
+      goal = goal_;
+      if (goal) replanning_.begin();
     }
-    SearchWatch watch(true);
-    const PlanResult result = answer(request, &cancel_topics_, &watch).result;
-    const std::lock_guard lock(mutex_);
-    active_ = goal_ && result.status == static_cast<std::uint16_t>(StatusCode::found) &&
-              result.path_metrics.length > kArrived;
+    if (goal) plan_to(*goal, reason);
   }
+}
+
+void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason) {
+  constexpr double kArrived = 0.3;  // m of path left
+  PlanRequest request;
+  request.goals = {goal};
+  request.nearest = reconfigure_->parameters().flag("nearest") ? 1 : 0;
+  const Map map = feed_->now();
+  // A search that is watched expands cell by cell, which takes longer.
+  SearchWatch watch(true);
+  const bool quiet = reason < Reason::time;
+  Answer answered = answer(map, request, &cancel_topics_, quiet ? nullptr : &watch);
+  const PlanResult& result = answered.result;
+  publisher_.tell(result);
+  if (!quiet) tell(result);
+  const bool found = result.status == static_cast<std::uint16_t>(StatusCode::found);
+  // A goal in an unknown frame fails alike, and is not tried for ever.
+  const bool lost = result.status == static_cast<std::uint16_t>(StatusCode::tf_error) &&
+                    (reason != Reason::lost || !knows_pose());
+  const std::lock_guard lock(mutex_);
+  const bool again = replanning_.end(std::move(answered.driven), result.map_version);
+  arrived_ = goal_ && found && result.path_metrics.length <= kArrived;
+  active_ = goal_ && found && !arrived_;
+  lost_ = goal_ && lost;
+  if (again && goal_ && !arrived_) wanted_ = std::max(wanted_, Reason::change);
 }
 
 wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
@@ -195,51 +251,25 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
 
 Answer PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                            SearchWatch* watch) {
-  const auto map = session_.view();
-  Answer answer;
-  PlanResult& result = answer.result;
-  if (!map) {
-    result = refusal(code_of(map.error().status), map.error().message);
-  } else if (const auto ask = ask_of(request, *map); !ask) {
-    result = ask.error();
-  } else {
-    answer = wend_ros::answer(session_, *map, reconfigure_->parameters(), *ask, {cancel, watch});
-  }
-  if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
-    ROS_INFO_STREAM("plan: " << result.path.poses.size() << " poses, cost " << result.cost << ", "
-                             << result.metrics.expanded << " expanded in "
-                             << 1e3 * result.metrics.seconds << " ms of "
-                             << wend::thread_time_name());
-  } else {
-    ROS_WARN_STREAM("no plan, " << result.status << " " << result.status_name << ": "
-                                << result.reason);
-  }
-  if (map) publish(answer, *map, watch);
-  return answer;
+  Answer answered = answer(feed_->now(), request, cancel, watch);
+  tell(answered.result);
+  return answered;
 }
 
-void PlannerNode::publish(const Answer& answer, const wend::Session::View& map,
-                          const SearchWatch* watch) {
-  const PlanResult& result = answer.result;
-  const ros::Time now = ros::Time::now();
-  nav_msgs::Path path = answer.way;
-  path.header.frame_id = map.frame_id;
-  path.header.stamp = now;
-  plan_.publish(path);
-  geometry_msgs::PoseArray poses = poses_of(result.path);
-  poses.header = path.header;
-  poses_.publish(poses);
-  nav_msgs::Path smoothed = result.smoothed.poses.empty() ? path : result.smoothed;
-  smoothed.header = path.header;
-  smoothed_.publish(smoothed);
-  nav_msgs::Path trajectory = starting_at(now, result.trajectory);
-  trajectory.header.frame_id = map.frame_id;
-  trajectory_.publish(trajectory);
-  markers_.publish(
-      path_markers({answer.path, map.space.map().frame(), map.frame_id}, map.space.footprint()));
-  if (watch != nullptr && !watch->order().empty()) {
-    expansion_.publish(heatmap_of(watch->order(), map.space.map(), map.frame_id));
-  }
+Answer PlannerNode::answer(const Map& map, const PlanRequest& request,
+                           const std::atomic<bool>* cancel, SearchWatch* watch) {
+  if (!map) return {refusal(code_of(map.error().status), map.error().message)};
+  const wend::Session::View& view = map->view;
+  const auto ask = ask_of(request, view);
+  Answer answered =
+      ask ? wend_ros::answer(session_, view, reconfigure_->parameters(), *ask, {cancel, watch})
+          : Answer{ask.error()};
+  answered.result.map_version = view.version;
+  answered.result.map_stamp = map->stamp;
+  const auto age = std::chrono::steady_clock::now() - map->changed;
+  answered.result.since_change = std::chrono::duration<double>(age).count();
+  publisher_.show(answered, view, watch);
+  return answered;
 }
 
 bool PlannerNode::make_plan(nav_msgs::GetPlan::Request& request,

@@ -145,7 +145,8 @@ wend::FreeSpaceOptions robot_of(const Parameters& parameters) {
 }
 
 wend::SessionOptions session_options() {
-  return {.hints = {.unknown_free = "~unknown_free",
+  return {.idle_planners = 4,
+          .hints = {.unknown_free = "~unknown_free",
                     .outside_free = "~outside 'free'",
                     .squeeze = "~connectivity 8 and ~corner_rule both",
                     .robot_radius = "~robot_radius",
@@ -175,7 +176,8 @@ Answer answer(wend::Session& session, const wend::Session::View& view, const Par
   if (!answered) return {std::move(result)};
   const wend::Frame& frame = answered->space.map().frame();
   nav_msgs::Path way = way_message(answered->plan.path, frame, view.frame_id);
-  return {std::move(result), std::move(answered->plan.path), std::move(way)};
+  wend::Path driven = answered->path();
+  return {std::move(result), std::move(answered->plan.path), std::move(driven), std::move(way)};
 }
 
 }  // namespace wend_ros

@@ -2,9 +2,14 @@
 // /initialpose puts it somewhere. It drives through walls: what it does not see, it cannot mind.
 //
 //   rosrun wend_ros robot_sim _startx:=1 _starty:=1
+//   rosrun wend_ros robot_sim _startx:=1 _starty:=1 _map:=office.yaml _sensor_range:=5
 //
 // Parameters: startx, starty, startyaw; rate (Hz); actuation_noise, position_noise, heading_noise and
 // seed as in wend's simulation; speed, turn_rate, acceleration, turn_acceleration.
+//
+// With the parameter map, a file, it discovers that map with a laser scanner that looks all around and sees
+// sensor_range (m) far, sensor_rate (Hz) times a second: what it knows is /map and /map_updates. At first that
+// is nothing, or the map of the parameter known, a file. Obstacles that it discovers still do not stop it.
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/TransformStamped.h>
@@ -15,11 +20,14 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "wend/base/random.hpp"
 #include "wend/control/motion_model.hpp"
 #include "wend/control/simulation.hpp"
+#include "wend_ros/map_sensor.hpp"
 #include "wend_ros/master_watch.hpp"
 #include "wend_ros/option_parameters.hpp"
 #include "wend_ros/path_message.hpp"
@@ -56,6 +64,12 @@ class RobotSim {
     timer_ = node.createTimer(ros::Duration(1 / noise_.rate), &RobotSim::step, this);
   }
 
+  /// Discovers a map, `range` metres around it, so many times a second.
+  void discover(ros::NodeHandle& node, wend_ros::SensedMap map, double range, double rate) {
+    sensor_ = std::make_unique<wend_ros::MapSensor>(node, std::move(map), range);
+    sensor_timer_ = node.createTimer(ros::Duration(1 / rate), &RobotSim::look, this);
+  }
+
  private:
   void take_command(const geometry_msgs::Twist& twist) {
     if (!std::isfinite(twist.linear.x + twist.angular.z)) {
@@ -89,6 +103,8 @@ class RobotSim {
     publish();
   }
 
+  void look(const ros::TimerEvent&) { sensor_->look(state_.pose); }
+
   void publish() {
     const wend::MapPose measured{state_.pose.x + noise_.position_noise * random_.gaussian(),
                                  state_.pose.y + noise_.position_noise * random_.gaussian(),
@@ -116,7 +132,30 @@ class RobotSim {
   tf2_ros::StaticTransformBroadcaster fixed_;
   tf2_ros::TransformBroadcaster moving_;
   ros::Timer timer_;
+  std::unique_ptr<wend_ros::MapSensor> sensor_;  // null: it discovers nothing
+  ros::Timer sensor_timer_;
 };
+
+/// A number above 0. An invalid one is told and replaced.
+double positive(const ros::NodeHandle& own, const std::string& name, double otherwise) {
+  const double value = own.param(name, otherwise);
+  if (value > 0 && std::isfinite(value)) return value;
+  ROS_ERROR_STREAM("~" << name << " is " << value << ": a number above 0 expected; it stays "
+                       << otherwise);
+  return otherwise;
+}
+
+/// What is wrong with the map to discover, empty if nothing is.
+std::string discover_map(RobotSim& robot, ros::NodeHandle& node, const ros::NodeHandle& own) {
+  constexpr double kRange = 5;  // m
+  constexpr double kRate = 10;  // Hz
+  if (own.param<std::string>("map", "").empty()) return {};
+  auto map = wend_ros::sensed_map_of(own);
+  if (!map) return map.error();
+  robot.discover(node, *std::move(map), positive(own, "sensor_range", kRange),
+                 positive(own, "sensor_rate", kRate));
+  return {};
+}
 
 }  // namespace
 
@@ -124,7 +163,11 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "robot_sim");
   ros::NodeHandle node;
   ros::NodeHandle own("~");
-  const RobotSim robot(node, own);
+  RobotSim robot(node, own);
+  if (const std::string fault = discover_map(robot, node, own); !fault.empty()) {
+    ROS_FATAL_STREAM(fault);
+    return 2;
+  }
   const wend_ros::MasterWatch watch;
   ros::spin();
   return 0;

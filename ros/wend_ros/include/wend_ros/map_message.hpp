@@ -1,16 +1,18 @@
 #pragma once
 
-// Maps as nav_msgs/OccupancyGrid and back. A cell is -1 (unknown), 100 (occupied), or 0 to 99:
-// free, and the rougher the higher: terrain 1 + 4 v / 100, as map.yaml's `mode: scale` has it.
-// Row 0 is at the bottom, as in ROS maps; maps with y down are turned over, so that they lie in rviz
-// as they are drawn.
+// Maps as nav_msgs/OccupancyGrid and back, and updates of them, map_msgs/OccupancyGridUpdate; occupancy.hpp says
+// what the values mean. Row 0 is at the bottom, as in ROS maps; maps with y down are turned over, so that they
+// lie in rviz as they are drawn.
 
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 
 #include <string>
 
 #include "wend/base/error.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/map/grid_map.hpp"
+#include "wend_ros/occupancy.hpp"
 
 namespace wend_ros {
 
@@ -19,10 +21,15 @@ nav_msgs::MapMetaData information_of(const wend::GridMap& map);
 
 nav_msgs::OccupancyGrid to_message(const wend::GridMap& map, const std::string& frame_id);
 
-struct MapReading {
-  int occupied_from = 65;  // values of 1 to 99 that are obstacles; map_server's usual threshold
-  bool rough = false;      // lower ones are rough ground, else free
-};
+/// The values of a box of cells (not empty) of a map with y up.
+map_msgs::OccupancyGridUpdate update_message(const wend::GridMap& map, const wend::CellBox& box,
+                                             const std::string& frame_id);
+
+/// Where a message's grid lies. NaN and infinity stay.
+OccupancyLayout layout_of(const nav_msgs::OccupancyGrid& message);
+
+/// A view: the message must outlive it.
+OccupancyUpdate update_of(const map_msgs::OccupancyGridUpdate& message);
 
 /// Why a message is no map, invalid_map: "resolution 0", "12 cells, 20 x 10 expected".
 wend::Expected<wend::GridMap, wend::Error> map_from(const nav_msgs::OccupancyGrid& message,

@@ -14,6 +14,7 @@
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
 //   goal_tolerance  m, where a path may end  goal_heading_tolerance   rad
+//   nearest         moves blocked ends       replan_on_change   never, ahead or always
 //   smooth, smooth_alpha, smooth_beta        smooth the path
 
 #include <dynamic_reconfigure/Config.h>
@@ -27,6 +28,7 @@
 #include "wend/base/options.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend_ros/replanning.hpp"
 
 namespace wend_ros {
 
@@ -44,6 +46,9 @@ class Parameters {
   const std::string& text(std::string_view name) const;
   double number(std::string_view name) const;
   bool flag(std::string_view name) const;
+
+  /// When a change of the map is a reason to plan again.
+  ReplanOnChange replan_on_change() const;
 
   /// The robot's shape: `footprint` if it is set, else a disc of `robot_radius`.
   wend::Footprint footprint() const;

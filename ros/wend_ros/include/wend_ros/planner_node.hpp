@@ -1,16 +1,16 @@
 #pragma once
 
-// PlannerNode: the planners as services, an action and topics. Maps come in by /map; goals by rviz's
-// tools, services and actions; every plan goes out by /plan and what shows it.
+// PlannerNode: the planners as services, an action and topics. Maps come in by /map and /map_updates; goals by
+// rviz's tools, services and actions; every plan goes out by /plan and what shows it.
 //
 // Planning runs in threads of its own: one for goals that come by topics, one for the action's, and
 // those of the services' spinner. A new goal by topic stops the search for the one before. With the
 // parameter replan_rate (Hz) the plan to that goal is made anew until the robot is there, or /cancel
-// says to leave it.
+// says to leave it. A change of the map is a reason to plan anew, too, but does not stop a search: it is compared
+// with what the search finds.
 
 #include <actionlib/server/simple_action_server.h>
 #include <nav_msgs/GetPlan.h>
-#include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <wend_ros/PlanPath.h>
@@ -21,12 +21,14 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
+#include <vector>
 
-#include "wend_ros/map_message.hpp"
+#include "wend_ros/map_feed.hpp"
+#include "wend_ros/plan_publisher.hpp"
 #include "wend_ros/planning.hpp"
 #include "wend_ros/reconfigure.hpp"
+#include "wend_ros/replanning.hpp"
 #include "wend_ros/robot_pose.hpp"
 #include "wend_ros/search_watch.hpp"
 
@@ -43,9 +45,20 @@ class PlannerNode {
 
  private:
   using ActionServer = actionlib::SimpleActionServer<PlanPathAction>;
+  using Map = wend::Expected<MapFeed::Now, wend::Error>;
 
-  void load_map_parameter(ros::NodeHandle& own);
-  void take_map(const nav_msgs::OccupancyGrid& message);
+  /// Why topics have a plan made; the greater one counts.
+  enum class Reason {
+    none,
+    change,  // of the map
+    lost,    // the robot's pose was unknown
+    time,    // ~replan_rate
+    asked,   // a goal, a start, a parameter or another map
+  };
+
+  void take_parameters(const Parameters& parameters);
+  void take_change(const MapFeed::Change& change);
+  void show_edited_map(const ros::WallTimerEvent& event);
   void take_goal_parameter(ros::NodeHandle& own);
   void take_goal(const geometry_msgs::PoseStamped& goal);
   void cancel(const std_msgs::Empty& message);
@@ -54,28 +67,29 @@ class PlannerNode {
   bool plan_path(PlanPath::Request& request, PlanPath::Response& response);
   void execute(const PlanPathGoalConstPtr& goal);
 
-  /// Plans, publishes and tells the log.
+  /// Plans and publishes.
+  Answer answer(const Map& map, const PlanRequest& request, const std::atomic<bool>* cancel,
+                SearchWatch* watch);
+  /// The same on the map of now, and tells the log.
   Answer answer(const PlanRequest& request, const std::atomic<bool>* cancel, SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
   wend::Expected<Ask, PlanResult> ask_of(const PlanRequest& request,
                                          const wend::Session::View& map) const;
-  void publish(const Answer& answer, const wend::Session::View& map, const SearchWatch* watch);
 
   void plan_for_topics();
-  bool wait_for_topics();
+  void plan_to(const geometry_msgs::PoseStamped& goal, Reason reason);
+  Reason wait_for_topics();
+  double period() const;
+  bool knows_pose() const;
   void wake();
 
   wend::Session session_{session_options()};
-  MapReading reading_;
+  PlanPublisher publisher_;
   RobotPose robot_;
   std::unique_ptr<Reconfigure> reconfigure_;
-
-  ros::Publisher plan_;
-  ros::Publisher smoothed_;
-  ros::Publisher trajectory_;
-  ros::Publisher poses_;
-  ros::Publisher expansion_;
-  ros::Publisher markers_;
+  std::unique_ptr<MapFeed> feed_;
+  std::atomic<bool> edited_{false};  // since the map was shown
+  ros::WallTimer show_timer_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> servers_;
 
@@ -83,8 +97,11 @@ class PlannerNode {
   std::mutex mutex_;
   std::condition_variable asked_;
   std::optional<geometry_msgs::PoseStamped> goal_;
-  bool wanted_ = false;
-  bool active_ = false;  // the robot is on its way to that goal
+  Reason wanted_ = Reason::none;
+  Replanning replanning_;
+  bool active_ = false;   // the robot is on its way to that goal
+  bool arrived_ = false;  // it was there at the last plan
+  bool lost_ = false;     // its pose was unknown then
   bool stopping_ = false;
   double replan_period_ = 0;  // s; 0: only when something new comes
   std::atomic<bool> cancel_topics_{false};

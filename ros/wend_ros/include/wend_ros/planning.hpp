@@ -48,6 +48,7 @@ wend::SessionOptions session_options();
 struct Answer {
   PlanResult result;
   wend::Path path = {};     // as planned, in grid coordinates; empty without one
+  wend::Path driven = {};   // the same as it is published to be driven: smoothed
   nav_msgs::Path way = {};  // the same with poses on its arcs, for followers and rviz
 };
 

@@ -1,0 +1,63 @@
+#pragma once
+
+// OccupancyMap: the values of the map messages so far, and what the next message changes. A map of the same
+// layout as the one before is an edit of the cells that differ; so is an update. Knows no ROS.
+//
+//   auto change = map.take(update);
+//   if (!change) return warn(change.error().message);
+//   session.edit(*change);
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "wend/base/error.hpp"
+#include "wend/map/grid_map.hpp"
+#include "wend/map/map_edit.hpp"
+#include "wend_ros/occupancy.hpp"
+#include "wend_ros/value_rows.hpp"
+
+namespace wend_ros {
+
+/// Does an edit name no cells?
+bool is_empty(const wend::MapEdit& edit);
+
+class OccupancyMap {
+ public:
+  /// Without a map.
+  explicit OccupancyMap(MapReading reading = {}) : reading_(reading) {}
+
+  /// What a message makes of the map.
+  struct Change {
+    std::optional<wend::GridMap> whole;  // another map
+    wend::MapEdit edit;                  // else the cells that differ
+  };
+
+  /// A whole map. Fails with invalid_map if it is none; then there is no map. O(cells).
+  wend::Expected<Change, wend::Error> take(OccupancyLayout layout,
+                                           std::span<const std::int8_t> values);
+
+  /// New values of some cells. Fails with invalid_map if there is no map, or the update does not fit it;
+  /// then nothing changes. O(values).
+  wend::Expected<wend::MapEdit, wend::Error> take(const OccupancyUpdate& update);
+
+  /// Reads the values in another way. True if there is a map, which is another one then.
+  bool read_as(const MapReading& reading);
+
+  bool empty() const { return values_.empty(); }
+  const OccupancyLayout& layout() const { return layout_; }
+
+  /// The map of all messages so far; there must be one. O(cells).
+  wend::GridMap whole() const;
+
+ private:
+  wend::MapEdit edit_to(const ValueRows& values, const wend::CellBox& box) const;
+  void store(const ValueRows& values, const wend::CellBox& box);
+
+  MapReading reading_;
+  OccupancyLayout layout_;
+  std::vector<std::int8_t> values_;  // empty without a map
+};
+
+}  // namespace wend_ros

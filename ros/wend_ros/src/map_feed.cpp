@@ -1,0 +1,117 @@
+#include "wend_ros/map_feed.hpp"
+
+#include <utility>
+
+#include "wend/io/map/load_map.hpp"
+#include "wend_ros/map_message.hpp"
+
+namespace wend_ros {
+namespace {
+
+constexpr int kInscribed = 99;  // costmap_2d's: the robot's centre may not be there
+
+/// Each changes the map: none may get lost while an edit runs.
+constexpr std::uint32_t kMostUpdates = 1000;
+
+}  // namespace
+
+MapFeed::MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session, bool rough,
+                 std::function<void(const Change&)> changed)
+    : session_(session),
+      changed_(std::move(changed)),
+      costmap_(own.param("costmap", false)),
+      occupied_from_(
+          own.param("occupied_from", costmap_ ? kInscribed : MapReading{}.occupied_from)),
+      topic_(node.resolveName("map")),
+      map_({.occupied_from = occupied_from_, .rough = rough || costmap_}) {
+  load(own);
+  subscribers_ = {node.subscribe(topic_, 1, &MapFeed::take_map, this),
+                  node.subscribe(topic_ + "_updates", kMostUpdates, &MapFeed::take_update, this)};
+}
+
+void MapFeed::load(const ros::NodeHandle& own) {
+  const auto file = own.param<std::string>("map", "");
+  if (file.empty()) return;
+  const auto loaded = wend::load_map(file);
+  if (!loaded) {
+    ROS_ERROR_STREAM("~map: " << loaded.error().message);
+    session_.clear_map(loaded.error().message);
+    return;
+  }
+  take_map(to_message(loaded->map, own.param<std::string>("frame_id", "map")));
+}
+
+wend::Expected<MapFeed::Now, wend::Error> MapFeed::now() const {
+  const std::lock_guard lock(mutex_);
+  auto view = session_.view();
+  if (!view) return wend::Unexpected<wend::Error>(std::move(view.error()));
+  return Now{*std::move(view), stamp_, change_time_};
+}
+
+void MapFeed::set_rough(bool rough) {
+  const auto reread = [&]() -> std::optional<Change> {
+    const std::lock_guard lock(mutex_);
+    if (!map_.read_as({.occupied_from = occupied_from_, .rough = rough || costmap_})) return {};
+    return put_whole(map_.whole(), std::chrono::steady_clock::now());
+  };
+  if (const auto change = reread()) changed_(*change);
+}
+
+void MapFeed::take_map(const nav_msgs::OccupancyGrid& message) {
+  if (const auto change = put(message)) changed_(*change);
+}
+
+void MapFeed::take_update(const map_msgs::OccupancyGridUpdate& message) {
+  if (const auto change = put(message)) changed_(*change);
+}
+
+std::optional<MapFeed::Change> MapFeed::put(const nav_msgs::OccupancyGrid& message) {
+  const auto came = std::chrono::steady_clock::now();
+  const std::lock_guard lock(mutex_);
+  auto taken = map_.take(layout_of(message), message.data);
+  if (!taken) {
+    ROS_ERROR_STREAM(topic_ << ": " << taken.error().message);
+    session_.clear_map(taken.error().message);
+    return std::nullopt;
+  }
+  stamp_ = message.header.stamp;
+  if (!taken->whole) return edit(taken->edit, came);
+  ROS_INFO_STREAM(topic_ << ": " << message.info.width << " x " << message.info.height
+                         << " cells in the frame '" << message.header.frame_id << "'");
+  return put_whole(*std::move(taken->whole), came);
+}
+
+std::optional<MapFeed::Change> MapFeed::put(const map_msgs::OccupancyGridUpdate& message) {
+  const auto came = std::chrono::steady_clock::now();
+  const std::lock_guard lock(mutex_);
+  const auto taken = map_.take(update_of(message));
+  if (!taken) {
+    ROS_WARN_STREAM_THROTTLE(
+        1, topic_ << "_updates: an update is not used: " << taken.error().message);
+    return std::nullopt;
+  }
+  stamp_ = message.header.stamp;
+  return edit(*taken, came);
+}
+
+MapFeed::Change MapFeed::put_whole(wend::GridMap map, TimePoint came) {
+  change_time_ = came;
+  session_.set_map(map, map_.layout().frame_id);
+  return {.whole = std::move(map), .frame_id = map_.layout().frame_id};
+}
+
+/// Nothing if the map stays as it is.
+std::optional<MapFeed::Change> MapFeed::edit(const wend::MapEdit& edit, TimePoint came) {
+  if (is_empty(edit)) return std::nullopt;
+  auto change = session_.edit(edit);
+  // There is no space to edit for an invalid robot; a later one needs the map all the same.
+  if (!change) return put_whole(map_.whole(), came);
+  if (change->none()) return std::nullopt;
+  change_time_ = came;
+  auto view = session_.view();
+  if (!view) return std::nullopt;
+  return Change{
+      .edited = *std::move(view), .cells = *std::move(change), .frame_id = map_.layout().frame_id};
+}
+
+}  // namespace wend_ros
