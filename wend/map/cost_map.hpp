@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
@@ -66,6 +67,17 @@ class WEND_API CostMap {
   std::uint32_t steps(Cell cell) const {
     if (!narrow_.empty()) return narrow_[cell];
     return wide_.empty() ? kOne : wide_[cell];
+  }
+
+  /// Writes the steps of the cells from (x, y) on, which must be on the map.
+  void read_row(int x, int y, std::span<std::uint32_t> steps) const {
+    const auto copy = [&](const auto& grid) {
+      const auto row = grid.row(y).subspan(static_cast<std::size_t>(x), steps.size());
+      for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = row[i];
+    };
+    if (!narrow_.empty()) return copy(narrow_);
+    if (!wide_.empty()) return copy(wide_);
+    for (std::uint32_t& each : steps) each = kOne;
   }
 
   /// The multiplier of a cell, which must be on the map. O(1).

@@ -1,14 +1,18 @@
 #include "wend/map/obstacles.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "wend/map/distance_field.hpp"
 
 namespace wend {
 namespace {
 
-/// Sets what is blocked in the words that a box touches.
-void block_cells(const GridMap& map, UnknownPolicy unknown, const CellBox& box, BitGrid& blocked) {
+/// Sets what is blocked in the words that a box touches. Calls differs(word, i, y) with the bits of word i of a
+/// row that are otherwise than before.
+template <class Differs>
+void block_cells(const GridMap& map, UnknownPolicy unknown, const CellBox& box, BitGrid& blocked,
+                 Differs&& differs) {
   const std::size_t first = (static_cast<std::size_t>(box.begin.x) + 1) / 64;
   const std::size_t last = static_cast<std::size_t>(box.end.x) / 64;
   for (int y = box.begin.y; y < box.end.y; ++y) {
@@ -16,10 +20,18 @@ void block_cells(const GridMap& map, UnknownPolicy unknown, const CellBox& box, 
     const auto occupied_words = map.occupied().row_words(y);
     const auto unknown_words = map.unknown().row_words(y);
     for (std::size_t i = first; i <= last; ++i) {
-      words[i] = occupied_words[i];
-      if (unknown == UnknownPolicy::blocked) words[i] |= unknown_words[i];
+      std::uint64_t now = occupied_words[i];
+      if (unknown == UnknownPolicy::blocked) now |= unknown_words[i];
+      if (now != words[i]) differs(now ^ words[i], i, y);
+      words[i] = now;
     }
   }
+}
+
+bool edits_terrain(const MapEdit& edit) {
+  return !edit.terrain.empty() || std::ranges::any_of(edit.cells, [](const CellEdit& each) {
+    return each.terrain.has_value();
+  });
 }
 
 /// The squared distance from a cell's centre to the map's edge, in half-cells.
@@ -40,7 +52,7 @@ Obstacles::Data::Data(GridMap its_map, const ObstacleOptions& options)
       unknown(options.unknown),
       outside(options.outside.value_or(default_outside_policy(map.frame()))),
       blocked(map.width(), map.height()) {
-  block_cells(map, unknown, CellBox::of(map), blocked);
+  block_cells(map, unknown, CellBox::of(map), blocked, [](auto&&...) {});
 }
 
 Obstacles::Data::Data(const Data& other)
@@ -58,10 +70,20 @@ Expected<std::vector<CellBox>, Error> Obstacles::edit(const MapEdit& edit) {
   if (auto fault = fault_of(edit, map())) return Unexpected<Error>(*std::move(fault));
   Data& data = data_.change();
   auto boxes = data.map.edit(edit);
-  for (const CellBox& box : *boxes) block_cells(data.map, data.unknown, box, data.blocked);
-  data.clearance.reset();
-  data.words_read.store(0, std::memory_order_relaxed);
-  return boxes;
+  std::vector<Cell> changed;
+  const auto note = [&](std::uint64_t bits, std::size_t i, int y) {
+    for (; bits != 0; bits &= bits - 1) {
+      changed.push_back({static_cast<int>(i) * 64 + std::countr_zero(bits) - 1, y});
+    }
+  };
+  for (const CellBox& box : *boxes) {
+    block_cells(data.map, data.unknown, box, data.blocked, note);
+  }
+  if (!changed.empty()) {
+    data.clearance.reset();
+    data.words_read.store(0, std::memory_order_relaxed);
+  }
+  return edits_terrain(edit) ? boxes : boxes_around(std::move(changed));
 }
 
 const Grid<std::uint32_t>& Obstacles::squared_half_cell_clearance() const {

@@ -81,8 +81,9 @@ class WEND_API Obstacles {
   /// for each cell.
   const Grid<std::uint32_t>& squared_half_cell_clearance() const;
 
-  /// Changes cells of the map; other copies keep what they were. Fails as GridMap::edit() does and returns
-  /// what it returns. In O(cells of the edit) too; distances of all cells are forgotten.
+  /// Changes cells of the map; other copies keep what they were. Fails as GridMap::edit() does. Returns boxes
+  /// that contain the cells that are blocked otherwise than before, or may cost otherwise: none where an unknown
+  /// cell turns out to be what it was taken for. O(cells of the edit); distances of all cells are forgotten.
   Expected<std::vector<CellBox>, Error> edit(const MapEdit& edit);
 
   /// Is the map's edge at least as near to the centre of a cell as every blocked square?

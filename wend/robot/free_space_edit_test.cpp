@@ -61,7 +61,7 @@ void expect_as_before(const FreeSpace& space, const FreeSpace& before, const Spa
     const bool may_differ =
         std::ranges::any_of(change.boxes, [&](const CellBox& box) { return box.contains(cell); });
     if (may_differ) continue;
-    ASSERT_EQ(space.map().state(cell), before.map().state(cell));
+    ASSERT_EQ(space.obstacles().blocked()[cell], before.obstacles().blocked()[cell]);
     ASSERT_EQ(space.passable(cell), before.passable(cell));
     ASSERT_EQ(space.possible()[cell], before.possible()[cell]);
     ASSERT_EQ(space.terrain(cell), before.terrain(cell));

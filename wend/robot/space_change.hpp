@@ -4,8 +4,8 @@
 // Planners read it to repair what they have prepared instead of preparing it again: Planner::update().
 //
 // A change that names boxes says that both spaces have the same size, robot and policies, and that outside
-// of the boxes every cell is as it was: its state on the map, whether it is passable or possible, its cost,
-// and its clearance as far as the robot needs it.
+// of the boxes every cell is as it was: whether it is blocked, passable or possible, its cost, and its clearance
+// as far as the robot needs it. An unknown cell may have become known to be what it was taken for.
 
 #include <vector>
 

@@ -1,9 +1,12 @@
 #include "wend/session/session.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "wend/base/mutex.hpp"
 #include "wend/planner/goal_region.hpp"
+#include "wend/planner/incremental/incremental_options.hpp"
 #include "wend/planner/index_support.hpp"
 #include "wend/session/nearest_ends.hpp"
 
@@ -27,6 +30,23 @@ Ends ends_of(const Query& query, const Units& units) {
 bool steps_from_cell_to_cell(const PlannerSpec& spec) {
   const PlannerInfo* info = planners().find(spec.name);
   return info != nullptr && !info->capabilities.any_angle;
+}
+
+/// The planner that answers again after edits: the one asked for if it resumes, else `replanner` with the same
+/// moves.
+PlannerSpec resuming(const PlannerSpec& spec) {
+  const PlannerInfo* info = planners().find(spec.name);
+  if (info == nullptr || info->capabilities.resumes) return spec;
+  PlannerSpec replanner{std::string(ReplannerOptions::kPlanner)};
+  const std::vector<OptionInfo> moves = option_schema<GridMoves>();
+  std::ranges::copy_if(
+      spec.options, std::back_inserter(replanner.options), [&](const auto& option) {
+        return std::ranges::any_of(moves, [&](const OptionInfo& info) {
+          return info.name == option.first ||
+                 std::ranges::find(info.aliases, option.first) != info.aliases.end();
+        });
+      });
+  return replanner;
 }
 
 /// Moves blocked ends. Returns a sentence for each.
@@ -230,6 +250,12 @@ Status Session::State::look_up(const View& view, const Query& query, Cell start,
   plan = *std::move(found);
   plan.metrics = field->metrics;
   return Status::found;
+}
+
+Expected<PlanAnswer, RequestFailure> Session::replan(const PlanRequest& request) {
+  PlanRequest again = request;
+  again.planner = resuming(request.planner);
+  return plan(again);
 }
 
 Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> Session::plan_all(

@@ -92,6 +92,18 @@ class WEND_API Session {
   /// The same on a view of this session.
   Expected<PlanAnswer, RequestFailure> plan(const View& view, const PlanRequest& request);
 
+  /// Plans like plan(), for a robot that drives while its map changes: with a planner that keeps what it found
+  /// for the next call and repairs it after edits, `replanner` with the moves of the request's planner, or that
+  /// planner itself if it resumes (Capabilities). Nothing was expanded if the rest of the last path is still
+  /// the cheapest.
+  ///
+  ///   auto answer = session.replan(request);
+  ///   while (answer && !arrived()) {
+  ///     request.start = drive_along(answer->poses());
+  ///     if (session.edit(what_the_robot_sees())) answer = session.replan(request);
+  ///   }
+  Expected<PlanAnswer, RequestFailure> replan(const PlanRequest& request);
+
   /// Plans each of the requests as plan() does, but with this planner: one for each worker, which share
   /// what they prepare. Fails as making the planner does.
   Expected<std::vector<Expected<PlanAnswer, RequestFailure>>, Error> plan_all(

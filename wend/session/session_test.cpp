@@ -507,5 +507,38 @@ TEST(NearestPose, IsTheNearestOfAllCells) {
   EXPECT_FALSE(nearest_pose(space, {std::nan(""), 0, 0}));
 }
 
+TEST(Session, ReplansWithWhatItFoundBefore) {
+  Session session(walled_room());
+  const auto first = session.replan(across());
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_GT(first->plan.metrics.expanded, 0U);
+
+  // Far from the path: it stays the cheapest, from the robot on.
+  ASSERT_TRUE(
+      session.edit({.corner = {2, 60}, .states = Grid<CellState>(3, 3, CellState::occupied)}));
+  PlanRequest on_the_way = across();
+  on_the_way.start = first->poses()[5];
+  const auto kept = session.replan(on_the_way);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->plan.metrics.expanded, 0U);
+  EXPECT_EQ(kept->plan.path.size() + 5, first->plan.path.size());
+
+  // A door in the wall: a cheaper path.
+  ASSERT_TRUE(session.edit({.corner = {50, 20}, .states = Grid<CellState>(1, 2, CellState::free)}));
+  const auto shorter = session.replan(on_the_way);
+  ASSERT_TRUE(shorter);
+  EXPECT_GT(shorter->plan.metrics.expanded, 0U);
+  EXPECT_NEAR(shorter->plan.cost, session.plan(on_the_way)->plan.cost, 1e-9);
+  EXPECT_LT(shorter->plan.cost, kept->plan.cost);
+
+  // The moves are those of the planner that was asked for.
+  on_the_way.planner = {"bfs", {{"connectivity", "4"}}};
+  const auto straight = session.replan(on_the_way);
+  ASSERT_TRUE(straight) << straight.error().message;
+  EXPECT_EQ(straight->plan.cost, std::floor(straight->plan.cost));
+  on_the_way.planner = {"no_planner"};
+  EXPECT_EQ(session.replan(on_the_way).error().status, Status::invalid_option);
+}
+
 }  // namespace
 }  // namespace wend

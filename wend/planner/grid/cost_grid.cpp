@@ -7,6 +7,7 @@ namespace wend {
 namespace {
 
 constexpr unsigned kMiddle = 1U << 4U;  // of a 3 x 3 block
+constexpr std::uint32_t kUnknown = 0;   // the least steps of a row, until they are counted
 
 /// The eight neighbours in a block, without the middle.
 constexpr unsigned neighbours_in(unsigned block) { return (block & 15U) | ((block >> 5U) << 4U); }
@@ -59,6 +60,41 @@ class BlockRange {
   std::vector<std::uint32_t> most_;
 };
 
+/// The 3 x 3 blocks of some cells in a row, from left to right, as BitGrid::block() has them.
+class PassableWindow {
+ public:
+  /// The most cells of a window.
+  static constexpr int kCells = 62;
+
+  PassableWindow(const BitGrid& passable, Cell first)
+      : above_(bits(passable, {first.x, first.y + 1})),
+        middle_(bits(passable, first)),
+        below_(bits(passable, {first.x, first.y - 1})) {}
+
+  unsigned next_block() {
+    const std::uint64_t block = (above_ & 7U) | (middle_ & 7U) << 3U | (below_ & 7U) << 6U;
+    above_ >>= 1U;
+    middle_ >>= 1U;
+    below_ >>= 1U;
+    return static_cast<unsigned>(block);
+  }
+
+ private:
+  /// From the cell before on: 64 bits, those beyond the row zero.
+  static std::uint64_t bits(const BitGrid& passable, Cell cell) {
+    const auto words = passable.row_words(cell.y);
+    const auto bit = static_cast<std::size_t>(cell.x);  // that of the cell before
+    const std::size_t shift = bit % 64;
+    std::uint64_t window = words[bit / 64] >> shift;
+    if (shift != 0 && bit / 64 + 1 < words.size()) window |= words[bit / 64 + 1] << (64 - shift);
+    return window;
+  }
+
+  std::uint64_t above_;
+  std::uint64_t middle_;
+  std::uint64_t below_;
+};
+
 }  // namespace
 
 CostMoves::CostMoves(GridMoves moves) {
@@ -87,24 +123,22 @@ bool CostGrid<Word>::holds(const CostMap& costs) {
 template <class Word>
 CostGrid<Word>::CostGrid(const FreeSpace& space, GridMoves moves)
     : width_(space.width()),
+      height_(space.height()),
       stride_(stride_for(space.width())),
       inverse_(~std::uint64_t{0} / stride_ + 1),
       moves_(moves),
       one_(space.uniform_terrain() ? 1 : CostMap::kOne),
-      row_steps_(static_cast<std::size_t>(space.height())) {
+      rows_(space.uniform_terrain() ? 0 : static_cast<std::size_t>(space.height())) {
   for (std::size_t i = 0; i < kDirections; ++i) {
     offsets_[i] = static_cast<StateId>(kDirectionSteps[i].y) * stride_ +
                   static_cast<StateId>(kDirectionSteps[i].x);
   }
   words_.resize(std::size_t{stride_} * (static_cast<std::size_t>(space.height()) + 2));
-  compute_words(space, CellBox::of(space), [this](Cell cell, Word word) {
-    words_[number(cell)] = word;
-    if (word == 0) return;
-    Range& range = row_steps_[static_cast<std::size_t>(cell.y)];
-    range.least = std::min(range.least, static_cast<std::uint32_t>(steps(word)));
-    range.most = std::max(range.most, static_cast<std::uint32_t>(steps(word)));
+  compute_words(space, CellBox::of(space), [this](StateId id, int y, Word word) {
+    words_[id] = word;
+    if (one_ != 1 && word != 0) count(y, steps(word));
   });
-  join_rows();
+  find_least();
 }
 
 template <class Word>
@@ -113,39 +147,78 @@ void CostGrid<Word>::repair(const FreeSpace& space, const SpaceChange& change) {
   const std::size_t longest = words_.size() / 8 + 1024;
   for (const CellBox& box : change.boxes) {
     const CellBox reached = box.grown_by(1).clipped_to(space);
-    compute_words(space, reached, [this](Cell cell, Word word) {
-      Word& here = words_[number(cell)];
+    compute_words(space, reached, [this](StateId id, int y, Word word) {
+      Word& here = words_[id];
       if (here == word) return;
-      log_.push_back({number(cell), here});
+      log_.push_back({id, here});
+      if (one_ != 1 && steps(here) != steps(word)) {
+        LeastOfRow& row = rows_[static_cast<std::size_t>(y)];
+        if (here != 0 && steps(here) == row.steps && --row.cells == 0) row.steps = kUnknown;
+        if (word != 0) count(y, steps(word));
+      }
       here = word;
     });
-    for (int y = reached.begin.y; y < reached.end.y; ++y) {
-      row_steps_[static_cast<std::size_t>(y)] = range_of_row(y);
+    for (int y = reached.begin.y; y < reached.end.y && one_ != 1; ++y) {
+      if (rows_[static_cast<std::size_t>(y)].steps == kUnknown) count_row(y);
     }
   }
-  join_rows();
+  find_least();
   if (log_.size() > longest) {
     log_begin_ += log_.size();
     log_.clear();
   }
 }
 
-/// Calls store(cell, word) for each cell of a box.
+/// Calls store(id, y, word) for each cell of a box.
 template <class Word>
 template <class Store>
 void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
                                    Store&& store) const {
+  if (one_ == 1) {
+    compute_uniform_words(space.passable(), box, store);
+  } else {
+    compute_dear_words(space, box, store);
+  }
+}
+
+/// Every word follows from the 3 x 3 block of passable bits.
+template <class Word>
+template <class Store>
+void CostGrid<Word>::compute_uniform_words(const BitGrid& passable, const CellBox& box,
+                                           Store&& store) const {
+  std::array<Word, 512> words{};
+  for (unsigned block = 0; block < words.size(); ++block) {
+    if ((block & kMiddle) == 0) continue;
+    words[block] = static_cast<Word>((1U << CostMoves::kKeyBits) | neighbours_in(block));
+  }
+  for (int y = box.begin.y; y < box.end.y; ++y) {
+    StateId id = number({box.begin.x, y});
+    for (int x = box.begin.x; x < box.end.x;) {
+      PassableWindow window(passable, {x, y});
+      const int end = std::min(box.end.x, x + PassableWindow::kCells);
+      for (; x < end; ++x, ++id) store(id, y, words[window.next_block()]);
+    }
+  }
+}
+
+template <class Word>
+template <class Store>
+void CostGrid<Word>::compute_dear_words(const FreeSpace& space, const CellBox& box,
+                                        Store&& store) const {
   std::array<std::vector<std::uint32_t>, 3> rows;  // with a column more on both sides
   for (auto& row : rows) row.assign(static_cast<std::size_t>(box.width()) + 2, 0);
   const auto read = [&](int y, std::vector<std::uint32_t>& row) {
     std::fill(row.begin(), row.end(), 0);
-    if (y < 0 || y >= space.height()) return;
-    const int end = std::min(box.end.x + 1, space.width());
-    for (int x = std::max(box.begin.x - 1, 0); x < end; ++x) {
-      const Cell cell{x, y};
-      if (!space.passable()[cell]) continue;
-      const std::uint32_t steps = space.uniform_terrain() ? 1 : space.costs().steps(cell);
-      row[static_cast<std::size_t>(x - box.begin.x + 1)] = steps;
+    if (y < 0 || y >= height_) return;
+    const int begin = std::max(box.begin.x - 1, 0);
+    const int end = std::min(box.end.x + 1, width_);
+    const auto steps = std::span(row).subspan(static_cast<std::size_t>(begin - box.begin.x + 1),
+                                              static_cast<std::size_t>(end - begin));
+    space.costs().read_row(begin, y, steps);
+    const auto passable = space.passable().row_words(y);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const std::size_t bit = static_cast<std::size_t>(begin) + 1 + i;
+      steps[i] &= 0U - static_cast<std::uint32_t>((passable[bit / 64] >> (bit % 64)) & 1U);
     }
   };
   BlockRange range(box.width());
@@ -155,7 +228,8 @@ void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
     std::rotate(rows.begin(), rows.begin() + 1, rows.end());
     read(y + 1, rows[2]);
     range.read({rows[0].data(), rows[1].data(), rows[2].data()});
-    for (int x = box.begin.x; x < box.end.x; ++x) {
+    StateId id = number({box.begin.x, y});
+    for (int x = box.begin.x; x < box.end.x; ++x, ++id) {
       const auto at = static_cast<std::size_t>(x - box.begin.x);
       const Word steps = rows[1][at + 1];
       Word word = 0;
@@ -164,31 +238,39 @@ void CostGrid<Word>::compute_words(const FreeSpace& space, const CellBox& box,
         word = static_cast<Word>((steps << CostMoves::kKeyBits) | (kind << 8U) |
                                  neighbours_in(space.passable().block({x, y})));
       }
-      store(Cell{x, y}, word);
+      store(id, y, word);
     }
   }
 }
 
+/// A free cell of a row has these steps.
 template <class Word>
-typename CostGrid<Word>::Range CostGrid<Word>::range_of_row(int y) const {
-  Range range;
+void CostGrid<Word>::count(int y, std::uint64_t steps) {
+  LeastOfRow& row = rows_[static_cast<std::size_t>(y)];
+  most_steps_ = std::max(most_steps_, steps);
+  if (steps == row.steps) {
+    ++row.cells;
+  } else if (steps < row.steps) {
+    row = {static_cast<std::uint32_t>(steps), 1};
+  }
+}
+
+/// Finds the least steps of a row anew.
+template <class Word>
+void CostGrid<Word>::count_row(int y) {
+  rows_[static_cast<std::size_t>(y)] = {};
   const StateId begin = number({0, y});
   for (StateId id = begin; id < begin + static_cast<StateId>(width_); ++id) {
-    // A blocked cell counts as the largest least: 0 - 1 wraps.
-    const auto here = static_cast<std::uint32_t>(steps(words_[id]));
-    range.least = std::min(range.least - 1, here - 1) + 1;
-    range.most = std::max(range.most, here);
+    if (words_[id] != 0) count(y, steps(words_[id]));
   }
-  return range;
 }
 
 template <class Word>
-void CostGrid<Word>::join_rows() {
-  steps_ = {};
-  for (const Range& row : row_steps_) {
-    steps_.least = std::min(steps_.least, row.least);
-    steps_.most = std::max(steps_.most, row.most);
-  }
+void CostGrid<Word>::find_least() {
+  if (one_ == 1) return;
+  least_steps_ = CostMap::kMost;
+  for (const LeastOfRow& row : rows_)
+    least_steps_ = std::min<std::uint64_t>(least_steps_, row.steps);
 }
 
 template class CostGrid<std::uint32_t>;

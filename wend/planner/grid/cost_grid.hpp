@@ -113,12 +113,12 @@ class CostGrid {
   /// The steps of a multiplier of 1: CostMap::kOne, or 1 where every cell costs the same.
   std::uint64_t one() const { return one_; }
   /// The least steps of a free cell.
-  std::uint64_t least_steps() const { return steps_.least; }
-  /// The most steps of a free cell.
-  std::uint64_t most_steps() const { return steps_.most; }
+  std::uint64_t least_steps() const { return least_steps_; }
+  /// No free cell has more steps than this.
+  std::uint64_t most_steps() const { return most_steps_; }
 
   int width() const { return width_; }
-  int height() const { return static_cast<int>(row_steps_.size()); }
+  int height() const { return height_; }
 
  private:
   __extension__ using Wide = unsigned __int128;
@@ -127,26 +127,33 @@ class CostGrid {
   static constexpr Word kClassMask = 3U << 8U;
   static constexpr unsigned kInteriorKey = 255;  // all neighbours, uniform
 
-  /// The steps of free cells, from the least to the most; those of no cell are the other way around.
-  struct Range {
-    std::uint32_t least = CostMap::kMost;
-    std::uint32_t most = 1;
+  /// The free cells of a row that have the least steps.
+  struct LeastOfRow {
+    std::uint32_t steps = CostMap::kMost;
+    std::uint32_t cells = 0;
   };
 
   template <class Store>
   void compute_words(const FreeSpace& space, const CellBox& box, Store&& store) const;
-  Range range_of_row(int y) const;
-  void join_rows();
+  template <class Store>
+  void compute_uniform_words(const BitGrid& passable, const CellBox& box, Store&& store) const;
+  template <class Store>
+  void compute_dear_words(const FreeSpace& space, const CellBox& box, Store&& store) const;
+  void count(int y, std::uint64_t steps);
+  void count_row(int y);
+  void find_least();
 
   int width_;
+  int height_;
   StateId stride_;
   std::uint64_t inverse_;
   std::array<StateId, kDirections> offsets_{};
   CostMoves moves_;
   std::uint64_t one_;
   std::vector<Word> words_;
-  std::vector<Range> row_steps_;  // by row
-  Range steps_;                   // of all rows
+  std::vector<LeastOfRow> rows_;  // of a map with costs
+  std::uint64_t least_steps_ = 1;
+  std::uint64_t most_steps_ = 1;
   std::vector<Change> log_;
   std::uint64_t log_begin_ = 0;  // the number of changes dropped from it
 };

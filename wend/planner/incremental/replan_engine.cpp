@@ -17,12 +17,13 @@ namespace {
 /// How much work the tree may do, in expansions of the leaping search.
 class TreeBudget {
  public:
-  explicit TreeBudget(ReplanSearch search) : search_(search) {}
+  /// `even`: every cell costs the same. Leaps are then so fast that a tree never pays.
+  TreeBudget(ReplanSearch search, bool even) : search_(search), even_(even) {}
 
   /// Is it the tree's turn?
   bool is_due() const {
     return search_ == ReplanSearch::tree ||
-           (search_ == ReplanSearch::automatic && leap_work_ > 0 && saved_ >= needed_);
+           (search_ == ReplanSearch::automatic && !even_ && leap_work_ > 0 && saved_ >= needed_);
   }
 
   /// The most expansions of the tree in this search.
@@ -51,12 +52,13 @@ class TreeBudget {
   }
 
  private:
-  static constexpr double kShare = 0.2;
+  static constexpr double kShare = 0.1;
   static constexpr double kFirstNeed = 1;
   // What a leaping search needs for an expansion, the tree needs for so many.
-  static constexpr double kTreeExpansionsPerLeap = 3;
+  static constexpr double kTreeExpansionsPerLeap = 2;
 
   ReplanSearch search_;
+  bool even_;
   double leap_work_ = 0;  // of the last leaping search
   double saved_ = 0;
   double needed_ = 0;  // that the tree is thought to need
@@ -68,7 +70,7 @@ class ReplanEngine final : public GridEngine {
   ReplanEngine(std::shared_ptr<CostGrid<Word>> grid, const BestFirst& parts, ReplanSearch search)
       : grid_(std::move(grid)),
         kept_(*grid_, parts.moves),
-        budget_(search),
+        budget_(search, grid_->one() == 1),
         leaps_(make_leap_engine<Word>(grid_, parts)),
         tree_(make_repair_tree<Word>(grid_, parts)) {}
 

@@ -6,7 +6,7 @@
 // 2. Does the tree of the last searches, repaired, lead to the robot? (RepairTree)
 // 3. Else a search from scratch that leaps. (LeapEngine)
 //
-// Neither 2 nor 3 is faster on every map, and how large a repair is cannot be known before it is done. So the
+// Where every cell costs the same, 3 is the faster one. Else neither is on every map, and how large a repair is cannot be known before it is done. So the
 // tree has a budget: a share of the work of the leaping searches, and what it saved before. It is asked when
 // the budget covers what it needed last; if it does not end within the budget, the search leaps, and the
 // tree goes on where it stopped when it is asked again. So all searches together take at most that share longer
