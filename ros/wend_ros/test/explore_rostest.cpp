@@ -7,13 +7,17 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
+#include <sys/wait.h>
 #include <wend_ros/PlanResult.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "next_message.hpp"
@@ -126,6 +130,29 @@ TEST(Exploring, ReachesAGoalBehindAWallThatItDidNotKnow) {
   for (std::size_t i = 0; i < known.data.size(); ++i) {
     if (known.data[i] != -1) ASSERT_EQ(known.data[i], truth->data[i]) << i;
   }
+}
+
+/// What robot_sim says before it ends, and its exit code.
+std::pair<std::string, int> run_robot_sim(const std::string& arguments) {
+  FILE* const pipe =
+      popen((std::string(ROBOT_SIM) + " __name:=broken " + arguments + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return {"it did not start", -1};
+  std::string said;
+  for (std::array<char, 256> text{}; fgets(text.data(), text.size(), pipe) != nullptr;) {
+    said += text.data();
+  }
+  return {said, WEXITSTATUS(pclose(pipe))};
+}
+
+TEST(Exploring, MapsThatDoNotFitEndTheNodeWithTheirParameter) {
+  const std::string room = std::string("_map:=") + TEST_FOLDER + "/room.txt";
+  const auto [nowhere, first_code] = run_robot_sim("_map:=/nowhere/room.txt");
+  EXPECT_EQ(first_code, 2);
+  EXPECT_NE(nowhere.find("~map: /nowhere/room.txt"), std::string::npos) << nowhere;
+  const auto [other, second_code] = run_robot_sim(room + " _known:=" + TEST_FOLDER + "/yard.txt");
+  EXPECT_EQ(second_code, 2);
+  EXPECT_NE(other.find("~known: the known map has "), std::string::npos) << other;
+  EXPECT_NE(other.find("and the true one 40 x 40 cells"), std::string::npos) << other;
 }
 
 }  // namespace
