@@ -101,6 +101,7 @@ def test_lays_masks_from_files(tmp_path: pathlib.Path) -> None:
         lambda: room.with_mask(write_mask(tmp_path, "far", "raw", [100], "[90, 0, 0]"))
     )
     assert "keepout" in refusal(lambda: room.with_mask(slow, "fast"))  # type: ignore[arg-type]
+    assert "kind is for files" in refusal(lambda: room.with_mask(room, "speed"))
     assert "same size" in refusal(lambda: room.with_mask(wend.Map([[0, 1]])))
 
 

@@ -188,6 +188,9 @@ class Map:
         [[2.0, 2.0, 10.0]]
         """
         if isinstance(mask, Map):
+            if kind != "keepout":
+                message = "kind is for files: of a map, the costs count, which are 100 / percent for speed limits"
+                raise InvalidArgument(message, "invalid_option", "kind")
             core = mask._inner
         else:
             top = None if top_speed is None else float(top_speed)
