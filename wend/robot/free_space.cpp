@@ -180,7 +180,10 @@ Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
   if (!can_repair(edit)) {
     Obstacles edited = obstacles();
     change.boxes = *edited.edit(edit);
-    if (change.none()) return change;
+    if (change.none()) {
+      data_.change().obstacles = std::move(edited);  // whose map may know more
+      return change;
+    }
     auto made = make_free_space(std::move(edited), robot());
     if (!made) return Unexpected<Error>(std::move(made.error()));
     *this = *std::move(made);
