@@ -105,8 +105,8 @@ Measured by_yardstick(const FreeSpace& space, const std::vector<CellPair>& pairs
 }
 
 Measured by_planner(const FreeSpace& space, const std::vector<CellPair>& pairs, int rounds,
-                    const OptionValues& options) {
-  const auto planner = make_planner("astar", space, options);
+                    const std::string& name, const OptionValues& options) {
+  const auto planner = make_planner(name, space, options);
   if (!planner) fail(planner.error().message);
   Plan plan;
   return measured(pairs, rounds, [&](const CellPair& pair, Measured& sum) {
@@ -116,6 +116,12 @@ Measured by_planner(const FreeSpace& space, const std::vector<CellPair>& pairs, 
     sum.expanded += static_cast<double>(plan.metrics.expanded);
     sum.cost += plan.cost;
   });
+}
+
+double making_of(const std::string& name, const FreeSpace& space) {
+  const double begun = thread_cpu_seconds();
+  if (const auto planner = make_planner(name, space); !planner) fail(planner.error().message);
+  return thread_cpu_seconds() - begun;
 }
 
 /// Making the planner, and its first query.
@@ -136,22 +142,30 @@ void measure_queries(const std::vector<NamedMap>& maps, std::uint64_t queries, i
                        {"expanded before"},
                        {"expanded now"},
                        {"times as fast"},
+                       {"alt, us"},
+                       {"expanded by alt"},
+                       {"times as fast"},
+                       {"making alt, ms"},
                        {"dearer by"}});
   for (const NamedMap& named : maps) {
     const auto space = make_free_space(named.map, {.clearance_distance = kClearanceDistance});
     if (!space) fail(space.error().message);
     const auto pairs = random_pairs(*space, queries, kSeed);
     const Measured before = by_yardstick(*space, pairs, rounds);
-    const Measured stepwise = by_planner(*space, pairs, rounds, {{"leaps", "false"}});
-    const Measured now = by_planner(*space, pairs, rounds, {});
-    table.add({fmt::format("{} {} x {}", named.name, space->width(), space->height()),
-               fmt::format("{:.0f}", before.microseconds),
-               fmt::format("{:.0f}", stepwise.microseconds),
-               fmt::format("{:.0f}", now.microseconds),
-               fmt::format("{:.0f}", first_query(*space, pairs.front())),
-               fmt::format("{:.0f}", before.expanded), fmt::format("{:.0f}", now.expanded),
-               fmt::format("{:.1f}", before.microseconds / now.microseconds),
-               fmt::format("{:.1g}", now.cost / before.cost - 1)});
+    const Measured stepwise = by_planner(*space, pairs, rounds, "astar", {{"leaps", "false"}});
+    const Measured now = by_planner(*space, pairs, rounds, "astar", {});
+    const double making = making_of("alt", *space);
+    const Measured alt = by_planner(*space, pairs, rounds, "alt", {});
+    table.add(
+        {fmt::format("{} {} x {}", named.name, space->width(), space->height()),
+         fmt::format("{:.0f}", before.microseconds), fmt::format("{:.0f}", stepwise.microseconds),
+         fmt::format("{:.0f}", now.microseconds),
+         fmt::format("{:.0f}", first_query(*space, pairs.front())),
+         fmt::format("{:.0f}", before.expanded), fmt::format("{:.0f}", now.expanded),
+         fmt::format("{:.1f}", before.microseconds / now.microseconds),
+         fmt::format("{:.0f}", alt.microseconds), fmt::format("{:.0f}", alt.expanded),
+         fmt::format("{:.1f}", before.microseconds / alt.microseconds),
+         fmt::format("{:.0f}", making * 1e3), fmt::format("{:.1g}", now.cost / before.cost - 1)});
   }
   fmt::print("{}", table.text());
 }

@@ -23,7 +23,7 @@ class PlannerOptionsOf : public ::testing::Test {};
 using AllOptions =
     ::testing::Types<AStarOptions, GreedyOptions, DijkstraOptions, BfsOptions, DfsOptions,
                      RandomWalkOptions, ThetaStarOptions, LazyThetaStarOptions, CarOptions,
-                     LatticeOptions, ReplannerOptions, DStarLiteOptions>;
+                     LatticeOptions, ReplannerOptions, DStarLiteOptions, AltOptions>;
 TYPED_TEST_SUITE(PlannerOptionsOf, AllOptions);
 
 template <class... Options>

@@ -14,7 +14,7 @@
 namespace wend {
 namespace {
 
-using WordGrid = CostGrid<std::uint64_t>;
+using WideGrid = CostGrid<std::uint64_t>;
 
 /// The definition of the class of a cell.
 CostClass class_by_hand(const FreeSpace& space, Cell cell) {
@@ -32,7 +32,7 @@ CostClass class_by_hand(const FreeSpace& space, Cell cell) {
   return 5 * most <= 9 * least ? CostClass::smooth : CostClass::general;
 }
 
-void expect_true_words(const WordGrid& grid, const FreeSpace& space) {
+void expect_true_words(const WideGrid& grid, const FreeSpace& space) {
   const bool uniform = space.uniform_terrain();
   std::uint64_t least = ~std::uint64_t{0};
   for (const Cell cell : every_cell(space.map())) {
@@ -40,12 +40,12 @@ void expect_true_words(const WordGrid& grid, const FreeSpace& space) {
     ASSERT_EQ(grid.cell(grid.number(cell)), cell);
     ASSERT_EQ(word != 0, space.passable(cell));
     if (word == 0) continue;
-    ASSERT_EQ(WordGrid::steps(word), uniform ? 1 : space.costs().steps(cell));
-    ASSERT_EQ(WordGrid::class_of(word), class_by_hand(space, cell)) << cell.x << ',' << cell.y;
+    ASSERT_EQ(WideGrid::steps(word), uniform ? 1 : space.costs().steps(cell));
+    ASSERT_EQ(WideGrid::class_of(word), class_by_hand(space, cell)) << cell.x << ',' << cell.y;
     const unsigned block = space.passable().block(cell);
-    ASSERT_EQ(WordGrid::key(word) & 255U, (block & 15U) | ((block >> 5U) << 4U));
-    least = std::min(least, WordGrid::steps(word));
-    ASSERT_LE(WordGrid::steps(word), grid.most_steps());
+    ASSERT_EQ(WideGrid::key(word) & 255U, (block & 15U) | ((block >> 5U) << 4U));
+    least = std::min(least, WideGrid::steps(word));
+    ASSERT_LE(WideGrid::steps(word), grid.most_steps());
   }
   if (space.passable().count() > 0) {
     ASSERT_EQ(grid.least_steps(), least);
@@ -72,10 +72,10 @@ TEST(CostGrid, IsRepairedToThatOfTheEditedMap) {
     FreeSpace space =
         random.chance(0.5) ? random_wide_space(random) : test::random_cost_space(random);
     const bool terrain = !space.uniform_terrain();
-    WordGrid grid(space, {});
+    WideGrid grid(space, {});
     expect_true_words(grid, space);
     for (int i = 0; i < 6 && !HasFailure(); ++i) {
-      const WordGrid before = grid;
+      const WideGrid before = grid;
       const auto change = space.edit(test::random_edit(random, space.map(), terrain));
       ASSERT_TRUE(change);
       if (change->everything || !grid.can_become(space)) break;
@@ -88,7 +88,7 @@ TEST(CostGrid, IsRepairedToThatOfTheEditedMap) {
       for (StateId id = 0; id < grid.state_count(); ++id)
         differ += grid.word(id) != before.word(id) ? 1 : 0;
       std::set<StateId> logged;
-      for (const WordGrid::Change& each : *changes) {
+      for (const WideGrid::Change& each : *changes) {
         // The first entry of a cell has its word before all of them.
         ASSERT_TRUE(!logged.insert(each.id).second || each.before == before.word(each.id));
       }
@@ -103,7 +103,7 @@ TEST(CostGrid, IsRepairedToThatOfTheEditedMap) {
 
 TEST(CostGrid, ForgetsALogThatHasBecomeLong) {
   FreeSpace space = *make_free_space(*make_grid_map(Grid<CellState>(20, 20, CellState::free)));
-  WordGrid grid(space, {});
+  WideGrid grid(space, {});
   const std::uint64_t begin = grid.log_end();
   EXPECT_TRUE(grid.changes_since(begin)->empty());
   bool forgotten = false;

@@ -73,6 +73,22 @@ struct DijkstraOptions {
   }
 };
 
+/// The options of `alt`.
+struct AltOptions {
+  static constexpr std::string_view kPlanner = "alt";  // its name
+  static constexpr double kMostLandmarks = 64;         // each takes 4 bytes a cell
+
+  GridMoves moves = {};        // how the robot steps
+  std::int64_t landmarks = 8;  // 1 to kMostLandmarks
+
+  template <class Self, class Field>
+  static void fields(Self& self, Field&& field) {
+    GridMoves::fields(self.moves, field);
+    field({"landmarks", "number of landmarks; each takes 4 bytes per cell"}, self.landmarks,
+          OptionRange{1, kMostLandmarks});
+  }
+};
+
 /// The options of `bfs`.
 struct BfsOptions {
   static constexpr std::string_view kPlanner = "bfs";  // its name

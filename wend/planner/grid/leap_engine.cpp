@@ -27,8 +27,10 @@ constexpr bool is_diagonal_move(unsigned move) { return (move & 1U) != 0; }
 template <class Cost, class Word, class Units>
 class LeapEngine final : public GridEngine {
  public:
-  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, const BestFirst& parts)
+  LeapEngine(std::shared_ptr<const CostGrid<Word>> grid, const BestFirst& parts,
+             std::shared_ptr<const Landmarks> landmarks = nullptr)
       : grid_(std::move(grid)),
+        landmarks_(std::move(landmarks)),
         words_(grid_->words()),
         log_position_(grid_->log_end()),
         estimate_(parts, grid_->least_steps()),
@@ -52,8 +54,13 @@ class LeapEngine final : public GridEngine {
     catch_up();
     estimate_.begin(goals);
     stops_.set_goals(goals);
-    queue_.begin(estimate_.units(start), width_bits_for(grid_->least_steps()));
-    reach(grid_->number(start), start, 0, Node::kNoArrival);
+    const StateId id = grid_->number(start);
+    bounds_ = {};
+    if (landmarks_ != nullptr && goals.size() == 1 && goals.front().is_one_place()) {
+      bounds_ = Landmarks::Bounds(landmarks_, id, grid_->number(goals.front().any()));
+    }
+    queue_.begin(estimate(start, id), width_bits_for(grid_->least_steps()));
+    reach(id, start, 0, Node::kNoArrival);
     metrics_.max_frontier = metrics_.generated;
     if (overflown_) outcome_ = SearchOutcome::cost_overflow;
   }
@@ -96,7 +103,7 @@ class LeapEngine final : public GridEngine {
     return list;
   }
 
-  double heuristic(const Cell& place) const override { return estimate_.cells(place); }
+  double heuristic(const Cell& place) const override { return estimate_in_cells(place); }
 
   void write_path(Path& path) const override {
     path.clear();
@@ -140,8 +147,25 @@ class LeapEngine final : public GridEngine {
     } else {
       stops_ = RunStops(*grid_);
     }
+    if (landmarks_ != nullptr && (!changes || Landmarks::may_fall(*grid_, *changes))) {
+      landmarks_.reset();
+    }
     log_position_ = grid_->log_end();
     estimate_.set_least_steps(grid_->least_steps());
+  }
+
+  std::uint64_t estimate(Cell cell, StateId id) const {
+    return std::max(estimate_.units(cell), bounds_(id));
+  }
+
+  double units_per_cell() const {
+    return 2.0 * static_cast<double>(grid_->one()) * Units::kStraight;
+  }
+
+  /// As people see it.
+  double estimate_in_cells(Cell cell) const {
+    const auto bound = static_cast<double>(bounds_(grid_->number(cell)));
+    return std::max(estimate_.cells(cell), bound / units_per_cell());
   }
 
   /// Was the cell reached more cheaply since?
@@ -316,7 +340,7 @@ class LeapEngine final : public GridEngine {
     Node& node = nodes_[id];
     const bool reached = nodes_.reached(node);
     if (reached && node.g <= g) return;
-    const std::uint64_t f = g + estimate_.units(cell);
+    const std::uint64_t f = g + estimate(cell, id);
     if (f >= best_) return;
     if (f > kMostCost) {
       overflown_ = true;
@@ -342,9 +366,8 @@ class LeapEngine final : public GridEngine {
   }
 
   SearchEvent event_of(Cell cell, const Node& node) const {
-    const double per_cell = 2.0 * static_cast<double>(grid_->one()) * Units::kStraight;
-    const double g = static_cast<double>(node.g) / per_cell;
-    const double h = estimate_.cells(cell);
+    const double g = static_cast<double>(node.g) / units_per_cell();
+    const double h = estimate_in_cells(cell);
     SearchEvent event{{}, {}, g, h, g + h};
     event.cell = cell;
     if (node.move() != kNoMove) {
@@ -355,6 +378,8 @@ class LeapEngine final : public GridEngine {
   }
 
   std::shared_ptr<const Grid> grid_;
+  std::shared_ptr<const Landmarks> landmarks_;  // null: none, or no longer
+  Landmarks::Bounds bounds_;                    // of the present query
   const Word* words_;
   std::uint64_t log_position_;  // in the grid's log
   WholeEstimate<Units> estimate_;
@@ -374,20 +399,24 @@ class LeapEngine final : public GridEngine {
 
 template <class Word>
 GridPlanner::Parts parts_with(std::shared_ptr<CostGrid<Word>> grid,
-                              std::shared_ptr<GridEngine> engine, const BestFirst& parts) {
+                              std::shared_ptr<GridEngine> engine, const BestFirst& parts,
+                              unsigned landmarks) {
   GridPlanner::Parts made{parts.moves, engine, parts.bound()};
   made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
-    if (!grid->can_become(space)) return best_first_parts(space, parts);
+    if (!grid->can_become(space)) {
+      return landmarks == 0 ? best_first_parts(space, parts) : leap_parts(space, parts, landmarks);
+    }
     grid->repair(space, change);
-    return parts_with(grid, engine, parts);
+    return parts_with(grid, engine, parts, landmarks);
   };
   return made;
 }
 
 template <class Word>
-GridPlanner::Parts parts_on(const FreeSpace& space, const BestFirst& parts) {
+GridPlanner::Parts parts_on(const FreeSpace& space, const BestFirst& parts, unsigned landmarks) {
   const auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves);
-  return parts_with(grid, make_leap_engine<Word>(grid, parts), parts);
+  auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks);
+  return parts_with(grid, make_leap_engine<Word>(grid, parts, std::move(bounds)), parts, landmarks);
 }
 
 }  // namespace
@@ -398,19 +427,24 @@ bool can_leap(const FreeSpace& space, const BestFirst& parts) {
 
 template <>
 std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint64_t>> grid,
-                                             const BestFirst& parts) {
+                                             const BestFirst& parts,
+                                             std::shared_ptr<const Landmarks> /*landmarks*/) {
   using Engine = LeapEngine<std::uint64_t, std::uint64_t, CostUnits>;
   return std::make_shared<Engine>(std::move(grid), parts);
 }
 
 template <>
 std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint32_t>> grid,
-                                             const BestFirst& parts) {
+                                             const BestFirst& parts,
+                                             std::shared_ptr<const Landmarks> landmarks) {
   using Compact = std::uint32_t;
   using Wide = std::uint64_t;
+  // The costs of landmarks are those of the compact engine.
   const auto widening = [&]<class Units, class WideUnits>() {
     return std::make_shared<WideningEngine<GridEngine>>(
-        [&] { return std::make_unique<LeapEngine<Compact, Compact, Units>>(grid, parts); },
+        [&] {
+          return std::make_unique<LeapEngine<Compact, Compact, Units>>(grid, parts, landmarks);
+        },
         [grid, parts] {
           return std::make_unique<LeapEngine<Wide, Compact, WideUnits>>(grid, parts);
         });
@@ -419,9 +453,11 @@ std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std:
   return widening.template operator()<OctileUnits<Compact>, OctileUnits<Wide>>();
 }
 
-GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts) {
-  if (CostGrid<std::uint32_t>::holds(space.costs())) return parts_on<std::uint32_t>(space, parts);
-  return parts_on<std::uint64_t>(space, parts);
+GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts, unsigned landmarks) {
+  if (CostGrid<std::uint32_t>::holds(space.costs())) {
+    return parts_on<std::uint32_t>(space, parts, landmarks);
+  }
+  return parts_on<std::uint64_t>(space, parts, landmarks);
 }
 
 }  // namespace wend

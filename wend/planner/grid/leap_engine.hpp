@@ -29,6 +29,7 @@
 
 #include "wend/planner/grid/best_first.hpp"
 #include "wend/planner/grid/cost_grid.hpp"
+#include "wend/planner/grid/landmarks.hpp"
 
 namespace wend {
 
@@ -37,12 +38,15 @@ namespace wend {
 bool can_leap(const FreeSpace& space, const BestFirst& parts);
 
 /// An engine on a grid, for parts with which it can_leap(). It follows the repairs of the grid. On a map where
-/// every cell costs the same its costs are exact (OctileUnits).
+/// every cell costs the same its costs are exact (OctileUnits). Landmarks, if there are any, make its estimate
+/// larger until a repair may make their bounds wrong.
 template <class Word>
 std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<Word>> grid,
-                                             const BestFirst& parts);
+                                             const BestFirst& parts,
+                                             std::shared_ptr<const Landmarks> landmarks = nullptr);
 
-/// The engine and what repairs it after an edit.
-GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts);
+/// The engine, with this number of landmarks, and what repairs it after an edit.
+GridPlanner::Parts leap_parts(const FreeSpace& space, const BestFirst& parts,
+                              unsigned landmarks = 0);
 
 }  // namespace wend

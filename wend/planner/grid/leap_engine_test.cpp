@@ -72,7 +72,7 @@ TEST(LeapEngine, FindsACheapestPathInUnits) {
     const FreeSpace space = random_cost_space(random);
     const BestFirst parts = random_parts(random);
     if (space.uniform_terrain() || !can_leap(space, parts)) continue;
-    const auto engine = leap_parts(space, parts).engine;
+    const auto engine = leap_parts(space, parts, random.chance(0.3) ? 4 : 0).engine;
     for (int query = 0; query < 4; ++query) {
       const Cell start = random_cell_of(space, random);
       if (!space.passable(start)) continue;

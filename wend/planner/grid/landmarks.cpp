@@ -1,0 +1,119 @@
+#include "wend/planner/grid/landmarks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "wend/planner/grid/cost_field.hpp"
+
+namespace wend {
+namespace {
+
+/// The costs from a cell to all others, to each a function; false if they outgrow 32 bits.
+template <class Units, class Word, class Take>
+bool costs_from(const CostGrid<Word>& grid, Cell cell, Take&& take) {
+  CostField<std::uint32_t, Word, Units> field(grid);
+  if (!field.allocated() || field.run({&cell, 1}, {}) != SearchOutcome::exhausted) return false;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (field.reached({x, y})) take(Cell{x, y}, static_cast<std::uint32_t>(field.units({x, y})));
+    }
+  }
+  return true;
+}
+
+template <class Word, class Take>
+bool costs_on(const CostGrid<Word>& grid, Cell cell, Take&& take) {
+  if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
+    using Compact = std::uint32_t;
+    if (grid.one() == 1) return costs_from<OctileUnits<Compact>>(grid, cell, take);
+    if (CostField<Compact, Word, CostUnits>::suits(grid)) {
+      return costs_from<CostUnits>(grid, cell, take);
+    }
+  }
+  return false;
+}
+
+template <class Word>
+std::optional<Cell> first_free_cell(const CostGrid<Word>& grid) {
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (grid.word(grid.number({x, y})) != 0) return Cell{x, y};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class Word>
+std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<Word>& grid, unsigned count) {
+  auto made = std::make_shared<Landmarks>();
+  const auto first = first_free_cell(grid);
+  if (!first || count == 0) return made;
+  made->costs_.assign(std::size_t{grid.state_count()} * count, kUnreached);
+  // By cell: how far the nearest landmark is. At first, how far the first cell is, which is none.
+  std::vector<std::uint32_t> nearest(grid.state_count(), 0);
+  Cell next = *first;
+  if (!costs_on(grid, *first,
+                [&](Cell cell, std::uint32_t cost) { nearest[grid.number(cell)] = cost; })) {
+    return made;
+  }
+  for (unsigned i = 0; i < count; ++i) {
+    const auto farthest = std::ranges::max_element(nearest);
+    next = grid.cell(static_cast<StateId>(farthest - nearest.begin()));
+    if (i == 0) {
+      std::ranges::replace_if(nearest, [](std::uint32_t cost) { return cost > 0; }, kUnreached);
+    }
+    const bool done = costs_on(grid, next, [&](Cell cell, std::uint32_t cost) {
+      const StateId id = grid.number(cell);
+      made->costs_[id * std::size_t{count} + i] = cost;
+      nearest[id] = std::min(nearest[id], cost);
+    });
+    if (!done) break;
+    made->count_ = i + 1;
+  }
+  if (made->count_ < count) made->count_ = 0;
+  return made;
+}
+
+template <class Word>
+bool Landmarks::may_fall(const CostGrid<Word>& grid,
+                         std::span<const typename CostGrid<Word>::Change> changes) {
+  using Grid = CostGrid<Word>;
+  return std::ranges::any_of(changes, [&](const auto& change) {
+    const Word now = grid.word(change.id);
+    if (now == 0) return false;
+    if (change.before == 0 || Grid::steps(now) < Grid::steps(change.before)) return true;
+    return (grid.moves(kNoMove, now) & ~grid.moves(kNoMove, change.before)) != 0;
+  });
+}
+
+Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId start, StateId goal)
+    : landmarks_(std::move(landmarks)),
+      costs_(landmarks_->costs_.data()),
+      stride_(landmarks_->count_) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> bounds;
+  for (std::size_t i = 0; i < stride_; ++i) {
+    const std::uint32_t here = costs_[start * stride_ + i];
+    const std::uint32_t there = costs_[goal * stride_ + i];
+    // Another component: it says nothing about this one.
+    if (here == kUnreached || there == kUnreached) continue;
+    bounds.emplace_back(here > there ? here - there : there - here, i);
+  }
+  used_ = std::min(bounds.size(), kMost);
+  std::ranges::partial_sort(bounds, bounds.begin() + static_cast<std::ptrdiff_t>(used_),
+                            std::ranges::greater());
+  for (std::size_t i = 0; i < used_; ++i) {
+    which_[i] = bounds[i].second;
+    at_goal_[i] = costs_[goal * stride_ + which_[i]];
+  }
+}
+
+template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned);
+template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint64_t>&, unsigned);
+template bool Landmarks::may_fall(const CostGrid<std::uint32_t>&,
+                                  std::span<const CostGrid<std::uint32_t>::Change>);
+template bool Landmarks::may_fall(const CostGrid<std::uint64_t>&,
+                                  std::span<const CostGrid<std::uint64_t>::Change>);
+
+}  // namespace wend
