@@ -147,7 +147,6 @@ std::optional<MapFeed::Change> MapFeed::edit(const wend::MapEdit& edit, TimePoin
   auto change = session_.edit(masks_.over(edit));
   // There is no space to edit for an invalid robot; a later one needs the map all the same.
   if (!change) return put_whole(map_.whole(), came);
-  if (change->none()) return std::nullopt;
   change_time_ = came;
   auto view = session_.view();
   if (!view) return std::nullopt;

@@ -211,10 +211,10 @@ void PlannerNode::plan_to(const geometry_msgs::PoseStamped& goal, Reason reason)
   request.goals = {goal};
   request.nearest = reconfigure_->parameters().flag("nearest") ? 1 : 0;
   const Map map = feed_->now();
-  // A search that is watched expands cell by cell, which takes longer.
+  // A search that is watched expands cell by cell, and why there is no path takes even longer.
   SearchWatch watch(true);
   const bool quiet = reason < Reason::time;
-  Answer answered = answer(map, request, &cancel_topics_, quiet ? nullptr : &watch);
+  Answer answered = answer(map, request, {&cancel_topics_, quiet ? nullptr : &watch, !quiet});
   const PlanResult& result = answered.result;
   publisher_.tell(result);
   if (!quiet) tell(result);
@@ -255,24 +255,24 @@ wend::Expected<Ask, PlanResult> PlannerNode::ask_of(const PlanRequest& request,
 
 Answer PlannerNode::answer(const PlanRequest& request, const std::atomic<bool>* cancel,
                            SearchWatch* watch) {
-  Answer answered = answer(feed_->now(), request, cancel, watch);
+  Answer answered = answer(feed_->now(), request, {cancel, watch});
   tell(answered.result);
   return answered;
 }
 
-Answer PlannerNode::answer(const Map& map, const PlanRequest& request,
-                           const std::atomic<bool>* cancel, SearchWatch* watch) {
+Answer PlannerNode::answer(const Map& map, const PlanRequest& request, const Manner& manner) {
   if (!map) return {refusal(code_of(map.error().status), map.error().message)};
   const wend::Session::View& view = map->view;
-  const auto ask = ask_of(request, view);
-  Answer answered =
-      ask ? wend_ros::answer(session_, view, reconfigure_->parameters(), *ask, {cancel, watch})
-          : Answer{ask.error()};
+  auto ask = ask_of(request, view);
+  if (ask) ask->explain = manner.explain;
+  Answer answered = ask ? wend_ros::answer(session_, view, reconfigure_->parameters(), *ask,
+                                           {manner.cancel, manner.watch})
+                        : Answer{ask.error()};
   answered.result.map_version = view.version;
   answered.result.map_stamp = map->stamp;
   const auto age = std::chrono::steady_clock::now() - map->changed;
   answered.result.since_change = std::chrono::duration<double>(age).count();
-  publisher_.show(answered, view, watch);
+  publisher_.show(answered, view, manner.watch);
   return answered;
 }
 

@@ -57,6 +57,7 @@ wend::PlanRequest request_of(const Parameters& parameters, const Ask& ask, const
   if (limit > 0) request.limits.seconds = limit;
   request.observer = watch.observer;
   request.nearest = ask.nearest;
+  request.explain = ask.explain;
   request.from_field = ask.from_field;
   request.trajectory = limits_of(parameters);
   return request;

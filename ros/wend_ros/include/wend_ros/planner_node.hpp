@@ -67,9 +67,15 @@ class PlannerNode {
   bool plan_path(PlanPath::Request& request, PlanPath::Response& response);
   void execute(const PlanPathGoalConstPtr& goal);
 
+  /// How a plan is made.
+  struct Manner {
+    const std::atomic<bool>* cancel = nullptr;
+    SearchWatch* watch = nullptr;
+    bool explain = true;
+  };
+
   /// Plans and publishes.
-  Answer answer(const Map& map, const PlanRequest& request, const std::atomic<bool>* cancel,
-                SearchWatch* watch);
+  Answer answer(const Map& map, const PlanRequest& request, const Manner& manner);
   /// The same on the map of now, and tells the log.
   Answer answer(const PlanRequest& request, const std::atomic<bool>* cancel, SearchWatch* watch);
   /// The request in the map's frame, or why it cannot be.
