@@ -1,12 +1,14 @@
 // wend-edits: what an edit of a map costs, beside making the free space again, in CPU time.
 //
 // The robot is a disc with a clearance cost. Edits are made in place, at random places of a generated map: each
-// time the free space is repaired, and asked whether two cells are connected, as a query does.
+// time the free space is repaired, and asked whether two cells are connected, as a query does. Then a planner on
+// a map for a point robot is asked a query after each edit of a cell.
 
 #include <fmt/format.h>
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -14,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/edits/next_query.hpp"
 #include "bench/measure/measuring.hpp"
 #include "wend/base/random.hpp"
 #include "wend/base/thread_time.hpp"
@@ -144,6 +147,28 @@ void run(const Setting& setting, int count, std::uint64_t seed) {
   check(space);
 }
 
+/// One line for each kind of map.
+int run_next_queries(const std::string& planner, int side, int count, std::uint64_t seed) {
+  fmt::print(
+      "{}, {} x {}, a point robot: an edit of one cell and the next query, us (target of both "
+      "1000); "
+      "a query without\nan edit; the first query on a new space. The planner has answered these "
+      "queries "
+      "before.\n"
+      "  {:<12} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9}\n",
+      planner, side, side, "", "edit", "query", "both", "longest", "no edit", "first");
+  int wrong = 0;
+  for (const std::string_view kind : {"office", "warehouse", "rooms", "maze", "random"}) {
+    const auto row = time_next_queries(kind, side, planner, count, seed);
+    if (!row) fail(row.error().message);
+    fmt::print("  {:<12} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.1f} {:>10.1f} {:>9.1f}{}\n", kind,
+               1e6 * row->edit, 1e6 * row->next, 1e6 * (row->edit + row->next), 1e6 * row->worst,
+               1e6 * row->unedited, 1e6 * row->first_one, row->wrong > 0 ? "  WRONG" : "");
+    wrong += row->wrong;
+  }
+  return wrong == 0 ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace wend::bench
 
@@ -156,12 +181,22 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   app.add_option("--seed", seed, "of the maps and the edits")->capture_default_str();
+  std::string planner = "jps";
+  bool only_planner = false;
+  int side = 2048;
+  app.add_option("--planner", planner, "asked a query after each edit")->capture_default_str();
+  app.add_flag("--only-planner", only_planner, "leave out the repairs of free spaces");
+  app.add_option("--side", side, "of the planner's maps, in cells")
+      ->check(CLI::Range(16, 16384))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   wend::bench::stay_on_one_core();
-  for (const auto& setting : wend::bench::kSettings) wend::bench::run(setting, count, seed);
-  return 0;
+  if (!only_planner) {
+    for (const auto& setting : wend::bench::kSettings) wend::bench::run(setting, count, seed);
+  }
+  return wend::bench::run_next_queries(planner, side, std::min(count, 100), seed);
 }

@@ -135,9 +135,10 @@ int main(int argc, char** argv) {
   CLI::Option* planner = app.add_option("--planner", arguments.planners,
                                         "a list, as astar,dijkstra or astar:weight=2,bfs")
                              ->capture_default_str();
-  app.add_flag(
-      "--fresh", arguments.plan.fresh,
-      "time a planner made for each query, making it counted; jps unless planners are named");
+  app.add_flag("--fresh", arguments.plan.fresh,
+               "time a planner made for each query, making it counted, on a space that planners "
+               "share and on a new one; jps "
+               "unless planners are named");
   app.add_option("--sample", arguments.plan.sample, "queries a map, evenly spread")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

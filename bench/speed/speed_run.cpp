@@ -78,6 +78,20 @@ class Entry {
     timing_.fresh_us = timing_.fresh_us == 0 ? mean : std::min(timing_.fresh_us, mean);
   }
 
+  /// The same on a space that no planner has seen. Making it and its components is not counted.
+  void time_alone(const std::vector<ScenarioQuery>& queries) {
+    double seconds = 0;
+    for (const ScenarioQuery& query : queries) {
+      const FreeSpace apart = *make_free_space(space_.map(), space_.options());
+      static_cast<void>(apart.components());
+      seconds += seconds_of(cpu_clock(), [&] {
+        (*make(apart))->plan(Query::between(query.start, query.goal), plan_);
+      });
+    }
+    const double mean = kMicroseconds * seconds / static_cast<double>(queries.size());
+    timing_.alone_us = timing_.alone_us == 0 ? mean : std::min(timing_.alone_us, mean);
+  }
+
   /// Checks the kept planner's answers, not timed. Sets how many cells the paths have.
   void check(const std::vector<ScenarioQuery>& queries, double& path_cells) {
     path_cells = 0;
@@ -108,9 +122,10 @@ class Entry {
   const Timing& timing() const { return timing_; }
 
  private:
-  PlannerResult make() const {
-    return info_.index_support ? info_.index_support->make_planner(space_, options_, index_)
-                               : info_.make(space_, options_);
+  PlannerResult make() const { return make(space_); }
+  PlannerResult make(const FreeSpace& space) const {
+    return info_.index_support ? info_.index_support->make_planner(space, options_, index_)
+                               : info_.make(space, options_);
   }
 
   PlannerInfo info_;
@@ -141,7 +156,10 @@ Expected<MapTimings, Error> time_map(const SpeedMap& map, const SpeedPlan& plan)
   for (int round = 0; round < plan.rounds; ++round) {
     for (Entry& entry : entries) entry.time_later(sample);
     if (!plan.fresh) continue;
-    for (Entry& entry : std::span(entries).subspan(1)) entry.time_fresh(sample);
+    for (Entry& entry : std::span(entries).subspan(1)) {
+      entry.time_fresh(sample);
+      entry.time_alone(sample);
+    }
   }
   for (const Entry& entry : entries) timings.planners.push_back(entry.timing());
   return timings;
@@ -162,10 +180,11 @@ Expected<std::vector<MapTimings>, Error> run_speed(
   return all;
 }
 
-double fresh_ratio_of(const std::vector<MapTimings>& maps, std::size_t planner) {
+double fresh_ratio_of(const std::vector<MapTimings>& maps, std::size_t planner,
+                      double Timing::* time) {
   double sum = 0;
   for (const MapTimings& map : maps) {
-    sum += std::log(map.planners.front().later_us / map.planners[planner].fresh_us);
+    sum += std::log(map.planners.front().later_us / map.planners[planner].*time);
   }
   return std::exp(sum / static_cast<double>(maps.size()));
 }

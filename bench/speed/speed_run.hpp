@@ -24,7 +24,8 @@ struct Timing {
   double prepare_us = 0;  // to make a planner, with its index if it has one
   double first_us = 0;
   double later_us = 0;
-  double fresh_us = 0;    // a planner made for each query, both counted; 0 for Boost
+  double fresh_us = 0;    // a planner made for each query, both counted, on one space; 0 for Boost
+  double alone_us = 0;    // the same on a new space for each query, which is not counted
   double expanded = 0;    // a later query
   std::size_t wrong = 0;  // answers that disagree with the scenario
 };
@@ -53,7 +54,8 @@ Expected<std::vector<MapTimings>, Error> run_speed(
 /// How many times as fast as Boost a planner is, by its place in MapTimings::planners.
 SpeedRatios ratios_of(const std::vector<MapTimings>& maps, std::size_t planner);
 
-/// The same for fresh planners (SpeedPlan::fresh), against later queries of Boost.
-double fresh_ratio_of(const std::vector<MapTimings>& maps, std::size_t planner);
+/// The same for a time of the planner, Timing::fresh_us or alone_us, against later queries of Boost.
+double fresh_ratio_of(const std::vector<MapTimings>& maps, std::size_t planner,
+                      double Timing::* time);
 
 }  // namespace wend::bench

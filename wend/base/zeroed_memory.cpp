@@ -1,25 +1,12 @@
 #include "wend/base/zeroed_memory.hpp"
 
-#include <cstdint>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "wend/base/large_pages.hpp"
 
 namespace wend {
 
 void* zeroed_memory(std::size_t count, std::size_t size) {
   void* const memory = std::calloc(count, size);
-#ifdef __linux__
-  constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21U;
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
-  const std::uintptr_t last = (begin + count * size) / kLargePage * kLargePage;
-  if (memory != nullptr && last > first + kLargePage) {
-    char* const from = static_cast<char*>(memory) + (first - begin);
-    static_cast<void>(::madvise(from, last - first, MADV_HUGEPAGE));  // failure costs only speed
-  }
-#endif
+  ask_for_large_pages(memory, count * size);
   return memory;
 }
 

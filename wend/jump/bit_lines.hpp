@@ -57,6 +57,14 @@ class BitLines {
     words_[bit / kWordBits] &= ~(std::uint64_t{1} << (bit % kWordBits));
   }
 
+  void assign(int line, int at, bool value) {
+    if (value) {
+      set(line, at);
+    } else {
+      reset(line, at);
+    }
+  }
+
   /// The distance from `at` to the next set bit after it; there must be one in the line or its
   /// border.
   int distance_ahead(int line, int at) const {
@@ -156,18 +164,32 @@ constexpr BitLines::Diagonals diagonals_along(Direction diagonal) {
              : BitLines::Diagonals::falling_left;
 }
 
-/// The number of steps from a cell to the next set bit in a direction: `lines` are columns for steps
-/// along y, rows for steps along x, and for diagonal steps the lines of diagonals() of a grid with
-/// this number of rows.
+/// The line and the place in it of a cell on the lines that a direction follows: columns for steps along y, rows
+/// for steps along x, and for diagonal steps the lines of diagonals() of a grid with this number of rows.
+struct LinePlace {
+  int line;
+  int at;
+};
+
+constexpr LinePlace line_place(Direction direction, Cell cell, int rows) {
+  const Cell way = kDirectionSteps[static_cast<std::size_t>(direction)];
+  if (is_diagonal(direction)) {
+    return {diagonal_line(diagonals_along(direction), cell, rows), cell.y};
+  }
+  return way.y == 0 ? LinePlace{cell.y, cell.x} : LinePlace{cell.x, cell.y};
+}
+
+/// Does a direction lead towards greater places of its lines?
+constexpr bool leads_ahead(Direction direction) {
+  const Cell way = kDirectionSteps[static_cast<std::size_t>(direction)];
+  return way.y == 0 ? way.x > 0 : way.y > 0;
+}
+
+/// The number of steps from a cell to the next set bit in a direction, on the lines that it follows.
 template <Direction kDirection>
 int distance_to_bit(const BitLines& lines, Cell from, int rows) {
-  constexpr Cell kStep = kDirectionSteps[static_cast<std::size_t>(kDirection)];
-  const int line = is_diagonal(kDirection) ? diagonal_line(diagonals_along(kDirection), from, rows)
-                   : kStep.y == 0          ? from.y
-                                           : from.x;
-  const int at = kStep.y == 0 ? from.x : from.y;
-  constexpr bool kAhead = kStep.y == 0 ? kStep.x > 0 : kStep.y > 0;
-  return kAhead ? lines.distance_ahead(line, at) : lines.distance_back(line, at);
+  const auto [line, at] = line_place(kDirection, from, rows);
+  return leads_ahead(kDirection) ? lines.distance_ahead(line, at) : lines.distance_back(line, at);
 }
 
 /// A board of the same size as `board`, whose words are word_at(line, i).

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/map/bit_grid.hpp"
 
 namespace wend {
@@ -34,6 +35,9 @@ class ColumnTiles {
       prepare_around(tile);
   }
 
+  /// Turns the tiles of a box of the grid anew when they are next prepared.
+  void forget(const CellBox& box);
+
   /// The words of a column, which may lie one outside.
   const std::uint64_t* line(int x) const {
     return words_.get() + static_cast<std::size_t>(x + 1) * line_words_;
@@ -43,6 +47,8 @@ class ColumnTiles {
 
  private:
   [[gnu::noinline]] void prepare_around(std::size_t tile);
+  template <class Visit>
+  void visit_around(std::size_t tile, Visit&& visit);
   void turn(std::size_t tile);
 
   const BitGrid* bits_;

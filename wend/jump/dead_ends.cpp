@@ -233,16 +233,27 @@ void OpenDeadEnds::open_for(Cell start, std::span<const Cell> goals) {
     query_ = 1;
   }
   opened_[DeadEnds::kCore] = query_;
-  open(start);
-  for (const Cell goal : goals) open(goal);
+  open(number(start));
+  for (const Cell goal : goals) open(number(goal));
+  for (const std::uint32_t kept : kept_open_) open(kept);
 }
 
-void OpenDeadEnds::open(Cell cell) {
-  push(dead_ends_->number(cell));
+void OpenDeadEnds::keep_open(std::span<const Cell> cells) {
+  for (const Cell cell : cells) {
+    const std::uint32_t here = number(cell);
+    if (here != DeadEnds::kCore) kept_open_.push_back(here);
+  }
+  std::ranges::sort(kept_open_);
+  const auto repeated = std::ranges::unique(kept_open_);
+  kept_open_.erase(repeated.begin(), repeated.end());
+}
+
+void OpenDeadEnds::open(std::uint32_t first) {
+  push(first);
   while (!pending_.empty()) {
-    const std::uint32_t number = pending_.back();
+    const std::uint32_t next = pending_.back();
     pending_.pop_back();
-    for (const std::uint32_t exit : dead_ends_->exits(number)) push(exit);
+    for (const std::uint32_t exit : dead_ends_->exits(next)) push(exit);
   }
 }
 

@@ -15,6 +15,9 @@
 // A search that jumps needs this only for jump points, so dead ends without jump points are never
 // opened.
 //
+// After an edit of the map the argument still holds if the changed cells and those next to them are opened for
+// every query, too: all other dead ends touch one run, as before, in which a path can stay.
+//
 //   const auto dead_ends = std::make_shared<const wend::DeadEnds>(boards);
 //   wend::OpenDeadEnds open(dead_ends);
 //   open.open_for(start, goals);
@@ -73,6 +76,9 @@ class OpenDeadEnds {
   /// dead ends).
   void open_for(Cell start, std::span<const Cell> goals);
 
+  /// Opens the dead ends of these cells for all queries that follow.
+  void keep_open(std::span<const Cell> cells);
+
   /// The dead end that a cell is in.
   std::uint32_t number(Cell cell) const { return dead_ends_->number(cell); }
 
@@ -80,13 +86,14 @@ class OpenDeadEnds {
   bool contains(std::uint32_t number) const { return opened_[number] == query_; }
 
  private:
-  void open(Cell cell);
+  void open(std::uint32_t first);
   void push(std::uint32_t number);
 
   std::shared_ptr<const DeadEnds> dead_ends_;
   std::uint32_t query_ = 0;
   std::vector<std::uint32_t> opened_;  // by number: the query that it was opened for last
   std::vector<std::uint32_t> pending_;
+  std::vector<std::uint32_t> kept_open_;
 };
 
 }  // namespace wend

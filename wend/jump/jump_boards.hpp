@@ -11,11 +11,15 @@
 // says whether the next stop is a jump point: a ray. A diagonal run matters only where one of its two
 // straight directions has a ray, so it stops there, or at its last cell.
 //
-// Immutable. O(cells) to build, about 26 bits per cell.
+// O(cells) to build, about 26 bits per cell. An edit of the map changes only bits near it, and along the lines
+// of cells that pass it: repair().
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/geometry/direction.hpp"
 #include "wend/jump/bit_lines.hpp"
 #include "wend/map/bit_grid.hpp"
@@ -41,6 +45,11 @@ class Sight {
 
   /// `from` is passable; the other cell is any cell of the map.
   bool sees(Cell from, Cell to) const;
+
+  /// Takes the cells of a box anew. O(cells of the box).
+  void repair(const BitGrid& passable, const CellBox& box);
+
+  friend bool operator==(const Sight&, const Sight&) = default;
 
  private:
   bool diagonal_is_free(Cell from, Cell to) const;
@@ -75,6 +84,11 @@ class JumpBoards {
                                        height());
   }
 
+  /// Where runs in a direction stop, as distance_to_bit() takes them.
+  const BitLines& stops(Direction direction) const {
+    return stops_[static_cast<std::size_t>(direction)];
+  }
+
   /// Is there a jump point before its end on the straight part of the path that Sight follows between two cells?
   /// For cells in sight.
   bool passes_jump(Cell from, Cell to) const;
@@ -86,7 +100,24 @@ class JumpBoards {
   /// The jump points of all four directions, by rows. O(cells).
   BitLines jump_points() const;
 
+  /// Is the cell a jump point for any direction of travel?
+  bool is_jump_point(Cell cell) const;
+
+  /// Makes the boards those of a map that differs from theirs in these boxes of cells only.
+  /// O(cells of the boxes and of the runs that pass them).
+  void repair(const BitGrid& passable, std::span<const CellBox> boxes);
+
+  friend bool operator==(const JumpBoards&, const JumpBoards&) = default;
+
  private:
+  bool is_jump_point(Direction ahead, Cell cell) const;
+  bool is_legal(Direction diagonal, Cell cell) const;
+  bool stops_at(Direction direction, Cell cell) const;
+  void set_stop(Direction direction, Cell cell, bool stops);
+  void set_move(Direction direction, Cell cell, bool moves);
+  void repair_rays(Direction ahead, const CellBox& around, std::vector<Cell>& changed);
+  void repair_diagonal_stops(Cell cell);
+
   Sight sight_;
   std::array<BitLines, kDirections> stops_;  // as distance_to_bit() takes them
   Grid<DirectionSet> moves_;

@@ -20,7 +20,8 @@ JumpGraph::JumpGraph(std::shared_ptr<const JumpBoards> boards)
       for (int y = top; y < std::min(top + kTileRows, board_.lines()); ++y) number_word(y, word);
     }
   }
-  forced_.reserve(cells_.size());
+  cells_.reserve(size_after_edits());
+  forced_.reserve(size_after_edits());
   for (const Cell cell : cells_) forced_.push_back(forced_at(cell));
 }
 
@@ -31,6 +32,47 @@ void JumpGraph::number_word(int y, std::size_t word) {
   for (std::uint64_t bits = words[word]; bits != 0; bits &= bits - 1) {
     const auto bit = word * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
     cells_.push_back({static_cast<int>(bit) - 1, y});
+  }
+}
+
+/// The patch of the word of a cell, made of the numbers that its jump points have.
+JumpGraph::Patch& JumpGraph::patch_of(Cell cell) {
+  const auto words = board_.words(cell.y);
+  const std::size_t word = static_cast<std::size_t>(cell.x + 1) / kWordBits;
+  std::uint32_t& before = before_[static_cast<std::size_t>(cell.y) * words.size() + word];
+  if ((before & kPatched) == 0) {
+    Patch patch;
+    patch.fill(kNone);
+    std::uint32_t number = before;
+    for (std::uint64_t bits = words[word]; bits != 0; bits &= bits - 1) {
+      patch[static_cast<std::size_t>(std::countr_zero(bits))] = number++;
+    }
+    before = static_cast<std::uint32_t>(patches_.size()) | kPatched;
+    patches_.push_back(patch);
+  }
+  return patches_[before & ~kPatched];
+}
+
+void JumpGraph::repair(std::span<const CellBox> boxes) {
+  for (const CellBox& box : boxes) {
+    const CellBox around = box.grown_by(1).clipped_to(*boards_);
+    for (int y = around.begin.y; y < around.end.y; ++y) {
+      for (int x = around.begin.x; x < around.end.x; ++x) {
+        const Cell cell{x, y};
+        const bool jumps = boards_->is_jump_point(cell);
+        if (jumps != is_jump_point(cell)) {
+          Patch& patch = patch_of(cell);
+          board_.assign(y, x, jumps);
+          std::uint32_t& number = patch[static_cast<std::size_t>(x + 1) % kWordBits];
+          if (jumps && number == kNone) {
+            number = static_cast<std::uint32_t>(cells_.size());
+            cells_.push_back(cell);
+            forced_.push_back(0);
+          }
+        }
+        if (jumps) forced_[number_of(cell)] = forced_at(cell);
+      }
+    }
   }
 }
 

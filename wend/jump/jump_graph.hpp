@@ -9,14 +9,18 @@
 //   const wend::JumpGraph graph(boards);
 //   graph.append_jumps(graph.cell(jump.number()), graph.directions(jump), jumps);
 //
-// Jump points are numbered tile by tile, so that near ones lie near each other in memory. Immutable. 12
-// bytes per 64 cells and 9 per jump point; at most 2^29 jump points.
+// Jump points are numbered tile by tile, so that near ones lie near each other in memory. 12 bytes per 64 cells
+// and 9 per jump point; at most 2^29 jump points.
+//
+// After an edit of the map, repair() numbers the new jump points behind all others. The others keep their numbers,
+// and the number of one that is gone waits for its cell to become one again.
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "wend/geometry/cell.hpp"
@@ -52,7 +56,7 @@ class JumpGraph {
 
   const JumpBoards& boards() const { return *boards_; }
 
-  /// The number of jump points.
+  /// The number of numbers: of jump points, and of cells that were some before an edit.
   std::size_t size() const { return cells_.size(); }
   Cell cell(std::uint32_t number) const { return cells_[number]; }
 
@@ -76,6 +80,16 @@ class JumpGraph {
     return kLeaving[jump.arrival()][forced_[jump.number()] >> (2 * jump.arrival()) & 3U];
   }
 
+  bool is_jump_point(Cell cell) const { return board_.get(cell.y, cell.x); }
+  /// The number of a jump point.
+  std::uint32_t number_of(Cell cell) const;
+
+  /// Room for this many numbers saves copies of all others after an edit.
+  std::size_t size_after_edits() const { return size() + size() / 64 + 256; }
+
+  /// Follows boards() after JumpBoards::repair() with these boxes. O(cells of the boxes).
+  void repair(std::span<const CellBox> boxes);
+
   /// Calls visit(jump) for the next jump points from any cell in these directions, until it returns
   /// false.
   template <class Visit>
@@ -89,8 +103,13 @@ class JumpGraph {
   }
 
  private:
+  /// The numbers of the places of a word that has been repaired; kNone where there has been no jump point.
+  using Patch = std::array<std::uint32_t, 64>;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::uint32_t kPatched = std::uint32_t{1} << 31U;
+
   void number_word(int y, std::size_t word);
-  std::uint32_t number_of(Cell cell) const;
+  Patch& patch_of(Cell cell);
   std::uint8_t forced_at(Cell cell) const;
 
   template <Direction kStraight>
@@ -99,10 +118,12 @@ class JumpGraph {
   bool sweep(Cell from, Visit& visit) const;
 
   std::shared_ptr<const JumpBoards> boards_;
-  BitLines board_;                     // the jump points, by rows
-  std::vector<std::uint32_t> before_;  // by word of the board: the number of its first jump point
-  std::vector<Cell> cells_;            // by number
-  std::vector<std::uint8_t> forced_;   // by number: two bits for each arrival
+  BitLines board_;  // the jump points, by rows
+  std::vector<std::uint32_t>
+      before_;  // by word of the board: the number of its first jump point, or its patch
+  std::vector<Patch> patches_;
+  std::vector<Cell> cells_;           // by number
+  std::vector<std::uint8_t> forced_;  // by number: two bits for each arrival
 };
 
 inline std::uint32_t JumpGraph::number_of(Cell cell) const {
@@ -111,8 +132,10 @@ inline std::uint32_t JumpGraph::number_of(Cell cell) const {
   const auto bit = static_cast<std::size_t>(cell.x + 1);
   const std::uint64_t below = (std::uint64_t{1} << (bit % kWordBits)) - 1;
   const std::size_t word = bit / kWordBits;
-  return before_[static_cast<std::size_t>(cell.y) * words.size() + word] +
-         static_cast<std::uint32_t>(std::popcount(words[word] & below));
+  const std::uint32_t before = before_[static_cast<std::size_t>(cell.y) * words.size() + word];
+  if ((before & kPatched) != 0) [[unlikely]]
+    return patches_[before & ~kPatched][bit % kWordBits];
+  return before + static_cast<std::uint32_t>(std::popcount(words[word] & below));
 }
 
 template <Direction kStraight>

@@ -50,7 +50,7 @@ bool JumpScan::is_free(Cell from, int steps) {
 bool JumpScan::diagonal_is_free(Cell from, Cell to) const {
   if (from == to) return true;
   const Direction diagonal = direction_of({to.x > from.x ? 1 : -1, to.y > from.y ? 1 : -1});
-  const unsigned needed = needs(diagonal);
+  const unsigned needed = BlockDirections::needed_by(diagonal);
   for (Cell at = from; at != to; at = step(at, diagonal)) {
     if ((passable_->block(at) & needed) != needed) return false;
   }

@@ -13,14 +13,15 @@
 // One thread.
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/geometry/direction.hpp"
+#include "wend/jump/block_directions.hpp"
 #include "wend/jump/column_tiles.hpp"
 #include "wend/map/bit_grid.hpp"
 
@@ -49,7 +50,7 @@ class JumpScan {
 
   /// The directions in which a path leaves a jump point: straight on, and past the obstacles beside it.
   DirectionSet directions(const ScannedJump& jump) const {
-    return kLeaving[jump.arrival][passable_->block(jump.cell)];
+    return BlockDirections::kLeaving[jump.arrival][passable_->block(jump.cell)];
   }
 
   /// Calls visit(jump) for the next jump points from a cell in these directions, until it returns false.
@@ -62,6 +63,9 @@ class JumpScan {
 
   /// Is there a jump point on the straight part of that path, before its end? For cells in sight.
   bool passes_jump(Cell from, Cell to);
+
+  /// Reads the cells of a box anew, because they have changed.
+  void forget(const CellBox& box) { columns_.forget(box); }
 
   /// The number of scans so far: a measure of the time spent.
   std::uint64_t scans() const { return scans_; }
@@ -119,67 +123,12 @@ class JumpScan {
   bool is_free(Cell from, int steps);
   bool diagonal_is_free(Cell from, Cell to) const;
 
-  /// The bit of a neighbour in BitGrid::block().
-  static constexpr unsigned block_bit(Direction direction) {
-    const Cell way = kDirectionSteps[static_cast<std::size_t>(direction)];
-    return 1U << static_cast<unsigned>(3 * (1 - way.y) + 1 + way.x);
-  }
-  /// The cells of a block that a diagonal step needs.
-  static constexpr unsigned needs(Direction diagonal) {
-    return block_bit(diagonal) | block_bit(turned(diagonal, -1)) | block_bit(turned(diagonal, 1));
-  }
-
-  static constexpr std::size_t kBlocks = 512;
-  static constexpr std::size_t kArrivalCount = 4;
-  using LeavingTable = std::array<std::array<DirectionSet, kBlocks>, kArrivalCount>;
-  static constexpr LeavingTable make_leaving();
-  static const LeavingTable kLeaving;
-  using PossibleTable = std::array<DirectionSet, kBlocks>;
-  static constexpr PossibleTable make_possible();
-  static const PossibleTable kPossible;
-
   const BitGrid* passable_;
   const std::uint64_t* rows_;  // of row 0
   std::ptrdiff_t row_words_;
   ColumnTiles columns_;
   std::uint64_t scans_ = 0;
 };
-
-constexpr JumpScan::LeavingTable JumpScan::make_leaving() {
-  LeavingTable table{};
-  for (unsigned arrival = 0; arrival < kArrivalCount; ++arrival) {
-    const auto ahead = static_cast<Direction>(2 * arrival);
-    for (unsigned block = 0; block < kBlocks; ++block) {
-      const auto free = [block](Direction at) { return (block & block_bit(at)) != 0; };
-      unsigned set = set_of(ahead);
-      for (const int side : {1, -1}) {
-        const bool forced = free(opposite(ahead)) && free(turned(ahead, 2 * side)) &&
-                            !free(turned(ahead, 3 * side));
-        if (forced) set |= set_of(turned(ahead, side)) | set_of(turned(ahead, 2 * side));
-      }
-      table[arrival][block] = static_cast<DirectionSet>(set);
-    }
-  }
-  return table;
-}
-
-/// The directions in which a step is legal.
-constexpr JumpScan::PossibleTable JumpScan::make_possible() {
-  PossibleTable table{};
-  for (unsigned block = 0; block < kBlocks; ++block) {
-    unsigned set = 0;
-    for (unsigned i = 0; i < kDirections; ++i) {
-      const auto direction = static_cast<Direction>(i);
-      const unsigned needed = is_diagonal(direction) ? needs(direction) : block_bit(direction);
-      if ((block & needed) == needed) set |= set_of(direction);
-    }
-    table[block] = static_cast<DirectionSet>(set);
-  }
-  return table;
-}
-
-inline constexpr JumpScan::PossibleTable JumpScan::kPossible = JumpScan::make_possible();
-inline constexpr JumpScan::LeavingTable JumpScan::kLeaving = JumpScan::make_leaving();
 
 /// Reads a line from a cell on, or back from it: kWindow cells or more.
 template <bool kAhead>
@@ -298,7 +247,7 @@ bool JumpScan::sweep(Cell from, Visit& visit) {
 template <class Visit>
 void JumpScan::visit_jumps(Cell from, DirectionSet directions, Visit&& visit) {
   using enum Direction;
-  directions &= kPossible[passable_->block(from)];
+  directions &= BlockDirections::kLegal[passable_->block(from)];
   if ((directions & set_of(plus_y)) != 0 && !shoot<plus_y>(from, visit)) return;
   if ((directions & set_of(plus_x)) != 0 && !shoot<plus_x>(from, visit)) return;
   if ((directions & set_of(minus_y)) != 0 && !shoot<minus_y>(from, visit)) return;

@@ -12,16 +12,22 @@
 //   wend::ShortcutGraph graph(std::make_shared<const wend::JumpGraph>(boards));
 //   for (const wend::Shortcut& shortcut : graph.shortcuts(jump)) reach(shortcut);
 //
-// 16 bytes per jump point, and 16 for each shortcut found where there is a choice. One thread.
+// After an edit of the map, repair() forgets the shortcuts that the edit may have changed.
+//
+// 16 bytes per jump point, 16 for each shortcut found where there is a choice, and 16 for each list of them. One
+// thread.
 
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/jump/jump_graph.hpp"
 #include "wend/space/grid/octile.hpp"
 
@@ -46,6 +52,9 @@ class CoarsePlace {
   CoarsePlace() = default;
   constexpr CoarsePlace(int x, int y)
       : bytes_(static_cast<std::uint32_t>(x | y << 8 | (kLast - x) << 16 | (kLast - y) << 24)) {}
+  /// The greatest x and y of a box, and the least ones, which lie farthest from the other end.
+  constexpr CoarsePlace(CoarsePlace greatest, CoarsePlace least)
+      : bytes_((greatest.bytes_ & 0xFFFFU) | (least.bytes_ & 0xFFFF0000U)) {}
 
  private:
   friend class CoarseBox;
@@ -64,6 +73,11 @@ class CoarseRaster {
             std::clamp(cell.y >> shift_, 0, CoarsePlace::kLast)};
   }
 
+  /// What CoarseBox::may_hold() takes to tell whether it may hold any cell of a box.
+  constexpr CoarsePlace any_place_of(const CellBox& box) const {
+    return {place({box.end.x - 1, box.end.y - 1}), place(box.begin)};
+  }
+
  private:
   int shift_ = 0;
 };
@@ -71,13 +85,9 @@ class CoarseRaster {
 /// Empty at first.
 class CoarseBox {
  public:
-  constexpr void include(CoarsePlace place) {
-    std::uint32_t least = 0;
-    for (unsigned bit = 0; bit < 32; bit += 8) {
-      least |= std::min(least_ >> bit & 0x7FU, place.bytes_ >> bit & 0x7FU) << bit;
-    }
-    least_ = least;
-  }
+  constexpr void include(CoarsePlace place) { include_bytes(place.bytes_); }
+
+  constexpr void include(const CoarseBox& other) { include_bytes(other.least_); }
 
   /// Is no byte of the place less than the least? No byte borrows from the next: its highest bit is
   /// set before, and stays set if and only if it was not less.
@@ -86,6 +96,14 @@ class CoarseBox {
   }
 
  private:
+  constexpr void include_bytes(std::uint32_t bytes) {
+    std::uint32_t least = 0;
+    for (unsigned bit = 0; bit < 32; bit += 8) {
+      least |= std::min(least_ >> bit & 0x7FU, bytes >> bit & 0x7FU) << bit;
+    }
+    least_ = least;
+  }
+
   static constexpr std::uint32_t kHighest = 0x80808080U;
 
   std::uint32_t least_ = 0x7F7F7F7FU;  // by byte; no place is as large in all bytes
@@ -176,6 +194,13 @@ class ShortcutGraph {
     return ShortcutList(shortcuts_.data() + link);
   }
 
+  /// Follows jumps() after an edit in these boxes. `changed`: the jumps from which a search may go on differently.
+  /// O(jumps and cells before these jumps); if there are many, O(lists of shortcuts).
+  void repair(std::span<const CellBox> boxes, std::span<const Jump> changed);
+
+  /// The same if it is not known which jumps have changed: forgets everything. O(jump points).
+  void forget();
+
   /// The only successor of a jump point that a shortcut passes.
   Jump only_next(Jump passed) const {
     const Link link = links_[passed.code()];
@@ -201,6 +226,8 @@ class ShortcutGraph {
   static constexpr Link kNone = kUnknown - 1;
   static constexpr Link kSeveral = kUnknown - 2;
 
+  static constexpr Jump kNobody{~std::uint32_t{0}};
+
   static bool is_list(Link link) { return link < kIsJump; }
   static bool is_jump(Link link) { return link >= kIsJump && link < kSeveral; }
   bool is_only_jump(Link link) const {
@@ -211,8 +238,29 @@ class ShortcutGraph {
     const Link link = links_[jump.code()];
     return link == kUnknown ? find(jump) : link;
   }
+  /// The shortcuts of a jump point.
+  struct List {
+    Link first;
+    Jump from;       // kNobody: forgotten
+    CoarseBox seen;  // by the jump points that they pass
+    CoarseBox ends;  // where the shortcuts end
+  };
+
+  /// What an edit has changed.
+  struct Edits {
+    std::vector<CoarsePlace> boxes;
+    CoarsePlace changed;  // a box around the jump points of changed jumps
+  };
+
   Link find(Jump jump);
   Link make_list(Jump from);
+  Edits edits_in(std::span<const CellBox> boxes, std::span<const Jump> changed) const;
+  bool may_have_changed(const List& list, const Edits& edits) const;
+  void forget_list(List& list);
+  void forget_list_of(Jump from);
+  bool leads_to(Link list, Jump first) const;
+  bool forget_before(std::span<const Jump> changed);
+  void compact();
   void extend(Shortcut& shortcut);
   void look_around(Jump jump, CoarseBox& seen) const;
   template <Direction kStraight>
@@ -222,11 +270,14 @@ class ShortcutGraph {
 
   std::shared_ptr<const JumpGraph> jumps_;
   CoarseRaster raster_;
-  std::vector<Link> links_;          // by the code of a jump
-  std::vector<Shortcut> shortcuts_;  // lists
-  std::vector<Jump> next_;           // of the list being made
-  std::vector<Shortcut> dead_;       // of the list being made
-  std::vector<Jump> passed_;         // by the shortcut being made
+  std::vector<Link, LargePages<Link>> links_;              // by the code of a jump
+  std::vector<Shortcut, LargePages<Shortcut>> shortcuts_;  // lists
+  std::vector<List> lists_;    // in the order of their shortcuts, without those that were forgotten
+  std::size_t forgotten_ = 0;  // shortcuts
+  std::vector<bool> changed_;  // by the code of a jump: while it is repaired
+  std::vector<Jump> next_;     // of the list being made
+  std::vector<Shortcut, LargePages<Shortcut>> dead_;  // of the list being made
+  std::vector<Jump> passed_;                          // by the shortcut being made
 };
 
 }  // namespace wend

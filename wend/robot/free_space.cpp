@@ -199,6 +199,7 @@ Expected<SpaceChange, Error> FreeSpace::edit(const MapEdit& edit) {
   if (ConnectedComponents* components = data.components.changeable()) {
     for (const CellBox& box : change.boxes) components->repair(data.passable, box);
   }
+  if (!change.none()) data.attachments.space_edited(change);
   return change;
 }
 

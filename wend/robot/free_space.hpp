@@ -54,6 +54,7 @@
 #include "wend/map/obstacles.hpp"
 #include "wend/robot/footprint.hpp"
 #include "wend/robot/motion_primitives.hpp"
+#include "wend/robot/space_attachments.hpp"
 #include "wend/robot/space_change.hpp"
 
 namespace wend {
@@ -212,6 +213,15 @@ class WEND_API FreeSpace {
     return data_->components.get([this] { return ConnectedComponents(passable()); });
   }
 
+  /// What planners have prepared for this space, a SpaceAttachment of type T: make() makes it when somebody first
+  /// asks for it, as a std::shared_ptr, and copies of the space share it, also between threads. An edit in place
+  /// tells it what has changed; if somebody else holds it then, or the edit copies the space, the edited space
+  /// begins without it.
+  template <class T, class Make>
+  std::shared_ptr<T> attachment(Make&& make) const {
+    return data_->attachments.template get<T>(std::forward<Make>(make));
+  }
+
   /// Changes cells of the map, and what follows from them as far as they reach; other copies keep what
   /// they were. The result is the same as if the space were made of the edited map. Fails as
   /// GridMap::edit() and make_free_space() do, and changes nothing then.
@@ -242,6 +252,7 @@ class WEND_API FreeSpace {
     BitGrid possible;  // empty if it is the same
     CostMap costs;
     Lazy<ConnectedComponents> components = {};
+    SpaceAttachments attachments = {};
 
     Data(Obstacles its_obstacles, Robot its_robot);
     /// Computes what follows from a box of cells in which the map has changed. Returns the box in which

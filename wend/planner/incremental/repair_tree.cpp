@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "wend/planner/grid/whole_estimate.hpp"
-#include "wend/planner/incremental/repair_node.hpp"
 #include "wend/planner/widening_engine.hpp"
 #include "wend/search/bucket_queue.hpp"
 #include "wend/search/limit_check.hpp"
@@ -95,7 +94,7 @@ class RepairTree final : public GridEngine {
 
  private:
   using Grid = CostGrid<Word>;
-  using Node = RepairNode<Cost>;
+  using Node = MoveNode<Cost>;
 
   struct Entry {
     Cost g;
@@ -184,9 +183,7 @@ class RepairTree final : public GridEngine {
     }
     for (const StateId id : beside_) {
       Node& node = nodes_[id];
-      if (!nodes_.reached(node)) continue;
-      node.mark();
-      if (!node.closed()) continue;
+      if (!nodes_.reached(node) || !node.closed()) continue;
       node.reopen();
       queue_.push_anywhere(key_of(id, node.g), {node.g, id});
     }
@@ -304,7 +301,7 @@ class RepairTree final : public GridEngine {
     count_expansion(id);
     const Word word = words_[id];
     const std::uint64_t steps = Grid::steps(word);
-    unsigned moves = grid_->moves(node.marked() ? kNoMove : node.arrival(), word);
+    unsigned moves = grid_->moves(node.arrival(), word);
     for (; moves != 0; moves &= moves - 1) {
       const auto direction = static_cast<unsigned>(std::countr_zero(moves));
       const StateId next = grid_->neighbour(id, direction);
@@ -325,9 +322,7 @@ class RepairTree final : public GridEngine {
       overflown_ = true;
       return;
     }
-    const bool marked = reached && node.marked();
     nodes_.open(node, static_cast<Cost>(g), arrival);
-    if (marked) node.mark();
     queue_.push_anywhere(key, {static_cast<Cost>(g), id});
     metrics_.generated += reached ? 0 : 1;
     if (observer_ != nullptr) tell_reached(id, reached);
@@ -363,7 +358,7 @@ class RepairTree final : public GridEngine {
   std::shared_ptr<const Grid> grid_;
   const Word* words_;
   WholeEstimate<Units> estimate_;  // to the start
-  RepairNodes<Cost> nodes_;
+  NodeTable<Node> nodes_;
   BucketQueue<Entry> queue_;
   std::size_t kept_entries_ = 0;  // when stale ones were last dropped
   bool started_ = false;          // is there a tree?

@@ -10,9 +10,12 @@
 //
 // After an edit the tree is cut: nodes whose own cost changed, nodes whose move from the parent is no longer legal,
 // and all their descendants are forgotten. What survives is a set of legal paths with the right costs. Every
-// survivor beside a change or a forgotten node is opened again, and marked: it is expanded with all of its moves,
-// because the way around that its class of cells relied on (CostGrid) may be gone. Then the search goes on until
-// no open node can lead to the start more cheaply.
+// survivor beside a change or a forgotten node is opened again. Then the search goes on until no open node can
+// lead to the start more cheaply.
+//
+// The moves that the class of a cell leaves out (CostGrid) need no more than that. A move is left out because a way
+// over another neighbour is as good, and ends with a straight move, which is only left out where it is worse. If
+// that neighbour, or the end, was forgotten, what leads there is beside it.
 //
 // Other goals, a new least cost of all cells, or more edits than the grid's log holds, begin a new tree.
 

@@ -7,11 +7,14 @@
 // a path is better, and starting a search takes no time. When the numbers of searches run out, all nodes
 // are cleared once and the numbers start again.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/jump/jump_graph.hpp"
@@ -37,11 +40,17 @@ class JumpNodes {
     Cost g() const { return static_cast<Cost>(stamp); }
   };
 
-  explicit JumpNodes(std::size_t count) : nodes_(count) {}
+  /// `most`: how many there may be after resize() without a copy of all.
+  explicit JumpNodes(std::size_t count, std::size_t most = 0) {
+    nodes_.reserve(std::max(count, most));
+    nodes_.resize(count);
+  }
 
   std::size_t size() const { return nodes_.size(); }
   Node& operator[](StateId id) { return nodes_[id]; }
   const Node& operator[](StateId id) const { return nodes_[id]; }
+
+  void resize(std::size_t count) { nodes_.resize(count); }
 
   /// Forgets the last search.
   void begin_search() {
@@ -62,7 +71,7 @@ class JumpNodes {
   static constexpr unsigned kCostBits = 8 * sizeof(Cost);
   static constexpr Stamp kNever = ~Stamp{0};
 
-  std::vector<Node> nodes_;
+  std::vector<Node, LargePages<Node>> nodes_;
   std::uint32_t searches_left_ = kSearches;
   Stamp base_ = 0;
 };

@@ -9,9 +9,9 @@
 // A state is a jump point with the straight directions of its arrivals, all at the same cost. A state
 // that sees a goal opens no states, because no other path is shorter. Where there is no choice, the
 // search takes a shortcut over several jump points, and looks for a goal from each of them if the shortcut
-// may see one. The jumps come from ScannedJumps, or from KnownJumps on a map that was prepared. Open states lie in buckets that are not sorted exactly, so a state
-// may be expanded again when a cheaper path to it is found. The search ends when the current bucket is
-// past the cost of the cheapest path found.
+// may see one. The jumps come from ScannedJumps, or from KnownJumps on a map that was prepared. Open states
+// lie in buckets that are not sorted exactly, so a state may be expanded again when a cheaper path to it is
+// found. The search ends when the current bucket is past the cost of the cheapest path found.
 //
 // Optimal. One thread per search.
 
@@ -19,9 +19,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -29,19 +27,13 @@
 #include "wend/base/state_id.hpp"
 #include "wend/planner/jump/goal_sight.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
+#include "wend/planner/jump/watched_jumps.hpp"
 #include "wend/search/jump_queue.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/octile.hpp"
 
 namespace wend {
-
-/// The default watcher. It does nothing and costs nothing.
-struct NoJumpWatcher {
-  void on_generate(Cell, Cell, auto) const {}
-  void on_expand(Cell, Cell, auto) const {}
-  void on_reach(Cell, Cell, auto, bool) const {}
-};
 
 template <class Jumps>
 class JumpPointSearch {
@@ -56,6 +48,8 @@ class JumpPointSearch {
   }
 
   const Jumps& jumps() const { return jumps_; }
+  /// To change them between two searches.
+  Jumps& jumps() { return jumps_; }
 
   /// Forgets the last search. The start and places of goals are passable; `limits` must live as long as the
   /// search. A watcher receives each cell, its parent (for the start: itself) and g.
@@ -86,7 +80,10 @@ class JumpPointSearch {
   /// as the one before, where the newest comes first. Returns the number of open states. Works on a copy
   /// of the queue: O(its entries).
   template <class Visit>
-  std::uint64_t for_each_open(std::size_t most, Visit&& visit) const;
+  std::uint64_t for_each_open(std::size_t most, Visit&& visit) const {
+    if (outcome_ != SearchOutcome::running) return 0;
+    return visit_open_jumps(jumps_, queue_, goals_, seer_.node, most, visit);
+  }
 
   /// The estimate to the nearest goal of the search begun last, in units.
   Cost h(Cell cell) const { return goals_.h(cell); }
@@ -298,30 +295,6 @@ inline void JumpPointSearch<Jumps>::reach(const Shortcut& shortcut, const Origin
   }
   jumps_.prefetch(shortcut);
   queue_.push(f, id);
-}
-
-template <class Jumps>
-template <class Visit>
-std::uint64_t JumpPointSearch<Jumps>::for_each_open(std::size_t most, Visit&& visit) const {
-  if (outcome_ != SearchOutcome::running) return 0;
-  JumpQueue<Cost> rest = queue_;
-  std::unordered_set<StateId> open;  // older entries of a state are skipped
-  std::optional<std::size_t> bucket;
-  while (!rest.empty()) {
-    const auto entry = rest.pop();
-    if (rest.bucket_is_behind(goals_.best())) break;
-    const Node& node = jumps_.node(entry.id);
-    if (entry.f >= goals_.best() || node.pending == 0 || !open.insert(entry.id).second) continue;
-    if (open.size() > most) continue;
-    const std::size_t here = rest.bucket_of(entry.f);
-    visit(node.cell, jumps_.node(node.parent).cell, node.g(), here == bucket);
-    bucket = here;
-  }
-  const Cell from = jumps_.node(seer_.node).cell;
-  const bool goal_is_last = goals_.best() != kInfinite && from != goals_.goal();
-  if (!goal_is_last) return open.size();
-  if (open.size() < most) visit(goals_.goal(), from, goals_.best(), false);
-  return open.size() + 1;
 }
 
 /// Looks for goals from the jump points that a shortcut passes, and from its end if that has no

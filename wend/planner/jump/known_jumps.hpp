@@ -36,11 +36,34 @@ class KnownJumps {
       : graph_(std::move(graph)),
         shortcuts_(graph_),
         open_(std::move(dead_ends)),
-        nodes_(graph_->size() + 1) {
-    for (StateId id = 0; id < graph_->size(); ++id) {
-      nodes_[id].cell = graph_->cell(static_cast<std::uint32_t>(id));
-      nodes_[id].dead_end = open_.number(nodes_[id].cell);
+        nodes_(graph_->size() + 1, graph_->size_after_edits() + 1) {
+    take_jump_points(0);
+  }
+
+  /// Follows the graph after an edit of the map in these boxes. `changed`: what JumpSources found; null if that
+  /// took too long.
+  void repair(std::span<const CellBox> boxes, const std::vector<wend::Jump>* changed) {
+    if (changed != nullptr) {
+      shortcuts_.repair(boxes, *changed);
+    } else {
+      shortcuts_.forget();
     }
+    const auto first_new = static_cast<StateId>(nodes_.size() - 1);
+    nodes_.resize(graph_->size() + 1);
+    take_jump_points(first_new);
+    keep_open(boxes);
+  }
+
+  /// Tells what has been edited since the dead ends were found.
+  void keep_open(std::span<const CellBox> boxes) {
+    std::vector<Cell> near;
+    for (const CellBox& box : boxes) {
+      const CellBox around = box.grown_by(1).clipped_to(graph_->boards());
+      for (int y = around.begin.y; y < around.end.y; ++y) {
+        for (int x = around.begin.x; x < around.end.x; ++x) near.push_back({x, y});
+      }
+    }
+    open_.keep_open(near);
   }
 
   const JumpBoards& ground() const { return graph_->boards(); }
@@ -130,6 +153,13 @@ class KnownJumps {
   }
 
  private:
+  void take_jump_points(StateId first) {
+    for (StateId id = first; id < graph_->size(); ++id) {
+      nodes_[id].cell = graph_->cell(static_cast<std::uint32_t>(id));
+      nodes_[id].dead_end = open_.number(nodes_[id].cell);
+    }
+  }
+
   std::shared_ptr<const JumpGraph> graph_;
   ShortcutGraph shortcuts_;
   OpenDeadEnds open_;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "wend/base/large_pages.hpp"
 #include "wend/base/state_id.hpp"
 #include "wend/geometry/cell.hpp"
 
@@ -64,9 +65,9 @@ class ReachedCells {
     }
   }
 
-  std::vector<Node> nodes_;
-  std::vector<StateId> slots_;     // at least twice as many
-  std::vector<std::size_t> used_;  // by node: its slot
+  std::vector<Node, LargePages<Node>> nodes_;
+  std::vector<StateId, LargePages<StateId>> slots_;  // at least twice as many
+  std::vector<std::size_t> used_;                    // by node: its slot
   int shift_ = 63;
 };
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "wend/base/state_id.hpp"
+#include "wend/geometry/cell_box.hpp"
 #include "wend/jump/jump_scan.hpp"
 #include "wend/jump/shortcut_graph.hpp"
 #include "wend/planner/jump/jump_trail.hpp"
@@ -55,6 +56,12 @@ class ScannedJumps {
 
   /// `passable` must live as long.
   explicit ScannedJumps(const BitGrid& passable) : scan_(passable) {}
+
+  /// Follows the cells after an edit in these boxes.
+  void repair(std::span<const CellBox> boxes) {
+    for (const CellBox& box : boxes) scan_.forget(box);
+    for (Onward& known : onward_) known.count = -1;
+  }
 
   const JumpScan& ground() const { return scan_; }
   bool sees(Cell from, Cell to) { return scan_.sees(from, to); }
