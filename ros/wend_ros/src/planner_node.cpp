@@ -41,6 +41,10 @@ void tell(const PlanResult& result) {
   }
 }
 
+MapFeed::CostReading costs_of(const Parameters& parameters) {
+  return {parameters.flag("rough"), parameters.number("cost_factor")};
+}
+
 }  // namespace
 
 PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeHandle& services)
@@ -50,7 +54,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
-  feed_ = std::make_unique<MapFeed>(node, own, session_, reconfigure_->parameters().flag("rough"),
+  feed_ = std::make_unique<MapFeed>(node, own, session_, costs_of(reconfigure_->parameters()),
                                     [this](const MapFeed::Change& change) { take_change(change); });
   constexpr double kShowPeriod = 1;  // s
   show_timer_ =
@@ -85,7 +89,7 @@ void PlannerNode::take_parameters(const Parameters& parameters) {
     const std::lock_guard lock(mutex_);
     replanning_.set(parameters.replan_on_change());
   }
-  if (feed_) feed_->set_rough(parameters.flag("rough"));
+  if (feed_) feed_->set_costs(costs_of(parameters));
   wake();
 }
 

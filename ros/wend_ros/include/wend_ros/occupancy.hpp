@@ -25,6 +25,7 @@ inline constexpr double kTerrainScale = 4;  // terrain of the value 100, less 1
 struct MapReading {
   int occupied_from = 65;  // values of 1 to 99 that are obstacles; map_server's usual threshold
   bool rough = false;      // lower ones are rough ground, else free
+  double cost_factor = kTerrainScale;  // a rough one v costs 1 + cost_factor v / 100
 
   friend bool operator==(const MapReading&, const MapReading&) = default;
 };
