@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -126,11 +127,6 @@ Cell cell_in(FileParser& parser, const DynamicScenario& scenario,
              const std::vector<std::string_view>& words, std::size_t at) {
   return {parser.number_in(words[at], "x", 0, scenario.width - 1),
           parser.number_in(words[at + 1], "y", 0, scenario.height - 1)};
-}
-
-int decimals_of(std::string_view number) {
-  const std::size_t point = number.find('.');
-  return point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1);
 }
 
 ScenarioQuery query_of(FileParser& parser, const DynamicScenario& scenario,
