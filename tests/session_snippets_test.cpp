@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+#include <span>
+#include <vector>
+
 #include "tests/snippets.hpp"
+#include "wend/explore/explorer.hpp"
 #include "wend/io/map/load_map.hpp"
+#include "wend/planner/planner_options.hpp"
 #include "wend/session/session.hpp"
 
 namespace {
@@ -73,6 +79,47 @@ TEST(Snippets, OfExplanations) {
     report(explainer.explain(status, {start, {goal}}, query.limits, metrics));
   }
   EXPECT_TRUE(reported.starts_with("the goal (-5,1) is outside the map")) << reported;
+}
+
+TEST(Snippets, OfReplanning) {
+  wend::Session session(
+      *wend::make_grid_map(wend::Grid<wend::CellState>(20, 20, wend::CellState::free)));
+  wend::PlanRequest request{{1, 1, 0}, {{{15, 9}}}};
+  int steps = 0;
+  const auto arrived = [&] { return steps > 5; };
+  const auto drive_along = [&](const std::vector<wend::MapPose>& poses) {
+    ++steps;
+    return poses.size() > 1 ? poses[1] : poses[0];
+  };
+  const auto what_the_robot_sees = [&] {
+    return wend::MapEdit{.cells = {{{10 + steps % 2, 5 + steps % 3}, wend::CellState::occupied}}};
+  };
+  auto answer = session.replan(request);
+  while (answer && !arrived()) {
+    request.start = drive_along(answer->poses());
+    if (session.edit(what_the_robot_sees())) answer = session.replan(request);
+  }
+  EXPECT_TRUE(answer);
+  EXPECT_EQ(steps, 6);
+}
+
+TEST(Snippets, OfExplorationAndItsPlanner) {
+  const auto space = *wend::make_free_space(
+      *wend::make_grid_map(wend::Grid<wend::CellState>(50, 70, wend::CellState::free)));
+  const wend::GridMap map = space.map();
+  std::size_t drawn = 0;
+  const auto draw = [&](const wend::FreeSpace& /*believed*/, std::span<const wend::Cell> ahead) {
+    drawn += ahead.size();
+  };
+  [&] {
+    auto explorer = wend::Explorer::make(map, {2, 3}, {40, 60}, {.sensor_range = 30});
+    if (!explorer) return report(explorer.error().message);
+    while (!explorer->step()) draw(explorer->believed(), explorer->ahead());
+    std::cout << explorer->totals().replans << " plans\n";
+  }();
+  EXPECT_GT(drawn, 0U);
+  const auto planner = wend::make_planner(space, wend::ReplannerOptions{});
+  EXPECT_TRUE(planner);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kColours = kLightPlot.names.size();
 
 /// Planners are never compared with controllers.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 18> kOwn{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 21> kOwn{{
     {"astar", 0},
     {"dijkstra", 1},
     {"jps", 2},
@@ -26,6 +26,9 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 18> kOwn{{
     {"theta_star", 11},
     {"lazy_theta_star", 12},
     {"lattice", 13},
+    {"alt", 14},
+    {"replanner", 15},
+    {"d_star_lite", 16},
     {"p", 0},
     {"p_moving", 1},
     {"pid", 2},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -128,11 +129,6 @@ Cell cell_in(FileParser& parser, const DynamicScenario& scenario,
           parser.number_in(words[at + 1], "y", 0, scenario.height - 1)};
 }
 
-int decimal_places(std::string_view number) {
-  const std::size_t point = number.find('.');
-  return point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1);
-}
-
 ScenarioQuery query_of(FileParser& parser, const DynamicScenario& scenario,
                        const std::vector<std::string_view>& words) {
   ScenarioQuery query{};
@@ -143,7 +139,7 @@ ScenarioQuery query_of(FileParser& parser, const DynamicScenario& scenario,
   query.start = cell_in(parser, scenario, words, 2);
   query.goal = cell_in(parser, scenario, words, 4);
   query.length = parse_number(words[6]).value_or(-1);
-  query.decimals = decimal_places(words[6]);
+  query.decimals = decimals_of(words[6]);
   if (!std::isfinite(query.length) || query.length < 0) {
     parser.fail(fmt::format("the length must be finite and at least 0, not {}", quote(words[6])));
   }

@@ -24,13 +24,6 @@ std::vector<std::string_view> columns_of(std::string_view line) {
   return columns;
 }
 
-int decimals_of(std::string_view number) {
-  const std::size_t point = number.find('.');
-  if (point == std::string_view::npos) return 0;
-  const std::size_t end = number.find_first_not_of("0123456789", point + 1);
-  return static_cast<int>(std::min(end, number.size()) - point - 1);
-}
-
 /// Reads the columns of one line and keeps the first error.
 class LineParser {
  public:
@@ -123,6 +116,13 @@ std::optional<std::string> common_map_name(const Scenario& scenario) {
 }
 
 }  // namespace
+
+int decimals_of(std::string_view number) {
+  const std::size_t point = number.find('.');
+  if (point == std::string_view::npos) return 0;
+  const std::size_t end = number.find_first_not_of("0123456789", point + 1);
+  return static_cast<int>(std::min(end, number.size()) - point - 1);
+}
 
 Expected<Scenario, Error> parse_scenario(std::string_view text, const std::string& file) {
   LineReader lines(text);

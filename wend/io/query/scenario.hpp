@@ -47,6 +47,9 @@ struct Scenario {
   std::vector<ScenarioQuery> queries;  // in the order of the file
 };
 
+/// The number of decimals of a number as it is written: 2 of "1.50".
+WEND_API int decimals_of(std::string_view number);
+
 /// Start and goal lie inside the map size that their line gives; lengths are finite and >= 0.
 WEND_API Expected<Scenario, Error> load_scenario(const std::filesystem::path& file);
 
