@@ -15,18 +15,24 @@ constexpr std::uint32_t kMostUpdates = 1000;
 
 }  // namespace
 
-MapFeed::MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session, bool rough,
-                 std::function<void(const Change&)> changed)
+MapFeed::MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session,
+                 const Ground& ground, std::function<void(const Change&)> changed)
     : session_(session),
       changed_(std::move(changed)),
       costmap_(own.param("costmap", false)),
       occupied_from_(
           own.param("occupied_from", costmap_ ? kInscribed : MapReading{}.occupied_from)),
       topic_(node.resolveName("map")),
-      map_({.occupied_from = occupied_from_, .rough = rough || costmap_}) {
+      map_(reading_of(ground)) {
   load(own);
   subscribers_ = {node.subscribe(topic_, 1, &MapFeed::take_map, this),
                   node.subscribe(topic_ + "_updates", kMostUpdates, &MapFeed::take_update, this)};
+}
+
+MapReading MapFeed::reading_of(const Ground& ground) const {
+  return {.occupied_from = occupied_from_,
+          .rough = ground.rough || costmap_,
+          .cost_factor = ground.cost_factor};
 }
 
 void MapFeed::load(const ros::NodeHandle& own) {
@@ -48,10 +54,10 @@ wend::Expected<MapFeed::Now, wend::Error> MapFeed::now() const {
   return Now{*std::move(view), stamp_, change_time_};
 }
 
-void MapFeed::set_rough(bool rough) {
+void MapFeed::set_ground(const Ground& ground) {
   const auto reread = [&]() -> std::optional<Change> {
     const std::lock_guard lock(mutex_);
-    if (!map_.read_as({.occupied_from = occupied_from_, .rough = rough || costmap_})) return {};
+    if (!map_.read_as(reading_of(ground))) return {};
     return put_whole(map_.whole(), std::chrono::steady_clock::now());
   };
   if (const auto change = reread()) changed_(*change);

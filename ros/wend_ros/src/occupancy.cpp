@@ -24,7 +24,7 @@ std::string range(const std::string& name, std::int64_t first, std::uint32_t cou
 CellReading read_cell(std::int8_t value, const MapReading& reading) {
   if (value < 0 || value > kOccupiedValue) return {wend::CellState::unknown};
   if (value >= reading.occupied_from) return {wend::CellState::occupied};
-  return {wend::CellState::free, reading.rough ? 1 + kTerrainScale * value / 100 : 1};
+  return {wend::CellState::free, reading.rough ? 1 + reading.cost_factor * value / 100 : 1};
 }
 
 std::int8_t occupancy_value(const wend::GridMap& map, wend::Cell cell) {

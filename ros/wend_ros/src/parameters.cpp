@@ -32,6 +32,7 @@ struct NodeOptions {
   Outside outside = Outside::blocked;
   double clearance_distance = 0;
   bool rough = false;
+  double cost_factor = 4;
   double time_limit = 0;
   double goal_tolerance = 0;
   double goal_heading_tolerance = 0;
@@ -53,6 +54,9 @@ struct NodeOptions {
            .former = "keep_away"},
           self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
+    field({"cost_factor",
+           "what the greatest value of rough ground (100; in a costmap 252) adds to its cost of 1"},
+          self.cost_factor, {0, 1e6});
     field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
     field({"goal_tolerance", "how far from a goal a path may end, m; the goal may then be blocked"},
           self.goal_tolerance, {0, 1e3});

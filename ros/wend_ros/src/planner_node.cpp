@@ -33,6 +33,10 @@ std::string text_of(const PlanResult& result) {
   return text.str();
 }
 
+MapFeed::Ground ground_of(const Parameters& parameters) {
+  return {parameters.flag("rough"), parameters.number("cost_factor")};
+}
+
 void tell(const PlanResult& result) {
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM(text_of(result));
@@ -50,7 +54,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
-  feed_ = std::make_unique<MapFeed>(node, own, session_, reconfigure_->parameters().flag("rough"),
+  feed_ = std::make_unique<MapFeed>(node, own, session_, ground_of(reconfigure_->parameters()),
                                     [this](const MapFeed::Change& change) { take_change(change); });
   constexpr double kShowPeriod = 1;  // s
   show_timer_ =
@@ -85,7 +89,7 @@ void PlannerNode::take_parameters(const Parameters& parameters) {
     const std::lock_guard lock(mutex_);
     replanning_.set(parameters.replan_on_change());
   }
-  if (feed_) feed_->set_rough(parameters.flag("rough"));
+  if (feed_) feed_->set_ground(ground_of(parameters));
   wake();
 }
 

@@ -4,7 +4,7 @@
 // `_updates` behind it, as with costmap_2d and rviz. An update, and a map that lies as the one before, edit
 // the session's map, so that its planners stay.
 //
-//   MapFeed feed(node, own, session, rough, [&](const MapFeed::Change& change) { replan(change); });
+//   MapFeed feed(node, own, session, ground, [&](const MapFeed::Change& change) { replan(change); });
 //   const auto now = feed.now();
 
 #include <map_msgs/OccupancyGridUpdate.h>
@@ -44,17 +44,23 @@ class MapFeed {
     TimePoint changed;  // when the newest one came that changed it
   };
 
-  /// Reads ~occupied_from, ~costmap, ~map (a file) and ~frame_id. `rough`: values below the threshold are rough
-  /// ground. `changed` is called after every change, from the thread that took it.
-  MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session, bool rough,
+  /// Of MapReading, what may change while the node runs.
+  struct Ground {
+    bool rough = false;
+    double cost_factor = kTerrainScale;
+  };
+
+  /// Reads ~occupied_from, ~costmap, ~map (a file) and ~frame_id. `changed` is called after every change, from the thread that took it.
+  MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session, const Ground& ground,
           std::function<void(const Change&)> changed);
 
   /// Fails as Session::view() does.
   wend::Expected<Now, wend::Error> now() const;
 
-  void set_rough(bool rough);
+  void set_ground(const Ground& ground);
 
  private:
+  MapReading reading_of(const Ground& ground) const;
   void load(const ros::NodeHandle& own);
   void take_map(const nav_msgs::OccupancyGrid& message);
   void take_update(const map_msgs::OccupancyGridUpdate& message);
