@@ -12,6 +12,7 @@
 #include "bench/scenario/bench_queries.hpp"
 #include "bench/scenario/bench_rows.hpp"
 #include "cli/arguments/flags.hpp"
+#include "cli/commands/bench/dynamic_run.hpp"
 #include "cli/commands/bench/entry.hpp"
 #include "cli/commands/bench/ranks.hpp"
 #include "cli/commands/bench/run.hpp"
@@ -65,7 +66,8 @@ name their map in the map column, in the scenario's folder. Cells are numbered
 as with --cells: from the upper left cell, on ROS maps from the lower left cell.
 On terrain, lengths are costs. Lengths in scenarios are for a point on 8
 neighbours without corner cutting; for other robots Dijkstra's algorithm
-computes them first. An answer is wrong if it finds no path and the scenario has
+computes them first. In scenarios of version 2 the map changes between queries;
+the time of a query includes telling the planner. An answer is wrong if it finds no path and the scenario has
 a length, or the reverse; if its length differs; if the path is not valid cell
 by cell; or if it differs from an earlier repetition. An interrupted run with
 --database continues when it is started again; Planner Arena opens the file.
@@ -232,9 +234,54 @@ bool run_distributed(const BenchArguments& arguments, BenchInput& input) {
   return ranks.rank() == 0;
 }
 
+/// Throws InputError for flags that scenarios whose maps change do not have.
+void check_dynamic(const Parser& bench, const BenchArguments& arguments) {
+  refuse_idle(bench,
+              {"--map", "--index", "--database", "--distributed", "--sample", "--threads",
+               "--repetitions", "--fresh"},
+              "the map of a scenario of version 2 changes from query to query");
+  if (!arguments.settings.as_in_scenarios()) {
+    throw InputError(
+        "the lengths of a scenario of version 2 are for a point on 8 neighbours "
+        "without corner cutting");
+  }
+}
+
+BenchResults run_dynamic_scenarios(const BenchArguments& arguments,
+                                   const std::vector<DynamicScenario>& scenarios) {
+  const Interruptible interruptible;
+  const auto entries = parse_entries(arguments.planners, arguments.settings.moves.moves);
+  BenchResults results;
+  for (const DynamicScenario& scenario : scenarios) {
+    for (const BenchEntry& entry : entries) {
+      results.maps.push_back(run_dynamic(scenario, entry, arguments.settings));
+      BenchRow row;
+      row.scen = scenario.file;
+      row.planner = entry.name();
+      row.set_answers(results.maps.back().answers);
+      results.rows.push_back(std::move(row));
+    }
+  }
+  return results;
+}
+
+/// Prints and writes the results. Returns the exit code.
+int report(const BenchArguments& arguments, const BenchResults& results) {
+  print(text_of(arguments, results.rows));
+  if (!arguments.per_query.empty()) write_queries(arguments, results.maps);
+  if (!arguments.plot.empty()) write_plot(arguments, results.maps);
+  const bool wrong =
+      std::ranges::any_of(results.rows, [](const BenchRow& row) { return row.wrong > 0; });
+  return wrong ? no_plan : success;
+}
+
 int run(const Parser& bench, const BenchArguments& arguments) {
   check(bench, arguments);
   try {
+    if (const auto dynamic = load_dynamic_scenarios(arguments.scenarios); !dynamic.empty()) {
+      check_dynamic(bench, arguments);
+      return report(arguments, run_dynamic_scenarios(arguments, dynamic));
+    }
     BenchInput input = load_input(arguments);
     if (!arguments.per_query.empty()) {
       check_not_among(files_of(input.scenarios), arguments.per_query,
@@ -242,13 +289,7 @@ int run(const Parser& bench, const BenchArguments& arguments) {
     }
     if (arguments.distributed && !run_distributed(arguments, input)) return success;
     BenchStore store = arguments.database.empty() ? BenchStore() : BenchStore(arguments.database);
-    const BenchResults results = run_scenarios(arguments, input, store);
-    const std::vector<BenchRow>& rows = results.rows;
-    print(text_of(arguments, rows));
-    if (!arguments.per_query.empty()) write_queries(arguments, results.maps);
-    if (!arguments.plot.empty()) write_plot(arguments, results.maps);
-    const auto is_wrong = [](const BenchRow& row) { return row.wrong > 0; };
-    return std::any_of(rows.begin(), rows.end(), is_wrong) ? no_plan : success;
+    return report(arguments, run_scenarios(arguments, input, store));
   } catch (const Cancelled&) {
     complain(arguments.database.empty()
                  ? "cancelled"

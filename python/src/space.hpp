@@ -37,6 +37,9 @@ class Space {
 /// Adds plan() and plan_many().
 void bind_planning(nanobind::class_<Space>& space);
 
+/// Adds explore().
+void bind_exploration(nanobind::class_<Space>& space);
+
 /// Adds edit() and edit_cells().
 void bind_edits(nanobind::class_<Space>& space);
 

@@ -12,6 +12,7 @@ The common interface: ``wend.search(world_state, robot_pose, goal_pose, planner)
 from ._animation import Animation
 from ._core import version as __version__
 from ._errors import Error, InvalidArgument, Metrics, NoPath
+from ._explore import Exploration, explore
 from ._index import Index
 from ._map import Map
 from ._plan import Drive, Plan, Quality, Trajectory, follow
@@ -28,6 +29,7 @@ __all__ = [
     "Error",
     "Event",
     "Explanation",
+    "Exploration",
     "FreeSpace",
     "Index",
     "InvalidArgument",
@@ -46,6 +48,7 @@ __all__ = [
     "__version__",
     "compare",
     "controllers",
+    "explore",
     "follow",
     "planners",
     "search",

@@ -14,6 +14,7 @@
 #include "wend/io/path/load_path.hpp"
 #include "wend/io/path/path_csv.hpp"
 #include "wend/io/primitives/load_primitives.hpp"
+#include "wend/io/query/dynamic_scenario.hpp"
 #include "wend/io/query/query_csv.hpp"
 #include "wend/io/query/scenario.hpp"
 #include "wend/planner/planners.hpp"
@@ -53,6 +54,32 @@ std::string fuzz_scenario(std::string_view bytes) {
   }
   const auto map = scenario_map_path(*scenario);
   return map ? "a map in a folder that has none" : check_error(map.error());
+}
+
+/// The scenario, a line with only '%', and its patches.
+std::string fuzz_dynamic_scenario(std::string_view bytes) {
+  const std::size_t end = bytes.find("\n%\n");
+  const std::string_view text = bytes.substr(0, end);
+  const auto scenario =
+      parse_dynamic_scenario(text, kFuzzedFile, [&](const std::filesystem::path&) {
+        const bool any = end != std::string_view::npos;
+        return Expected<std::string, Error>(any ? std::string(bytes.substr(end + 3)) : "");
+      });
+  if (!scenario) {
+    return scenario.error().message.empty() ? "an error without a message" : "";
+  }
+  const CellBox map{{0, 0}, {scenario->width, scenario->height}};
+  for (const auto& command : scenario->commands) {
+    if (const auto* patch = std::get_if<PatchCommand>(&command)) {
+      if (patch->patch >= scenario->patches.size()) return "a patch that is not there";
+      const CellBox box = scenario->edit_of(*patch).box();
+      if (box.empty() || box.common_with(map) != box) return "a patch over the map's edge";
+    } else {
+      const auto& query = std::get<ScenarioQuery>(command);
+      if (!map.contains(query.start) || !map.contains(query.goal)) return "a query off the map";
+    }
+  }
+  return {};
 }
 
 /// A path that was read comes back from the CSV that wend writes of it.
@@ -154,6 +181,7 @@ constexpr std::array kLoaders{
     Loader{"moving_ai_map", fuzz_moving_ai_map},
     Loader{"text_grid", fuzz_text_grid},
     Loader{"scenario", fuzz_scenario},
+    Loader{"dynamic_scenario", fuzz_dynamic_scenario},
     Loader{"path_csv", fuzz_path_csv},
     Loader{"path_json", fuzz_path_json},
     Loader{"query_csv", fuzz_query_csv},

@@ -1,5 +1,6 @@
 #include "wend_ros/map_feed.hpp"
 
+#include <sstream>
 #include <utility>
 
 #include "wend/io/map/load_map.hpp"
@@ -13,26 +14,47 @@ constexpr int kInscribed = 99;  // costmap_2d's: the robot's centre may not be t
 /// Each changes the map: none may get lost while an edit runs.
 constexpr std::uint32_t kMostUpdates = 1000;
 
+/// ~masks: a list, or a text with commas between the masks. Anything else is a mask that cannot be read.
+std::vector<std::string> mask_specs(const ros::NodeHandle& own) {
+  XmlRpc::XmlRpcValue value;
+  if (!own.getParam("masks", value)) return {};
+  std::vector<std::string> specs;
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeString) {
+    std::istringstream words(static_cast<std::string>(value));
+    for (std::string word; std::getline(words, word, ',');) {
+      if (!word.empty()) specs.push_back(word);
+    }
+    return specs;
+  }
+  if (value.getType() != XmlRpc::XmlRpcValue::TypeArray) return {value.toXml()};
+  for (int i = 0; i < value.size(); ++i) {
+    const bool is_text = value[i].getType() == XmlRpc::XmlRpcValue::TypeString;
+    specs.push_back(is_text ? static_cast<std::string>(value[i]) : value[i].toXml());
+  }
+  return specs;
+}
+
+Masks masks_of(const ros::NodeHandle& own) {
+  Masks masks = Masks::of(mask_specs(own));
+  for (const std::string& fault : masks.faults()) ROS_ERROR_STREAM("~masks: " << fault);
+  return masks;
+}
+
 }  // namespace
 
 MapFeed::MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session,
-                 const Ground& ground, std::function<void(const Change&)> changed)
+                 const CostReading& costs, std::function<void(const Change&)> changed)
     : session_(session),
       changed_(std::move(changed)),
       costmap_(own.param("costmap", false)),
       occupied_from_(
           own.param("occupied_from", costmap_ ? kInscribed : MapReading{}.occupied_from)),
       topic_(node.resolveName("map")),
-      map_(reading_of(ground)) {
+      map_(reading_of(costs)),
+      masks_(masks_of(own)) {
   load(own);
   subscribers_ = {node.subscribe(topic_, 1, &MapFeed::take_map, this),
                   node.subscribe(topic_ + "_updates", kMostUpdates, &MapFeed::take_update, this)};
-}
-
-MapReading MapFeed::reading_of(const Ground& ground) const {
-  return {.occupied_from = occupied_from_,
-          .rough = ground.rough || costmap_,
-          .cost_factor = ground.cost_factor};
 }
 
 void MapFeed::load(const ros::NodeHandle& own) {
@@ -54,10 +76,16 @@ wend::Expected<MapFeed::Now, wend::Error> MapFeed::now() const {
   return Now{*std::move(view), stamp_, change_time_};
 }
 
-void MapFeed::set_ground(const Ground& ground) {
+MapReading MapFeed::reading_of(const CostReading& costs) const {
+  return {.occupied_from = occupied_from_,
+          .rough = costs.rough || costmap_,
+          .cost_factor = costs.cost_factor};
+}
+
+void MapFeed::set_costs(const CostReading& costs) {
   const auto reread = [&]() -> std::optional<Change> {
     const std::lock_guard lock(mutex_);
-    if (!map_.read_as(reading_of(ground))) return {};
+    if (!map_.read_as(reading_of(costs))) return {};
     return put_whole(map_.whole(), std::chrono::steady_clock::now());
   };
   if (const auto change = reread()) changed_(*change);
@@ -100,16 +128,23 @@ std::optional<MapFeed::Change> MapFeed::put(const map_msgs::OccupancyGridUpdate&
   return edit(*taken, came);
 }
 
-MapFeed::Change MapFeed::put_whole(wend::GridMap map, TimePoint came) {
+/// Nothing if a mask does not fit: then there is no map.
+std::optional<MapFeed::Change> MapFeed::put_whole(wend::GridMap map, TimePoint came) {
   change_time_ = came;
-  session_.set_map(map, map_.layout().frame_id);
-  return {.whole = std::move(map), .frame_id = map_.layout().frame_id};
+  auto under_masks = masks_.lay_over(std::move(map));
+  if (!under_masks) {
+    ROS_ERROR_STREAM(topic_ << ": " << under_masks.error().message);
+    session_.clear_map(under_masks.error().message);
+    return std::nullopt;
+  }
+  session_.set_map(*under_masks, map_.layout().frame_id);
+  return Change{.whole = *std::move(under_masks), .frame_id = map_.layout().frame_id};
 }
 
 /// Nothing if the map stays as it is.
 std::optional<MapFeed::Change> MapFeed::edit(const wend::MapEdit& edit, TimePoint came) {
   if (is_empty(edit)) return std::nullopt;
-  auto change = session_.edit(edit);
+  auto change = session_.edit(masks_.over(edit));
   // There is no space to edit for an invalid robot; a later one needs the map all the same.
   if (!change) return put_whole(map_.whole(), came);
   change_time_ = came;

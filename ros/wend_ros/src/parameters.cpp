@@ -54,8 +54,7 @@ struct NodeOptions {
            .former = "keep_away"},
           self.clearance_distance, {0, 100});
     field({"rough", "map values below the obstacles' threshold are rough ground"}, self.rough);
-    field({"cost_factor",
-           "what the greatest value of rough ground (100; in a costmap 252) adds to its cost of 1"},
+    field({"cost_factor", "what the greatest value of rough ground adds to a cost of 1"},
           self.cost_factor, {0, 1e6});
     field({"time_limit", "limit on the search time, s; 0: none"}, self.time_limit, {0, 3600});
     field({"goal_tolerance", "how far from a goal a path may end, m; the goal may then be blocked"},

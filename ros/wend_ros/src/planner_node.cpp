@@ -33,16 +33,16 @@ std::string text_of(const PlanResult& result) {
   return text.str();
 }
 
-MapFeed::Ground ground_of(const Parameters& parameters) {
-  return {parameters.flag("rough"), parameters.number("cost_factor")};
-}
-
 void tell(const PlanResult& result) {
   if (result.status == static_cast<std::uint16_t>(StatusCode::found)) {
     ROS_INFO_STREAM(text_of(result));
   } else {
     ROS_WARN_STREAM(text_of(result));
   }
+}
+
+MapFeed::CostReading costs_of(const Parameters& parameters) {
+  return {parameters.flag("rough"), parameters.number("cost_factor")};
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& own, ros::NodeH
   const double replan_rate = own.param("replan_rate", 0.0);
   if (replan_rate > 0) replan_period_ = 1 / replan_rate;
   take_goal_parameter(own);
-  feed_ = std::make_unique<MapFeed>(node, own, session_, ground_of(reconfigure_->parameters()),
+  feed_ = std::make_unique<MapFeed>(node, own, session_, costs_of(reconfigure_->parameters()),
                                     [this](const MapFeed::Change& change) { take_change(change); });
   constexpr double kShowPeriod = 1;  // s
   show_timer_ =
@@ -89,7 +89,7 @@ void PlannerNode::take_parameters(const Parameters& parameters) {
     const std::lock_guard lock(mutex_);
     replanning_.set(parameters.replan_on_change());
   }
-  if (feed_) feed_->set_ground(ground_of(parameters));
+  if (feed_) feed_->set_costs(costs_of(parameters));
   wake();
 }
 

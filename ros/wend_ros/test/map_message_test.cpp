@@ -52,6 +52,8 @@ TEST(MapMessage, KeepsRoughGround) {
   const auto back = map_from(grid, {.occupied_from = 100, .rough = true});
   ASSERT_TRUE(back);
   EXPECT_EQ(back->terrain({1, 0}), 2);
+  const auto dearer = map_from(grid, {.occupied_from = 100, .rough = true, .cost_factor = 8});
+  EXPECT_EQ(dearer->terrain({1, 0}), 3);
   const auto plain = map_from(grid, {});
   EXPECT_TRUE(plain->uniform_terrain());
   EXPECT_EQ(plain->state({2, 0}), wend::CellState::occupied) << "99 is above the threshold";

@@ -4,7 +4,7 @@
 // `_updates` behind it, as with costmap_2d and rviz. An update, and a map that lies as the one before, edit
 // the session's map, so that its planners stay.
 //
-//   MapFeed feed(node, own, session, ground, [&](const MapFeed::Change& change) { replan(change); });
+//   MapFeed feed(node, own, session, costs, [&](const MapFeed::Change& change) { replan(change); });
 //   const auto now = feed.now();
 
 #include <map_msgs/OccupancyGridUpdate.h>
@@ -22,6 +22,7 @@
 #include "wend/base/error.hpp"
 #include "wend/robot/space_change.hpp"
 #include "wend/session/session.hpp"
+#include "wend_ros/masks.hpp"
 #include "wend_ros/occupancy_map.hpp"
 
 namespace wend_ros {
@@ -29,6 +30,12 @@ namespace wend_ros {
 class MapFeed {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// What values below the threshold cost.
+  struct CostReading {
+    bool rough;          // false: they are free; ~costmap reads them as rough all the same
+    double cost_factor;  // a rough one v costs 1 + cost_factor v / 100
+  };
 
   struct Change {
     std::optional<wend::GridMap> whole = {};         // another map
@@ -44,29 +51,24 @@ class MapFeed {
     TimePoint changed;  // when the newest one came that changed it
   };
 
-  /// Of MapReading, what may change while the node runs.
-  struct Ground {
-    bool rough = false;
-    double cost_factor = kTerrainScale;
-  };
-
-  /// Reads ~occupied_from, ~costmap, ~map (a file) and ~frame_id. `changed` is called after every change, from the thread that took it.
-  MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session, const Ground& ground,
-          std::function<void(const Change&)> changed);
+  /// Reads ~occupied_from, ~costmap, ~masks, ~map (a file) and ~frame_id. `costs`: what values below the
+  /// threshold cost. `changed` is called after every change, from the thread that took it.
+  MapFeed(ros::NodeHandle& node, ros::NodeHandle& own, wend::Session& session,
+          const CostReading& costs, std::function<void(const Change&)> changed);
 
   /// Fails as Session::view() does.
   wend::Expected<Now, wend::Error> now() const;
 
-  void set_ground(const Ground& ground);
+  void set_costs(const CostReading& costs);
 
  private:
-  MapReading reading_of(const Ground& ground) const;
+  MapReading reading_of(const CostReading& costs) const;
   void load(const ros::NodeHandle& own);
   void take_map(const nav_msgs::OccupancyGrid& message);
   void take_update(const map_msgs::OccupancyGridUpdate& message);
   std::optional<Change> put(const nav_msgs::OccupancyGrid& message);
   std::optional<Change> put(const map_msgs::OccupancyGridUpdate& message);
-  Change put_whole(wend::GridMap map, TimePoint came);
+  std::optional<Change> put_whole(wend::GridMap map, TimePoint came);
   std::optional<Change> edit(const wend::MapEdit& edit, TimePoint came);
 
   wend::Session& session_;
@@ -76,7 +78,8 @@ class MapFeed {
   std::string topic_;
 
   mutable std::mutex mutex_;  // guards the rest, and keeps a version and its stamp together
-  OccupancyMap map_;
+  OccupancyMap map_;          // without masks
+  Masks masks_;
   ros::Time stamp_;
   TimePoint change_time_;
 

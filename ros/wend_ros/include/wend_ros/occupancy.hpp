@@ -4,8 +4,7 @@
 // whether a message fits. Knows no ROS: the fuzzers use it too.
 //
 // A value is -1 (unknown), 100 (occupied), or 0 to 99: free, and the rougher the higher: terrain
-// 1 + cost_factor v / 100; with 4, as map.yaml's `mode: scale` has it. Every other value is unknown. Row 0 is at the
-// bottom.
+// 1 + 4 v / 100, as map.yaml's `mode: scale` has it. Every other value is unknown. Row 0 is at the bottom.
 
 #include <cstdint>
 #include <span>
@@ -26,8 +25,7 @@ inline constexpr double kTerrainScale = 4;  // terrain of the value 100, less 1
 struct MapReading {
   int occupied_from = 65;  // values of 1 to 99 that are obstacles; map_server's usual threshold
   bool rough = false;      // lower ones are rough ground, else free
-  double cost_factor =
-      kTerrainScale;  // what the value 100 would add to the terrain of rough ground
+  double cost_factor = kTerrainScale;  // a rough one v costs 1 + cost_factor v / 100
 
   friend bool operator==(const MapReading&, const MapReading&) = default;
 };

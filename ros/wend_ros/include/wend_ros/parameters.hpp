@@ -13,7 +13,7 @@
 //   unknown_free    drive into unknown       clearance_distance      metres
 //   outside         blocked or free: may the robot's disc hang over the map's edge?
 //   time_limit      s, 0: none               rough          values below the threshold cost more
-//   cost_factor     what the greatest of these values adds to a cost of 1
+//   cost_factor     how much more
 //   goal_tolerance  m, where a path may end  goal_heading_tolerance   rad
 //   nearest         moves blocked ends       replan_on_change   never, ahead or always
 //   smooth, smooth_alpha, smooth_beta        smooth the path
