@@ -32,9 +32,9 @@ namespace wend_ros {
 namespace {
 
 constexpr int kSide = 1000;
-constexpr double kRate = 20;   // Hz
-constexpr double kGrowth = 8;  // MB
-constexpr double kPeak = 150;  // MB
+constexpr double kRate = 20;    // Hz
+constexpr double kGrowth = 16;  // MB: less than a planner of this map has
+constexpr double kPeak = 150;   // MB
 
 /// Ends of queries: the centres of these cells, around which the map stays free.
 constexpr std::array<int, 5> kPlaces{50, 275, 500, 725, 950};

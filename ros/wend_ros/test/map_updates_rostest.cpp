@@ -129,8 +129,11 @@ class MapUpdates : public testing::Test {
     EXPECT_TRUE(ros::service::call("planner_server/set_parameters", call));
   }
 
-  static void set_rough(bool value) {
+  static void set_rough(bool value, double cost_factor) {
     dynamic_reconfigure::Reconfigure call;
+    call.request.config.doubles.resize(1);
+    call.request.config.doubles[0].name = "cost_factor";
+    call.request.config.doubles[0].value = cost_factor;
     call.request.config.bools.resize(1);
     call.request.config.bools[0].name = "rough";
     call.request.config.bools[0].value = value ? 1 : 0;
@@ -225,9 +228,11 @@ TEST_F(MapUpdates, AnotherMapAfterThemCounts) {
 TEST_F(MapUpdates, AreReadAnewWhenTheirMeaningChanges) {
   ASSERT_TRUE(wait_for(map_.put(10, 0, 1, kSide, 50)));
   EXPECT_NEAR(plan().cost, 17, 1e-9);
-  set_rough(true);
+  set_rough(true, 4);
   EXPECT_NEAR(plan().cost, 19, 0.01) << "at once, without another map";
-  set_rough(false);
+  set_rough(true, 1);
+  EXPECT_NEAR(plan().cost, 17.5, 0.01);
+  set_rough(false, 4);
   EXPECT_NEAR(plan().cost, 17, 1e-9);
 }
 
