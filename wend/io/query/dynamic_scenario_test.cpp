@@ -7,8 +7,6 @@
 #include <string>
 
 #include "wend/io/io_test_support.hpp"
-#include "wend/planner/planners.hpp"
-#include "wend/robot/free_space.hpp"
 
 namespace wend {
 namespace {
@@ -67,36 +65,6 @@ TEST(DynamicScenario, SaysWhatIsWrongAndWhere) {
                   "patch ../p.patch\ncommands\n",
                   "s", [](const auto&) { return Expected<std::string, Error>(""); })),
               HasSubstr("must lie in the same folder"));
-}
-
-/// The competition's file: every length is that of a shortest path on the map as it is then.
-TEST(DynamicScenario, HasTrueLengths) {
-  const auto file = std::filesystem::path(WEND_DATA) / "dynamic" / "dao_arena2.scen";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
-  const auto scenario = load_dynamic_scenario(file);
-  ASSERT_TRUE(scenario) << scenario.error().message;
-  FreeSpace space = *make_free_space(
-      *make_grid_map(Grid<CellState>(scenario->width, scenario->height, CellState::free)));
-  const auto planner = *make_planner("jps", space);
-  int queries = 0;
-  int edits = 0;
-  for (const auto& command : scenario->commands) {
-    if (const auto* patch = std::get_if<PatchCommand>(&command)) {
-      planner->release();
-      const auto change = space.edit(scenario->edit_of(*patch));
-      ASSERT_TRUE(change);
-      ASSERT_TRUE(planner->update(space, *change));
-      ++edits;
-      continue;
-    }
-    const auto& query = std::get<ScenarioQuery>(command);
-    const auto plan = planner->plan(Query::between(query.start, query.goal));
-    ASSERT_EQ(plan.has_value(), !query.says_no_path()) << "line " << query.line;
-    ASSERT_TRUE(!plan || length_matches(query, plan->cost)) << "line " << query.line;
-    ++queries;
-  }
-  EXPECT_EQ(queries, 2000);
-  EXPECT_EQ(edits, 439);
 }
 
 }  // namespace
