@@ -124,7 +124,7 @@ bool Explorer::State::learn(const std::vector<Cell>& cells) {
 
 bool Explorer::State::look() {
   seen.clear();
-  append_visible_cells(truth.obstacles(), cell, options.sensor_range, seen);
+  append_visible_cells(truth.obstacles(), centre_of(cell), options.sensor_range, seen);
   return learn(seen);
 }
 

@@ -2,67 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tests/testing/drawn_map.hpp"
 #include "tests/testing/share.hpp"
 #include "wend/base/random.hpp"
-#include "wend/explore/visible_cells.hpp"
 #include "wend/space/grid/grid_path.hpp"
 
 namespace wend {
 namespace {
-
-std::set<std::pair<int, int>> seen_from(const FreeSpace& space, Cell from, double range) {
-  std::vector<Cell> cells;
-  append_visible_cells(space.obstacles(), from, range, cells);
-  std::set<std::pair<int, int>> seen;
-  for (const Cell cell : cells) seen.emplace(cell.x, cell.y);
-  return seen;
-}
-
-TEST(VisibleCells, AreThoseInRangeWhereNothingStandsInTheWay) {
-  const FreeSpace space = test::open_space(40, 30);
-  for (const double range : {1.0, 1.5, 3.0, 7.3, 100.0}) {
-    const Cell from{12, 11};
-    const auto seen = seen_from(space, from, range);
-    for (const Cell cell : every_cell(space.map())) {
-      const bool near = std::hypot(cell.x - from.x, cell.y - from.y) <= range;
-      EXPECT_EQ(seen.contains({cell.x, cell.y}), near)
-          << cell.x << ',' << cell.y << " in " << range;
-    }
-  }
-}
-
-TEST(VisibleCells, EndAtAWallWhichIsSeen) {
-  const FreeSpace space = test::drawn_space(
-      ".........\n"
-      "....#....\n"
-      "....#....\n"
-      "....#....\n"
-      ".........\n");
-  const auto seen = seen_from(space, {2, 2}, 20);
-  EXPECT_TRUE(seen.contains({4, 2}));
-  EXPECT_TRUE(seen.contains({4, 1}));
-  for (int x = 5; x < 9; ++x) EXPECT_FALSE(seen.contains({x, 2})) << x;
-}
-
-/// No cell behind a row of blocked ones is seen, whatever the range.
-TEST(VisibleCells, AreNeverInAnotherRoom) {
-  const FreeSpace space = test::drawn_space(
-      "..........\n"
-      "..........\n"
-      "##########\n"
-      "..........\n");
-  for (const Cell from : {Cell{0, 0}, Cell{5, 1}, Cell{9, 0}}) {
-    for (const auto& [x, y] : seen_from(space, from, 50)) EXPECT_LE(y, 2) << x;
-  }
-}
 
 FreeSpaceOptions random_robot(Random& random) {
   FreeSpaceOptions robot;

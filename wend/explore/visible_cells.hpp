@@ -1,21 +1,26 @@
 #pragma once
 
-// What a laser scanner in the middle of a cell sees of a map.
+// What a laser scanner that looks all around sees of a map.
+//
+// The rays are exact: they are followed from border to border of the cells. Their directions and crossings need
+// no trigonometry. What is seen from the middle of a cell depends on no rounding.
 
 #include <vector>
 
 #include "wend/base/compiler.hpp"
 #include "wend/geometry/cell.hpp"
+#include "wend/geometry/pose.hpp"
 #include "wend/map/obstacles.hpp"
 
 namespace wend {
 
-/// Appends the cells that are seen from a cell of the map: `from` itself, and those at a distance of at most
-/// `range` cells (centre to centre, at least 0, finite) to which a ray leads that no blocked cell stops before.
-/// The blocked cell that stops a ray is seen. Rays lead along the nearest cells of the lines to all cells of the
-/// square around the range, so a ray may pass between two blocked cells that touch at a corner. A cell may be
-/// appended more than once. O(range^2).
-WEND_API void append_visible_cells(const Obstacles& obstacles, Cell from, double range,
+/// Appends the cells that are seen from a point in grid coordinates: the cell of the point, and those with their
+/// centre at most `range` cells away (at least 0; infinite: all the map) to which a ray leads that no blocked cell
+/// stops before. The blocked cell that stops a ray is seen; the cell of the point stops none. A ray through a corner
+/// of cells passes unless both cells beside it are blocked. The ends of two rays lie half a cell apart, so a
+/// narrower slit far away may be missed. Each cell is appended once, in no order; none if the point is not on the
+/// map. O(range^2).
+WEND_API void append_visible_cells(const Obstacles& obstacles, Point from, double range,
                                    std::vector<Cell>& cells);
 
 }  // namespace wend

@@ -1,13 +1,16 @@
-// What a laser scanner sees, against straight lines that keep clear of obstacles, or that hardly cut them.
+// A robot that discovers a map: what it knows, against what wend::append_visible_cells() sees in grid coordinates.
 
 #include "wend_ros/sensed_map.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
+
+#include "wend/explore/visible_cells.hpp"
 
 namespace wend_ros {
 namespace {
@@ -18,7 +21,7 @@ using wend::GridMap;
 using wend::Point;
 
 constexpr int kSide = 24;
-constexpr double kRange = 9;
+constexpr double kRange = 9;  // cells
 
 /// A tenth of the cells occupied, a few unknown.
 GridMap random_map(std::mt19937& random) {
@@ -30,81 +33,57 @@ GridMap random_map(std::mt19937& random) {
       if (drawn == 5) cells[{x, y}] = CellState::unknown;
     }
   }
-  return *wend::make_grid_map(cells, {.resolution = 0.5, .y_up = true, .metric = true});
+  return *wend::make_grid_map(
+      cells, {.resolution = 0.5, .origin = {-3, 7, 0.4}, .y_up = true, .metric = true});
 }
 
-/// Does a line pass an occupied cell other than `but`, grown by a margin on each side (negative: shrunk)?
-bool passes_obstacle(const GridMap& map, Point from, Point to, Cell but, double margin) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const int steps = 1 + static_cast<int>(length / 0.02);
-  for (int i = 0; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const Point at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-    for (int y = static_cast<int>(at.y) - 1; y <= static_cast<int>(at.y) + 1; ++y) {
-      for (int x = static_cast<int>(at.x) - 1; x <= static_cast<int>(at.x) + 1; ++x) {
-        const Cell cell{x, y};
-        if (cell == but || !map.contains(cell) || map.state(cell) != CellState::occupied) continue;
-        if (at.x > x - margin && at.x < x + 1 + margin && at.y > y - margin &&
-            at.y < y + 1 + margin) {
-          return true;
-        }
-      }
-    }
+/// A point of the map in grid coordinates.
+Point random_place(std::mt19937& random) {
+  const double x = std::uniform_real_distribution<double>(0, kSide)(random);
+  const double y = std::uniform_real_distribution<double>(0, kSide)(random);
+  return {x, y};
+}
+
+/// The cells of a map that are known.
+std::set<std::pair<int, int>> known_cells(const GridMap& map) {
+  std::set<std::pair<int, int>> known;
+  for (const Cell cell : wend::every_cell(map)) {
+    if (map.state(cell) != CellState::unknown) known.insert({cell.x, cell.y});
   }
-  return false;
+  return known;
 }
 
-/// Can a point of the cell be seen, if obstacles are a little smaller than they are?
-bool may_be_seen(const GridMap& map, Point from, Cell cell) {
-  constexpr int kPoints = 12;
-  for (int j = 0; j <= kPoints; ++j) {
-    for (int i = 0; i <= kPoints; ++i) {
-      const Point to{cell.x + static_cast<double>(i) / kPoints,
-                     cell.y + static_cast<double>(j) / kPoints};
-      if (!passes_obstacle(map, from, to, cell, -0.2)) return true;
-    }
-  }
-  return false;
-}
-
-TEST(SeenCells, AreThoseThatStraightLinesReach) {
+/// From where it stands in a cell, in metres of a map whose origin lies elsewhere; unknown cells hide nothing.
+TEST(SensedMap, KnowsWhatIsSeenFromTheRobot) {
   std::mt19937 random(3);
-  int seen_ones = 0;
-  int hidden = 0;
+  std::size_t seen_ones = 0;
   for (int n = 0; n < 60; ++n) {
-    const GridMap map = random_map(random);
-    const Point from{std::uniform_real_distribution<double>(0, kSide)(random),
-                     std::uniform_real_distribution<double>(0, kSide)(random)};
-    const Cell here{static_cast<int>(from.x), static_cast<int>(from.y)};
-    if (map.state(here) == CellState::occupied) continue;
-    std::set<std::pair<int, int>> seen;
-    for (const Cell cell : seen_cells(map, from, kRange)) seen.insert({cell.x, cell.y});
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
-        const Point middle = wend::centre_of({x, y});
-        const double distance = std::hypot(middle.x - from.x, middle.y - from.y);
-        const bool is_seen = seen.contains({x, y});
-        seen_ones += is_seen ? 1 : 0;
-        if (is_seen) {
-          ASSERT_LT(distance, kRange + 0.75) << x << ',' << y;
-          ASSERT_TRUE(may_be_seen(map, from, {x, y})) << n << ": " << x << ',' << y;
-        } else if (distance < kRange - 0.75) {
-          ASSERT_TRUE(passes_obstacle(map, from, middle, {x, y}, 0.3))
-              << n << ": " << x << ',' << y;
-          ++hidden;
-        }
-      }
+    const GridMap truth = random_map(random);
+    const Point robot = random_place(random);
+    const wend::Obstacles obstacles(truth, {.unknown = wend::UnknownPolicy::free});
+    std::vector<Cell> visible;
+    wend::append_visible_cells(obstacles, robot, kRange, visible);
+    std::set<std::pair<int, int>> expected;
+    for (const Cell cell : visible) {
+      if (truth.state(cell) != CellState::unknown) expected.insert({cell.x, cell.y});
     }
+    auto sensed = SensedMap::make(truth);
+    ASSERT_TRUE(sensed);
+    sensed->look(truth.frame().to_metres(robot), kRange * truth.frame().resolution);
+    ASSERT_EQ(known_cells(sensed->known()), expected) << n;
+    seen_ones += expected.size();
   }
-  EXPECT_GT(seen_ones, 1000);
-  EXPECT_GT(hidden, 1000);
+  EXPECT_GT(seen_ones, 1000U);
 }
 
-TEST(SeenCells, NoneFromOutsideOfTheMap) {
-  const GridMap map = *wend::make_grid_map(wend::Grid<CellState>(5, 5, CellState::free));
-  EXPECT_TRUE(seen_cells(map, {-0.5, 2}, 9).empty());
-  EXPECT_TRUE(seen_cells(map, {2, 5}, 9).empty());
-  EXPECT_TRUE(seen_cells(map, {std::nan(""), 2}, 9).empty());
+TEST(SensedMap, LearnsNothingFromOutsideOfTheMap) {
+  auto sensed = SensedMap::make(*wend::make_grid_map(wend::Grid<CellState>(5, 5, CellState::free)));
+  ASSERT_TRUE(sensed);
+  for (const wend::MapPoint outside :
+       {wend::MapPoint{-0.5, 2}, wend::MapPoint{2, 5}, wend::MapPoint{std::nan(""), 2}}) {
+    EXPECT_TRUE(sensed->look(outside, 9).empty());
+  }
+  EXPECT_TRUE(known_cells(sensed->known()).empty());
 }
 
 TEST(SensedMap, KnowsNothingAtFirstAndInTheEndWhatItHasSeen) {
@@ -116,9 +95,8 @@ TEST(SensedMap, KnowsNothingAtFirstAndInTheEndWhatItHasSeen) {
   EXPECT_EQ(unknown_cells(), truth.size());
   for (int step = 0; step < 30; ++step) {
     const GridMap before = sensed->known();
-    const wend::MapPose robot{std::uniform_real_distribution<double>(0, kSide / 2.0)(random),
-                              std::uniform_real_distribution<double>(0, kSide / 2.0)(random), 0};
-    const wend::CellBox changed = sensed->look(robot.point(), 4);
+    const wend::MapPoint robot = truth.frame().to_metres(random_place(random));
+    const wend::CellBox changed = sensed->look(robot, 4);
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {
         const Cell cell{x, y};
@@ -127,7 +105,7 @@ TEST(SensedMap, KnowsNothingAtFirstAndInTheEndWhatItHasSeen) {
         if (now != before.state(cell)) ASSERT_TRUE(changed.contains(cell));
       }
     }
-    ASSERT_TRUE(sensed->look(robot.point(), 4).empty()) << "there is no more to see";
+    ASSERT_TRUE(sensed->look(robot, 4).empty()) << "there is no more to see";
   }
   EXPECT_LT(unknown_cells(), truth.size() / 4);
 }
