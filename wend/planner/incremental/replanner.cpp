@@ -24,7 +24,8 @@ PlannerInfo replanner_planner() {
                "one cheaper. "
                "If so, it repairs the tree of its last search backwards from the goal, or searches "
                "anew with "
-               "leaps, whichever has been cheaper so far.",
+               "leaps, whichever has been cheaper; where every cell costs the same, it always "
+               "searches anew.",
        .citation = "after Koenig, Likhachev 2002 (D* Lite) and Stentz 1995",
        .guarantee_text = "optimal; on terrain at most 1.5e-6 of the cost more",
        .time = "O(changes + the rest of the path) if the path is kept; else as astar with leaps, "
