@@ -194,6 +194,16 @@ TEST(VisibleCells, EndAtAWallWhichIsSeen) {
   for (int x = 5; x < 9; ++x) EXPECT_FALSE(seen.contains({x, 2})) << x;
 }
 
+/// The slit that leads to the cell is 0.67 cells wide at the ends of the rays.
+TEST(VisibleCells, AreSeenThroughASlitThatIsWiderThanTheGapOfRays) {
+  const GridMap map = test::drawn_map(
+      ".....\n"
+      ".##..\n"
+      ".....\n"
+      ".....\n");
+  EXPECT_TRUE(seen_from(map, {0.5, 0.5}, 5).contains({1, 2}));
+}
+
 /// What a pillar hides from the middle of a cell is seen past it from the cell's edge.
 TEST(VisibleCells, DependOnThePlaceInACell) {
   const GridMap map = test::drawn_map(
