@@ -12,7 +12,7 @@
 namespace wend {
 namespace {
 
-constexpr Frame kRosFrame{.resolution = 0.05, .origin = {1, 2, 0}, .y_up = true, .metric = true};
+constexpr Frame kOccupancyFrame{.resolution = 0.05, .origin = {1, 2, 0}, .y_up = true, .metric = true};
 
 /// Every value of a byte, in one row.
 template <class Byte>
@@ -26,10 +26,10 @@ TEST(Occupancy, OfEveryValueIsWhatRosSays) {
   const auto values = all_bytes<std::int8_t>();
   for (const int occupied_from : {1, 50, 65, 100}) {
     for (const double factor : {0.0, 1.0, 4.0, 99.5}) {
-      const auto map = map_from_occupancy(values, 256, 1, kRosFrame,
+      const auto map = map_from_occupancy(values, 256, 1, kOccupancyFrame,
                                           {.occupied_from = occupied_from, .cost_factor = factor});
       ASSERT_TRUE(map) << map.error().message;
-      EXPECT_EQ(map->frame(), kRosFrame);
+      EXPECT_EQ(map->frame(), kOccupancyFrame);
       for (int x = 0; x < 256; ++x) {
         const int v = values[static_cast<std::size_t>(x)];
         SCOPED_TRACE(testing::Message() << "value " << v);
@@ -49,7 +49,7 @@ TEST(Occupancy, OfEveryValueIsWhatRosSays) {
 TEST(Occupancy, OfEveryCostOfACostmapIsWhatCostmap2dSays) {
   const auto costs = all_bytes<std::uint8_t>();
   for (const double factor : {0.0, 0.8, 4.0, 1e6}) {
-    const auto map = map_from_costmap(costs, 256, 1, kRosFrame, {factor});
+    const auto map = map_from_costmap(costs, 256, 1, kOccupancyFrame, {factor});
     ASSERT_TRUE(map) << map.error().message;
     for (int v = 0; v <= 252; ++v) {
       EXPECT_EQ(map->state({v, 0}), CellState::free) << v;
@@ -64,7 +64,7 @@ TEST(Occupancy, OfEveryCostOfACostmapIsWhatCostmap2dSays) {
 TEST(Occupancy, OfASpeedMaskIsTheTimeThatACellTakes) {
   const auto values = all_bytes<std::int8_t>();
   const auto check = [&](const SpeedScale& scale) {
-    const auto map = map_from_speed_mask(values, 256, 1, kRosFrame, scale);
+    const auto map = map_from_speed_mask(values, 256, 1, kOccupancyFrame, scale);
     ASSERT_TRUE(map) << map.error().message;
     const double top = scale.top_speed.value_or(100);
     for (int x = 0; x < 256; ++x) {
@@ -84,7 +84,7 @@ TEST(Occupancy, OfASpeedMaskIsTheTimeThatACellTakes) {
 
 TEST(Occupancy, LiesRowByRowFromCellZero) {
   const std::vector<std::int8_t> values{0, 10, 100, -1, 0, 20};
-  const auto map = map_from_occupancy(values, 3, 2, kRosFrame, {.cost_factor = 100});
+  const auto map = map_from_occupancy(values, 3, 2, kOccupancyFrame, {.cost_factor = 100});
   ASSERT_TRUE(map);
   EXPECT_EQ(map->terrain({1, 0}), 11);
   EXPECT_EQ(map->state({2, 0}), CellState::occupied);
@@ -94,9 +94,9 @@ TEST(Occupancy, LiesRowByRowFromCellZero) {
 
 TEST(Occupancy, WithoutCostsIsUniform) {
   const std::vector<std::int8_t> values{0, 10, 100, 64};
-  EXPECT_TRUE(map_from_occupancy(values, 2, 2, kRosFrame)->uniform_terrain());
+  EXPECT_TRUE(map_from_occupancy(values, 2, 2, kOccupancyFrame)->uniform_terrain());
   const std::vector<std::uint8_t> costs{0, 10, 254, 252};
-  EXPECT_TRUE(map_from_costmap(costs, 2, 2, kRosFrame, {.cost_factor = 0})->uniform_terrain());
+  EXPECT_TRUE(map_from_costmap(costs, 2, 2, kOccupancyFrame, {.cost_factor = 0})->uniform_terrain());
 }
 
 TEST(Occupancy, IsRefusedWithTheReason) {
@@ -105,25 +105,25 @@ TEST(Occupancy, IsRefusedWithTheReason) {
     return made ? std::string()
                 : std::string(to_string(made.error().status)) + ": " + made.error().message;
   };
-  EXPECT_EQ(message(map_from_occupancy(values, 3, 3, kRosFrame)),
+  EXPECT_EQ(message(map_from_occupancy(values, 3, 3, kOccupancyFrame)),
             "invalid_map: the map has 6 values, 3 x 3 expected");
-  EXPECT_EQ(message(map_from_occupancy({}, 0, 3, kRosFrame)),
+  EXPECT_EQ(message(map_from_occupancy({}, 0, 3, kOccupancyFrame)),
             "invalid_map: the map is empty: 0 x 3 cells");
   EXPECT_EQ(message(map_from_occupancy(values, 3, 2, {.resolution = 0})),
             "invalid_map: the resolution 0 is not a positive number of metres a cell");
-  EXPECT_EQ(message(map_from_occupancy(values, 1 << 30, 1 << 30, kRosFrame)),
+  EXPECT_EQ(message(map_from_occupancy(values, 1 << 30, 1 << 30, kOccupancyFrame)),
             "invalid_map: the map has 1073741824 x 1073741824 cells, more than 1073741824");
-  EXPECT_EQ(message(map_from_occupancy(values, 3, 2, kRosFrame, {.occupied_from = 0})),
+  EXPECT_EQ(message(map_from_occupancy(values, 3, 2, kOccupancyFrame, {.occupied_from = 0})),
             "invalid_option: occupied_from is 0: a value of 1 to 100 expected");
-  EXPECT_EQ(message(map_from_occupancy(values, 3, 2, kRosFrame, {.cost_factor = -1})),
+  EXPECT_EQ(message(map_from_occupancy(values, 3, 2, kOccupancyFrame, {.cost_factor = -1})),
             "invalid_option: the cost factor is -1: 0 to 1e6 expected");
   EXPECT_EQ(
-      message(map_from_costmap(std::vector<std::uint8_t>(6), 3, 2, kRosFrame, {std::nan("")})),
+      message(map_from_costmap(std::vector<std::uint8_t>(6), 3, 2, kOccupancyFrame, {std::nan("")})),
       "invalid_option: the cost factor is nan: 0 to 1e6 expected");
-  EXPECT_EQ(message(map_from_speed_mask(values, 3, 2, kRosFrame, {.top_speed = 0})),
+  EXPECT_EQ(message(map_from_speed_mask(values, 3, 2, kOccupancyFrame, {.top_speed = 0})),
             "invalid_option: the speed mask's top_speed is 0: a finite number of m/s above 0 "
             "expected");
-  EXPECT_EQ(message(map_from_speed_mask(values, 3, 2, kRosFrame, {.base = INFINITY})),
+  EXPECT_EQ(message(map_from_speed_mask(values, 3, 2, kOccupancyFrame, {.base = INFINITY})),
             "invalid_option: the speed mask's base is inf: a finite number expected");
 }
 
