@@ -1,5 +1,7 @@
 """wend.explore(): drives over maps that the robot does not know."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -62,7 +64,7 @@ def test_plans_once_if_it_knows_the_map() -> None:
         ({"weight": 2}, "weight"),
     ],
 )
-def test_says_which_argument_is_wrong(arguments: dict, message: str) -> None:
+def test_says_which_argument_is_wrong(arguments: dict[str, Any], message: str) -> None:
     space = wend.Map([[0, 1, 0], [0, 0, 0]]).free_space()
     ends = {"start": (0, 0), "goal": (2, 0)}
     with pytest.raises((ValueError, wend.Error), match=message):
