@@ -148,8 +148,9 @@ TEST_P(Allocation, OfAWarmQueryIsNone) {
     for (const Query& query : queries) {
       found += planner->plan(query, plan) == Status::found ? 1 : 0;
     }
-    // A planner that learns is warm when it has learned.
-    for (int round = 0; round < (info().capabilities.learns ? 50 : 0); ++round) {
+    // A planner that learns is warm when it has learned, one that resumes when it has tried its searches.
+    const bool changes = info().capabilities.learns || info().capabilities.resumes;
+    for (int round = 0; round < (changes ? 50 : 0); ++round) {
       for (const Query& query : queries) planner->plan(query, plan);
     }
     const std::size_t before = allocations;
@@ -183,7 +184,24 @@ class IdleObserver final : public SearchObserver {
 
 /// The queries are short, so that the frontier, which does not count, is small. A planner that leaps has a map of its
 /// own where cells have costs, of 5 bytes a cell, and nodes of 16 for a search that is watched.
+/// A planner that resumes has more to keep, and says how much.
+TEST_P(Allocation, OfAPlannerThatResumesIsWhatItDeclares) {
+  if (!info().capabilities.resumes) GTEST_SKIP() << "it does not resume";
+  constexpr int kSide = 1000;
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(kSide, kSide, CellState::free)));
+  const auto declared =
+      static_cast<std::size_t>(info().bytes_per_cell * static_cast<double>(space.map().size()));
+  const std::size_t before = bytes_in_use();
+  const auto planner = make(space);
+  EXPECT_LE(bytes_in_use() - before, declared) << "when it is made";
+  EXPECT_TRUE(planner->plan(Query::between({500, 500}, {503, 503})));
+  EXPECT_LE(bytes_in_use() - before, declared + declared / 50) << "after a query";
+  EXPECT_GE(bytes_in_use() - before, declared / 2) << "it declares too much";
+}
+
 TEST_P(Allocation, OfAPlannerIsAtMost21BytesACellOr24APose) {
+  if (info().capabilities.resumes) GTEST_SKIP() << "it keeps more, see above";
   constexpr int kSide = 1000;
   Grid<double> terrain(kSide, kSide, 1);
   terrain[{500, 500}] = 2;

@@ -311,13 +311,13 @@ TEST(Completion, BashCompletesSubcommandsFlagsAndValues) {
   EXPECT_EQ(completed("wend plan --lim", 2), "--limit-memory --limit-expansions --limit-time\n");
   EXPECT_EQ(completed("wend plan --nearest --lim", 3),
             "--limit-memory --limit-expansions --limit-time\n");
-  EXPECT_EQ(completed("wend plan --planner d", 3), "dijkstra dfs\n");
-  EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs\n");
+  EXPECT_EQ(completed("wend plan --planner d", 3), "dijkstra dfs d_star_lite\n");
+  EXPECT_EQ(completed("wend plan --planner = d", 4), "dijkstra dfs d_star_lite\n");
   EXPECT_EQ(completed("wend plan --corner-rule \"\"", 3), "none one both\n");
   EXPECT_EQ(completed("wend plan --show p", 3), "parent policy\n");
   EXPECT_EQ(completed("wend view --show g,cl", 3), "g,closed g,clearance\n");
   EXPECT_EQ(completed("wend view --style dark,p", 3), "dark,print\n");
-  EXPECT_EQ(completed("wend compare --planner bfs,d", 3), "bfs,dijkstra bfs,dfs\n");
+  EXPECT_EQ(completed("wend compare --planner bfs,d", 3), "bfs,dijkstra bfs,dfs bfs,d_star_lite\n");
   EXPECT_EQ(completed("wend generate ma", 2), "maze\n");
   EXPECT_EQ(completed("wend convert --st", 2), "--strict\n");
   EXPECT_EQ(completed("wend completion \"\"", 2), "bash zsh fish\n");

@@ -67,10 +67,11 @@ as with --cells: from the upper left cell, on ROS maps from the lower left cell.
 On terrain, lengths are costs. Lengths in scenarios are for a point on 8
 neighbours without corner cutting; for other robots Dijkstra's algorithm
 computes them first. In scenarios of version 2 the map changes between queries;
-the time of a query includes telling the planner. An answer is wrong if it finds no path and the scenario has
-a length, or the reverse; if its length differs; if the path is not valid cell
-by cell; or if it differs from an earlier repetition. An interrupted run with
---database continues when it is started again; Planner Arena opens the file.
+the time of a query includes telling the planner. An answer is wrong if it finds
+no path and the scenario has a length, or the reverse; if its length differs; if
+the path is not valid cell by cell; or if it differs from an earlier repetition.
+An interrupted run with --database continues when it is started again; Planner
+Arena opens the file.
 Exit codes: 0 all answers are right, 1 an answer is wrong, 2 bad usage or input.)";
 
 struct BenchResults {

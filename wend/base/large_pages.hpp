@@ -2,8 +2,6 @@
 
 // LargePages: an allocator for vectors of many values that are read in no order. The system is asked for large pages,
 // with which searches on large maps wait less for addresses.
-//
-//   std::vector<Node, wend::LargePages<Node>> nodes;
 
 #include <cstddef>
 #include <new>

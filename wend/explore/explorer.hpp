@@ -74,7 +74,9 @@ class WEND_API Explorer {
   static Expected<Explorer, Error> make(const GridMap& truth, Cell start, Cell goal,
                                         const ExplorerOptions& options);
 
+  /// Leaves the other one without a robot: it may only be deleted or assigned to.
   Explorer(Explorer&&) noexcept;
+  /// The same.
   Explorer& operator=(Explorer&&) noexcept;
   Explorer(const Explorer&) = delete;
   Explorer& operator=(const Explorer&) = delete;

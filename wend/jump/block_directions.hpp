@@ -2,8 +2,6 @@
 
 // BlockDirections: what the 3 x 3 cells around a cell (BitGrid::block()) say of the directions in which a path goes on
 // from it, as tables.
-//
-//   const auto legal = wend::BlockDirections::kLegal[passable.block(cell)];
 
 #include <array>
 #include <cstddef>

@@ -3,9 +3,6 @@
 // JumpSources: finds the jumps that an edit of the map may have changed, from behind: which jump points look at the
 // cells around the edit?
 //
-//   wend::JumpSources sources(graph, 200'000);  // repaired
-//   if (sources.find(boxes)) forget(sources.jumps());
-//
 // A jump looks along straight runs up to their first stop, and along diagonal runs at such straight runs to both
 // sides. So what looks at a cell is found by going back from it: straight to the last stop before, and from each
 // cell on this way diagonally as long as steps are legal.

@@ -52,6 +52,7 @@ struct PatchCommand {
 
 /// The content of a dynamic scenario.
 struct DynamicScenario {
+  /// A change of the map, or a query on it as it is then.
   using Command = std::variant<PatchCommand, ScenarioQuery>;
 
   std::string file;                      // its name

@@ -20,7 +20,7 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const AltOptions& option
 PlannerInfo alt_planner() {
   return grid_planner<AltOptions>(
       {.name = "alt",
-       .summary = "A* with landmarks: exact costs to a few cells guide the search, with leaps",
+       .summary = "ALT: A* with landmarks, whose exact costs to all cells guide the search",
        .idea = "The costs from some far cells, the landmarks, to all cells are computed when the "
                "planner is made. "
                "By the triangle inequality they are lower bounds of the cost to the goal that know "

@@ -92,21 +92,26 @@ Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId st
     : landmarks_(std::move(landmarks)),
       costs_(landmarks_->costs_.data()),
       stride_(landmarks_->count_) {
-  std::vector<std::pair<std::uint32_t, std::size_t>> bounds;
+  // The best ones so far, the best first.
+  std::array<std::uint32_t, kMost> best{};
   for (std::size_t i = 0; i < stride_; ++i) {
     const std::uint32_t here = costs_[start * stride_ + i];
     const std::uint32_t there = costs_[goal * stride_ + i];
     // Another component: it says nothing about this one.
     if (here == kUnreached || there == kUnreached) continue;
-    bounds.emplace_back(here > there ? here - there : there - here, i);
+    const std::uint32_t bound = here > there ? here - there : there - here;
+    std::size_t place = used_;
+    while (place > 0 && best[place - 1] < bound) --place;
+    if (place == kMost) continue;
+    used_ = std::min(used_ + 1, kMost);
+    for (std::size_t later = used_ - 1; later > place; --later) {
+      best[later] = best[later - 1];
+      which_[later] = which_[later - 1];
+    }
+    best[place] = bound;
+    which_[place] = i;
   }
-  used_ = std::min(bounds.size(), kMost);
-  std::ranges::partial_sort(bounds, bounds.begin() + static_cast<std::ptrdiff_t>(used_),
-                            std::ranges::greater());
-  for (std::size_t i = 0; i < used_; ++i) {
-    which_[i] = bounds[i].second;
-    at_goal_[i] = costs_[goal * stride_ + which_[i]];
-  }
+  for (std::size_t i = 0; i < used_; ++i) at_goal_[i] = costs_[goal * stride_ + which_[i]];
 }
 
 template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned);

@@ -20,10 +20,11 @@ class TreeBudget {
   /// `even`: every cell costs the same. Leaps are then so fast that a tree never pays.
   TreeBudget(ReplanSearch search, bool even) : search_(search), even_(even) {}
 
-  /// Is it the tree's turn?
-  bool is_due() const {
-    return search_ == ReplanSearch::tree ||
-           (search_ == ReplanSearch::automatic && !even_ && leap_work_ > 0 && saved_ >= needed_);
+  /// Is it the tree's turn? A tree for other goals would have to be grown first. Who watches a search must not see
+  /// two.
+  bool is_due(bool same_goals, bool watched) const {
+    if (search_ != ReplanSearch::automatic) return search_ == ReplanSearch::tree;
+    return !even_ && same_goals && !watched && leap_work_ > 0 && saved_ >= needed_;
   }
 
   /// The most expansions of the tree in this search.
@@ -81,6 +82,7 @@ class ReplanEngine final : public GridEngine {
   void begin(const Cell& start, std::span<const GoalRegion> goals, const Limits& limits,
              SearchObserver* observer) override {
     start_ = start;
+    const bool same_goals = std::ranges::equal(goals, goals_);
     goals_.assign(goals.begin(), goals.end());
     user_limits_ = &limits;
     begun_ = limits.now();
@@ -94,8 +96,7 @@ class ReplanEngine final : public GridEngine {
       return;
     }
     kept_.forget();
-    // Who watches a search must not see two.
-    if (budget_.is_due() && (observer == nullptr || budget_.expansions() == Limits::kUnlimited)) {
+    if (budget_.is_due(same_goals, observer != nullptr)) {
       begin_tree();
     } else {
       begin_leaps();

@@ -18,13 +18,14 @@ GridPlanner::Parts choose_parts(const FreeSpace& space, const ReplannerOptions& 
 PlannerInfo replanner_planner() {
   return grid_planner<ReplannerOptions>(
       {.name = "replanner",
-       .summary = "plans again after each change of the map or move of the robot, from what it "
-                  "found before",
+       .summary =
+           "Replanning: keeps its last path, or repairs its last search, when the map changes",
        .idea = "It first asks whether the rest of the last path can have become dearer, or another "
                "one cheaper. "
                "If so, it repairs the tree of its last search backwards from the goal, or searches "
                "anew with "
-               "leaps, whichever has been cheaper so far.",
+               "leaps, whichever has been cheaper; where every cell costs the same, it always "
+               "searches anew.",
        .citation = "after Koenig, Likhachev 2002 (D* Lite) and Stentz 1995",
        .guarantee_text = "optimal; on terrain at most 1.5e-6 of the cost more",
        .time = "O(changes + the rest of the path) if the path is kept; else as astar with leaps, "

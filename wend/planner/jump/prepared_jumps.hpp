@@ -4,10 +4,6 @@
 // jump points and dead ends, found once scans of its cells have cost about as much, and the memory of searches that
 // have ended.
 //
-//   const auto prepared = wend::PreparedJumps::of(space);
-//   auto search = prepared->known<std::uint32_t>(space.passable());
-//   if (search == nullptr) scan(prepared->scanning<std::uint32_t>(space.passable()));
-//
 // An edit of the space changes what is near, before the next search begins. After a large edit nothing is known,
 // and searches scan again.
 //
