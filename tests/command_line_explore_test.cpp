@@ -101,6 +101,7 @@ TEST_F(ExploreCommand, SaysWhatIsWrong) {
   };
   EXPECT_THAT(error({"--planner", "theta_star"}),
               HasSubstr("an explorer steps from cell to cell, which theta_star does not"));
+  EXPECT_THAT(error({"--planner", "replanner:weight=2"}), HasSubstr("weight"));
   EXPECT_THAT(error({"--sensor-range", "0.5"}), HasSubstr("at least 1 cell"));
   EXPECT_THAT(error({"--replan", "never"}), AllOf(HasSubstr("path"), HasSubstr("discovery")));
   EXPECT_THAT(error({"--known", folder_.write("small.txt", "..\n")}),

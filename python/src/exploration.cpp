@@ -72,17 +72,16 @@ nb::dict explore(const Space& space, nb::handle start, nb::handle goal, std::str
   chosen.when = when_of(replan);
   chosen.clock = thread_cpu_seconds;
   Interrupts interrupts;
+  interrupts.watch(chosen.limits);  // each search looks
   const Cell from = cell_of(truth, start, "start");
   const Cell to = cell_of(truth, goal, "goal");
   std::optional<Expected<Explorer, Error>> explorer;
   std::optional<Status> end;
   {
     const nb::gil_scoped_release unlocked;
-    Limits limits;
-    interrupts.watch(limits);  // a step is short: it looks before each
     explorer.emplace(Explorer::make(truth.map(), from, to, chosen));
     while (*explorer && !end && !interrupts.cancelled()) {
-      limits.clock();
+      chosen.limits.clock();  // a step may plan nothing
       end = (*explorer)->step();
     }
   }

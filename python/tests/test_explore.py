@@ -1,5 +1,7 @@
 """wend.explore(): drives over maps that the robot does not know."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -58,12 +60,17 @@ def test_plans_once_if_it_knows_the_map() -> None:
         ({"planner": "theta_star"}, "steps from cell to cell, which theta_star does not"),
         ({"planner": "nothing"}, "nothing"),
         ({"replan": "never"}, "replan"),
-        ({"known": wend.Map([[0]])}, "1 x 1 cells"),
         ({"weight": 2}, "weight"),
     ],
 )
-def test_says_which_argument_is_wrong(arguments: dict, message: str) -> None:
+def test_says_which_argument_is_wrong(arguments: dict[str, Any], message: str) -> None:
     space = wend.Map([[0, 1, 0], [0, 0, 0]]).free_space()
     ends = {"start": (0, 0), "goal": (2, 0)}
     with pytest.raises((ValueError, wend.Error), match=message):
         wend.explore(space, **{**ends, **arguments})
+
+
+def test_the_known_map_has_the_size_of_the_true_one() -> None:
+    space = wend.Map([[0, 0, 0]]).free_space()
+    with pytest.raises(ValueError, match="the known map has 1 x 1 cells, the true one 3 x 1"):
+        wend.explore(space, (0, 0), (2, 0), known=wend.Map([[0]]))

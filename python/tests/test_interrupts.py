@@ -74,6 +74,13 @@ def test_a_signal_stops_search() -> None:
         wend.search(WALLED, (0, 0), (1450, 0), "random", max_steps=STEPS)
 
 
+def test_a_signal_stops_a_search_of_explore() -> None:
+    space = wend.Map(WALLED).free_space()
+    with pytest.raises(Alarm), alarm():
+        wend.explore(space, START, GOAL, "random_walk", known=space.map, max_steps=STEPS)
+    check_usable(space)
+
+
 @pytest.mark.parametrize("planner", ["hub_labels", "corner_hierarchy"])
 def test_a_signal_stops_the_building_of_an_index(planner: str) -> None:
     cells = np.random.default_rng(1).random((700, 700)) < 0.3  # takes seconds

@@ -18,7 +18,7 @@ __all__ = ["Exploration", "explore"]
 
 
 class Exploration(NamedTuple):
-    """A drive over a map that the robot did not know."""
+    """A drive over a map that the robot did not know. ``explore()`` makes it."""
 
     status: str
     """"found" if the robot arrived, else why its last plan failed: "unreachable", "goal_blocked", ..."""
@@ -60,14 +60,16 @@ def explore(
     **options: object,
 ) -> Exploration:
     """Drives the robot of a space from start to goal without knowing the map. It takes what it has not seen for free,
-    looks around with a laser scanner before each step, and plans again where it has to. Ctrl-C stops it.
+    looks around with a laser scanner before each step, and plans again where it has to. Ctrl-C stops it. The space does
+    not change.
 
-    :param planner: one that steps from cell to cell; `options` are its options.
+    :param planner: a name from ``wend.planners()`` that steps from cell to cell; `options` are its options.
     :param sensor_range: of the scanner in metres; None: 5 m, or 30 cells if the map has no resolution.
     :param known: what the robot believes at first, of the same size; None: it knows nothing.
     :param replan: when it plans again: "path", if its path is blocked or costs more; "discovery", after every discovery
         that is not as it believed.
-    :raises ValueError: an end is outside of the map, the start is blocked, or an argument has a wrong value.
+    :raises ValueError: an end is outside of the map, or an argument has a wrong value.
+    :raises wend.Error: the start is blocked.
 
     >>> import wend
     >>> space = wend.Map([[0, 0, 0], [1, 1, 0], [0, 0, 0]]).free_space()

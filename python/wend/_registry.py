@@ -80,8 +80,8 @@ def planners() -> tuple[PlannerInfo, ...]:
     """All planners.
 
     >>> import wend
-    >>> [planner.name for planner in wend.planners()][:3]
-    ['astar', 'dijkstra', 'jps']
+    >>> [planner.name for planner in wend.planners()][:2]
+    ['astar', 'dijkstra']
     """
     return tuple(PlannerInfo(**_with_options(entry)) for entry in _core.planners())
 

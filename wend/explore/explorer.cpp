@@ -28,6 +28,17 @@ Expected<GridMap, Error> first_belief(const GridMap& truth, const std::optional<
   return *known;
 }
 
+/// Which options are valid does not depend on the map, so the smallest one tells before the drive begins.
+std::optional<Error> fault_of_planner_options(const PlannerSpec& spec) {
+  const auto map = make_grid_map(Grid<CellState>(1, 1, CellState::free), Frame{});
+  if (!map) return map.error();
+  const auto space = make_free_space(*map, {});
+  if (!space) return space.error();
+  const auto made = make_planner(spec.name, *space, spec.options);
+  if (made || made.error().status != Status::invalid_option) return std::nullopt;
+  return made.error();
+}
+
 std::optional<Error> fault_of_options(const ExplorerOptions& options) {
   if (!(options.sensor_range >= 1) || !std::isfinite(options.sensor_range)) {
     return Error{Status::invalid_option, "the range of the sensor must be at least 1 cell",
@@ -43,7 +54,7 @@ std::optional<Error> fault_of_options(const ExplorerOptions& options) {
                  "an explorer steps from cell to cell, which " + info->name + " does not",
                  "planner"};
   }
-  return std::nullopt;
+  return fault_of_planner_options(options.planner);
 }
 
 }  // namespace

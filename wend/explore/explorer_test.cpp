@@ -110,6 +110,10 @@ TEST(Explorer, SaysWhatIsWrong) {
             "the range of the sensor must be at least 1 cell");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"theta_star"}}),
             "an explorer steps from cell to cell, which theta_star does not");
+  EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"replanner", {{"weight", "2"}}}}),
+            "unknown option 'weight': choose from connectivity, corner_rule, search");
+  EXPECT_EQ(message({0, 0}, {3, 0}, {.planner = {"astar", {{"connectivity", "5"}}}}),
+            "option 'connectivity': '5' is not one of 4, 8");
   EXPECT_EQ(message({0, 0}, {3, 0}, {.known = test::drawn_map("..\n")}),
             "the known map has 2 x 1 cells, the true one 4 x 3");
 }

@@ -23,6 +23,7 @@ PAGES = [
     ("map", "Maps", ["Map"]),
     ("space", "Planning", ["FreeSpace", "Explanation", "Way"]),
     ("plan", "Plans, smoothing, following", ["Plan", "Quality", "Trajectory", "follow", "Drive"]),
+    ("explore", "Robots that discover their map", ["explore", "Exploration"]),
     ("trace", "Traces of searches", ["Trace", "Event", "Animation"]),
     ("indexes", "Indexes", ["Index"]),
     ("registry", "What there is", ["planners", "PlannerInfo", "smoothers", "SmootherInfo", "controllers",
