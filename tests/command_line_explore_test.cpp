@@ -63,7 +63,7 @@ TEST_F(ExploreCommand, DrivesWithEachPlannerAndTellsWhatItTook) {
   ASSERT_EQ(report.at("drives").size(), 3U);
   for (const json& drive : report.at("drives")) {
     EXPECT_EQ(drive.at("status"), "found");
-    EXPECT_GE(drive.at("replans"), 2);
+    EXPECT_GE(drive.at("replans"), 1);
     EXPECT_EQ(drive.at("path").front(), (json{2, 2}));
     EXPECT_EQ(drive.at("path").back(), (json{0, 0}));
     EXPECT_GE(drive.at("driven_cells"), 8.0);

@@ -12,7 +12,8 @@
 namespace wend {
 namespace {
 
-constexpr Frame kOccupancyFrame{.resolution = 0.05, .origin = {1, 2, 0}, .y_up = true, .metric = true};
+constexpr Frame kOccupancyFrame{
+    .resolution = 0.05, .origin = {1, 2, 0}, .y_up = true, .metric = true};
 
 /// Every value of a byte, in one row.
 template <class Byte>
@@ -96,7 +97,8 @@ TEST(Occupancy, WithoutCostsIsUniform) {
   const std::vector<std::int8_t> values{0, 10, 100, 64};
   EXPECT_TRUE(map_from_occupancy(values, 2, 2, kOccupancyFrame)->uniform_terrain());
   const std::vector<std::uint8_t> costs{0, 10, 254, 252};
-  EXPECT_TRUE(map_from_costmap(costs, 2, 2, kOccupancyFrame, {.cost_factor = 0})->uniform_terrain());
+  EXPECT_TRUE(
+      map_from_costmap(costs, 2, 2, kOccupancyFrame, {.cost_factor = 0})->uniform_terrain());
 }
 
 TEST(Occupancy, IsRefusedWithTheReason) {
@@ -117,9 +119,9 @@ TEST(Occupancy, IsRefusedWithTheReason) {
             "invalid_option: occupied_from is 0: a value of 1 to 100 expected");
   EXPECT_EQ(message(map_from_occupancy(values, 3, 2, kOccupancyFrame, {.cost_factor = -1})),
             "invalid_option: the cost factor is -1: 0 to 1e6 expected");
-  EXPECT_EQ(
-      message(map_from_costmap(std::vector<std::uint8_t>(6), 3, 2, kOccupancyFrame, {std::nan("")})),
-      "invalid_option: the cost factor is nan: 0 to 1e6 expected");
+  EXPECT_EQ(message(map_from_costmap(std::vector<std::uint8_t>(6), 3, 2, kOccupancyFrame,
+                                     {std::nan("")})),
+            "invalid_option: the cost factor is nan: 0 to 1e6 expected");
   EXPECT_EQ(message(map_from_speed_mask(values, 3, 2, kOccupancyFrame, {.top_speed = 0})),
             "invalid_option: the speed mask's top_speed is 0: a finite number of m/s above 0 "
             "expected");
