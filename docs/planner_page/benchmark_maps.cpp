@@ -83,13 +83,18 @@ PlannerSpec planner_spec(const std::string& text) {
   return specs->front();
 }
 
-/// Every complete grid planner without an index whose paths are steps, and variants of astar, each with `option` besides:
-/// those that have this option and can plan on the map.
+/// Does it keep the answer of a query that is repeated? Then its time says nothing.
+bool keeps_answers(const PlannerInfo& planner) {
+  return planner.capabilities.resumes && planner.preprocessing == Preprocessing::none;
+}
+
+/// Every complete grid planner without an index whose paths are steps and that does not keep its answers, and variants
+/// of astar, each with `option` besides: those that have this option and can plan on the map.
 std::vector<Configuration> planners_for(const FreeSpace& space, const std::string& option) {
   std::vector<std::string> names;
   for (const PlannerInfo& planner : planners()) {
     if (!planner.capabilities.headings && !planner.capabilities.any_angle &&
-        !planner.index_support && planner.guarantee != Guarantee::none) {
+        !planner.index_support && planner.guarantee != Guarantee::none && !keeps_answers(planner)) {
       names.push_back(planner.name);
     }
   }

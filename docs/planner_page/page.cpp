@@ -85,7 +85,9 @@ std::string how_it_was_measured(bool with_movingai_maps) {
       "with warm caches (`jps` caches results across queries). Numbers are medians over the "
       "queries "
       "that every planner solved; the best of a row is **bold**. Maps come from `wend generate`, "
-      "seed 7{}. [performance.md](performance.md) has indexes and larger maps.",
+      "seed 7{}. [performance.md](performance.md) has indexes and larger maps. "
+      "`replanner` and `d_star_lite` keep the answer of a query that is repeated; "
+      "[replanning.md](replanning.md) has their times.",
       thread_time_name(), describe_machine(),
       with_movingai_maps ? ", and from movingai.com (N. Sturtevant, \"Benchmarks for Grid-Based "
                            "Pathfinding\", 2012), named in brackets"
