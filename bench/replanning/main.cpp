@@ -158,10 +158,10 @@ std::unique_ptr<Planner> scratch_without_leaps(const FreeSpace& space) {
 }
 
 std::vector<Contestant> contestants() {
-  const auto named = [](std::string name, std::string planner, OptionValues options) {
-    return Contestant{std::move(name), [planner, options](const FreeSpace& space) {
-                        return made(planner, space, options);
-                      }};
+  const auto named = [](const std::string& name, const std::string& planner,
+                        const OptionValues& options) {
+    return Contestant{
+        name, [planner, options](const FreeSpace& space) { return made(planner, space, options); }};
   };
   return {{"A* from scratch", scratch_without_leaps},
           named("astar", "astar", {}),

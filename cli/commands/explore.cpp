@@ -97,7 +97,7 @@ class ExploreRun {
   std::optional<GridMap> known_;
   ExplorationReport report_;
   // Of the first drive.
-  std::optional<Scene> scene_;
+  std::unique_ptr<Scene> scene_;
   ExplorationFilm film_;
 };
 
@@ -121,14 +121,14 @@ void ExploreRun::drive(const PlannerSpec& planner, const std::string& name) {
     if (error.status == Status::invalid_option) throw InputError(error.message);
     throw NoPathError(error.message, {});
   }
-  const bool first = !scene_;
+  const bool first = scene_ == nullptr;
   const bool filmed = first && arguments_.output.any(".gif");
   std::optional<Status> end;
   while (!end && !Interruptible::cancelled()) {
     end = explorer->step();
     if (filmed) film_.take(*explorer);
   }
-  if (first) scene_ = scene_now(*explorer);
+  if (first) scene_ = std::make_unique<Scene>(scene_now(*explorer));
   report_.rows.push_back({name, end.value_or(Status::cancelled), explorer->reason(),
                           explorer->driven(), explorer->driven_cost(), explorer->totals()});
 }

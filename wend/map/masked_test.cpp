@@ -199,7 +199,7 @@ TEST(Masked, HoldsEditsToTheMask) {
       ++edits;
     }
   }
-  EXPECT_GT(edits, 100);
+  EXPECT_GT(edits, test::share_of(100));
 }
 
 TEST(Masked, BlocksWhatWasUnknownAndKeepsWhatTheMaskDoesNotKnow) {

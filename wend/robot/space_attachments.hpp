@@ -55,6 +55,7 @@ class SpaceAttachments {
   void space_edited(const SpaceChange& change) {
     std::erase_if(attachments_, [](const auto& each) {
       // Counting up and down sees what a thread did that has just let go (CopyOnWrite::change()).
+      // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy counts
       const std::shared_ptr<SpaceAttachment> held = each;
       return held.use_count() != 2;
     });

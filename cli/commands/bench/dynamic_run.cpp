@@ -121,6 +121,7 @@ std::vector<DynamicScenario> load_dynamic_scenarios(const std::vector<std::strin
     throw InputError("scenarios of version 2, whose maps change, cannot be mixed with others");
   }
   std::vector<DynamicScenario> scenarios;
+  scenarios.reserve(files.size());
   for (const std::string& file : files) {
     scenarios.push_back(value_or_throw(load_dynamic_scenario(file)));
   }

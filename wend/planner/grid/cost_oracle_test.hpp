@@ -21,7 +21,7 @@
 
 namespace wend::test {
 
-inline constexpr std::uint64_t kNoWay = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint64_t kNoUnits = std::numeric_limits<std::uint64_t>::max();
 
 /// The cost of a step by the definition of CostUnits, or where every cell costs the same in OctileUnits.
 inline std::uint64_t step_units(const FreeSpace& space, Cell from, Cell to) {
@@ -53,7 +53,7 @@ inline std::vector<std::uint64_t> units_from(const FreeSpace& space, GridMoves m
   const auto number = [width](Cell cell) {
     return static_cast<std::size_t>(cell.y * width + cell.x);
   };
-  std::vector<std::uint64_t> least(space.map().size(), kNoWay);
+  std::vector<std::uint64_t> least(space.map().size(), kNoUnits);
   using Open = std::pair<std::uint64_t, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   least[number(start)] = 0;

@@ -33,7 +33,7 @@ TEST(Landmarks, BoundTheCostBetweenCells) {
     const std::vector<std::uint64_t> truth = test::units_from(space, {}, goal);
     for (const Cell start : every_cell(space.map())) {
       const std::uint64_t cost = truth[static_cast<std::size_t>(start.y * space.width() + start.x)];
-      if (cost == test::kNoWay) continue;
+      if (cost == test::kNoUnits) continue;
       const Landmarks::Bounds bounds(landmarks, grid.number(start), grid.number(goal));
       ASSERT_LE(bounds(grid.number(start)), cost);
       exact += bounds(grid.number(start)) == cost && start != goal ? 1 : 0;
@@ -71,7 +71,7 @@ TEST(Landmarks, StayBoundsWhileCostsOnlyRise) {
     for (const Cell start : every_cell(space.map())) {
       const Landmarks::Bounds bounds(landmarks, grid.number(start), grid.number(goal));
       const std::uint64_t cost = truth[static_cast<std::size_t>(start.y * space.width() + start.x)];
-      ASSERT_TRUE(cost == test::kNoWay || bounds(grid.number(start)) <= cost);
+      ASSERT_TRUE(cost == test::kNoUnits || bounds(grid.number(start)) <= cost);
     }
   }
   EXPECT_GT(kept, test::share_of(20));

@@ -398,8 +398,8 @@ class LeapEngine final : public GridEngine {
 };
 
 template <class Word>
-GridPlanner::Parts parts_with(std::shared_ptr<CostGrid<Word>> grid,
-                              std::shared_ptr<GridEngine> engine, const BestFirst& parts,
+GridPlanner::Parts parts_with(const std::shared_ptr<CostGrid<Word>>& grid,
+                              const std::shared_ptr<GridEngine>& engine, const BestFirst& parts,
                               unsigned landmarks) {
   GridPlanner::Parts made{parts.moves, engine, parts.bound()};
   made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
@@ -415,8 +415,8 @@ GridPlanner::Parts parts_with(std::shared_ptr<CostGrid<Word>> grid,
 template <class Word>
 GridPlanner::Parts parts_on(const FreeSpace& space, const BestFirst& parts, unsigned landmarks) {
   const auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves);
-  auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks);
-  return parts_with(grid, make_leap_engine<Word>(grid, parts, std::move(bounds)), parts, landmarks);
+  const auto bounds = landmarks == 0 ? nullptr : Landmarks::make(*grid, landmarks);
+  return parts_with(grid, make_leap_engine<Word>(grid, parts, bounds), parts, landmarks);
 }
 
 }  // namespace
@@ -426,9 +426,9 @@ bool can_leap(const FreeSpace& space, const BestFirst& parts) {
 }
 
 template <>
-std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint64_t>> grid,
-                                             const BestFirst& parts,
-                                             std::shared_ptr<const Landmarks> /*landmarks*/) {
+std::shared_ptr<GridEngine> make_leap_engine(
+    std::shared_ptr<const CostGrid<std::uint64_t>> grid, const BestFirst& parts,
+    const std::shared_ptr<const Landmarks>& /*landmarks*/) {
   using Engine = LeapEngine<std::uint64_t, std::uint64_t, CostUnits>;
   return std::make_shared<Engine>(std::move(grid), parts);
 }
@@ -436,7 +436,7 @@ std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std:
 template <>
 std::shared_ptr<GridEngine> make_leap_engine(std::shared_ptr<const CostGrid<std::uint32_t>> grid,
                                              const BestFirst& parts,
-                                             std::shared_ptr<const Landmarks> landmarks) {
+                                             const std::shared_ptr<const Landmarks>& landmarks) {
   using Compact = std::uint32_t;
   using Wide = std::uint64_t;
   // The costs of landmarks are those of the compact engine.

@@ -25,7 +25,7 @@
 namespace wend {
 namespace {
 
-using test::kNoWay;
+using test::kNoUnits;
 using test::random_cell_of;
 using test::random_cost_space;
 using test::units_from;
@@ -42,7 +42,7 @@ BestFirst random_parts(Random& random) {
 /// Free goals, some with a tolerance, and what the cheapest of them costs.
 struct DrawnGoals {
   std::vector<GoalRegion> regions;
-  std::uint64_t least = kNoWay;
+  std::uint64_t least = kNoUnits;
 };
 
 DrawnGoals random_goals(const FreeSpace& space, const std::vector<std::uint64_t>& least,
@@ -81,7 +81,7 @@ TEST(LeapEngine, FindsACheapestPathInUnits) {
       const Limits limits;
       engine->begin(start, goals.regions, limits, nullptr);
       const SearchOutcome outcome = engine->run();
-      ASSERT_EQ(outcome == SearchOutcome::found, goals.least != kNoWay);
+      ASSERT_EQ(outcome == SearchOutcome::found, goals.least != kNoUnits);
       if (outcome != SearchOutcome::found) continue;
       Path path;
       engine->write_path(path);

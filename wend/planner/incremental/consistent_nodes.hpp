@@ -73,6 +73,7 @@ class ConsistentNodes {
     for (Entry& entry : entries) entry.key = key_of(entry.id);
     std::ranges::sort(entries);
     std::vector<StateId> ids;
+    ids.reserve(entries.size());
     for (const Entry& entry : entries) ids.push_back(entry.id);
     return ids;
   }

@@ -291,8 +291,9 @@ class DStarLite final : public GridEngine {
 GridPlanner::Parts choose_parts(const FreeSpace& space, const DStarLiteOptions& options);
 
 template <class Word>
-GridPlanner::Parts parts_with(std::shared_ptr<CostGrid<Word>> grid,
-                              std::shared_ptr<GridEngine> engine, const DStarLiteOptions& options) {
+GridPlanner::Parts parts_with(const std::shared_ptr<CostGrid<Word>>& grid,
+                              const std::shared_ptr<GridEngine>& engine,
+                              const DStarLiteOptions& options) {
   GridPlanner::Parts made{options.moves, engine, 1};
   made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
     if (!grid->can_become(space)) return choose_parts(space, options);

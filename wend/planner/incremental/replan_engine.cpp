@@ -204,8 +204,8 @@ class ReplanEngine final : public GridEngine {
 };
 
 template <class Word>
-GridPlanner::Parts parts_with(std::shared_ptr<ReplanEngine<Word>> engine, const BestFirst& parts,
-                              ReplanSearch search) {
+GridPlanner::Parts parts_with(const std::shared_ptr<ReplanEngine<Word>>& engine,
+                              const BestFirst& parts, ReplanSearch search) {
   GridPlanner::Parts made{parts.moves, engine, parts.bound()};
   made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
     if (!engine->grid()->can_become(space)) return replan_parts(space, parts, search);

@@ -19,7 +19,7 @@
 namespace wend {
 namespace {
 
-using test::kNoWay;
+using test::kNoUnits;
 
 struct Contestant {
   std::string name;
@@ -86,7 +86,7 @@ class Drive {
       EXPECT_EQ(status, Status::start_blocked);
       return 0;
     }
-    if (least == kNoWay) {
+    if (least == kNoUnits) {
       EXPECT_TRUE(status == Status::unreachable || status == Status::goal_blocked)
           << to_string(status);
       return 0;
@@ -112,9 +112,9 @@ class Drive {
   }
 
   std::uint64_t least_units() const {
-    if (!space_.passable(start_)) return kNoWay;
+    if (!space_.passable(start_)) return kNoUnits;
     const auto units = test::units_from(space_, moves_, start_);
-    std::uint64_t least = kNoWay;
+    std::uint64_t least = kNoUnits;
     for (const Cell cell : every_cell(space_.map())) {
       const bool is_goal =
           cell == goal_ || Goal(centre_of(goal_), tolerance_).reaches(centre_of(cell));
