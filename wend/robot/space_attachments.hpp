@@ -43,28 +43,37 @@ class SpaceAttachments {
   template <class T, class Make>
   std::shared_ptr<T> get(Make&& make) const {
     const MutexLock lock(mutex_);
-    for (const auto& each : attachments_) {
-      if (auto found = std::dynamic_pointer_cast<T>(each)) return found;
+    for (const auto& [type, value] : attachments_) {
+      if (type == &kType<T>) return std::static_pointer_cast<T>(value);
     }
     std::shared_ptr<T> made = std::forward<Make>(make)();
-    attachments_.push_back(made);
+    attachments_.push_back({&kType<T>, made});
     return made;
   }
 
   /// Tells the attachments of an edit in place. Those that somebody still holds stay as they are, and leave.
   void space_edited(const SpaceChange& change) {
-    std::erase_if(attachments_, [](const auto& each) {
+    std::erase_if(attachments_, [](const Attached& each) {
       // Counting up and down sees what a thread did that has just let go (CopyOnWrite::change()).
       // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy counts
-      const std::shared_ptr<SpaceAttachment> held = each;
+      const std::shared_ptr<SpaceAttachment> held = each.value;
       return held.use_count() != 2;
     });
-    for (const auto& each : attachments_) each->space_edited(change);
+    for (const Attached& each : attachments_) each.value->space_edited(change);
   }
 
  private:
+  /// Its address stands for a type, without the compiler's names of types.
+  template <class T>
+  static constexpr char kType = 0;
+
+  struct Attached {
+    const char* type;
+    std::shared_ptr<SpaceAttachment> value;
+  };
+
   mutable Mutex mutex_;  // guards the rest
-  mutable std::vector<std::shared_ptr<SpaceAttachment>> attachments_;
+  mutable std::vector<Attached> attachments_;
 };
 
 }  // namespace wend
