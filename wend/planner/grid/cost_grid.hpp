@@ -102,6 +102,14 @@ class CostGrid {
     return number + offsets_[direction] * steps;
   }
 
+  /// Can a path over the cell cost less than before a change, because it is free now, cheaper, or has more moves?
+  bool became_better(const Change& change) const {
+    const Word now = words_[change.id];
+    if (now == 0) return false;
+    if (change.before == 0 || steps(now) < steps(change.before)) return true;
+    return (moves(kNoMove, now) & ~moves(kNoMove, change.before)) != 0;
+  }
+
   Word word(StateId number) const { return words_[number]; }
   const Word* words() const { return words_.data(); }
   static std::uint64_t steps(Word word) { return word >> CostMoves::kKeyBits; }

@@ -1,6 +1,7 @@
 #include "wend/planner/grid/landmarks.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "wend/planner/grid/cost_field.hpp"
@@ -76,18 +77,6 @@ std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<Word>& grid, uns
   return made;
 }
 
-template <class Word>
-bool Landmarks::may_fall(const CostGrid<Word>& grid,
-                         std::span<const typename CostGrid<Word>::Change> changes) {
-  using Grid = CostGrid<Word>;
-  return std::ranges::any_of(changes, [&](const auto& change) {
-    const Word now = grid.word(change.id);
-    if (now == 0) return false;
-    if (change.before == 0 || Grid::steps(now) < Grid::steps(change.before)) return true;
-    return (grid.moves(kNoMove, now) & ~grid.moves(kNoMove, change.before)) != 0;
-  });
-}
-
 Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId start, StateId goal)
     : landmarks_(std::move(landmarks)),
       costs_(landmarks_->costs_.data()),
@@ -116,9 +105,5 @@ Landmarks::Bounds::Bounds(std::shared_ptr<const Landmarks> landmarks, StateId st
 
 template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint32_t>&, unsigned);
 template std::shared_ptr<const Landmarks> Landmarks::make(const CostGrid<std::uint64_t>&, unsigned);
-template bool Landmarks::may_fall(const CostGrid<std::uint32_t>&,
-                                  std::span<const CostGrid<std::uint32_t>::Change>);
-template bool Landmarks::may_fall(const CostGrid<std::uint64_t>&,
-                                  std::span<const CostGrid<std::uint64_t>::Change>);
 
 }  // namespace wend

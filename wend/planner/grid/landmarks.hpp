@@ -7,11 +7,11 @@
 // Each landmark is as far from the others as possible. Costs are in the units of the searches, so the bounds are
 // consistent to the last digit. They stay bounds while cells only become dearer or blocked.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +34,10 @@ class Landmarks {
   /// Can the cost between two cells have become less by these changes?
   template <class Word>
   static bool may_fall(const CostGrid<Word>& grid,
-                       std::span<const typename CostGrid<Word>::Change> changes);
+                       std::span<const typename CostGrid<Word>::Change> changes) {
+    return std::ranges::any_of(changes,
+                               [&](const auto& change) { return grid.became_better(change); });
+  }
 
   /// The landmarks that are best for a query with one goal, and its bounds.
   class Bounds {

@@ -42,7 +42,7 @@ bool can_leap(const FreeSpace& space, const BestFirst& parts);
 /// larger until a repair may make their bounds wrong.
 template <class Word>
 std::shared_ptr<GridEngine> make_leap_engine(
-    std::shared_ptr<const CostGrid<Word>> grid, const BestFirst& parts,
+    const std::shared_ptr<const CostGrid<Word>>& grid, const BestFirst& parts,
     const std::shared_ptr<const Landmarks>& landmarks = nullptr);
 
 /// The engine, with this number of landmarks, and what repairs it after an edit.

@@ -93,13 +93,7 @@ template <class Word>
 bool KeptPath<Word>::may_lead_past(Cell start, std::uint64_t cost,
                                    std::span<const typename Grid::Change> changes) const {
   return std::ranges::any_of(changes, [&](const auto& change) {
-    const Word now = grid_.word(change.id);
-    if (now == 0) return false;
-    const bool was_free = change.before != 0;
-    const bool cheaper = !was_free || Grid::steps(now) < Grid::steps(change.before);
-    const unsigned new_moves =
-        was_free ? grid_.moves(kNoMove, now) & ~grid_.moves(kNoMove, change.before) : 0U;
-    if (!cheaper && new_moves == 0) return false;
+    if (!grid_.became_better(change)) return false;
     const Cell cell = grid_.cell(change.id);
     std::uint64_t onwards = ~std::uint64_t{0};
     for (const GoalRegion& goal : goals_) {

@@ -29,7 +29,7 @@ namespace wend {
 /// An engine on a grid, for parts with which it can_leap(). It keeps its tree while the goals are the same, and
 /// follows the repairs of the grid. Expansions are counted from search to search; forgotten nodes are not.
 template <class Word>
-std::shared_ptr<GridEngine> make_repair_tree(std::shared_ptr<const CostGrid<Word>> grid,
+std::shared_ptr<GridEngine> make_repair_tree(const std::shared_ptr<const CostGrid<Word>>& grid,
                                              const BestFirst& parts);
 
 }  // namespace wend

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "wend/planner/grid/cost_grid_parts.hpp"
 #include "wend/planner/grid/leap_engine.hpp"
 #include "wend/planner/incremental/kept_path.hpp"
 #include "wend/planner/incremental/repair_tree.hpp"
@@ -68,14 +69,13 @@ class TreeBudget {
 template <class Word>
 class ReplanEngine final : public GridEngine {
  public:
-  ReplanEngine(std::shared_ptr<CostGrid<Word>> grid, const BestFirst& parts, ReplanSearch search)
+  ReplanEngine(std::shared_ptr<const CostGrid<Word>> grid, const BestFirst& parts,
+               ReplanSearch search)
       : grid_(std::move(grid)),
         kept_(*grid_, parts.moves),
         budget_(search, grid_->one() == 1),
         leaps_(make_leap_engine<Word>(grid_, parts)),
         tree_(make_repair_tree<Word>(grid_, parts)) {}
-
-  const std::shared_ptr<CostGrid<Word>>& grid() const { return grid_; }
 
   bool allocated() const override { return leaps_->allocated() && tree_->allocated(); }
 
@@ -184,7 +184,7 @@ class ReplanEngine final : public GridEngine {
                 std::max(before_.max_frontier, now.max_frontier)};
   }
 
-  std::shared_ptr<CostGrid<Word>> grid_;
+  std::shared_ptr<const CostGrid<Word>> grid_;
   mutable KeptPath<Word> kept_;
   TreeBudget budget_;
   std::shared_ptr<GridEngine> leaps_;
@@ -203,34 +203,17 @@ class ReplanEngine final : public GridEngine {
   SearchMetrics metrics_;
 };
 
-template <class Word>
-GridPlanner::Parts parts_with(const std::shared_ptr<ReplanEngine<Word>>& engine,
-                              const BestFirst& parts, ReplanSearch search) {
-  GridPlanner::Parts made{parts.moves, engine, parts.bound()};
-  made.repaired = [=](const FreeSpace& space, const SpaceChange& change) {
-    if (!engine->grid()->can_become(space)) return replan_parts(space, parts, search);
-    engine->grid()->repair(space, change);
-    return parts_with(engine, parts, search);
-  };
-  return made;
-}
-
-template <class Word>
-GridPlanner::Parts parts_on(const FreeSpace& space, const BestFirst& parts, ReplanSearch search) {
-  auto grid = std::make_shared<CostGrid<Word>>(space, parts.moves);
-  return parts_with(std::make_shared<ReplanEngine<Word>>(std::move(grid), parts, search), parts,
-                    search);
-}
-
 }  // namespace
 
 GridPlanner::Parts replan_parts(const FreeSpace& space, const BestFirst& parts,
                                 ReplanSearch search) {
   if (!can_leap(space, parts)) return best_first_parts(space, parts);
-  if (CostGrid<std::uint32_t>::holds(space.costs())) {
-    return parts_on<std::uint32_t>(space, parts, search);
-  }
-  return parts_on<std::uint64_t>(space, parts, search);
+  const auto engine_on = [&]<class Word>(const std::shared_ptr<CostGrid<Word>>& grid) {
+    return std::make_shared<ReplanEngine<Word>>(grid, parts, search);
+  };
+  return cost_grid_parts(space, parts, engine_on, [=](const FreeSpace& other) {
+    return replan_parts(other, parts, search);
+  });
 }
 
 }  // namespace wend
