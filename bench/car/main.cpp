@@ -7,6 +7,7 @@
 
 #include "bench/car/car_runs.hpp"
 #include "bench/car/reeds_shepp.hpp"
+#include "bench/measure/command.hpp"
 #include "bench/measure/measuring.hpp"
 #include "wend/generate/generators.hpp"
 #include "wend/planner/planners.hpp"
@@ -86,22 +87,19 @@ int main(int argc, char** argv) {
                  "how long each of OMPL's planners may search for a drive; 0: leave them out")
       ->check(CLI::Range(0, 3600))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  const auto planners = wend::parse_planner_specs(plan.planners);
-  if (!planners) {
-    fmt::print(stderr, "--planner: {}\n", planners.error().message);
-    return 2;
-  }
-  for (const wend::PlannerSpec& spec : *planners) {
-    if (wend::planners().find(spec.name)->capabilities.vertices == wend::Vertices::corners)
-      continue;
-    fmt::print(stderr, "--planner: {} drives no car\n", spec.name);
-    return 2;
-  }
-  wend::bench::stay_on_one_core();
-  return wend::bench::run(plan, *planners) ? 0 : 1;
+  return wend::bench::parse_and_run(app, argc, argv, [&] {
+    const auto planners = wend::parse_planner_specs(plan.planners);
+    if (!planners) {
+      fmt::print(stderr, "--planner: {}\n", planners.error().message);
+      return 2;
+    }
+    for (const wend::PlannerSpec& spec : *planners) {
+      if (wend::planners().find(spec.name)->capabilities.vertices == wend::Vertices::corners)
+        continue;
+      fmt::print(stderr, "--planner: {} drives no car\n", spec.name);
+      return 2;
+    }
+    wend::bench::stay_on_one_core();
+    return wend::bench::run(plan, *planners) ? 0 : 1;
+  });
 }

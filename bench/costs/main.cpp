@@ -15,6 +15,7 @@
 
 #include "bench/comparison/random_queries.hpp"
 #include "bench/costs/real_costs.hpp"
+#include "bench/measure/command.hpp"
 #include "bench/measure/markdown_table.hpp"
 #include "bench/measure/measuring.hpp"
 #include "wend/analysis/cost_to_go.hpp"
@@ -212,13 +213,10 @@ int main(int argc, char** argv) {
   app.add_option("--field", field, "columns and rows of the map of the fields; 0: none")
       ->check(CLI::Range(0, 16384))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  wend::bench::stay_on_one_core();
-  wend::bench::measure_queries(wend::bench::maps_of(folder), queries, rounds);
-  if (field > 0) wend::bench::measure_fields(field, rounds);
-  return 0;
+  return wend::bench::parse_and_run(app, argc, argv, [&] {
+    wend::bench::stay_on_one_core();
+    wend::bench::measure_queries(wend::bench::maps_of(folder), queries, rounds);
+    if (field > 0) wend::bench::measure_fields(field, rounds);
+    return 0;
+  });
 }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "bench/edits/next_query.hpp"
+#include "bench/measure/command.hpp"
 #include "bench/measure/measuring.hpp"
 #include "wend/base/random.hpp"
 #include "wend/base/thread_time.hpp"
@@ -189,14 +190,11 @@ int main(int argc, char** argv) {
   app.add_option("--side", side, "of the planner's maps, in cells")
       ->check(CLI::Range(16, 16384))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  wend::bench::stay_on_one_core();
-  if (!only_planner) {
-    for (const auto& setting : wend::bench::kSettings) wend::bench::run(setting, count, seed);
-  }
-  return wend::bench::run_next_queries(planner, side, std::min(count, 100), seed);
+  return wend::bench::parse_and_run(app, argc, argv, [&] {
+    wend::bench::stay_on_one_core();
+    if (!only_planner) {
+      for (const auto& setting : wend::bench::kSettings) wend::bench::run(setting, count, seed);
+    }
+    return wend::bench::run_next_queries(planner, side, std::min(count, 100), seed);
+  });
 }

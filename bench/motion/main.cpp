@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "bench/measure/command.hpp"
 #include "bench/measure/measuring.hpp"
 #include "bench/motion/motion_row.hpp"
 
@@ -44,11 +45,8 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  wend::bench::stay_on_one_core();
-  return wend::bench::run(rounds) ? 0 : 1;
+  return wend::bench::parse_and_run(app, argc, argv, [&] {
+    wend::bench::stay_on_one_core();
+    return wend::bench::run(rounds) ? 0 : 1;
+  });
 }

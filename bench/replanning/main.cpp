@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/comparison/random_queries.hpp"
+#include "bench/measure/command.hpp"
 #include "bench/measure/markdown_table.hpp"
 #include "bench/measure/measuring.hpp"
 #include "wend/base/thread_time.hpp"
@@ -280,12 +281,9 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "timed runs of everything; the fastest counts")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  wend::bench::stay_on_one_core();
-  wend::bench::run(data, drives, rounds);
-  return 0;
+  return wend::bench::parse_and_run(app, argc, argv, [&] {
+    wend::bench::stay_on_one_core();
+    wend::bench::run(data, drives, rounds);
+    return 0;
+  });
 }

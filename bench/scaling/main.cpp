@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "bench/measure/command.hpp"
 #include "bench/scaling/scaling_page.hpp"
 #include "bench/scaling/scaling_run.hpp"
 #include "wend/io/files.hpp"
@@ -72,10 +73,6 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--build-seconds", plan.most_build_seconds, "the longest that an index may take")
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return wend::bench::run(std::move(plan), folder, least, largest);
+  return wend::bench::parse_and_run(
+      app, argc, argv, [&] { return wend::bench::run(std::move(plan), folder, least, largest); });
 }

@@ -51,8 +51,8 @@ constexpr const char* kExploreExamples = R"(Examples:
     --planner replanner,d_star_lite,astar
   wend explore now.yaml --known before.yaml --start 1,1 --goal 15,9
 
-MAP is the true map. The robot begins without knowing it, or with an older map
-(--known), and takes what it has not seen for free. Before each step it sees
+MAP is the true map. The robot does not know it, or knows an older map
+(--known). It treats cells that it has not seen as free. Before each step it sees
 what its laser scanner reaches, and plans again if it has to. The table says what
 it drove and how long each planner took, in CPU time; the picture shows the drive of
 the first planner on the map as it knows it in the end, a .gif the whole drive.
@@ -96,9 +96,8 @@ class ExploreRun {
   Place goal_;
   std::optional<GridMap> known_;
   ExplorationReport report_;
-  // Of the first drive.
-  std::unique_ptr<Scene> scene_;
-  ExplorationFilm film_;
+  std::unique_ptr<Scene> scene_;  // the end of the first drive
+  ExplorationFilm film_;          // of the first drive
 };
 
 ExplorerOptions ExploreRun::options_for(const PlannerSpec& planner, ProgressBar& progress) const {

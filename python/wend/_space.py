@@ -408,7 +408,7 @@ def _cell_of(cell: Sequence[int], name: str) -> tuple[int, int]:
 
 
 def _for_each(values: npt.ArrayLike, name: str, count: int) -> npt.NDArray[Any]:
-    """So many values, from as many or from one."""
+    """An array of `count` values; a single value is repeated."""
     numbers = np.ravel(numbers_of(values, name))
     if len(numbers) not in (1, count):
         raise InvalidArgument(f"{name} has {len(numbers)} values for {count} cells", "invalid_map", name)

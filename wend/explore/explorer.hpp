@@ -2,9 +2,9 @@
 
 // Explorer: a simulated robot that drives to a goal over a map that it does not know, or knows as it was.
 //
-// It takes what it has not seen for free. Before each step it looks around with a laser scanner
-// (append_visible_cells()), puts what it sees on the map that it believes in, and plans again where it has to.
-// It also notices what its shape is about to touch. It steps from cell to cell, so its planner must, too.
+// The robot treats cells that it has not seen as free. Before each step it looks around with a laser scanner
+// (append_visible_cells()), puts what it sees on its own map, and plans again if it must. If its shape would touch
+// an unseen obstacle, the robot feels that obstacle. It steps from cell to cell, so its planner must do so, too.
 //
 //   auto explorer = wend::Explorer::make(map, {2, 3}, {40, 60}, {.sensor_range = 30});
 //   if (!explorer) return report(explorer.error().message);

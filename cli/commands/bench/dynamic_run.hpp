@@ -12,13 +12,13 @@
 
 namespace wend::cli {
 
-/// The scenarios of these files if they are dynamic ones, none if none is. Throws InputError if only some are, or
-/// one cannot be read.
+/// Loads these files if all of them are dynamic scenarios; returns nothing if none of them is. Throws InputError if
+/// only some are dynamic, or if a file cannot be read.
 std::vector<DynamicScenario> load_dynamic_scenarios(const std::vector<std::string>& files);
 
-/// The answers of an entry to all queries, in order, with one planner that is told of each change. The time of
-/// a query includes that of telling the planner of the changes before it; editing the free space is not counted. Throws
-/// InputError if the entry does not take its options or the changes, Cancelled after Ctrl-C.
+/// Runs all commands with one planner and returns its answers in order. The time of a query includes the update of
+/// the planner after the changes before it, but not the edit of the free space. Throws InputError if the planner
+/// rejects its options or the changes, and Cancelled after Ctrl-C.
 BenchedMap run_dynamic(const DynamicScenario& scenario, const BenchEntry& entry,
                        const BenchSettings& settings);
 

@@ -37,11 +37,11 @@ struct ReplannerOptions {
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     GridMoves::fields(self.moves, field);
-    field({"search",
-           "how to search when the last path is no longer the cheapest: leaps searches from "
-           "scratch, tree "
-           "repairs the tree of the last search, automatic takes the one that has been cheaper"},
-          self.search);
+    field(
+        {"search",
+         "search if the last path is no longer the cheapest: leaps: from scratch; tree: repair the "
+         "last search; automatic: whichever has been cheaper"},
+        self.search);
   }
 };
 

@@ -11,7 +11,7 @@
 
 namespace wend_ros {
 
-/// Row 0 is the southern one; in a frame that is not turned. Fails as wend::map_from_costmap() does.
+/// Row 0 is the southernmost row; the frame is not rotated. Fails as wend::map_from_costmap() does.
 wend::Expected<wend::GridMap, wend::Error> map_from_costs(std::span<const std::uint8_t> costs,
                                                           int width, int height, double resolution,
                                                           wend::MapPoint origin,

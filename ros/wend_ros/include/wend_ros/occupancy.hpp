@@ -62,10 +62,10 @@ struct OccupancyUpdate {
   std::span<const std::int8_t> values;  // row by row
 };
 
-/// Why so many values in this layout are no map, empty if they are: "the map has 15 values, 4 x 4 expected".
+/// The error if the number of values does not fit the layout: "the map has 15 values, 4 x 4 expected". Empty if it fits.
 std::string fault_of(const OccupancyLayout& layout, std::size_t values);
 
-/// Why an update does not fit a map, empty if it does: "it covers columns 8 to 11 and rows 0 to 3, and
+/// The error if an update does not fit a map, empty if it fits: "it covers columns 8 to 11 and rows 0 to 3, and
 /// the map has 10 x 10 cells: columns 0 to 9, rows 0 to 9".
 std::string fault_of(const OccupancyUpdate& update, const OccupancyLayout& layout);
 

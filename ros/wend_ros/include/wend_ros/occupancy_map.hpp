@@ -34,12 +34,12 @@ class OccupancyMap {
     wend::MapEdit edit;                  // else the cells that differ
   };
 
-  /// A whole map. Fails with invalid_map if it is none; then there is no map. O(cells).
+  /// Replaces the map. If the values are not a map, fails with invalid_map and has no map from then on. O(cells).
   wend::Expected<Change, wend::Error> take(OccupancyLayout layout,
                                            std::span<const std::int8_t> values);
 
-  /// New values of some cells. Fails with invalid_map if there is no map, or the update does not fit it;
-  /// then nothing changes. O(values).
+  /// Changes some cells. If there is no map, or the update does not fit it, fails with invalid_map and changes
+  /// nothing. O(values).
   wend::Expected<wend::MapEdit, wend::Error> take(const OccupancyUpdate& update);
 
   /// Reads the values in another way. True if there is a map, which is another one then.

@@ -1,0 +1,171 @@
+// Sessions whose map is edited.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "wend/base/random.hpp"
+#include "wend/session/session.hpp"
+#include "wend/session/walled_room_test.hpp"
+
+namespace wend {
+namespace {
+
+using test::across;
+using test::walled_room;
+
+/// Closes the way at the top of walled_room().
+MapEdit closing() {
+  return {.corner = {50, 80}, .states = Grid<CellState>(1, 20, CellState::occupied)};
+}
+
+MapEdit opening() { return {.corner = {50, 30}, .states = Grid<CellState>(1, 3, CellState::free)}; }
+
+TEST(SessionEdit, ChangesWhatLaterPlansSee) {
+  Session session(walled_room());
+  ASSERT_TRUE(session.plan(across()));
+  const auto before = session.view();
+  const auto closed = session.edit(closing());
+  ASSERT_TRUE(closed) << closed.error().message;
+  EXPECT_EQ(closed->boxes, (std::vector<CellBox>{{{50, 80}, {51, 100}}}));
+  EXPECT_EQ(session.plan(across()).error().status, Status::unreachable);
+  EXPECT_TRUE(session.plan(*before, across())) << "an old view keeps its map";
+  ASSERT_TRUE(session.edit(opening()));
+  const auto answer = session.plan(across());
+  ASSERT_TRUE(answer) << answer.error().message;
+  Session fresh(session.view()->space.map());
+  EXPECT_EQ(answer->plan.path, fresh.plan(across())->plan.path);
+  EXPECT_GT(session.view()->version, before->version);
+}
+
+TEST(SessionEdit, AnswersLikeANewSessionWhateverThePlanner) {
+  for (const PlannerInfo& info : planners()) {
+    if (info.index_support || info.name == "random_walk") continue;
+    SCOPED_TRACE(info.name);
+    const FreeSpaceOptions robot{.footprint = Footprint::disc(0.15)};
+    Session session(walled_room(), robot);
+    PlanRequest request = across();
+    request.planner = {info.name};
+    for (const MapEdit& edit : {opening(), closing()}) {
+      session.plan(request);
+      ASSERT_TRUE(session.edit(edit));
+      const auto answer = session.plan(request);
+      const auto expected = Session(session.view()->space.map(), robot).plan(request);
+      ASSERT_EQ(answer.has_value(), expected.has_value());
+      if (!answer) {
+        EXPECT_EQ(answer.error().status, expected.error().status);
+      } else {
+        EXPECT_EQ(answer->plan.path, expected->plan.path);
+        EXPECT_EQ(answer->plan.cost, expected->plan.cost);
+      }
+    }
+  }
+}
+
+TEST(SessionEdit, IsDoneInPlaceAndKeepsPlanners) {
+  Session session(walled_room(), {.footprint = Footprint::disc(0.2)});
+  const BitGrid* const passable = &session.view()->space.passable();
+  const Planner* const planner = &**session.planner({"astar"});
+  ASSERT_TRUE(session.edit(opening()));
+  EXPECT_EQ(&session.view()->space.passable(), passable);
+  const auto kept = session.planner({"astar"});
+  EXPECT_EQ(&**kept, planner);
+  EXPECT_EQ(&(*kept)->free_space().passable(), passable);
+  ASSERT_TRUE(session.edit(closing())) << "the planner in use keeps its space";
+  EXPECT_NE(&session.view()->space.passable(), passable);
+  EXPECT_TRUE((*kept)->free_space().passable({50, 90}));
+}
+
+TEST(SessionEdit, LeavesAnIndexThatDoesNotMatch) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.planner = {"hub_labels"};
+  ASSERT_TRUE(session.build_index("hub_labels"));
+  ASSERT_TRUE(session.plan(request));
+  ASSERT_TRUE(session.edit(opening()));
+  const auto refused = session.plan(request);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().status, Status::index_mismatch);
+  EXPECT_NE(refused.error().message.find("index does not match"), std::string::npos)
+      << refused.error().message;
+  ASSERT_TRUE(session.build_index("hub_labels"));
+  EXPECT_TRUE(session.plan(request));
+}
+
+TEST(SessionEdit, KeepsAnIndexWhosePassableCellsAreAsTheyWere) {
+  Session session(walled_room());
+  PlanRequest request = across();
+  request.planner = {"hub_labels"};
+  ASSERT_TRUE(session.plan(request)) << "the planner builds an index itself";
+  ASSERT_TRUE(session.edit(opening()));
+  EXPECT_EQ(session.plan(request).error().status, Status::index_mismatch)
+      << "an edit does not start a long build";
+  ASSERT_TRUE(
+      session.edit({.corner = {50, 30}, .states = Grid<CellState>(1, 3, CellState::occupied)}));
+  EXPECT_TRUE(session.plan(request)) << "the map is what it was";
+}
+
+TEST(SessionEdit, IsRefusedWithoutAMapAndOutsideOfIt) {
+  Session session;
+  EXPECT_EQ(session.edit(closing()).error().status, Status::invalid_map);
+  session.set_map(walled_room());
+  const auto version = session.view()->version;
+  const auto refused = session.edit({.corner = {99, 0}, .states = Grid<CellState>(2, 1)});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().status, Status::invalid_map);
+  EXPECT_EQ(refused.error().message,
+            "cell (100,0) of the edit is not on the map of 100 x 100 cells");
+  EXPECT_EQ(session.view()->version, version);
+  EXPECT_TRUE(session.plan(across()));
+}
+
+TEST(SessionEdit, ForgetsTheFieldOfCosts) {
+  Session session(walled_room());
+  const std::vector<Cell> goals{{90, 10}};
+  const auto before = session.cost_to_go(*session.view(), goals);
+  ASSERT_TRUE(session.edit(opening()));
+  const auto after = session.cost_to_go(*session.view(), goals);
+  ASSERT_TRUE(before && after);
+  EXPECT_LT(after->costs->cost({10, 10}), before->costs->cost({10, 10}));
+}
+
+/// The pose is free, has the asked heading, and no middle of a cell with that heading is nearer: checked
+/// with each of the map's cells.
+
+TEST(SessionEdit, IsReplannedWithWhatWasFoundBefore) {
+  Session session(walled_room());
+  const auto first = session.replan(across());
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_GT(first->plan.metrics.expanded, 0U);
+
+  // Far from the path: it stays the cheapest, from the robot on.
+  ASSERT_TRUE(
+      session.edit({.corner = {2, 60}, .states = Grid<CellState>(3, 3, CellState::occupied)}));
+  PlanRequest on_the_way = across();
+  on_the_way.start = first->poses()[5];
+  const auto kept = session.replan(on_the_way);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->plan.metrics.expanded, 0U);
+  EXPECT_EQ(kept->plan.path.size() + 5, first->plan.path.size());
+
+  // A door in the wall: a cheaper path.
+  ASSERT_TRUE(session.edit({.corner = {50, 20}, .states = Grid<CellState>(1, 2, CellState::free)}));
+  const auto shorter = session.replan(on_the_way);
+  ASSERT_TRUE(shorter);
+  EXPECT_GT(shorter->plan.metrics.expanded, 0U);
+  EXPECT_NEAR(shorter->plan.cost, session.plan(on_the_way)->plan.cost, 1e-9);
+  EXPECT_LT(shorter->plan.cost, kept->plan.cost);
+
+  // The moves are those of the planner that was asked for.
+  on_the_way.planner = {"bfs", {{"connectivity", "4"}}};
+  const auto straight = session.replan(on_the_way);
+  ASSERT_TRUE(straight) << straight.error().message;
+  EXPECT_EQ(straight->plan.cost, std::floor(straight->plan.cost));
+  on_the_way.planner = {"no_planner"};
+  EXPECT_EQ(session.replan(on_the_way).error().status, Status::invalid_option);
+}
+
+}  // namespace
+}  // namespace wend
