@@ -42,8 +42,6 @@ class WholeSearch : public GridEngine {
   const SearchMetrics& metrics() const final { return metrics_; }
 
  protected:
-  explicit WholeSearch(std::shared_ptr<const CostGrid<Word>> grid) : grid_(std::move(grid)) {}
-
   const CostGrid<Word>& grid() const { return *grid_; }
 
   SearchOutcome outcome() const { return outcome_; }
@@ -95,6 +93,9 @@ class WholeSearch : public GridEngine {
   }
 
  private:
+  friend Search;
+  explicit WholeSearch(std::shared_ptr<const CostGrid<Word>> grid) : grid_(std::move(grid)) {}
+
   Search& search() { return static_cast<Search&>(*this); }
   const Search& search() const { return static_cast<const Search&>(*this); }
 
