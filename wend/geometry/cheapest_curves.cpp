@@ -10,6 +10,9 @@
 namespace wend {
 namespace {
 
+// Circles that touch, or are exactly so far from each other as a word needs, differ from that by rounding.
+constexpr double kRounding = 4e-10;  // of the square of a distance
+
 CirclePair pair_of(double x, double y) {
   const double squared = x * x + y * y;
   return {squared, std::sqrt(squared), arc_tangent(y, x)};
@@ -38,21 +41,21 @@ struct ReedsShepp {
   template <class Words>
   static void same_side(const CirclePair& pair, Words& words) {
     same_side_lines(pair, words);
-    if (pair.squared <= 16) three_arcs(pair, words);
-    if (pair.squared < 8) return;
+    if (pair.squared <= 16 + kRounding) three_arcs(pair, words);
+    if (pair.squared < 8 - kRounding) return;
     const CrossingLine line = crossing_line(pair);
     same_side_quarters(pair, line.length, line.slant, words);
   }
 
   template <class Words>
   static void other_side(const CirclePair& pair, Words& words) {
-    if (pair.squared <= 4) four_arcs_near(pair, words);
-    if (pair.squared < 4) return;
+    if (pair.squared <= 4 + kRounding) four_arcs_near(pair, words);
+    if (pair.squared < 4 - kRounding) return;
     const CrossingLine line = crossing_line(pair);
     other_side_lines(pair, line.length, line.slant, words);
     other_side_quarters(pair, words);
-    if (pair.squared <= 20) four_arcs_far(pair, words);
-    if (line.length >= 4) five_pieces(pair, line.length, line.slant, words);
+    if (pair.squared <= 20 + kRounding) four_arcs_far(pair, words);
+    if (pair.squared >= 20 - kRounding) five_pieces(pair, line.length, line.slant, words);
   }
 };
 
@@ -64,7 +67,7 @@ struct Simple {
 
   template <class Words>
   static void other_side(const CirclePair& pair, Words& words) {
-    if (pair.squared < 4) return;
+    if (pair.squared < 4 - kRounding) return;
     const CrossingLine line = crossing_line(pair);
     other_side_lines(pair, line.length, line.slant, words);
   }
@@ -74,12 +77,12 @@ struct Dubins {
   template <class Words>
   static void same_side(const CirclePair& pair, Words& words) {
     same_side_line_ahead(pair, words);
-    if (pair.squared <= 16) three_arcs_ahead(pair, words);
+    if (pair.squared <= 16 + kRounding) three_arcs_ahead(pair, words);
   }
 
   template <class Words>
   static void other_side(const CirclePair& pair, Words& words) {
-    if (pair.squared < 4) return;
+    if (pair.squared < 4 - kRounding) return;
     const CrossingLine line = crossing_line(pair);
     other_side_line_ahead(pair, line.length, line.slant, words);
   }
@@ -88,10 +91,10 @@ struct Dubins {
 /// A lower bound of what any curve costs.
 double least_cost(const Pose& from, const Pose& to, const CurveCosts& costs) {
   const double factor = std::min(1.0, costs.reverse) * std::min(1.0, costs.turn);
-  constexpr double kRounding = 1 - 1e-9;
+  constexpr double kSlightlyLess = 1 - 1e-9;
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
-  return std::sqrt(dx * dx + dy * dy) * factor * kRounding;
+  return std::sqrt(dx * dx + dy * dy) * factor * kSlightlyLess;
 }
 
 template <class Family, std::size_t kMost>

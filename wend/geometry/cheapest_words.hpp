@@ -121,15 +121,16 @@ class CheapestWords {
   /// Rotates a word so that its first or last arc has the length 0.
   void snap(const WordHeadings& headings, double first_sign, double last_sign,
             SolvedWord& word) const {
-    const auto is_none = [this](double arc) { return std::abs(arc - kPi) > limit_; };
-    if (is_none(word.first)) {
+    const auto is_none = [](double arc, double limit) { return std::abs(arc - kPi) > limit; };
+    constexpr double kExact = kPi - 1e-11;  // the sum of both arcs does not depend on the centres
+    if (is_none(word.first, limit_)) {
       word.first = 0;
       word.last = whole_turns_removed(last_sign * (heading_ - (headings.last - headings.first)));
-      if (is_none(word.last)) word.last = 0;
+      if (is_none(word.last, kExact)) word.last = 0;
     } else {
       word.last = 0;
       word.first = whole_turns_removed(first_sign * (headings.first + heading_ - headings.last));
-      if (is_none(word.first)) word.first = 0;
+      if (is_none(word.first, kExact)) word.first = 0;
     }
   }
 

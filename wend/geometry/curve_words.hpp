@@ -162,7 +162,7 @@ template <class Take>
 void same_side_quarters(const CirclePair& pair, double line, double slant, Take&& take) {
   const double theta = pair.angle;
   constexpr double kQuarter = kPi / 2;
-  const double rest = line - 2;
+  const double rest = std::max(0.0, line - 2);
   take(CurveWord<"L+R-S-L-">(),
        WordHeadings{theta + kQuarter + slant, theta + kPi + slant, kQuarter, rest});
   take(CurveWord<"L-R+S+L+">(),
@@ -178,7 +178,7 @@ template <class Take>
 void other_side_quarters(const CirclePair& pair, Take&& take) {
   const double theta = pair.angle;
   constexpr double kQuarter = kPi / 2;
-  const double rest = pair.distance - 2;
+  const double rest = std::max(0.0, pair.distance - 2);
   take(CurveWord<"L+R-S-R-">(), WordHeadings{theta + kQuarter, theta + kPi, kQuarter, rest});
   take(CurveWord<"L-R+S+R+">(), WordHeadings{theta + kQuarter, theta, kQuarter, rest});
   take(CurveWord<"L+S+L+R-">(), WordHeadings{theta, theta + kQuarter, kQuarter, rest});
@@ -210,10 +210,11 @@ void four_arcs_far(const CirclePair& pair, Take&& take) {
 /// Five pieces: a line between two quarter circles. The line of other_side_lines() is at least 4 long.
 template <class Take>
 void five_pieces(const CirclePair& pair, double line, double slant, Take&& take) {
+  const double rest = std::max(0.0, line - 4);
   const double back = pair.angle + kPi / 2 + slant;
   const double ahead = pair.angle + kPi / 2 - slant;
-  take(CurveWord<"L+R-S-L-R+">(), WordHeadings{back, back, kPi / 2, line - 4});
-  take(CurveWord<"L-R+S+L+R-">(), WordHeadings{ahead, ahead, kPi / 2, line - 4});
+  take(CurveWord<"L+R-S-L-R+">(), WordHeadings{back, back, kPi / 2, rest});
+  take(CurveWord<"L-R+S+L+R-">(), WordHeadings{ahead, ahead, kPi / 2, rest});
 }
 
 }  // namespace wend
