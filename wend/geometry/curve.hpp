@@ -6,7 +6,8 @@
 //
 //   const wend::Pose from{2, 2, 0};
 //   const wend::Pose aside{2, 5, 0};
-//   const wend::Curve parking = wend::cheapest_reeds_shepp(from, aside, 1, {.reverse = 2, .gear_change = 0.5});
+//   const wend::CurveCosts costs{.reverse = 2, .gear_change = 0.5};
+//   const wend::Curve parking = wend::cheapest_reeds_shepp(from, aside, 1, costs);
 //   const wend::Curve ahead = wend::cheapest_dubins(from, aside, 1);
 //   std::vector<wend::Pose> poses{from};
 //   wend::append_poses(parking, from, 1, poses);
