@@ -155,11 +155,11 @@ bool measure(const NamedMap& named, const std::vector<PlannerSpec>& planners,
     for (const PlannerSpec& spec : planners) {
       const auto run = se2_run(*space, spec, queries, arguments.settings);
       if (!run) {
-        fmt::print(stderr, "{}: {}\n", text_of(spec), run.error().message);
+        fmt::print(stderr, "{}: {}\n", spec.text, run.error().message);
         return false;
       }
       if (!first) first = *run;
-      report.add(robot.name, text_of(spec), *run, *first);
+      report.add(robot.name, spec.text, *run, *first);
     }
     report.add_boost(robot.name, boost_ms(*space, queries, arguments.settings.rounds));
   }
