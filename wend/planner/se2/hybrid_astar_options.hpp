@@ -18,20 +18,21 @@ struct HybridAStarOptions {
   static constexpr std::string_view kPlanner = "hybrid_astar";  // its name
 
   MotionModel motion_model = MotionModel::reeds_shepp;  // how the robot moves
-  double turning_radius = 0.4;   // metres; above 0 for cars
-  bool allow_reverse = true;     // a car without it is a Dubins car
-  double reverse_factor = 2;     // factor on the cost of driving in reverse
-  double turn_factor = 1.2;      // factor on the cost of arcs
-  double gear_change_cost = 0;   // metres, for each change between ahead and reverse
-  double turn_cost = 0.2;        // metres a radian, of a turn in place
-  std::int64_t headings = 36;    // how many headings are told apart
-  double step = 0;               // metres, length of the motions of the search; 0: half the turning radius
-  double weight = 1.03;          // w >= 0 in f = g + w h
+  double turning_radius = 0.4;                          // metres; above 0 for cars
+  bool allow_reverse = true;                            // a car without it is a Dubins car
+  double reverse_factor = 2;                            // factor on the cost of driving in reverse
+  double turn_factor = 1.2;                             // factor on the cost of arcs
+  double gear_change_cost = 0;  // metres, for each change between ahead and reverse
+  double turn_cost = 0.2;       // metres a radian, of a turn in place
+  std::int64_t headings = 36;   // how many headings are told apart
+  double step = 0;       // metres, length of the motions of the search; 0: half the turning radius
+  double weight = 1.03;  // w >= 0 in f = g + w h
 
   template <class Self, class Field>
   static void fields(Self& self, Field&& field) {
     field({"motion_model",
-           "how the robot moves: a car with or without reverse gear, a robot that turns in place, or one that "
+           "how the robot moves: a car with or without reverse gear, a robot that turns in place, "
+           "or one that "
            "moves in every direction"},
           self.motion_model);
     field({"turning_radius",

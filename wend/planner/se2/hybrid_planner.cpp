@@ -131,7 +131,8 @@ std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal) const {
   std::optional<HybridGoal> nearest;
   GoalRegion(goal, std::nullopt, cells_of(free_space())).for_each([&](Cell cell) {
     const Point point = centre_of(cell);
-    if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point())) return;
+    if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point()))
+      return;
     if (const auto heading = heading_at(point, goal)) nearest = place_at(point, *heading);
   });
   return nearest;
@@ -141,9 +142,10 @@ std::optional<Point> HybridPlanner::do_nearest_free(const Goal& goal) const {
   if (!is_near_a_map(goal)) return std::nullopt;
   if (place_for(goal)) return goal.point;
   const PlaceGrid cells = cells_of(free_space());
-  const auto cell = nearest_accepted(cells.columns, cells.rows, cells.nearest(goal.point), [&](Cell at) {
-    return free_space().possible()[at] && heading_at(centre_of(at), goal).has_value();
-  });
+  const auto cell =
+      nearest_accepted(cells.columns, cells.rows, cells.nearest(goal.point), [&](Cell at) {
+        return free_space().possible()[at] && heading_at(centre_of(at), goal).has_value();
+      });
   if (!cell) return std::nullopt;
   return centre_of(*cell);
 }
@@ -167,7 +169,8 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
   out.cost = 0;
   int gear = 0;
   for (const DrivenMotion& driven : finder.path()) {
-    const auto parts = static_cast<int>(std::ceil(std::abs(driven.motion.turn) / kLongestTurn - 1e-9));
+    const auto parts =
+        static_cast<int>(std::ceil(std::abs(driven.motion.turn) / kLongestTurn - 1e-9));
     for (int i = 1; i <= std::max(parts, 1); ++i) {
       const Motion before = part_of(driven.motion, static_cast<double>(i) / std::max(parts, 1));
       out.path.drive_to(pose_after(driven.from, before));
@@ -175,15 +178,15 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
     const int next = gear_of(driven.motion);
     if (gear * next < 0) out.cost += steering_.costs().gear_change;
     if (next != 0) gear = next;
-    out.cost += steering_.cost(driven.motion,
-                               ground_->check().cost_of_way(driven.from, driven.motion));
+    out.cost +=
+        steering_.cost(driven.motion, ground_->check().cost_of_way(driven.from, driven.motion));
   }
   const auto poses = out.path.driven_poses();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), free_space().map().frame()));
+    out.moves.push_back(
+        name_of(segment_between(poses[i - 1], poses[i]), free_space().map().frame()));
   }
-  out.goal_snapping_error =
-      snapping_error_between(query.goals[finder.goal()], poses.back());
+  out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
 }
 
 double HybridPlanner::do_heuristic(const Pose& pose) const {

@@ -6,11 +6,12 @@
 namespace wend {
 namespace {
 
-constexpr std::uint64_t kFirstTurn = 400;     // expansions
-constexpr std::uint64_t kGrowth = 3;          // of the turns
+constexpr std::uint64_t kFirstTurn = 400;  // expansions
+constexpr std::uint64_t kGrowth = 3;       // of the turns
 constexpr std::uint64_t kFirstFlood = 500;
-constexpr std::uint64_t kMostFloodFine = 20'000;  // poses by fine motions, to confirm that a goal is boxed in
-constexpr double kNarrow = 0.75;              // room beside the robot, in steps
+constexpr std::uint64_t kMostFloodFine =
+    20'000;                       // poses by fine motions, to confirm that a goal is boxed in
+constexpr double kNarrow = 0.75;  // room beside the robot, in steps
 constexpr float kNarrowFactor = 4;
 
 }  // namespace
@@ -40,8 +41,8 @@ void HybridPortfolio::make(Kind kind) {
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
-  member.search = std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid,
-                                                 resolution);
+  member.search =
+      std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid, resolution);
 }
 
 std::optional<SearchOutcome> HybridPortfolio::stopped(const Limits& limits, double end) const {

@@ -10,18 +10,17 @@ namespace {
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
 constexpr int kTraceHeadings = 12;
-constexpr std::size_t kWords = 4;          // connections that are tried to a goal
-constexpr std::size_t kMostHits = 2;       // connections of a trace that are kept
-constexpr double kShorter = 0.62;          // the next subgoal of a trace, as a share of the last one
-constexpr double kSteadyGap = 0.003;       // of the cost of a path, that is not worth a search
-constexpr double kGrowingGap = 0.0002;     // how that grows with each expansion since the first path
-constexpr std::uint64_t kPatience = 300;   // expansions after the first path
+constexpr std::size_t kWords = 4;         // connections that are tried to a goal
+constexpr std::size_t kMostHits = 2;      // connections of a trace that are kept
+constexpr double kShorter = 0.62;         // the next subgoal of a trace, as a share of the last one
+constexpr double kSteadyGap = 0.003;      // of the cost of a path, that is not worth a search
+constexpr double kGrowingGap = 0.0002;    // how that grows with each expansion since the first path
+constexpr std::uint64_t kPatience = 300;  // expansions after the first path
 
 }  // namespace
 
-HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering,
-                           const GoalRing& ring, const CoarseGrid& grid,
-                           const HybridResolution& resolution)
+HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
+                           const CoarseGrid& grid, const HybridResolution& resolution)
     : check_(check),
       steering_(steering),
       grid_(grid),
@@ -245,9 +244,8 @@ void HybridSearch::connect_trace(Index node) {
     std::array<Connection, 1> connection;
     const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();
     const double bound = best_cost_ - from.g;
-    const int count =
-        far ? steering_.connect_simply(from.pose, to, from.gear, bound, connection)
-            : steering_.connect(from.pose, to, from.gear, bound, connection);
+    const int count = far ? steering_.connect_simply(from.pose, to, from.gear, bound, connection)
+                          : steering_.connect(from.pose, to, from.gear, bound, connection);
     if (count == 0 || connection[0].count == 0) continue;
     if (const auto cost = drive(node, connection[0].all(), bound)) {
       if (add(node, connection[0].all(), *cost, true)) ++hits;
@@ -263,8 +261,7 @@ void HybridSearch::try_goals(Index node) {
 bool HybridSearch::try_goal(Index node, const HybridGoal& goal) {
   const Pose from = nodes_[node].pose;
   std::array<double, 4> headings{goal.pose.heading};
-  const int choices =
-      goal.any_heading ? steering_.arrivals(from, goal.pose.point(), headings) : 1;
+  const int choices = goal.any_heading ? steering_.arrivals(from, goal.pose.point(), headings) : 1;
   bool reached = false;
   for (int i = 0; i < choices; ++i) {
     const Pose to{goal.pose.x, goal.pose.y, headings[static_cast<std::size_t>(i)]};
@@ -321,7 +318,7 @@ std::vector<DrivenMotion> HybridSearch::path() const {
 void HybridSearch::tell(const Node& node, bool expanded) {
   if (observer_ == nullptr) return;
   SearchEvent event{cell_at(node.pose.point()), {}, node.g, node.h, f_of(node),
-                    node.pose.heading, {}};
+                    node.pose.heading,          {}};
   if (node.parent != kNone) {
     const Pose& parent = nodes_[node.parent].pose;
     event.parent = cell_at(parent.point());

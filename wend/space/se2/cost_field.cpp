@@ -70,7 +70,8 @@ void CostField::seed(const Seed& goal) {
       const std::size_t square = grid_.index(x, y);
       const bool here = x == column && y == row;
       const Point middle = grid_.middle(square);
-      if (!grid_.open(square) || straight_distance(middle, goal.point) > goal.reach + size_) continue;
+      if (!grid_.open(square) || straight_distance(middle, goal.point) > goal.reach + size_)
+        continue;
       if (!here && !in_sight(column, row, x, y)) continue;
       improve(x, y, square, static_cast<float>(goal.cost(middle) * grid_.multiplier(square)));
     }

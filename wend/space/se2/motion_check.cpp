@@ -10,9 +10,9 @@
 namespace wend {
 namespace {
 
-constexpr double kPiece = 1;          // cells
-constexpr double kShortest = 0.05;    // cells: a disc that is as near as this is decided exactly
-constexpr double kSure = 0.02;        // cells that a polygon keeps from obstacles where it turns
+constexpr double kPiece = 1;        // cells
+constexpr double kShortest = 0.05;  // cells: a disc that is as near as this is decided exactly
+constexpr double kSure = 0.02;      // cells that a polygon keeps from obstacles where it turns
 
 /// Points at the middles of equal pieces of a motion.
 class Middles {
@@ -101,9 +101,8 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
       return false;
     }
     const Motion before = part_of(motion, static_cast<double>(i) / pieces);
-    return !piece_fits(pose_after(from, before), {motion.length / pieces, motion.turn / pieces,
-                                                  motion.course},
-                       piece / 2);
+    return !piece_fits(pose_after(from, before),
+                       {motion.length / pieces, motion.turn / pieces, motion.course}, piece / 2);
   });
 }
 

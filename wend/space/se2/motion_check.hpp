@@ -56,11 +56,11 @@ class MotionCheck {
   double walk(const Pose& from, const Motion& motion, Blocked&& blocked) const;
 
   FreeSpace space_;
-  FootprintRows rows_;       // of a polygon
-  double circumscribed_;     // cells
-  double inscribed_;         // cells
-  double spin_;              // how far the farthest corner moves in a turn by a radian, in cells
-  double known_;             // distances up to here are known at once, in cells
+  FootprintRows rows_;    // of a polygon
+  double circumscribed_;  // cells
+  double inscribed_;      // cells
+  double spin_;           // how far the farthest corner moves in a turn by a radian, in cells
+  double known_;          // distances up to here are known at once, in cells
   bool uniform_;
 };
 

@@ -22,7 +22,8 @@ int insert(const Connection& connection, int count, std::span<Connection> list) 
     if (connection.cost >= list[place - 1].cost) return count;
     --place;
   }
-  for (; place > 0 && connection.cost < list[place - 1].cost; --place) list[place] = list[place - 1];
+  for (; place > 0 && connection.cost < list[place - 1].cost; --place)
+    list[place] = list[place - 1];
   list[place] = connection;
   return std::min(count + 1, static_cast<int>(list.size()));
 }

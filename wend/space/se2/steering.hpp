@@ -43,9 +43,7 @@ struct Connection {
   int count = 0;
   double cost = std::numeric_limits<double>::infinity();  // where every cell costs 1
 
-  std::span<const Motion> all() const {
-    return {motions.data(), static_cast<std::size_t>(count)};
-  }
+  std::span<const Motion> all() const { return {motions.data(), static_cast<std::size_t>(count)}; }
 };
 
 class Steering {
