@@ -25,9 +25,7 @@ class HybridGround {
   const BitGrid& drivable() const { return drivable_; }
 
   /// Could a way join two cells? If not, none does. O(1).
-  bool connected(Cell a, Cell b) const {
-    return components_.connected(a, b, Adjacency::edges);
-  }
+  bool connected(Cell a, Cell b) const { return components_.connected(a, b, Adjacency::edges); }
 
  private:
   MotionCheck check_;

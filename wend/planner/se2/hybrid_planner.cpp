@@ -13,9 +13,9 @@
 namespace wend {
 namespace {
 
-MotionModel model_of(const HybridAStarOptions& options) {
-  const bool car = options.motion_model == MotionModel::reeds_shepp;
-  return car && !options.allow_reverse ? MotionModel::dubins : options.motion_model;
+DriveKind model_of(const HybridAStarOptions& options) {
+  const bool car = options.motion_model == DriveKind::reeds_shepp;
+  return car && !options.allow_reverse ? DriveKind::dubins : options.motion_model;
 }
 
 Steering steering_for(const FreeSpace& space, const HybridAStarOptions& options) {
@@ -33,7 +33,8 @@ HybridResolution resolution_for(const FreeSpace& space, const Steering& steering
   const double metre = 1 / space.map().frame().resolution;
   const double automatic = steering.radius() > 0 ? steering.radius() / 2 : 0.2 * metre;
   HybridResolution resolution;
-  resolution.step = options.step > 0 ? options.step * metre : std::max(1.0, automatic);
+  resolution.step =
+      options.motion_length > 0 ? options.motion_length * metre : std::max(1.0, automatic);
   resolution.position = resolution.step / 2;
   resolution.headings = static_cast<int>(options.headings);
   resolution.wide_room = 2.5 * resolution.step;
@@ -131,7 +132,8 @@ std::optional<HybridGoal> HybridPlanner::place_for(const Goal& goal) const {
   std::optional<HybridGoal> nearest;
   GoalRegion(goal, std::nullopt, cells_of(free_space())).for_each([&](Cell cell) {
     const Point point = centre_of(cell);
-    if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point())) return;
+    if (nearest && distance(goal.point, point) >= distance(goal.point, nearest->pose.point()))
+      return;
     if (const auto heading = heading_at(point, goal)) nearest = place_at(point, *heading);
   });
   return nearest;
@@ -141,9 +143,10 @@ std::optional<Point> HybridPlanner::do_nearest_free(const Goal& goal) const {
   if (!is_near_a_map(goal)) return std::nullopt;
   if (place_for(goal)) return goal.point;
   const PlaceGrid cells = cells_of(free_space());
-  const auto cell = nearest_accepted(cells.columns, cells.rows, cells.nearest(goal.point), [&](Cell at) {
-    return free_space().possible()[at] && heading_at(centre_of(at), goal).has_value();
-  });
+  const auto cell =
+      nearest_accepted(cells.columns, cells.rows, cells.nearest(goal.point), [&](Cell at) {
+        return free_space().possible()[at] && heading_at(centre_of(at), goal).has_value();
+      });
   if (!cell) return std::nullopt;
   return centre_of(*cell);
 }
@@ -167,7 +170,8 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
   out.cost = 0;
   int gear = 0;
   for (const DrivenMotion& driven : finder.path()) {
-    const auto parts = static_cast<int>(std::ceil(std::abs(driven.motion.turn) / kLongestTurn - 1e-9));
+    const auto parts =
+        static_cast<int>(std::ceil(std::abs(driven.motion.turn) / kLongestTurn - 1e-9));
     for (int i = 1; i <= std::max(parts, 1); ++i) {
       const Motion before = part_of(driven.motion, static_cast<double>(i) / std::max(parts, 1));
       out.path.drive_to(pose_after(driven.from, before));
@@ -175,15 +179,15 @@ void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& 
     const int next = gear_of(driven.motion);
     if (gear * next < 0) out.cost += steering_.costs().gear_change;
     if (next != 0) gear = next;
-    out.cost += steering_.cost(driven.motion,
-                               ground_->check().cost_of_way(driven.from, driven.motion));
+    out.cost +=
+        steering_.cost(driven.motion, ground_->check().cost_of_way(driven.from, driven.motion));
   }
   const auto poses = out.path.driven_poses();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), free_space().map().frame()));
+    out.moves.push_back(
+        name_of(segment_between(poses[i - 1], poses[i]), free_space().map().frame()));
   }
-  out.goal_snapping_error =
-      snapping_error_between(query.goals[finder.goal()], poses.back());
+  out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
 }
 
 double HybridPlanner::do_heuristic(const Pose& pose) const {

@@ -54,7 +54,8 @@ constexpr Motion part_of(const Motion& motion, double share) {
 inline Pose pose_after(const Pose& from, const Motion& motion) {
   const double chord = motion.length * chord_share(motion.turn);
   const auto [sine, cosine] = sine_and_cosine(from.heading + motion.course + motion.turn / 2);
-  return {from.x + chord * cosine, from.y + chord * sine, wrapped_angle(from.heading + motion.turn)};
+  return {from.x + chord * cosine, from.y + chord * sine,
+          wrapped_angle(from.heading + motion.turn)};
 }
 
 inline Segment segment_of(const Pose& from, const Motion& motion) {
