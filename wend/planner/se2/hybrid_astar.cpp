@@ -13,8 +13,8 @@ namespace {
 PlannerResult make(const FreeSpace& space, const OptionValues& values) {
   auto options = parse_options<HybridAStarOptions>(values);
   if (!options) return Unexpected<Error>(options.error());
-  const bool car = options->motion_model == MotionModel::reeds_shepp ||
-                   options->motion_model == MotionModel::dubins;
+  const bool car =
+      options->motion_model == DriveKind::reeds_shepp || options->motion_model == DriveKind::dubins;
   if (car && options->turning_radius == 0) {
     return failure(Status::invalid_option,
                    "a car needs a turning_radius greater than 0; a robot that turns in place has "

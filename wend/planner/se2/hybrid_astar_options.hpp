@@ -9,7 +9,7 @@
 
 #include "wend/base/compiler.hpp"
 #include "wend/base/options.hpp"
-#include "wend/space/se2/steering.hpp"
+#include "wend/space/se2/drive_kind.hpp"
 
 namespace wend {
 
@@ -17,15 +17,16 @@ namespace wend {
 struct HybridAStarOptions {
   static constexpr std::string_view kPlanner = "hybrid_astar";  // its name
 
-  MotionModel motion_model = MotionModel::reeds_shepp;  // how the robot moves
-  double turning_radius = 0.4;                          // metres; above 0 for cars
-  bool allow_reverse = true;                            // a car without it is a Dubins car
-  double reverse_factor = 2;                            // factor on the cost of driving in reverse
-  double turn_factor = 1.2;                             // factor on the cost of arcs
+  DriveKind motion_model = DriveKind::reeds_shepp;  // how the robot moves
+  double turning_radius = 0.4;                      // metres; above 0 for cars
+  bool allow_reverse = true;                        // a car without it is a Dubins car
+  double reverse_factor = 2;                        // factor on the cost of driving in reverse
+  double turn_factor = 1.2;                         // factor on the cost of arcs
   double gear_change_cost = 0;  // metres, for each change between ahead and reverse
   double turn_cost = 0.2;       // metres a radian, of a turn in place
   std::int64_t headings = 36;   // how many headings are told apart
-  double step = 0;       // metres, length of the motions of the search; 0: half the turning radius
+  double motion_length =
+      0;                 // metres, length of the motions of the search; 0: half the turning radius
   double weight = 1.03;  // w >= 0 in f = g + w h
 
   template <class Self, class Field>
@@ -48,10 +49,10 @@ struct HybridAStarOptions {
           OptionRange{0.001, 1e6});
     field({"headings", "number of headings that the search tells apart"}, self.headings,
           OptionRange{8, 360});
-    field({"step",
+    field({"motion_length",
            "length of the motions of the search in metres; 0: half the turning radius, at least a "
            "cell"},
-          self.step, OptionRange{0, 1e6});
+          self.motion_length, OptionRange{0, 1e6});
     field({"weight", "w in f = g + w h: above 1 it searches less, and paths may cost more"},
           self.weight, OptionRange{1, 100});
   }

@@ -14,7 +14,7 @@ namespace wend {
 struct HybridGoal {
   Pose pose;                 // a place where the robot fits; its heading counts unless any_heading
   bool any_heading = false;  // may a path end with any heading there?
-  Goal asked;                // what the query says
+  Goal asked{Point{}};       // what the query says
   std::size_t index = 0;     // of the query's goals
 
   /// Does a path have to end with exactly this pose?

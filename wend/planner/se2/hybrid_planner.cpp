@@ -13,9 +13,9 @@
 namespace wend {
 namespace {
 
-MotionModel model_of(const HybridAStarOptions& options) {
-  const bool car = options.motion_model == MotionModel::reeds_shepp;
-  return car && !options.allow_reverse ? MotionModel::dubins : options.motion_model;
+DriveKind model_of(const HybridAStarOptions& options) {
+  const bool car = options.motion_model == DriveKind::reeds_shepp;
+  return car && !options.allow_reverse ? DriveKind::dubins : options.motion_model;
 }
 
 Steering steering_for(const FreeSpace& space, const HybridAStarOptions& options) {
@@ -33,7 +33,8 @@ HybridResolution resolution_for(const FreeSpace& space, const Steering& steering
   const double metre = 1 / space.map().frame().resolution;
   const double automatic = steering.radius() > 0 ? steering.radius() / 2 : 0.2 * metre;
   HybridResolution resolution;
-  resolution.step = options.step > 0 ? options.step * metre : std::max(1.0, automatic);
+  resolution.step =
+      options.motion_length > 0 ? options.motion_length * metre : std::max(1.0, automatic);
   resolution.position = resolution.step / 2;
   resolution.headings = static_cast<int>(options.headings);
   resolution.wide_room = 2.5 * resolution.step;

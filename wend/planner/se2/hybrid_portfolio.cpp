@@ -41,8 +41,10 @@ void HybridPortfolio::make(Kind kind) {
   if (kind == wide) {
     member.grid->charge_narrow_squares(space, kNarrow * resolution_.step, kNarrowFactor);
   }
-  member.search =
-      std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid, resolution);
+  const auto direction =
+      kind == backward ? HybridSearch::Direction::from_goal : HybridSearch::Direction::from_start;
+  member.search = std::make_unique<HybridSearch>(ground_->check(), steering_, ring_, *member.grid,
+                                                 resolution, direction);
 }
 
 std::optional<SearchOutcome> HybridPortfolio::stopped(const Limits& limits, double end) const {
@@ -86,6 +88,7 @@ bool HybridPortfolio::flood(std::uint64_t most) {
 SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal> goals,
                                    const Limits& limits, SearchObserver* observer) {
   for (Member& member : members_) member.begun = member.exhausted = false;
+  members_[backward].exhausted = goals.size() != 1 || !goals.front().wants_heading();
   finder_ = nullptr;
   boxed_in_ = false;
   start_ = start;
@@ -94,7 +97,7 @@ SearchOutcome HybridPortfolio::run(const Pose& start, std::span<const HybridGoal
   const double end = limits.timed() ? limits.now() + limits.seconds : 0;
   std::uint64_t flooded = kFirstFlood;
   for (std::uint64_t turn = kFirstTurn;; turn *= kGrowth) {
-    for (const Kind kind : {direct, wide, fine}) {
+    for (const Kind kind : {direct, backward, wide, fine}) {
       Member& member = members_[kind];
       if (member.exhausted) continue;
       const SearchOutcome outcome = run_member(kind, turn, limits, end);

@@ -1,9 +1,10 @@
 #pragma once
 
-// HybridPortfolio: three hybrid A* searches that take turns until one finds a path. A search that follows the way
+// HybridPortfolio: four hybrid A* searches that take turns until one finds a path. A search that follows the way
 // of a disc can fill a dead end that the robot cannot pass; another heuristic, or finer motions, get past it:
 //
 //   direct   the costs as they are
+//   backward from the goal to the start: where it is difficult to arrive, it is easy to leave
 //   wide     a heuristic that avoids narrow places
 //   fine     smaller boxes and shorter motions; only its end means that there is no path
 //
@@ -45,8 +46,8 @@ class HybridPortfolio {
   bool goal_is_boxed_in() const { return boxed_in_; }
 
  private:
-  enum Kind : std::size_t { direct, wide, fine };
-  static constexpr std::size_t kKinds = 3;
+  enum Kind : std::size_t { direct, backward, wide, fine };
+  static constexpr std::size_t kKinds = 4;
 
   struct Member {
     std::unique_ptr<CoarseGrid> grid;

@@ -12,18 +12,35 @@ constexpr double kNoWay = std::numeric_limits<double>::infinity();
 constexpr int kTraceHeadings = 12;
 constexpr std::size_t kWords = 4;         // connections that are tried to a goal
 constexpr std::size_t kMostHits = 2;      // connections of a trace that are kept
+constexpr std::size_t kMostNarrow = 2;    // narrow places of a trace
+constexpr double kTight = 2;              // room beside the robot, in cells
+constexpr int kAside = 4;                 // cells that a pose in a narrow place is moved by
+constexpr int kTurns = 6;                 // times 10 degrees that it is turned by
 constexpr double kShorter = 0.62;         // the next subgoal of a trace, as a share of the last one
 constexpr double kSteadyGap = 0.003;      // of the cost of a path, that is not worth a search
 constexpr double kGrowingGap = 0.0002;    // how that grows with each expansion since the first path
 constexpr std::uint64_t kPatience = 300;  // expansions after the first path
 
+/// The same place for a robot that looks the other way, and the same motion for it.
+Pose facing_back(const Pose& pose) { return {pose.x, pose.y, wrapped_angle(pose.heading + kPi)}; }
+Motion facing_back(const Motion& motion) { return {-motion.length, motion.turn, motion.course}; }
+
+/// Does a robot face away from a pose that it is to reach?
+bool faces_away(const Pose& from, const Pose& to) {
+  const auto [sine, cosine] = sine_and_cosine(from.heading);
+  const auto [up, along] = sine_and_cosine(to.heading);
+  return sine * up + cosine * along < 0;
+}
+
 }  // namespace
 
 HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
-                           const CoarseGrid& grid, const HybridResolution& resolution)
+                           const CoarseGrid& grid, const HybridResolution& resolution,
+                           Direction direction)
     : check_(check),
       steering_(steering),
       grid_(grid),
+      direction_(direction),
       resolution_(resolution),
       turning_(steering),
       ring_(ring),
@@ -31,9 +48,16 @@ HybridSearch::HybridSearch(const MotionCheck& check, const Steering& steering, c
       seen_(resolution.position, resolution.headings),
       traced_(resolution.trace_spacing, kTraceHeadings) {}
 
-void HybridSearch::begin(const Pose& start, std::span<const HybridGoal> goals,
+void HybridSearch::begin(const Pose& first, std::span<const HybridGoal> goals,
                          SearchObserver* observer) {
+  Pose start = first;
   goals_ = goals;
+  if (direction_ == Direction::from_goal) {
+    start = facing_back(goals.front().pose);
+    start_as_goal_ = goals.front();
+    start_as_goal_.pose = facing_back(first);
+    goals_ = {&start_as_goal_, 1};
+  }
   observer_ = observer;
   seen_.clear();
   traced_.clear();
@@ -45,7 +69,7 @@ void HybridSearch::begin(const Pose& start, std::span<const HybridGoal> goals,
   best_cost_ = kNoWay;
   expanded_at_first_path_ = 0;
   std::vector<CostField::Seed> seeds;
-  for (const HybridGoal& goal : goals) seeds.push_back(seed_of(goal));
+  for (const HybridGoal& goal : goals_) seeds.push_back(seed_of(goal));
   field_.begin(seeds, start.point());
   field_.settle(start.point());
   const CostField::Value h = estimate(start);
@@ -156,7 +180,9 @@ std::optional<double> HybridSearch::drive(Index node, std::span<const Motion> mo
   int gear = nodes_[node].gear;
   double cost = 0;
   for (const Motion& motion : motions) {
-    const double way = check_.cost(pose, motion);
+    const double way = direction_ == Direction::from_start
+                           ? check_.cost(pose, motion)
+                           : check_.cost(facing_back(pose), facing_back(motion));
     if (way == MotionCheck::kBlocked) return std::nullopt;
     const int next = gear_of(motion);
     if (next * gear < 0) cost += steering_.costs().gear_change;
@@ -216,7 +242,7 @@ double HybridSearch::follow_descent(Point from) {
     if (!there.exact || !(there.cost < cost)) break;
     point = next;
     cost = there.cost;
-    trace_.push_back(point);
+    trace_.push_back({point, check_.room_at(point)});
   }
   return cost;
 }
@@ -230,27 +256,85 @@ void HybridSearch::expand_trace(Index node) {
   connect_trace(node);
 }
 
-/// Connects to poses on the trace, the farthest first, each heading along the trace.
+/// Connects to poses on the trace: in its narrow places, then the farthest first.
 void HybridSearch::connect_trace(Index node) {
+  std::size_t narrow = 0;
+  for (std::size_t i = 1; i + 1 < trace_.size() && narrow < kMostNarrow; ++i) {
+    const double room = trace_[i].room;
+    if (room < kTight && room <= trace_[i - 1].room && room < trace_[i + 1].room) {
+      ++narrow;
+      connect_to(node, pose_on_trace(i), kWords);
+    }
+  }
   std::size_t hits = 0;
   auto place = static_cast<double>(trace_.size());
   for (int tries = 0; tries < 8 && place >= 2 && hits < kMostHits; ++tries, place *= kShorter) {
     const auto i = static_cast<std::size_t>(place) - 1;
-    const Point before = trace_[i > 0 ? i - 1 : 0];
-    const Point after = trace_[std::min(i + 1, trace_.size() - 1)];
-    const double heading = arc_tangent(after.y - before.y, after.x - before.x);
-    const Pose to{trace_[i].x, trace_[i].y, heading};
-    const Node& from = nodes_[node];
-    std::array<Connection, 1> connection;
-    const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();
-    const double bound = best_cost_ - from.g;
-    const int count = far ? steering_.connect_simply(from.pose, to, from.gear, bound, connection)
-                          : steering_.connect(from.pose, to, from.gear, bound, connection);
-    if (count == 0 || connection[0].count == 0) continue;
-    if (const auto cost = drive(node, connection[0].all(), bound)) {
-      if (add(node, connection[0].all(), *cost, true)) ++hits;
+    const Pose to = pose_on_trace(i);
+    if (connect_to(node, to, 1)) ++hits;
+    if (faces_away(nodes_[node].pose, to)) connect_to(node, facing_back(to), 1);
+  }
+}
+
+/// Adds the pose, by the cheapest of some connections that the robot can drive.
+bool HybridSearch::connect_to(Index node, const Pose& to, std::size_t words) {
+  const Node& from = nodes_[node];
+  const bool far = straight_distance(from.pose.point(), to.point()) > 4 * steering_.radius();
+  const double bound = best_cost_ - from.g;
+  std::array<Connection, kWords> all;
+  const std::span<Connection> connections(all.data(), words);
+  const int count = far ? steering_.connect_simply(from.pose, to, from.gear, bound, connections)
+                        : steering_.connect(from.pose, to, from.gear, bound, connections);
+  for (int i = 0; i < count; ++i) {
+    const Connection& connection = all[static_cast<std::size_t>(i)];
+    if (connection.count == 0) continue;
+    if (const auto cost = drive(node, connection.all(), bound)) {
+      return add(node, connection.all(), *cost, true);
     }
   }
+  return false;
+}
+
+/// A pose on the trace, heading along it. In a narrow place it is moved to the middle, and turned to where there is
+/// room ahead and behind.
+Pose HybridSearch::pose_on_trace(std::size_t i) const {
+  const Point before = trace_[i > 0 ? i - 1 : 0].point;
+  const Point after = trace_[std::min(i + 1, trace_.size() - 1)].point;
+  const Point at = trace_[i].point;
+  const Pose pose{at.x, at.y, arc_tangent(after.y - before.y, after.x - before.x)};
+  return trace_[i].room < kTight ? centred(pose) : pose;
+}
+
+Pose HybridSearch::centred(const Pose& pose) const {
+  const auto room_at = [&](Point point) {
+    return check_.free_space().contains(cell_at(point)) ? check_.room_at(point) : -kNoWay;
+  };
+  const auto [sine, cosine] = sine_and_cosine(pose.heading);
+  Point best = pose.point();
+  double most = room_at(best);
+  for (int i = -kAside; i <= kAside; ++i) {
+    const Point point = centre_of(cell_at({pose.x - i * sine, pose.y + i * cosine}));
+    const double room = room_at(point);
+    if (room > most) {
+      most = room;
+      best = point;
+    }
+  }
+  double heading = pose.heading;
+  most = -kNoWay;
+  for (int i = -kTurns; i <= kTurns; ++i) {
+    const double turned = pose.heading + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kPi / 18;
+    const auto [up, along] = sine_and_cosine(turned);
+    double room = kNoWay;
+    for (const double way : {-4.0, -2.0, 2.0, 4.0}) {
+      room = std::min(room, room_at({best.x + way * along, best.y + way * up}));
+    }
+    if (room > most + 1e-6) {
+      most = room;
+      heading = turned;
+    }
+  }
+  return {best.x, best.y, wrapped_angle(heading)};
 }
 
 void HybridSearch::try_goals(Index node) {
@@ -308,10 +392,16 @@ std::vector<DrivenMotion> HybridSearch::path() const {
     Pose pose = nodes_[chain[i - 1]].pose;
     for (std::size_t k = 0; k < node.motion_count; ++k) {
       const Motion& motion = motions_[node.first_motion + k];
-      path.push_back({pose, motion, 0});
-      pose = pose_after(pose, motion);
+      const Pose next = pose_after(pose, motion);
+      if (direction_ == Direction::from_start) {
+        path.push_back({pose, motion});
+      } else {
+        path.push_back({facing_back(next), {motion.length, -motion.turn, motion.course}});
+      }
+      pose = next;
     }
   }
+  if (direction_ == Direction::from_goal) std::ranges::reverse(path);
   return path;
 }
 

@@ -33,16 +33,21 @@ namespace wend {
 struct DrivenMotion {
   Pose from;
   Motion motion;
-  double cost = 0;  // with changes of gear
 };
 
 class HybridSearch {
  public:
+  /// From which end a search begins. A drive from the goal back to the start is one of a robot that faces the other
+  /// way, so it costs the same.
+  enum class Direction { from_start, from_goal };
+
   /// All but the resolution must outlive the search.
   HybridSearch(const MotionCheck& check, const Steering& steering, const GoalRing& ring,
-               const CoarseGrid& grid, const HybridResolution& resolution);
+               const CoarseGrid& grid, const HybridResolution& resolution,
+               Direction direction = Direction::from_start);
 
-  /// Begins a query. The goals and the observer (may be null) must outlive the search.
+  /// Begins a query. The goals and the observer (may be null) must outlive the search. A search from the goal needs
+  /// one goal with a heading.
   void begin(const Pose& start, std::span<const HybridGoal> goals, SearchObserver* observer);
 
   /// Expands at most `most` poses. Found: no better path is likely.
@@ -77,6 +82,11 @@ class HybridSearch {
     std::uint8_t age;  // primitives since the last trace
   };
 
+  struct TracePoint {
+    Point point;
+    double room;  // beside the robot, in cells
+  };
+
   struct Open {
     double f;
     Index node;
@@ -95,6 +105,9 @@ class HybridSearch {
   void expand_primitives(Index node);
   void expand_trace(Index node);
   void connect_trace(Index node);
+  bool connect_to(Index node, const Pose& to, std::size_t words);
+  Pose pose_on_trace(std::size_t i) const;
+  Pose centred(const Pose& pose) const;
   double follow_descent(Point from);
   void try_goals(Index node);
   bool try_goal(Index node, const HybridGoal& goal);
@@ -106,6 +119,8 @@ class HybridSearch {
   const MotionCheck& check_;
   const Steering& steering_;
   const CoarseGrid& grid_;
+  Direction direction_;
+  HybridGoal start_as_goal_;
   HybridResolution resolution_;
   TurningCost turning_;
   const GoalRing& ring_;
@@ -115,7 +130,7 @@ class HybridSearch {
   std::vector<Node> nodes_;
   std::vector<Motion> motions_;
   std::vector<Open> open_;
-  std::vector<Point> trace_;
+  std::vector<TracePoint> trace_;
   std::span<const HybridGoal> goals_;
   SearchObserver* observer_ = nullptr;
   SearchMetrics metrics_;

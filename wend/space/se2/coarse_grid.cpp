@@ -4,6 +4,8 @@
 #include <bit>
 #include <numbers>
 
+#include "wend/space/se2/motion_check.hpp"
+
 namespace wend {
 namespace {
 
@@ -56,18 +58,15 @@ CoarseGrid::CoarseGrid(const FreeSpace& space, const BitGrid& drivable, int size
   const auto rows = static_cast<std::size_t>((space.height() + size - 1) / size) + 2;
   multipliers_.assign(stride_ * rows, std::numeric_limits<float>::infinity());
   links_.assign(stride_ * rows, 0);
-  std::vector<std::uint32_t> steps(static_cast<std::size_t>(space.width()), CostMap::kOne);
-  for (int y = 0; y < space.height(); ++y) take_row(space, drivable, y, steps);
+  for (int y = 0; y < space.height(); ++y) take_row(space, drivable, y);
 }
 
-void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y,
-                          std::vector<std::uint32_t>& steps) {
-  if (!space.uniform_terrain()) space.costs().read_row(0, y, steps);
+void CoarseGrid::take_row(const FreeSpace& space, const BitGrid& drivable, int y) {
   const bool last_row = y % size_ == size_ - 1 && y + 1 < space.height();
   const std::size_t first = index(0, y / size_);
   for_each_cell(drivable.row_words(y), [&](int x) {
     const std::size_t square = first + static_cast<std::size_t>(x / size_);
-    const auto multiplier = static_cast<float>(steps[static_cast<std::size_t>(x)]) / CostMap::kOne;
+    const auto multiplier = static_cast<float>(driving_multiplier(space, {x, y}));
     multipliers_[square] = std::min(multipliers_[square], multiplier);
     if (x % size_ == size_ - 1 && drivable[{x + 1, y}]) links_[square] |= kRight;
     if (last_row && drivable[{x, y + 1}]) links_[square] |= kUp;

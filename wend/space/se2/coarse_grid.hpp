@@ -72,8 +72,7 @@ class CoarseGrid {
   static constexpr std::uint8_t kRight = 1;
   static constexpr std::uint8_t kUp = 2;
 
-  void take_row(const FreeSpace& space, const BitGrid& drivable, int y,
-                std::vector<std::uint32_t>& steps);
+  void take_row(const FreeSpace& space, const BitGrid& drivable, int y);
 
   int size_;
   std::size_t stride_;

@@ -25,7 +25,7 @@ CostField::CostField(const CoarseGrid& grid)
     : grid_(grid),
       values_(grid.count(), kUnknown),
       settled_flags_(grid.count(), 0),
-      width_(0.5F * static_cast<float>(grid.size())),
+      per_width_(2 / static_cast<float>(grid.size())),
       size_(static_cast<float>(grid.size())) {}
 
 void CostField::begin(std::span<const Seed> goals, Point start) {
@@ -105,7 +105,7 @@ void CostField::improve(int column, int row, std::size_t square, float value) {
 
 /// A square whose bucket is too far for the ring waits in the last one.
 void CostField::push(const Waiting& waiting) {
-  const float ahead = std::max(0.0F, (waiting.key - first_key_) / width_);
+  const float ahead = std::max(0.0F, (waiting.key - first_key_) * per_width_);
   const auto wanted = static_cast<std::size_t>(std::min(ahead, 1e15F));
   const std::size_t bucket = std::clamp(wanted, bucket_, bucket_ + kBuckets - 1);
   buckets_[bucket % kBuckets].push_back(waiting);
@@ -123,7 +123,7 @@ bool CostField::settle_next() {
     bucket.pop_back();
     --queued_;
     if (next.value != values_[next.square]) continue;  // it has got a better value since
-    if ((next.key - first_key_) / width_ >= static_cast<float>(bucket_ + 1)) {
+    if ((next.key - first_key_) * per_width_ >= static_cast<float>(bucket_ + 1)) {
       push(next);
       continue;
     }
@@ -135,13 +135,17 @@ bool CostField::settle_next() {
   return false;
 }
 
+/// A neighbour that is as cheap gains nothing.
 void CostField::expand(const Waiting& from) {
   const std::size_t up = grid_.stride();
   const std::size_t square = from.square;
-  if (grid_.connected_right(square)) update(from.column + 1, from.row, square + 1);
-  if (grid_.connected_right(square - 1)) update(from.column - 1, from.row, square - 1);
-  if (grid_.connected_up(square)) update(from.column, from.row + 1, square + up);
-  if (grid_.connected_up(square - up)) update(from.column, from.row - 1, square - up);
+  const auto spread = [&](bool connected, int column, int row, std::size_t neighbour) {
+    if (connected && values_[neighbour] > from.value) update(column, row, neighbour);
+  };
+  spread(grid_.connected_right(square), from.column + 1, from.row, square + 1);
+  spread(grid_.connected_right(square - 1), from.column - 1, from.row, square - 1);
+  spread(grid_.connected_up(square), from.column, from.row + 1, square + up);
+  spread(grid_.connected_up(square - up), from.column, from.row - 1, square - up);
 }
 
 void CostField::update(int column, int row, std::size_t square) {
@@ -169,7 +173,7 @@ CostField::Value CostField::at(Point point) const {
       sum += shares[i] * values_[square];
       total += shares[i];
     } else if (queued_ > 0) {
-      const double reached = first_key_ + static_cast<double>(bucket_) * width_;
+      const double reached = first_key_ + static_cast<double>(bucket_) / per_width_;
       const double bound = reached - straight_distance(point, start_);
       return {std::max(0.0, bound - grid_.size()), false};
     }

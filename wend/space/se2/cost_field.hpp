@@ -92,8 +92,8 @@ class CostField {
   std::size_t queued_ = 0;
   std::size_t settled_ = 0;
   float first_key_ = 0;
-  float width_;  // of a bucket
-  float size_;   // of a square
+  float per_width_;  // buckets in a unit of cost
+  float size_;       // of a square
   Point start_;
 };
 

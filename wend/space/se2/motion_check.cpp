@@ -14,6 +14,31 @@ constexpr double kPiece = 1;        // cells
 constexpr double kShortest = 0.05;  // cells: a disc that is as near as this is decided exactly
 constexpr double kSure = 0.02;      // cells that a polygon keeps from obstacles where it turns
 
+/// How far FreeSpace has distances at hand: as far as the robot's radius and its clearance cost need them.
+std::uint32_t known_distance(const FreeSpace& space) {
+  constexpr double kLeastRadius = 0.5;
+  const double radius = space.radius_in_cells();
+  const double cells = space.robot().clearance_distance / space.map().frame().resolution;
+  const double band = space.robot().clearance_cost > 0 ? cells : 0;
+  if (radius <= kLeastRadius && band == 0) return 0;
+  const double beyond = space.outline() != nullptr ? 8 : 2;
+  const double known = radius + std::max(band, beyond);
+  return static_cast<std::uint32_t>(std::min(4 * known * known, 1e9));
+}
+
+/// Infinite on a map with terrain.
+double plain_room(const FreeSpace& space) {
+  if (!space.map().uniform_terrain()) return MotionCheck::kBlocked;
+  // The cell's centre is what costs depend on.
+  return space.robot().clearance_distance / space.map().frame().resolution + 1;
+}
+
+/// How many further pieces of a way are within some room of the middle of one.
+int pieces_within(double room, double piece) {
+  constexpr double kMost = 1e6;
+  return piece > 0 ? static_cast<int>(std::min(std::max(room / piece - 0.5, 0.0), kMost)) : 0;
+}
+
 /// Points at the middles of equal pieces of a motion.
 class Middles {
  public:
@@ -48,8 +73,8 @@ MotionCheck::MotionCheck(const FreeSpace& space)
       circumscribed_(space.radius_in_cells()),
       inscribed_(space.inscribed_radius_in_cells()),
       spin_(space.outline() != nullptr ? circumscribed_ : 0),
-      known_(circumscribed_ + (space.outline() != nullptr ? 8 : 2)),
-      uniform_(space.uniform_terrain()) {}
+      known_(known_distance(space)),
+      plain_room_(plain_room(space)) {}
 
 int MotionCheck::pieces_of(const Motion& motion) const {
   const double reach = std::abs(motion.length) + spin_ * std::abs(motion.turn);
@@ -58,30 +83,23 @@ int MotionCheck::pieces_of(const Motion& motion) const {
 
 double MotionCheck::room_at(Point point) const {
   const Cell cell = cell_at(point);
-  const Point centre = centre_of(cell);
-  const double dx = point.x - centre.x;
-  const double dy = point.y - centre.y;
-  return near_clearance(space_, cell) - circumscribed_ - std::sqrt(dx * dx + dy * dy);
-}
-
-/// Calls blocked(i, room) for each piece, unless an earlier one has shown that it is free. It returns true to stop.
-template <class Blocked>
-double MotionCheck::walk(const Pose& from, const Motion& motion, Blocked&& blocked) const {
-  const int pieces = pieces_of(motion);
-  const double length = std::abs(motion.length);
-  Middles middles(from, motion, pieces);
-  double sum = 0;
-  for (int i = 0; i < pieces; ++i, middles.go_on()) {
-    const Point point = middles.point();
-    if (!on_map(point)) return kBlocked;
-    if (blocked(i, pieces, point)) return kBlocked;
-    sum += uniform_ ? 1 : space_.terrain(cell_at(point));
+  if (known_ == 0) {
+    return near_clearance(space_, cell) - circumscribed_ -
+           straight_distance(point, centre_of(cell));
   }
-  return sum * length / pieces;
+  const std::uint32_t squared = space_.squared_half_cell_clearance(cell, known_);
+  const double clearance = 0.5 * std::sqrt(static_cast<double>(squared));
+  return clearance - circumscribed_ - straight_distance(point, centre_of(cell));
 }
 
 double MotionCheck::cost_of_way(const Pose& from, const Motion& motion) const {
-  return walk(from, motion, [](int, int, Point) { return false; });
+  const int pieces = pieces_of(motion);
+  Middles middles(from, motion, pieces);
+  double sum = 0;
+  for (int i = 0; i < pieces; ++i, middles.go_on()) {
+    if (on_map(middles.point())) sum += driving_multiplier(space_, cell_at(middles.point()));
+  }
+  return sum * std::abs(motion.length) / pieces;
 }
 
 double MotionCheck::cost(const Pose& from, const Motion& motion) const {
@@ -89,21 +107,33 @@ double MotionCheck::cost(const Pose& from, const Motion& motion) const {
   if (space_.is_point()) {
     return fits_along(space_, segment_of(from, motion)) ? cost_of_way(from, motion) : kBlocked;
   }
-  const double reach = std::abs(motion.length) + spin_ * std::abs(motion.turn);
-  int free_until = 0;  // the first piece that is not known to be free
-  return walk(from, motion, [&](int i, int pieces, Point point) {
-    if (i < free_until) return false;
-    const double piece = reach / pieces;
-    const double room = room_at(point);
-    if (room >= piece / 2) {
-      free_until = i + 1;
-      if (piece > 0) free_until += static_cast<int>(std::min(room / piece - 0.5, 1e6));
-      return false;
+  const int pieces = pieces_of(motion);
+  const double piece = (std::abs(motion.length) + spin_ * std::abs(motion.turn)) / pieces;
+  Middles middles(from, motion, pieces);
+  double sum = 0;
+  int free_until = 0;   // the first piece that is not known to be free
+  int plain_until = 0;  // the first one that may cost more than its length
+  for (int i = 0; i < pieces; ++i, middles.go_on()) {
+    const Point point = middles.point();
+    if (i < plain_until) {
+      sum += 1;
+      continue;
     }
-    const Motion before = part_of(motion, static_cast<double>(i) / pieces);
-    return !piece_fits(pose_after(from, before),
-                       {motion.length / pieces, motion.turn / pieces, motion.course}, piece / 2);
-  });
+    if (!on_map(point)) return kBlocked;
+    const Cell cell = cell_at(point);
+    if (i >= free_until) {
+      const double room = room_at(point);
+      if (room >= piece / 2) {
+        free_until = i + 1 + pieces_within(room, piece);
+        if (room > plain_room_) plain_until = i + 1 + pieces_within(room - plain_room_, piece);
+      } else if (!piece_fits(pose_after(from, part_of(motion, static_cast<double>(i) / pieces)),
+                             part_of(motion, 1.0 / pieces), piece / 2)) {
+        return kBlocked;
+      }
+    }
+    sum += driving_multiplier(space_, cell);
+  }
+  return sum * std::abs(motion.length) / pieces;
 }
 
 /// Far from the map's edge this is decided at once.

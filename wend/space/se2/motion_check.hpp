@@ -9,6 +9,7 @@
 //
 // The multipliers of cells are sampled at the middles of the pieces.
 
+#include <cstdint>
 #include <limits>
 
 #include "wend/geometry/pose.hpp"
@@ -18,6 +19,14 @@
 #include "wend/space/se2/motion.hpp"
 
 namespace wend {
+
+/// What a unit of length costs a robot in a cell, at least 1. As FreeSpace::terrain(), and where the robot's disc does
+/// not fit, as where it touches.
+inline double driving_multiplier(const FreeSpace& space, Cell cell) {
+  const Robot& robot = space.robot();
+  const bool squeezed = robot.clearance_distance > 0 && !space.passable()[cell];
+  return squeezed ? space.terrain(cell) * (1 + robot.clearance_cost) : space.terrain(cell);
+}
 
 class MotionCheck {
  public:
@@ -52,16 +61,14 @@ class MotionCheck {
                  bool& decided) const;
   bool polygon_fits(const Pose& from, const Motion& motion, const Pose& middle, double half_reach,
                     bool& decided) const;
-  template <class Blocked>
-  double walk(const Pose& from, const Motion& motion, Blocked&& blocked) const;
 
   FreeSpace space_;
   FootprintRows rows_;    // of a polygon
   double circumscribed_;  // cells
   double inscribed_;      // cells
   double spin_;           // how far the farthest corner moves in a turn by a radian, in cells
-  double known_;          // distances up to here are known at once, in cells
-  bool uniform_;
+  std::uint32_t known_;   // distances up to here are at hand, squared and in half-cells
+  double plain_room_;     // with this room beside the robot, nothing costs more than its length
 };
 
 }  // namespace wend

@@ -30,27 +30,27 @@ int insert(const Connection& connection, int count, std::span<Connection> list) 
 
 }  // namespace
 
-Steering::Steering(MotionModel model, double radius, const DriveCosts& costs)
+Steering::Steering(DriveKind model, double radius, const DriveCosts& costs)
     : model_(model), radius_(radius), costs_(costs) {
   const double turn = radius > 0 ? 1 / radius : 0;
   switch (model) {
-    case MotionModel::reeds_shepp:
-    case MotionModel::dubins:
+    case DriveKind::reeds_shepp:
+    case DriveKind::dubins:
       for (const int side : {0, 1, -1}) add_primitive({1, side * turn, 0});
-      if (model == MotionModel::dubins) break;
+      if (model == DriveKind::dubins) break;
       for (const int side : {0, 1, -1}) add_primitive({-1, -side * turn, 0});
       break;
-    case MotionModel::differential:
+    case DriveKind::differential:
       add_primitive({1, 0, 0});
       add_primitive({-1, 0, 0});
       break;
-    case MotionModel::omni:
+    case DriveKind::omni:
       for (const int length : {1, -1}) {
         for (const int eighth : {-1, 0, 1, 2}) add_primitive({1.0 * length, 0, eighth * kPi / 4});
       }
       break;
   }
-  if (model == MotionModel::differential || model == MotionModel::omni) {
+  if (model == DriveKind::differential || model == DriveKind::omni) {
     constexpr double kSpin = kPi / 12;
     add_primitive({0, kSpin, 0});
     add_primitive({0, -kSpin, 0});
@@ -63,7 +63,7 @@ Motion Steering::scaled(const Motion& primitive, double step) const {
 }
 
 double Steering::cost(const Motion& motion, double way) const {
-  if (model_ == MotionModel::omni || motion.length == 0) {
+  if (model_ == DriveKind::omni || motion.length == 0) {
     return way + std::abs(motion.turn) * costs_.spin;
   }
   double factor = motion.turn != 0 ? costs_.turn : 1;
@@ -90,14 +90,14 @@ int Steering::take(std::span<const Curve> curves, int gear,
 
 int Steering::connect(const Pose& from, const Pose& to, int gear, double bound,
                       std::span<Connection> connections) const {
-  if (model_ == MotionModel::differential) {
+  if (model_ == DriveKind::differential) {
     return turn_and_drive(from, to, gear, bound, connections);
   }
-  if (model_ == MotionModel::omni) return slide(from, to, bound, connections);
+  if (model_ == DriveKind::omni) return slide(from, to, bound, connections);
   std::array<Curve, kMostCurves> curves;
   const std::span<Curve> wanted(curves.data(), std::min(connections.size(), kMostCurves));
   const CurveCosts costs{costs_.reverse, costs_.turn, costs_.gear_change};
-  const int count = model_ == MotionModel::dubins
+  const int count = model_ == DriveKind::dubins
                         ? dubins_words(from, to, radius_, costs, bound, wanted)
                         : reeds_shepp_words(from, to, radius_, costs, bound, wanted);
   return take(wanted.first(static_cast<std::size_t>(count)), gear, connections);
@@ -105,7 +105,7 @@ int Steering::connect(const Pose& from, const Pose& to, int gear, double bound,
 
 int Steering::connect_simply(const Pose& from, const Pose& to, int gear, double bound,
                              std::span<Connection> connections) const {
-  if (model_ != MotionModel::reeds_shepp) return connect(from, to, gear, bound, connections);
+  if (model_ != DriveKind::reeds_shepp) return connect(from, to, gear, bound, connections);
   std::array<Curve, kMostCurves> curves;
   const std::span<Curve> wanted(curves.data(), std::min(connections.size(), kMostCurves));
   const CurveCosts costs{costs_.reverse, costs_.turn, costs_.gear_change};
@@ -168,11 +168,11 @@ int Steering::arrivals(const Pose& from, Point to, std::span<double> headings) c
     if (count < headings.size()) headings[count++] = heading;
   };
   const double length = straight_distance(from.point(), to);
-  if (model_ == MotionModel::omni || length < kNothing) {
+  if (model_ == DriveKind::omni || length < kNothing) {
     add(from.heading);
     return static_cast<int>(count);
   }
-  if (model_ == MotionModel::differential) {
+  if (model_ == DriveKind::differential) {
     add(arc_tangent(to.y - from.y, to.x - from.x));
     add(arc_tangent(from.y - to.y, from.x - to.x));
     return static_cast<int>(count);
@@ -180,7 +180,7 @@ int Steering::arrivals(const Pose& from, Point to, std::span<double> headings) c
   // An arc to the left or right, then the tangent to the point.
   const auto [sine, cosine] = sine_and_cosine(from.heading);
   for (const int gear : {1, -1}) {
-    if (gear < 0 && model_ == MotionModel::dubins) break;
+    if (gear < 0 && model_ == DriveKind::dubins) break;
     for (const int side : {1, -1}) {
       const Point centre{from.x - side * radius_ * sine, from.y + side * radius_ * cosine};
       const double dx = to.x - centre.x;

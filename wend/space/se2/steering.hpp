@@ -7,27 +7,12 @@
 #include <limits>
 #include <span>
 
-#include "wend/base/choice.hpp"
 #include "wend/geometry/curve.hpp"
 #include "wend/geometry/pose.hpp"
+#include "wend/space/se2/drive_kind.hpp"
 #include "wend/space/se2/motion.hpp"
 
 namespace wend {
-
-/// How a robot moves.
-enum class MotionModel {
-  reeds_shepp,   // a car: ahead and in reverse, with a least turning radius
-  dubins,        // a car without reverse gear
-  differential,  // ahead and in reverse, and turns in place
-  omni,          // in every direction, and turns while it moves
-};
-
-constexpr std::array<Choice<MotionModel>, 4> choice_names(MotionModel) {
-  return {{{"reeds_shepp", MotionModel::reeds_shepp},
-           {"dubins", MotionModel::dubins},
-           {"differential", MotionModel::differential},
-           {"omni", MotionModel::omni}}};
-}
 
 /// What driving costs besides its length.
 struct DriveCosts {
@@ -49,9 +34,9 @@ struct Connection {
 class Steering {
  public:
   /// The turning radius, in cells, is above 0 for cars.
-  Steering(MotionModel model, double radius, const DriveCosts& costs);
+  Steering(DriveKind model, double radius, const DriveCosts& costs);
 
-  MotionModel model() const { return model_; }
+  DriveKind model() const { return model_; }
   double radius() const { return radius_; }
   const DriveCosts& costs() const { return costs_; }
 
@@ -83,7 +68,7 @@ class Steering {
             std::span<Connection> connections) const;
   void add_primitive(const Motion& motion) { primitives_[primitive_count_++] = motion; }
 
-  MotionModel model_;
+  DriveKind model_;
   double radius_;
   DriveCosts costs_;
   std::array<Motion, 10> primitives_;
