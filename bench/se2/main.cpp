@@ -73,12 +73,13 @@ class MapReport {
   explicit MapReport(std::string name) : name_(std::move(name)) {}
 
   void add_making(const std::string& robot, double space_ms) {
-    starts_.add({robot, "free space", ms(space_ms), ""});
+    starts_.add({robot, "free space", ms(space_ms), "", ""});
   }
 
   void add(const std::string& robot, const std::string& planner, const Se2Run& run,
            const Se2Run& first) {
-    starts_.add({robot, planner, ms(run.making_ms), ms(run.first_query_ms)});
+    starts_.add({robot, planner, ms(run.making_ms), ms(run.first_query_ms),
+                 fmt::format("{:.1f}", run.resident_mb)});
     const double total_ms = mean(run.ms) * static_cast<double>(run.ms.size());
     const double expanded = mean(run.expanded) * static_cast<double>(run.expanded.size());
     const auto solved = static_cast<double>(std::max<std::size_t>(run.solved(), 1));
@@ -117,7 +118,7 @@ class MapReport {
   }
 
   std::string name_;
-  MarkdownTable starts_{{{"robot"}, {"start-up of"}, {"ms"}, {"first query, ms"}}};
+  MarkdownTable starts_{{{"robot"}, {"start-up of"}, {"ms"}, {"first query, ms"}, {"MB in use"}}};
   MarkdownTable queries_{{{"robot"},
                           {"planner"},
                           {"median ms"},

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bench/boost/boost_astar.hpp"
+#include "bench/measure/measuring.hpp"
 #include "wend/base/status.hpp"
 #include "wend/base/thread_time.hpp"
 
@@ -65,6 +66,7 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
                                 const std::vector<Query>& queries, const Se2Settings& settings) {
   set_turning_radius(*planners().find(spec.name), settings.turning_radius, spec.options);
   Se2Run run;
+  const double resident = resident_bytes();
   const double begun = thread_cpu_seconds();
   const auto planner = make_planner(spec.name, space, spec.options);
   if (!planner) return Unexpected<Error>(planner.error());
@@ -88,6 +90,7 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
     run.unsolved.push_back(
         fmt::format("query {}: {}: {}", i, to_string(status), (*planner)->reason(query, status)));
   }
+  run.resident_mb = (resident_bytes() - resident) / 1e6;
   return run;
 }
 

@@ -23,6 +23,7 @@ struct Se2Settings {
 struct Se2Run {
   double making_ms = 0;       // the planner
   double first_query_ms = 0;  // the first answer of a new planner
+  double resident_mb = 0;     // more memory in use after all queries than before making the planner
   std::vector<double> ms;     // of each query
   std::vector<double> expanded;
   std::vector<std::optional<double>> costs;  // m, of each query; nothing without a path
