@@ -51,6 +51,7 @@ std::string text_of(const Pose& pose) {
 }
 
 constexpr double kLongestTurn = kPi / 2;  // of a motion between two poses of a path
+constexpr double kRounding = 1e-9;
 
 }  // namespace
 
@@ -166,26 +167,23 @@ Status HybridPlanner::do_plan(const Query& query, Plan& out) {
 }
 
 void HybridPlanner::write(const Query& query, const HybridSearch& finder, Plan& out) const {
+  constexpr double kSpacing = 4;  // of the poses between which a drive is shortened, in steps
+  const double spacing = kSpacing * resolution_for(free_space(), steering_, options_).step;
+  const Drive drive = joined(shortened(finder.path(), ground_->check(), steering_, spacing));
   out.path.drive_to(query.start);
-  out.cost = 0;
-  int gear = 0;
-  for (const DrivenMotion& driven : finder.path()) {
-    const auto parts =
-        static_cast<int>(std::ceil(std::abs(driven.motion.turn) / kLongestTurn - 1e-9));
-    for (int i = 1; i <= std::max(parts, 1); ++i) {
-      const Motion before = part_of(driven.motion, static_cast<double>(i) / std::max(parts, 1));
+  for (const DrivenMotion& driven : drive) {
+    const double turn = std::abs(driven.motion.turn);
+    const auto parts = std::max(1, static_cast<int>(std::ceil(turn / kLongestTurn - kRounding)));
+    for (int i = 1; i <= parts; ++i) {
+      const Motion before = part_of(driven.motion, static_cast<double>(i) / parts);
       out.path.drive_to(pose_after(driven.from, before));
     }
-    const int next = gear_of(driven.motion);
-    if (gear * next < 0) out.cost += steering_.costs().gear_change;
-    if (next != 0) gear = next;
-    out.cost +=
-        steering_.cost(driven.motion, ground_->check().cost_of_way(driven.from, driven.motion));
   }
+  out.cost = cost_of(drive, ground_->check(), steering_);
   const auto poses = out.path.driven_poses();
+  const Frame& frame = free_space().map().frame();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    out.moves.push_back(
-        name_of(segment_between(poses[i - 1], poses[i]), free_space().map().frame()));
+    out.moves.push_back(name_of(segment_between(poses[i - 1], poses[i]), frame));
   }
   out.goal_snapping_error = snapping_error_between(query.goals[finder.goal()], poses.back());
 }

@@ -382,11 +382,11 @@ void HybridSearch::offer_goal(Index node, const HybridGoal& goal) {
   best_goal_ = goal.index;
 }
 
-std::vector<DrivenMotion> HybridSearch::path() const {
+Drive HybridSearch::path() const {
   std::vector<Index> chain;
   for (Index node = best_; node != kNone; node = nodes_[node].parent) chain.push_back(node);
   std::ranges::reverse(chain);
-  std::vector<DrivenMotion> path;
+  Drive path;
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Node& node = nodes_[chain[i]];
     Pose pose = nodes_[chain[i - 1]].pose;

@@ -17,6 +17,7 @@
 
 #include "wend/base/limits.hpp"
 #include "wend/planner/observer.hpp"
+#include "wend/planner/se2/drive.hpp"
 #include "wend/planner/se2/hybrid_goal.hpp"
 #include "wend/planner/se2/hybrid_resolution.hpp"
 #include "wend/planner/se2/pose_table.hpp"
@@ -28,12 +29,6 @@
 #include "wend/space/se2/turning_cost.hpp"
 
 namespace wend {
-
-/// A motion of a path, and the pose before it.
-struct DrivenMotion {
-  Pose from;
-  Motion motion;
-};
 
 class HybridSearch {
  public:
@@ -59,7 +54,7 @@ class HybridSearch {
   /// The index of the goal that the path reaches.
   std::size_t goal() const { return best_goal_; }
   /// The motions of the path from the start on.
-  std::vector<DrivenMotion> path() const;
+  Drive path() const;
 
   const SearchMetrics& metrics() const { return metrics_; }
   /// The heuristic from a pose to the goals of the query; no more than is known of it.

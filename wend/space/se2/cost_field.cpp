@@ -35,6 +35,8 @@ void CostField::begin(std::span<const Seed> goals, Point start) {
   }
   touched_.clear();
   for (auto& bucket : buckets_) bucket.clear();
+  far_.clear();
+  next_far_ = kNever;
   queued_ = bucket_ = settled_ = 0;
   start_ = start;
   first_key_ = 0;
@@ -103,17 +105,31 @@ void CostField::improve(int column, int row, std::size_t square, float value) {
         static_cast<std::uint16_t>(row), value, key(column, row, value)});
 }
 
-/// A square whose bucket is too far for the ring waits in the last one.
+/// A square whose bucket is too far ahead for the ring waits aside.
 void CostField::push(const Waiting& waiting) {
   const float ahead = std::max(0.0F, (waiting.key - first_key_) * per_width_);
   const auto wanted = static_cast<std::size_t>(std::min(ahead, 1e15F));
-  const std::size_t bucket = std::clamp(wanted, bucket_, bucket_ + kBuckets - 1);
-  buckets_[bucket % kBuckets].push_back(waiting);
+  if (wanted >= bucket_ + kBuckets) {
+    next_far_ = std::min(next_far_, wanted);
+    far_.push_back(waiting);
+    return;
+  }
+  buckets_[std::max(wanted, bucket_) % kBuckets].push_back(waiting);
   ++queued_;
 }
 
+/// Moves those from aside into the ring whose time has come.
+void CostField::fetch_far() {
+  if (queued_ == 0) bucket_ = std::max(bucket_, next_far_);
+  next_far_ = kNever;
+  std::vector<Waiting> far;
+  far.swap(far_);
+  for (const Waiting& waiting : far) push(waiting);
+}
+
 bool CostField::settle_next() {
-  while (queued_ > 0) {
+  while (!exhausted()) {
+    if (queued_ == 0 || next_far_ < bucket_ + kBuckets) fetch_far();
     auto& bucket = buckets_[bucket_ % kBuckets];
     if (bucket.empty()) {
       ++bucket_;
@@ -123,10 +139,6 @@ bool CostField::settle_next() {
     bucket.pop_back();
     --queued_;
     if (next.value != values_[next.square]) continue;  // it has got a better value since
-    if ((next.key - first_key_) * per_width_ >= static_cast<float>(bucket_ + 1)) {
-      push(next);
-      continue;
-    }
     ++settled_;
     settled_flags_[next.square] = 1;
     expand(next);
@@ -172,7 +184,7 @@ CostField::Value CostField::at(Point point) const {
     if (known(square)) {
       sum += shares[i] * values_[square];
       total += shares[i];
-    } else if (queued_ > 0) {
+    } else if (!exhausted()) {
       const double reached = first_key_ + static_cast<double>(bucket_) / per_width_;
       const double bound = reached - straight_distance(point, start_);
       return {std::max(0.0, bound - grid_.size()), false};

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,7 @@ class CostField {
 
  private:
   static constexpr std::size_t kBuckets = 256;
+  static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
   /// The four squares whose middles are around a point, and how far it is between them.
   struct Around {
@@ -82,14 +84,18 @@ class CostField {
   void expand(const Waiting& waiting);
   void update(int column, int row, std::size_t square);
   bool settle_next();
+  void fetch_far();
+  bool exhausted() const { return queued_ == 0 && far_.empty(); }
 
   const CoarseGrid& grid_;
   std::vector<float> values_;
   std::vector<std::uint8_t> settled_flags_;
   std::vector<std::uint32_t> touched_;
   std::array<std::vector<Waiting>, kBuckets> buckets_;
-  std::size_t bucket_ = 0;  // the current one, counted from begin()
-  std::size_t queued_ = 0;
+  std::size_t bucket_ = 0;         // the current one, counted from begin()
+  std::size_t queued_ = 0;         // in the buckets
+  std::vector<Waiting> far_;       // too far ahead for the buckets
+  std::size_t next_far_ = kNever;  // the first bucket of these
   std::size_t settled_ = 0;
   float first_key_ = 0;
   float per_width_;  // buckets in a unit of cost

@@ -58,8 +58,11 @@ Steering::Steering(DriveKind model, double radius, const DriveCosts& costs)
 }
 
 Motion Steering::scaled(const Motion& primitive, double step) const {
-  return {primitive.length * step, primitive.length == 0 ? primitive.turn : primitive.turn * step,
-          primitive.course};
+  if (primitive.length == 0) return primitive;
+  constexpr double kMostTurn = kPi / 2;
+  const double turn = std::abs(primitive.turn) * step;
+  const double share = turn > kMostTurn ? kMostTurn / turn : 1;
+  return {primitive.length * step * share, primitive.turn * step * share, primitive.course};
 }
 
 double Steering::cost(const Motion& motion, double way) const {

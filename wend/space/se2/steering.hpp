@@ -42,7 +42,7 @@ class Steering {
 
   /// The motions of a search, `step` cells long.
   std::span<const Motion> primitives() const { return {primitives_.data(), primitive_count_}; }
-  /// A primitive that goes `step` cells far, or turns by the angle that a car turns by on that way.
+  /// A primitive that goes `step` cells far, but turns by a quarter turn at most.
   Motion scaled(const Motion& primitive, double step) const;
 
   /// The cost of a motion whose way costs `way`, without changes of gear. O(1).
