@@ -23,12 +23,12 @@ double angle_between(double from, double to) {
 /// How two poses are joined: an arc whose chord has the direction that the car has half-way.
 struct Motion {
   Pose from;
-  double turn;    // radians
-  double length;  // cells, negative in reverse
-  double course;  // radians, of the motion against the heading
+  double turn;        // radians
+  double length = 0;  // cells, negative in reverse
+  double course = 0;  // radians, of the motion against the heading
 
   Motion(const Pose& begin, const Pose& end)
-      : from(begin), turn(angle_between(begin.heading, end.heading)), length(0), course(0) {
+      : from(begin), turn(angle_between(begin.heading, end.heading)) {
     const double dx = end.x - begin.x;
     const double dy = end.y - begin.y;
     const double chord = std::sqrt(dx * dx + dy * dy);

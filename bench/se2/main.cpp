@@ -50,8 +50,10 @@ std::string costs_against(const Se2Run& run, const Se2Run& other) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < run.costs.size(); ++i) {
-    if (!run.costs[i] || !other.costs[i]) continue;
-    sum += *run.costs[i] / *other.costs[i];
+    const std::optional<double> cost = run.costs[i];
+    const std::optional<double> of_other = other.costs[i];
+    if (!cost || !of_other) continue;
+    sum += *cost / *of_other;
     ++count;
   }
   return count == 0 ? "" : fmt::format("{:.4f}", sum / count);

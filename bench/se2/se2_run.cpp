@@ -57,7 +57,7 @@ void note_path(const FreeSpace& space, const Query& query, const Plan& plan, dou
     run.faults.push_back(fmt::format("query {}: {}", number, report.fault));
   run.length += report.length * resolution;
   run.gear_changes += static_cast<std::size_t>(report.gear_changes);
-  run.costs.push_back(plan.cost * resolution);
+  run.costs.emplace_back(plan.cost * resolution);
 }
 
 }  // namespace
