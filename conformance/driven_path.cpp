@@ -73,10 +73,13 @@ std::string broken_rule(const Motion& motion, const DriveRules& rules) {
     return fmt::format("moves {:.4f} rad aside of its heading", motion.course);
   }
   if (motion.length < 0 && !rules.reverses) return "drives in reverse";
-  constexpr double kRounding = 1e-6;
-  if (motion.is_arc() && motion.radius() < rules.turning_radius * (1 - kRounding)) {
-    return fmt::format("turns with a radius of {:.4f}, less than {:.4f}", motion.radius(),
-                       rules.turning_radius);
+  // The length that the turn takes at least. Of a very short arc, rounded coordinates change the radius.
+  const double least_length = std::abs(motion.turn) * rules.turning_radius;
+  constexpr double kRelative = 1e-6;
+  constexpr double kRounding = 1e-11;  // cells
+  if (motion.is_arc() && std::abs(motion.length) < least_length * (1 - kRelative) - kRounding) {
+    return fmt::format("turns by {:.3g} rad with a radius of {:.9g}, less than {:.9g}", motion.turn,
+                       motion.radius(), rules.turning_radius);
   }
   return "";
 }

@@ -106,10 +106,23 @@ TEST(DrivenPath, KeepsToItsTurningRadiusAndItsGears) {
   const std::vector<Pose> arc{{2, 2, 0}, {4, 4, kPi / 2}};
   EXPECT_THAT(report_of(space, arc, {.turning_radius = 2}).fault, IsEmpty());
   EXPECT_THAT(report_of(space, arc, {.turning_radius = 2.01}).fault,
-              HasSubstr("turns with a radius of 2.0000, less than 2.0100"));
+              HasSubstr("turns by 1.57 rad with a radius of 2, less than 2.01"));
+  const std::vector<Pose> slight{{2, 2, 0}, {2.01, 2, 0.00501}};
+  EXPECT_THAT(report_of(space, slight, {.turning_radius = 2, .moves_aside = true}).fault,
+              HasSubstr("turns by 0.00501 rad"));
   const std::vector<Pose> back{{6, 2, 0}, {4, 2, 0}};
   EXPECT_THAT(report_of(space, back).fault, IsEmpty());
   EXPECT_THAT(report_of(space, back, {.reverses = false}).fault, HasSubstr("drives in reverse"));
+}
+
+TEST(DrivenPath, TakesTheRadiusOfAVeryShortArcAsRounded) {
+  const FreeSpace space = walled({});
+  const Pose from{13.1, 7.3, 0.7};
+  for (const double length : {1e-8, 1e-6, 1e-3}) {
+    const Pose to = end_of(CurvePiece{length, Turn::left}, from, 2);
+    EXPECT_THAT(report_of(space, {from, to}, {.turning_radius = 2, .moves_aside = true}).fault,
+                IsEmpty());
+  }
 }
 
 TEST(DrivenPath, DrivesWhereItFaces) {
