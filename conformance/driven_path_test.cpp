@@ -116,12 +116,13 @@ TEST(DrivenPath, KeepsToItsTurningRadiusAndItsGears) {
 }
 
 TEST(DrivenPath, TakesTheRadiusOfAVeryShortArcAsRounded) {
-  const FreeSpace space = walled({});
-  const Pose from{13.1, 7.3, 0.7};
-  for (const double length : {1e-8, 1e-6, 1e-3}) {
-    const Pose to = end_of(CurvePiece{length, Turn::left}, from, 2);
-    EXPECT_THAT(report_of(space, {from, to}, {.turning_radius = 2, .moves_aside = true}).fault,
-                IsEmpty());
+  const FreeSpace space =
+      *make_free_space(*make_grid_map(Grid<CellState>(2000, 20, CellState::free)));
+  for (int i = 0; i < 100; ++i) {
+    const Pose from{1700 + i * 0.37, 7.3, 0.7};
+    const Pose to = end_of(CurvePiece{1e-8, Turn::left}, from, 2);
+    const DriveRules rules{.turning_radius = 2, .moves_aside = true};
+    EXPECT_THAT(report_of(space, {from, to}, rules).fault, IsEmpty());
   }
 }
 
