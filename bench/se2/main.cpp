@@ -229,6 +229,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", arguments.settings.seconds, "time limit of a query")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str();
+  app.add_flag(
+      "--exhaustive", arguments.settings.exhaustive,
+      "look for drives of unsolved queries by an exhaustive search, which takes seconds each");
   app.add_flag("--curves", arguments.curves, "time Dubins and Reeds-Shepp curves instead");
   return wend::bench::parse_and_run(app, argc, argv, [&] {
     wend::bench::stay_on_one_core();

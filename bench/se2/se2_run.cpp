@@ -7,6 +7,7 @@
 
 #include "bench/boost/boost_astar.hpp"
 #include "bench/measure/measuring.hpp"
+#include "bench/se2/exhaustive_drive.hpp"
 #include "wend/base/status.hpp"
 #include "wend/base/thread_time.hpp"
 
@@ -60,6 +61,12 @@ void note_path(const FreeSpace& space, const Query& query, const Plan& plan, dou
   run.costs.emplace_back(plan.cost * resolution);
 }
 
+std::string verdict(const FreeSpace& space, const Query& query, double radius) {
+  const ExhaustiveAnswer answer = exhaustive_drive(space, query, radius);
+  return fmt::format("; the exhaustive search {} after {} states",
+                     answer.found ? "FINDS A DRIVE" : "finds none", answer.states);
+}
+
 }  // namespace
 
 Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
@@ -87,8 +94,9 @@ Expected<Se2Run, Error> se2_run(const FreeSpace& space, PlannerSpec spec,
       continue;
     }
     run.costs.emplace_back();
-    run.unsolved.push_back(
-        fmt::format("query {}: {}: {}", i, to_string(status), (*planner)->reason(query, status)));
+    run.unsolved.push_back(fmt::format("query {}: {}: {}{}", i, to_string(status),
+                                       (*planner)->reason(query, status),
+                                       settings.exhaustive ? verdict(space, query, radius) : ""));
   }
   run.resident_mb = (resident_bytes() - resident) / 1e6;
   return run;

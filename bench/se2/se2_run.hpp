@@ -17,6 +17,7 @@ struct Se2Settings {
   double turning_radius = 0.4;  // m
   int rounds = 3;               // timed runs of every query; the fastest counts
   double seconds = 20;          // limit of a query; such a query is run once
+  bool exhaustive = false;      // say of each unsolved query what an exhaustive search finds
 };
 
 /// One planner on the queries of one map and robot.
