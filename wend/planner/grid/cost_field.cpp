@@ -24,6 +24,22 @@ SearchOutcome CostField<Cost, Word, Units>::run(std::span<const Cell> goals, con
   return outcome_ = SearchOutcome::exhausted;
 }
 
+/// The three rows around a cell, each of which may lie in two lines of the cache. Inline: g++ takes a function
+/// that only prefetches for one without effects, and drops its calls.
+template <class Cost, class Word, class Units>
+void CostField<Cost, Word, Units>::fetch_ahead(StateId id) const {
+  for (const StateId row : {grid_.neighbour(id, static_cast<unsigned>(Direction::plus_y)), id,
+                            grid_.neighbour(id, static_cast<unsigned>(Direction::minus_y))}) {
+    __builtin_prefetch(&nodes_[row - 1], 1);
+    __builtin_prefetch(&nodes_[row + 1], 1);
+    if constexpr (!kUniform) {
+      __builtin_prefetch(grid_.words() + row - 1);
+      __builtin_prefetch(grid_.words() + row + 1);
+    }
+  }
+  if constexpr (kUniform) __builtin_prefetch(grid_.words() + id);
+}
+
 /// Expands the cells of a bucket, unless the search ends early.
 template <class Cost, class Word, class Units>
 void CostField<Cost, Word, Units>::drain(std::vector<StateId>& bucket, std::uint64_t number,
@@ -44,18 +60,6 @@ void CostField<Cost, Word, Units>::drain(std::vector<StateId>& bucket, std::uint
   }
 }
 
-/// The three rows around a cell.
-template <class Cost, class Word, class Units>
-void CostField<Cost, Word, Units>::fetch_ahead(StateId id) const {
-  for (const Direction along : {Direction::plus_y, Direction::minus_y}) {
-    const StateId next = grid_.neighbour(id, static_cast<unsigned>(along));
-    __builtin_prefetch(&nodes_[next], 1);
-    __builtin_prefetch(grid_.words() + next);
-  }
-  __builtin_prefetch(&nodes_[id], 1);
-  __builtin_prefetch(grid_.words() + id);
-}
-
 template <class Cost, class Word, class Units>
 void CostField<Cost, Word, Units>::expand(StateId id) {
   ++metrics_.expanded;
@@ -67,7 +71,7 @@ void CostField<Cost, Word, Units>::expand(StateId id) {
   for (; moves != 0; moves &= moves - 1) {
     const auto direction = static_cast<unsigned>(std::countr_zero(moves));
     const StateId next = grid_.neighbour(id, direction);
-    const std::uint64_t sum = steps + Grid::steps(grid_.word(next));
+    const std::uint64_t sum = kUniform ? 2 : steps + Grid::steps(grid_.word(next));
     const bool diagonal = (direction & 1U) != 0;
     reach(next, g + sum * (diagonal ? Units::kDiagonal : Units::kStraight),
           diagonals + (diagonal ? sum : 0), static_cast<Move>(direction));

@@ -75,6 +75,8 @@ class CostField {
     Cost link;     // the arrival, then the sum of the diagonal steps, which is below g / 577
   };
 
+  // Every free cell costs one step.
+  static constexpr bool kUniform = !std::is_same_v<Units, CostUnits>;
   static constexpr std::size_t kAhead = 8;  // nodes fetched ahead
   // The sum of diagonal steps needs fewer bits than g, for each counts at least 577: a move fits beside it.
   static constexpr std::uint64_t kMostCost = static_cast<Cost>(~Cost{0}) / 2;
@@ -84,7 +86,7 @@ class CostField {
 
   const Node& node(Cell cell) const { return nodes_[grid_.number(cell)]; }
   void drain(std::vector<StateId>& bucket, std::uint64_t number, LimitCheck& check);
-  void fetch_ahead(StateId id) const;
+  [[gnu::always_inline]] inline void fetch_ahead(StateId id) const;
   void expand(StateId id);
   void reach(StateId id, std::uint64_t g, std::uint64_t diagonals, Move arrival);
 
