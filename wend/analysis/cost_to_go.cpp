@@ -114,16 +114,13 @@ SearchOutcome fill(Field field, std::span<const Cell> goals, const Limits& limit
   return outcome;
 }
 
-/// In whole numbers of 32 bits, or of 64 if they do not do.
+/// In nodes of 64 bits, or wide ones if these do not do.
 template <class Word, class Units, class WideUnits>
 Status fill_by(const CostGrid<Word>& grid, std::span<const Cell> goals, const Limits& limits,
                const FieldParts& parts) {
-  SearchOutcome outcome = SearchOutcome::cost_overflow;
-  if constexpr (sizeof(Word) == sizeof(std::uint32_t)) {
-    outcome = fill(CostField<std::uint32_t, Word, Units>(grid), goals, limits, parts);
-  }
+  SearchOutcome outcome = fill(CostField<std::uint64_t, Word, Units>(grid), goals, limits, parts);
   if (outcome == SearchOutcome::cost_overflow) {
-    outcome = fill(CostField<std::uint64_t, Word, WideUnits>(grid), goals, limits, parts);
+    outcome = fill(CostField<WideFieldNumber, Word, WideUnits>(grid), goals, limits, parts);
   }
   return outcome == SearchOutcome::exhausted ? Status::found : status_of(outcome);
 }

@@ -18,6 +18,7 @@
 #include "wend/base/zeroed_memory.hpp"
 #include "wend/geometry/cell.hpp"
 #include "wend/planner/grid/cost_grid.hpp"
+#include "wend/planner/grid/field_node.hpp"
 #include "wend/search/limit_check.hpp"
 #include "wend/search/search_outcome.hpp"
 #include "wend/space/grid/cost_units.hpp"
@@ -25,9 +26,9 @@
 
 namespace wend {
 
-/// Cost is 32 bits, or 64 where sums outgrow them. Units are CostUnits, or OctileUnits where every cell costs
-/// the same, with which the costs are exact.
-template <class Cost, class Word, class Units>
+/// Number is that of its FieldNodes: 64 bits, or WideFieldNumber where costs outgrow them. Units are CostUnits, or
+/// OctileUnits where every cell costs the same, with which the costs are exact.
+template <class Number, class Word, class Units>
 class CostField {
  public:
   using Grid = CostGrid<Word>;
@@ -49,37 +50,31 @@ class CostField {
   }
 
   /// Computes the costs to the nearest of the goals, which are free. Ends as exhausted, as cost_overflow if
-  /// Cost is too small, or early by the limits.
+  /// Number is too small, or early by the limits.
   SearchOutcome run(std::span<const Cell> goals, const Limits& limits);
 
   const SearchMetrics& metrics() const { return metrics_; }
 
-  bool reached(Cell cell) const { return node(cell).g_and_1 != 0; }
+  bool reached(Cell cell) const { return node(cell).reached(); }
   /// The cost of a reached cell, with the exact square root of 2.
   double cost(Cell cell) const {
-    const Node& here = node(cell);
-    const std::uint64_t g = here.g_and_1 - 1;
-    const std::uint64_t diagonals = here.link >> kMoveBits;
-    const std::uint64_t straights = (g - diagonals * Units::kDiagonal) / Units::kStraight;
+    const std::uint64_t diagonals = node(cell).diagonals();
+    const std::uint64_t straights =
+        (node(cell).g() - diagonals * Units::kDiagonal) / Units::kStraight;
     return (static_cast<double>(straights) + std::numbers::sqrt2 * static_cast<double>(diagonals)) /
            (2.0 * static_cast<double>(grid_.one()));
   }
   /// The cost of a reached cell in units.
-  std::uint64_t units(Cell cell) const { return node(cell).g_and_1 - 1; }
+  std::uint64_t units(Cell cell) const { return node(cell).g(); }
+  /// Every reached cell costs less than this, in units.
+  std::uint64_t bound() const { return bound_; }
   /// The move by which a reached cell was reached from the goal; kNoMove in a goal.
-  Move arrival(Cell cell) const { return static_cast<Move>(node(cell).link & kNoMove); }
+  Move arrival(Cell cell) const { return node(cell).arrival(); }
 
  private:
-  struct Node {
-    Cost g_and_1;  // 0: not reached
-    Cost link;     // the arrival, then the sum of the diagonal steps, which is below g / 577
-  };
+  using Node = FieldNode<Number, Units>;
 
-  // Every free cell costs one step.
-  static constexpr bool kUniform = !std::is_same_v<Units, CostUnits>;
   static constexpr std::size_t kAhead = 8;  // nodes fetched ahead
-  // The sum of diagonal steps needs fewer bits than g, for each counts at least 577: a move fits beside it.
-  static constexpr std::uint64_t kMostCost = static_cast<Cost>(~Cost{0}) / 2;
 
   std::uint64_t least_step() const { return 2 * grid_.least_steps() * Units::kStraight; }
   std::uint64_t most_step() const { return 2 * grid_.most_steps() * Units::kDiagonal; }
@@ -88,21 +83,23 @@ class CostField {
   void drain(std::vector<StateId>& bucket, std::uint64_t number, LimitCheck& check);
   [[gnu::always_inline]] inline void fetch_ahead(StateId id) const;
   void expand(StateId id);
-  void reach(StateId id, std::uint64_t g, std::uint64_t diagonals, Move arrival);
+  void reach(StateId id, Node node);
 
   const Grid& grid_;
   ZeroedTable<Node> nodes_;
   unsigned width_bits_;
   std::vector<std::vector<StateId>> ring_;
   std::size_t open_ = 0;  // entries of the ring
+  std::uint64_t bound_ = 0;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
   SearchMetrics metrics_;
 };
 
-extern template class CostField<std::uint32_t, std::uint32_t, CostUnits>;
 extern template class CostField<std::uint64_t, std::uint32_t, CostUnits>;
 extern template class CostField<std::uint64_t, std::uint64_t, CostUnits>;
-extern template class CostField<std::uint32_t, std::uint32_t, OctileUnits<std::uint32_t>>;
-extern template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint64_t>>;
+extern template class CostField<WideFieldNumber, std::uint32_t, CostUnits>;
+extern template class CostField<WideFieldNumber, std::uint64_t, CostUnits>;
+extern template class CostField<std::uint64_t, std::uint32_t, OctileUnits<std::uint32_t>>;
+extern template class CostField<WideFieldNumber, std::uint32_t, OctileUnits<std::uint64_t>>;
 
 }  // namespace wend
