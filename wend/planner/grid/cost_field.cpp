@@ -6,7 +6,8 @@
 namespace wend {
 
 template <class Number, class Word, class Units>
-SearchOutcome CostField<Number, Word, Units>::run(std::span<const Cell> goals, const Limits& limits) {
+SearchOutcome CostField<Number, Word, Units>::run(std::span<const Cell> goals,
+                                                  const Limits& limits) {
   if (!allocated()) return SearchOutcome::out_of_memory;
   outcome_ = SearchOutcome::running;
   LimitCheck check;
@@ -14,7 +15,7 @@ SearchOutcome CostField<Number, Word, Units>::run(std::span<const Cell> goals, c
   for (const Cell goal : goals) reach(grid_.number(goal), Node::start());
   std::vector<StateId> bucket;
   for (std::uint64_t number = 0; open_ > 0; ++number) {
-    auto& filled = ring_[number & (ring_.size() - 1)];
+    auto& filled = ring_[number & ring_mask_];
     if (filled.empty()) continue;
     bound_ = (number + 1) << width_bits_;
     if (bound_ + most_step() > Node::kMostCost) return outcome_ = SearchOutcome::cost_overflow;
@@ -45,7 +46,7 @@ void CostField<Number, Word, Units>::fetch_ahead(StateId id) const {
 /// Expands the cells of a bucket, unless the search ends early.
 template <class Number, class Word, class Units>
 void CostField<Number, Word, Units>::drain(std::vector<StateId>& bucket, std::uint64_t number,
-                                         LimitCheck& check) {
+                                           LimitCheck& check) {
   metrics_.max_frontier = std::max<std::uint64_t>(metrics_.max_frontier, open_);
   for (std::size_t i = 0; i < bucket.size(); ++i) {
     if (i + kAhead < bucket.size()) fetch_ahead(bucket[i + kAhead]);
@@ -85,7 +86,7 @@ void CostField<Number, Word, Units>::reach(StateId id, Node node) {
   const std::uint64_t bucket = node.bucket(width_bits_);
   // Its entry in the same bucket serves both.
   if (before.reached() && before.bucket(width_bits_) == bucket) return;
-  ring_[bucket & (ring_.size() - 1)].push_back(id);
+  ring_[bucket & ring_mask_].push_back(id);
   ++open_;
 }
 

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -38,7 +39,8 @@ class CostField {
       : grid_(grid),
         nodes_(zeroed_table<Node>(grid.state_count())),
         width_bits_(static_cast<unsigned>(std::bit_width(least_step())) - 1),
-        ring_(std::bit_ceil((most_step() >> width_bits_) + 2)) {}
+        ring_(std::bit_ceil((most_step() >> width_bits_) + 2)),
+        ring_mask_(ring_.size() - 1) {}
 
   /// False if there was no memory: then run() ends as out_of_memory.
   bool allocated() const { return nodes_ != nullptr; }
@@ -56,11 +58,12 @@ class CostField {
   const SearchMetrics& metrics() const { return metrics_; }
 
   bool reached(Cell cell) const { return node(cell).reached(); }
-  /// The cost of a reached cell, with the exact square root of 2.
+  /// The cost of a cell, with the exact square root of 2; infinite if it was not reached.
   double cost(Cell cell) const {
-    const std::uint64_t diagonals = node(cell).diagonals();
-    const std::uint64_t straights =
-        (node(cell).g() - diagonals * Units::kDiagonal) / Units::kStraight;
+    const Node here = node(cell);
+    if (!here.reached()) return std::numeric_limits<double>::infinity();
+    const std::uint64_t diagonals = here.diagonals();
+    const std::uint64_t straights = (here.g() - diagonals * Units::kDiagonal) / Units::kStraight;
     return (static_cast<double>(straights) + std::numbers::sqrt2 * static_cast<double>(diagonals)) /
            (2.0 * static_cast<double>(grid_.one()));
   }
@@ -68,8 +71,10 @@ class CostField {
   std::uint64_t units(Cell cell) const { return node(cell).g(); }
   /// Every reached cell costs less than this, in units.
   std::uint64_t bound() const { return bound_; }
-  /// The move by which a reached cell was reached from the goal; kNoMove in a goal.
-  Move arrival(Cell cell) const { return node(cell).arrival(); }
+  /// The move by which a cell was reached from the goal; kNoMove in a goal, and if it was not reached.
+  Move arrival(Cell cell) const {
+    return node(cell).reached() ? node(cell).arrival() : Move{kNoMove};
+  }
 
  private:
   using Node = FieldNode<Number, Units>;
@@ -88,7 +93,8 @@ class CostField {
   const Grid& grid_;
   ZeroedTable<Node> nodes_;
   unsigned width_bits_;
-  std::vector<std::vector<StateId>> ring_;
+  std::vector<std::vector<StateId>> ring_;  // buckets, as many as a power of two
+  std::uint64_t ring_mask_;
   std::size_t open_ = 0;  // entries of the ring
   std::uint64_t bound_ = 0;
   SearchOutcome outcome_ = SearchOutcome::exhausted;
