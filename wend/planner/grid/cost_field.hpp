@@ -79,7 +79,7 @@ class CostField {
  private:
   using Node = FieldNode<Number, Units>;
 
-  static constexpr std::size_t kAhead = 8;  // nodes fetched ahead
+  static constexpr std::size_t kAhead = 16;  // nodes fetched ahead
 
   std::uint64_t least_step() const { return 2 * grid_.least_steps() * Units::kStraight; }
   std::uint64_t most_step() const { return 2 * grid_.most_steps() * Units::kDiagonal; }
